@@ -1,0 +1,90 @@
+#include "base/file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "base/error.hpp"
+
+namespace triptych {
+
+namespace {
+template <typename Container>
+Container read_whole(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) fail(path.string(), "is a folder, not a file");
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file) fail(path.string(), "cannot be opened: {}", std::strerror(errno));
+  Container contents;
+  char buffer[1 << 16];
+  size_t count = 0;
+  while ((count = std::fread(buffer, 1, sizeof(buffer), file)) > 0) {
+    const auto* first = reinterpret_cast<const typename Container::value_type*>(buffer);
+    contents.insert(contents.end(), first, first + count);
+  }
+  const bool failed = std::ferror(file) != 0;
+  std::fclose(file);
+  if (failed) fail(path.string(), "cannot be read: {}", std::strerror(errno));
+  return contents;
+}
+}  // namespace
+
+std::vector<std::byte> read_file(const std::filesystem::path& path) { return read_whole<std::vector<std::byte>>(path); }
+std::string read_text_file(const std::filesystem::path& path) { return read_whole<std::string>(path); }
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) fail(folder.string(), "cannot be made: {}", error.message());
+}
+
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path_, error)) fail(path_.string(), "is a folder, not a file");
+  partial_ = path_.string() + ".partial-" + std::to_string(::getpid());
+  file_ = std::fopen(partial_.c_str(), "wb");
+  if (!file_) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+}
+
+AtomicFile::~AtomicFile() {
+  if (file_) std::fclose(file_);
+  if (!partial_.empty()) ::unlink(partial_.c_str());
+}
+
+void AtomicFile::write(std::span<const std::byte> bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+    fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+  }
+  size_ += bytes.size();
+}
+
+void AtomicFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+
+void AtomicFile::write_at(uint64_t offset, std::span<const std::byte> bytes) {
+  if (std::fseek(file_, static_cast<long>(offset), SEEK_SET) != 0 ||
+      std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() || std::fseek(file_, 0, SEEK_END) != 0) {
+    fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+  }
+}
+
+void AtomicFile::commit() {
+  const bool flushed = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0;
+  const int flush_error = errno;
+  std::fclose(file_);
+  file_ = nullptr;
+  if (!flushed) fail(path_.string(), "cannot be written: {}", std::strerror(flush_error));
+  if (std::rename(partial_.c_str(), path_.c_str()) != 0) {
+    fail(path_.string(), "cannot be put in place: {}", std::strerror(errno));
+  }
+  partial_.clear();
+}
+
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace triptych

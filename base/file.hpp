@@ -1,0 +1,45 @@
+// Files: whole reads, and writes that appear under their name only when they are finished.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace triptych {
+
+/// The whole file. Error (place: the path) if it cannot be read.
+std::vector<std::byte> read_file(const std::filesystem::path& path);
+std::string read_text_file(const std::filesystem::path& path);
+
+/// Makes the folder and its parents. Error if that fails.
+void make_folder(const std::filesystem::path& folder);
+
+/// A file that is written beside its name and renamed by commit(); destroyed without commit, it leaves nothing.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text);
+  /// Overwrites bytes at an earlier offset (a header that is known last); the end of the file stays the place to write.
+  void write_at(uint64_t offset, std::span<const std::byte> bytes);
+  uint64_t size() const { return size_; }
+  /// Flushes to the disk and renames. Error if either fails; then nothing is left.
+  void commit();
+
+ private:
+  std::filesystem::path path_, partial_;
+  std::FILE* file_ = nullptr;
+  uint64_t size_ = 0;
+};
+
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace triptych

@@ -1,0 +1,40 @@
+#include "base/inject.hpp"
+
+#include <algorithm>
+
+namespace triptych {
+
+namespace {
+uint32_t& active_faults() {
+  static uint32_t mask = 0;
+  return mask;
+}
+}  // namespace
+
+const std::vector<std::string>& fault_names() {
+  static const std::vector<std::string> names = {"withheld-id",  "wrong-delta",    "no-digest",    "strict-depth-test",
+                                                 "no-dilation", "wrong-ancestor", "stale-camera", "flipped-byte"};
+  return names;
+}
+
+bool inject(std::string_view name) {
+  const auto& names = fault_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return false;
+  active_faults() |= 1u << (found - names.begin());
+  return true;
+}
+
+bool injected(Fault fault) { return (active_faults() >> static_cast<uint32_t>(fault) & 1u) != 0; }
+
+std::vector<std::string> injected_names() {
+  std::vector<std::string> active;
+  for (size_t i = 0; i < fault_names().size(); ++i) {
+    if (injected(static_cast<Fault>(i))) active.push_back(fault_names()[i]);
+  }
+  return active;
+}
+
+void clear_injected() { active_faults() = 0; }
+
+}  // namespace triptych

@@ -1,0 +1,13 @@
+#include "base/memory.hpp"
+
+#include <sys/resource.h>
+
+namespace triptych {
+
+uint64_t peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace triptych

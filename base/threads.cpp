@@ -1,0 +1,26 @@
+#include "base/threads.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <memory>
+
+namespace triptych {
+
+namespace {
+std::unique_ptr<tbb::global_control>& limit() {
+  static std::unique_ptr<tbb::global_control> control;
+  return control;
+}
+}  // namespace
+
+void set_thread_count(unsigned count) {
+  limit().reset();
+  if (count > 0) limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
+}
+
+void parallel_for(size_t count, const std::function<void(size_t)>& body) {
+  tbb::parallel_for(size_t{0}, count, body);
+}
+
+}  // namespace triptych

@@ -1,0 +1,15 @@
+// Work over all cores. Results never depend on the number of threads: each index writes its own place.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace triptych {
+
+/// Limits parallel_for for the rest of the process; 0 is all cores.
+void set_thread_count(unsigned count);
+
+/// Calls body(0) … body(count − 1), in any order, side by side; the first exception is thrown again here.
+void parallel_for(size_t count, const std::function<void(size_t)>& body);
+
+}  // namespace triptych

@@ -1,0 +1,24 @@
+# cmake --install build/release --prefix DIR: the program, the rooms as libraries with their headers, and a CMake
+# package: find_package(triptych) gives triptych::scene, triptych::lod and so on.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/triptych)
+set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/triptych)
+
+# launch/ is the program itself, not a library for others.
+foreach(room base scene lod visibility render protocol nodes measure samples)
+  target_compile_features(triptych_${room} INTERFACE cxx_std_20)
+  install(TARGETS triptych_${room} EXPORT triptych ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${header_dir} FILES_MATCHING PATTERN *.hpp)
+endforeach()
+
+target_include_directories(glad SYSTEM PUBLIC $<INSTALL_INTERFACE:${header_dir}/loader>)
+install(TARGETS glad EXPORT triptych ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/triptych)
+install(DIRECTORY ${GLAD_DIR}/include/ DESTINATION ${header_dir}/loader)
+
+install(TARGETS triptych RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT triptych NAMESPACE triptych:: FILE triptych-targets.cmake DESTINATION ${package_dir})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/triptych-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/triptych-config.cmake ${CMAKE_BINARY_DIR}/triptych-config-version.cmake
+        DESTINATION ${package_dir})

@@ -1,0 +1,17 @@
+# triptych_room(NAME SOURCES file... [LINK library...] [PRIVATE_LINK library...])
+# One folder, one library `triptych_NAME`; its public headers stand beside its sources.
+add_library(triptych_warnings INTERFACE)
+target_compile_options(triptych_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
+
+function(triptych_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(triptych_${name} STATIC ${ROOM_SOURCES})
+  add_library(triptych::${name} ALIAS triptych_${name})
+  target_include_directories(triptych_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/..>
+                                                     $<INSTALL_INTERFACE:include/triptych>)
+  # Bounds and cuts are computed without contracted arithmetic, so that runs can be compared.
+  target_compile_options(triptych_${name} PRIVATE -ffp-contract=off)
+  target_link_libraries(triptych_${name} PUBLIC ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK}
+                                         $<BUILD_INTERFACE:triptych_warnings>)
+  set_target_properties(triptych_${name} PROPERTIES EXPORT_NAME ${name})
+endfunction()

@@ -1,0 +1,53 @@
+// Processes that this one starts and ends: none is left behind, and what they complain about is collected.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// A group of child processes that live and die together. Children get SIGTERM when this process dies.
+class ChildProcesses {
+ public:
+  ChildProcesses() = default;
+  ~ChildProcesses();  ///< ends all of them
+  ChildProcesses(const ChildProcesses&) = delete;
+  ChildProcesses& operator=(const ChildProcesses&) = delete;
+
+  /// Starts this program again with other arguments. Its standard error comes through here, lines that start with
+  /// "triptych: " excepted: they are kept as its complaint. Error if it cannot be started.
+  pid_t start(const std::string& name, const std::vector<std::string>& arguments);
+
+  /// Waits until all have ended. As soon as one fails the others get a moment to leave by themselves and are ended
+  /// then; the Error names the first that failed and its complaint. stop: asked a few times a second; once true, all
+  /// are told to end, and that is no error. Returns false where it was stopped.
+  bool wait(bool (*stop)());
+
+ private:
+  struct Child {
+    std::string name;
+    pid_t pid = -1;
+    int errors = -1;  ///< read end of its standard error
+    std::string line;
+    std::string complaint;
+    bool running = true;
+    int status = 0;
+  };
+  void read_errors(int timeout_ms);
+  void take_lines(Child& child, const char* characters, size_t count);
+  /// Collects children that ended; returns the first of them that failed.
+  Child* reap();
+  bool any_running() const;
+  void signal_all(int signal);
+  /// SIGTERM, and SIGKILL for those that do not go within the grace.
+  void end_all(std::chrono::milliseconds grace);
+  static std::string failure(const Child& child);
+
+  std::vector<Child> children_;
+};
+
+}  // namespace triptych

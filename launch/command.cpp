@@ -1,0 +1,96 @@
+#include "launch/command.hpp"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/inject.hpp"
+#include "base/threads.hpp"
+
+namespace triptych {
+
+namespace {
+
+PictureSize parse_size(const std::string& text) {
+  PictureSize size{0, 0};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = separated ? std::from_chars(width.ptr + 1, end, size.height) : width;
+  constexpr int limit = 16384;
+  if (!separated || height.ec != std::errc() || height.ptr != end || size.width < 1 || size.height < 1 ||
+      size.width > limit || size.height > limit) {
+    throw CLI::ValidationError("--size", fmt::format("\"{}\" is no WxH with sides of 1 to {}", text, limit));
+  }
+  return size;
+}
+
+const CLI::Validator positive_number(
+    [](std::string& text) {
+      double value = 0;
+      const bool number = CLI::detail::lexical_cast(text, value);
+      return number && value > 0 && std::isfinite(value) ? std::string() : "\"" + text + "\" is no number above 0";
+    },
+    "NUMBER>0");
+
+}  // namespace
+
+void add_common_flags(CLI::App& command, std::filesystem::path& json) {
+  command.add_option("--json", json, "Write what was found as one JSON object")->type_name("FILE");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--inject",
+          [](const std::vector<std::string>& names) {
+            for (const std::string& name : names) inject(name);
+          },
+          "Put a fault in on purpose; shows that the checks can fail")
+      ->check(CLI::IsMember(fault_names()))
+      ->allow_extra_args(false);
+  command
+      .add_option_function<unsigned>("--threads", [](unsigned count) { set_thread_count(count); },
+                                     "Threads to work with (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_drawing_flags(CLI::App& command, RunOptions& options) {
+  command.add_option("pack", options.pack, "The pack to draw")->required()->type_name("FILE.tpk");
+  command.add_option("--context", options.context, "Where OpenGL comes from")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ContextKind>{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}}))
+      ->default_str("egl");
+  command.add_option("--test", options.test, "How boxes are tested: occlusion queries, or a draw that marks a storage buffer")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, TestKind>{{"queries", TestKind::queries}, {"storage", TestKind::storage}}))
+      ->default_str("storage");
+}
+
+void add_run_flags(CLI::App& command, RunOptions& options) {
+  add_common_flags(command, options.json);
+  add_drawing_flags(command, options);
+  command.add_option("--path", options.path, "The camera path")->required()->type_name("FILE");
+  command.add_option_function<std::string>(
+             "--size", [&options](const std::string& text) { options.size = parse_size(text); },
+             "Width and height of the picture in pixels")
+      ->type_name("WxH")
+      ->default_str("512x512");
+  command.add_option("--pixel-error", options.pixel_errors, "How far surfaces may deviate, in pixels")
+      ->delimiter(',')
+      ->check(positive_number)
+      ->default_str("1");
+  command.add_option("--frames", options.frames, "Only the first frames of the path")->check(CLI::PositiveNumber);
+}
+
+std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {
+  const Path path = load_path(options.path);
+  const size_t count = options.frames > 0 ? std::min(options.frames, path.frames.size()) : path.frames.size();
+  std::vector<FrameRequest> frames;
+  for (size_t i = 0; i < count; ++i) {
+    frames.push_back({.number = static_cast<uint32_t>(i),
+                      .view = path.view(i, options.size.width, options.size.height, skeleton.default_near()),
+                      .pixel_error = options.pixel_error()});
+  }
+  return frames;
+}
+
+}  // namespace triptych

@@ -1,0 +1,55 @@
+// What the subcommands share: flags that mean the same everywhere, and how each enters the program.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "nodes/fallback.hpp"
+#include "render/context.hpp"
+#include "scene/pack.hpp"
+#include "scene/path.hpp"
+
+namespace triptych {
+
+/// What the chosen subcommand does once the command line was read; returns the exit code.
+using Action = std::function<int()>;
+
+/// Width and height from "WxH"; CLI::ValidationError for anything else.
+struct PictureSize {
+  int width = 512, height = 512;
+};
+
+/// Flags of every command that draws a pack along a path.
+struct RunOptions {
+  std::filesystem::path pack, path, json;
+  PictureSize size;
+  std::vector<double> pixel_errors = {1};
+  ContextKind context = ContextKind::egl;
+  TestKind test = TestKind::storage;
+  size_t frames = 0;  ///< the first so many; 0 is all
+  double pixel_error() const { return pixel_errors.front(); }
+};
+
+/// --json, --inject and --threads, which every subcommand takes.
+void add_common_flags(CLI::App& command, std::filesystem::path& json);
+/// The pack, --context and --test: what every process that draws needs.
+void add_drawing_flags(CLI::App& command, RunOptions& options);
+/// add_common_flags, add_drawing_flags, and --path, --size, --pixel-error, --frames.
+void add_run_flags(CLI::App& command, RunOptions& options);
+
+/// The frames that the options ask for, in order. Error for a path that cannot be used.
+std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton);
+
+void add_sample(CLI::App& app, Action& action);
+void add_build(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_render(CLI::App& app, Action& action);
+void add_session(CLI::App& app, Action& action);
+void add_role(CLI::App& app, Action& action);
+void add_measure(CLI::App& app, Action& action);
+
+}  // namespace triptych

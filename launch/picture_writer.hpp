@@ -1,0 +1,45 @@
+// Writes PNG files beside the drawing, on a thread of its own.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace triptych {
+
+/// A bounded queue: add() waits where the disk is slower than the frames.
+class PictureWriter {
+ public:
+  PictureWriter();
+  ~PictureWriter();
+  PictureWriter(const PictureWriter&) = delete;
+  PictureWriter& operator=(const PictureWriter&) = delete;
+
+  /// rgba: width × height × 4 bytes, bottom row first. Throws what an earlier picture failed with.
+  void add(std::filesystem::path file, int width, int height, std::vector<uint8_t> rgba);
+  /// Waits until every picture is written; throws what failed.
+  void finish();
+
+ private:
+  struct Picture {
+    std::filesystem::path file;
+    int width, height;
+    std::vector<uint8_t> rgba;
+  };
+  void work();
+  void rethrow();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Picture> queue_;
+  bool busy_ = false, ending_ = false;
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+}  // namespace triptych

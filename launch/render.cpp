@@ -1,0 +1,85 @@
+#include <fmt/core.h>
+
+#include "base/memory.hpp"
+#include "base/progress.hpp"
+#include "launch/command.hpp"
+#include "launch/pictures.hpp"
+#include "measure/json.hpp"
+#include "render/png_file.hpp"
+
+namespace triptych {
+
+namespace {
+
+struct RenderCommand {
+  RunOptions run;
+  std::filesystem::path output;
+  CullMode cull = CullMode::occlusion;
+  bool full_detail = false, item_buffer = false;
+};
+
+int run(const RenderCommand& command) {
+  const Pack pack(command.run.pack);
+  std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+  make_folder(command.output);
+  const auto context = make_context(command.run.context);
+  const auto [width, height] = command.run.size;
+  Fallback fallback(pack, {.width = width,
+                           .height = height,
+                           .cull = command.cull,
+                           .test = command.run.test,
+                           .batches = {},
+                           .item_buffer = command.item_buffer});
+  std::vector<FrameRecord> records;
+  {
+    Progress progress("render", frames.size());
+    for (FrameRequest& frame : frames) {
+      if (command.full_detail) frame.pixel_error = 0;
+      records.push_back(fallback.draw(frame));
+      const Target& target = fallback.target();
+      write_png(command.output / picture_name(frame.number), width, height,
+                command.item_buffer ? item_colors(target.read_items()) : target.read_colors());
+      progress.advance();
+    }
+  }
+  const nlohmann::json report = {
+      {"frames", records.size()},
+      {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},
+      {"occlusion_representation_ms",
+       distribution_json(records, [](const FrameRecord& r) { return r.occlusion_representation_ms; })},
+      {"hardware_cull_ms", distribution_json(records, [](const FrameRecord& r) { return r.hardware_cull_ms; })},
+      {"render_ms", distribution_json(records, [](const FrameRecord& r) { return r.render_ms; })},
+      {"drawn_triangles", distribution_json(records, [](const FrameRecord& r) { return r.drawn_triangles; })},
+      {"visible", distribution_json(records, [](const FrameRecord& r) { return r.visible.size(); })},
+      {"cut", distribution_json(records, [](const FrameRecord& r) { return r.cut_drawables; })},
+      {"tests", distribution_json(records, [](const FrameRecord& r) { return r.tests; })},
+      {"peak_rss_bytes", peak_resident_bytes()},
+      {"gl",
+       {{"vendor", context->names().vendor},
+        {"renderer", context->names().renderer},
+        {"version", context->names().version}}}};
+  fmt::print("{} frames, median {:.1f} ms, {:.0f} drawables and {:.0f} triangles drawn of a cut of {:.0f}\n",
+             records.size(), report["frame_ms"]["p50"].get<double>(), report["visible"]["mean"].get<double>(),
+             report["drawn_triangles"]["mean"].get<double>(), report["cut"]["mean"].get<double>());
+  write_json(command.run.json, report);
+  return 0;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Action& action) {
+  auto command = std::make_shared<RenderCommand>();
+  CLI::App* sub = app.add_subcommand("render", "Draw a path in one process, without a display");
+  sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
+  add_run_flags(*sub, command->run);
+  sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
+  sub->add_option("--cull", command->cull, "What is left out: occlusion, frustum or none")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, CullMode>{
+          {"occlusion", CullMode::occlusion}, {"frustum", CullMode::frustum}, {"none", CullMode::none}}))
+      ->default_str("occlusion");
+  sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");
+  sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
+  sub->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace triptych

@@ -1,0 +1,49 @@
+#include <fmt/core.h>
+
+#include "launch/session_run.hpp"
+#include "measure/json.hpp"
+
+namespace triptych {
+
+namespace {
+
+int run(const SessionOptions& options, const std::filesystem::path& json) {
+  const SessionOutcome outcome = run_session(options);
+  nlohmann::json roles = nlohmann::json::array();
+  for (const auto& [role, pid] : outcome.roles) roles.push_back({{"role", role}, {"pid", pid}});
+  if (outcome.stopped) {
+    fmt::print(stderr, "session: told to end, every role has left\n");
+    return 0;
+  }
+  const std::vector<FrameRecord>& frames = outcome.records.front().frames;
+  uint64_t mismatches = 0, fallback_frames = 0;
+  for (const FrameRecord& frame : frames) {
+    mismatches += frame.digest_mismatch;
+    fallback_frames += frame.fallback;
+  }
+  const nlohmann::json report = {
+      {"frames", frames.size()},
+      {"frame_ms", distribution_json(frames, [](const FrameRecord& r) { return r.frame_ms; })},
+      {"visible", distribution_json(frames, [](const FrameRecord& r) { return r.visible.size(); })},
+      {"drawn_triangles", distribution_json(frames, [](const FrameRecord& r) { return r.drawn_triangles; })},
+      {"digest_mismatches", mismatches},
+      {"fallback_frames", fallback_frames},
+      {"roles", roles}};
+  fmt::print("{} frames, median {:.1f} ms, {} digest mismatches\n", frames.size(),
+             report["frame_ms"]["p50"].get<double>(), mismatches);
+  write_json(json, report);
+  return 0;
+}
+
+}  // namespace
+
+void add_session(CLI::App& app, Action& action) {
+  auto options = std::make_shared<SessionOptions>();
+  CLI::App* sub = app.add_subcommand("session", "Three processes on this machine, one picture");
+  sub->footer("Example: triptych session scene.tpk --path walk.json -o pictures");
+  add_session_flags(*sub, *options);
+  sub->add_option("-o,--output", options->output, "Folder for the PNG files")->type_name("DIR");
+  sub->callback([options, &action] { action = [options] { return run(*options, options->run.json); }; });
+}
+
+}  // namespace triptych

@@ -1,0 +1,346 @@
+#include "lod/distance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "base/hashing.hpp"
+#include "lod/triangle_tree.hpp"
+
+namespace triptych {
+
+namespace {
+
+/// What is smaller than this, in lattice steps, is not worth a cut: the bound may be so much larger than the truth.
+constexpr double floor_distance = 0.25;
+/// Cut corners are rounded; this is far above what rounding can do and far below what anybody sees.
+constexpr double rounding_allowance = 1e-5;
+/// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
+constexpr size_t cuts_a_triangle = 6;
+
+struct ArrayHash {
+  template <typename Values>
+  size_t operator()(const Values& values) const {
+    return static_cast<size_t>(hash_values(std::span<const Values>(&values, 1)));
+  }
+};
+
+/// A convex polygon. Each cut adds one corner at most, and each path of cuts is short; what grows beyond is not cut.
+class Polygon {
+ public:
+  static constexpr size_t most_corners = 15;
+  void push_back(const glm::dvec3& corner) { corners_[size_++] = corner; }
+  size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+  const glm::dvec3& operator[](size_t i) const { return corners_[i]; }
+  const glm::dvec3* begin() const { return corners_.data(); }
+  const glm::dvec3* end() const { return corners_.data() + size_; }
+  operator std::span<const glm::dvec3>() const { return {corners_.data(), size_}; }
+
+ private:
+  std::array<glm::dvec3, most_corners + 2> corners_;
+  size_t size_ = 0;
+};
+using TriangleSet = std::unordered_set<std::array<uint32_t, 3>, ArrayHash>;
+
+glm::dvec3 middle_of(const Polygon& polygon) {
+  glm::dvec3 sum{0};
+  for (const glm::dvec3& corner : polygon) sum += corner;
+  return sum / static_cast<double>(polygon.size());
+}
+
+/// Cuts off what lies beyond the plane dot(normal, x) = limit and returns it; both stay convex, either may be empty.
+Polygon cut(Polygon& polygon, const glm::dvec3& normal, double limit) {
+  Polygon inside, outside;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double beyond_a = glm::dot(normal, a) - limit, beyond_b = glm::dot(normal, b) - limit;
+    if (beyond_a <= 0) inside.push_back(a);
+    if (beyond_a >= 0) outside.push_back(a);
+    if ((beyond_a < 0 && beyond_b > 0) || (beyond_a > 0 && beyond_b < 0)) {
+      const glm::dvec3 crossing = a + (b - a) * (beyond_a / (beyond_a - beyond_b));
+      inside.push_back(crossing);
+      outside.push_back(crossing);
+    }
+  }
+  // A side that is but a point or a line belongs to the other one.
+  if (outside.size() < 3) return {};
+  if (inside.size() < 3) {
+    inside.clear();
+    outside = polygon;
+  }
+  polygon = inside;
+  return outside;
+}
+
+/// The largest distance of polygons from the triangles of a tree, by branch and bound: the polygon with the largest
+/// bound is cut until that bound is nearly reached by some point, or the work is no longer worth it.
+class OneSided {
+ public:
+  /// `lower` is a distance that is known to be reached elsewhere: below it nothing needs to be known exactly.
+  OneSided(const TriangleTree& tree, double lower) : tree_(tree), lower_(lower) {}
+
+  /// The exact distance of a point; raises what is known to be reached.
+  double touch(const glm::dvec3& point) {
+    const auto nearest = tree_.nearest(point, hint_);
+    hint_ = nearest.triangle;
+    lower_ = std::max(lower_, std::sqrt(nearest.squared_distance));
+    return std::sqrt(nearest.squared_distance);
+  }
+
+  void add(const Corners& triangle) {
+    Polygon polygon;
+    for (const glm::dvec3& corner : triangle) polygon.push_back(corner);
+    add(polygon);
+  }
+
+  /// The bound of all that was added.
+  double finish(size_t most_cuts) {
+    for (size_t i = 0; i < most_cuts && !waiting_.empty() && waiting_.front().bound > enough(); ++i) {
+      std::pop_heap(waiting_.begin(), waiting_.end());
+      const Waiting waiting = waiting_.back();
+      waiting_.pop_back();
+      hint_ = waiting.near;
+      divide(waiting.polygon);
+    }
+    if (!waiting_.empty()) bound_ = std::max(bound_, waiting_.front().bound);
+    return bound_;
+  }
+
+  double lower() const { return lower_; }
+
+ private:
+  struct Waiting {
+    double bound;
+    uint32_t near;  ///< the triangle near its middle
+    Polygon polygon;
+    bool operator<(const Waiting& other) const { return bound < other.bound; }
+  };
+
+  /// A bound up to here needs no cut: within a tenth of a distance that is really reached somewhere.
+  double enough() const { return std::max(floor_distance, lower_ * 1.1); }
+
+  void add(const Polygon& polygon) {
+    if (polygon.size() < 3) return;
+    const auto nearest = tree_.nearest_to_all(polygon, enough() * enough(), hint_);
+    hint_ = nearest.triangle;
+    double bound = std::sqrt(nearest.squared_distance);
+    if (bound > enough()) {
+      const glm::dvec3 middle = middle_of(polygon);
+      double reach = 0;
+      for (const glm::dvec3& corner : polygon) reach = std::max(reach, glm::distance(corner, middle));
+      bound = std::min(bound, touch(middle) + reach);
+    }
+    if (bound <= enough()) {
+      bound_ = std::max(bound_, bound);
+    } else {
+      waiting_.push_back({bound, hint_, polygon});
+      std::push_heap(waiting_.begin(), waiting_.end());
+    }
+  }
+
+  /// Cuts out what lies over the triangle nearest to the polygon's middle; halves the polygon where that leads nowhere.
+  void divide(const Polygon& polygon) {
+    const Corners& near = tree_.triangle(hint_);
+    const glm::dvec3 normal = glm::cross(near[1] - near[0], near[2] - near[0]);
+    const double slack = enough() * 0.3;
+    std::array<Polygon, 3> beyond;
+    Polygon rest = polygon;
+    bool was_cut = false;
+    for (size_t i = 0; i < 3 && !rest.empty() && rest.size() < Polygon::most_corners; ++i) {
+      const glm::dvec3 outwards = glm::cross(near[(i + 1) % 3] - near[i], normal);
+      const double length = glm::length(outwards);
+      if (!(length > 0)) continue;
+      const glm::dvec3 direction = outwards / length;
+      beyond[i] = cut(rest, direction, glm::dot(direction, near[i]) + slack);
+      was_cut |= !beyond[i].empty();
+    }
+    if (rest.empty() || !was_cut) {
+      halve(polygon);
+    } else {
+      add(rest);
+      for (const Polygon& piece : beyond) add(piece);
+    }
+  }
+
+  void halve(Polygon polygon) {
+    size_t from = 0;
+    double longest = -1;
+    glm::dvec3 direction{0};
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      touch(polygon[i]);
+      const glm::dvec3 side = polygon[(i + 1) % polygon.size()] - polygon[i];
+      if (glm::dot(side, side) > longest) {
+        longest = glm::dot(side, side);
+        direction = side;
+        from = i;
+      }
+    }
+    const Polygon other = cut(polygon, direction, glm::dot(direction, polygon[from] + direction * 0.5));
+    add(polygon);
+    add(other);
+  }
+
+  const TriangleTree& tree_;
+  double lower_, bound_ = 0;
+  uint32_t hint_ = 0;
+  std::vector<Waiting> waiting_;
+};
+
+Corners corners_of(const Surface& surface, const Triangle& triangle) {
+  return {glm::dvec3(surface.points[triangle.vertices[0]]), glm::dvec3(surface.points[triangle.vertices[1]]),
+          glm::dvec3(surface.points[triangle.vertices[2]])};
+}
+
+/// Numbers that are the same for equal points of two surfaces.
+struct CommonPoints {
+  CommonPoints(const Surface& a, const Surface& b) {
+    numbers.reserve(std::max(a.points.size(), b.points.size()));
+    for (const glm::ivec3& point : b.points) numbers.try_emplace(point, static_cast<uint32_t>(numbers.size()));
+    for (const glm::ivec3& point : a.points) {
+      of_a.push_back(numbers.try_emplace(point, static_cast<uint32_t>(numbers.size())).first->second);
+    }
+    for (const glm::ivec3& point : b.points) of_b.push_back(numbers.at(point));
+  }
+  std::unordered_map<glm::ivec3, uint32_t, ArrayHash> numbers;
+  std::vector<uint32_t> of_a, of_b;
+};
+
+std::array<uint32_t, 3> numbered(const Triangle& triangle, const std::vector<uint32_t>& numbers) {
+  std::array<uint32_t, 3> key = {numbers[triangle.vertices[0]], numbers[triangle.vertices[1]],
+                                 numbers[triangle.vertices[2]]};
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+/// Triangles to which distances are measured.
+class Target {
+ public:
+  Target(const Surface& surface, std::span<const Triangle> triangles, const std::vector<uint32_t>& numbers)
+      : tree_(all_corners(surface, triangles)) {
+    triangles_.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) {
+      const auto key = numbered(triangle, numbers);
+      triangles_.insert(key);
+      points_.insert(key.begin(), key.end());
+    }
+  }
+
+  /// The one-sided distance of the triangles; raises `lower` to what is reached.
+  double distance_from(const Surface& surface, std::span<const Triangle> triangles,
+                       const std::vector<uint32_t>& numbers, double& lower) const {
+    std::vector<Triangle> changed;
+    for (const Triangle& triangle : triangles) {
+      if (!triangles_.contains(numbered(triangle, numbers))) changed.push_back(triangle);
+    }
+    OneSided side(tree_, lower);
+    // Corners first: the sooner a large distance is known, the fewer cuts.
+    for (const Triangle& triangle : changed) {
+      for (const uint32_t vertex : triangle.vertices) {
+        if (!points_.contains(numbers[vertex])) side.touch(glm::dvec3(surface.points[vertex]));
+      }
+    }
+    for (const Triangle& triangle : changed) side.add(corners_of(surface, triangle));
+    const double bound = side.finish(cuts_a_triangle * changed.size() + 2000);
+    lower = side.lower();
+    return bound;
+  }
+
+ private:
+  static std::vector<Corners> all_corners(const Surface& surface, std::span<const Triangle> triangles) {
+    std::vector<Corners> corners;
+    corners.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) corners.push_back(corners_of(surface, triangle));
+    return corners;
+  }
+
+  TriangleTree tree_;
+  TriangleSet triangles_;
+  std::unordered_set<uint32_t> points_;
+};
+
+double diagonal(const Surface& surface, std::span<const Triangle> triangles) {
+  LatticeBox box;
+  for (const Triangle& triangle : triangles) {
+    for (const uint32_t vertex : triangle.vertices) box.extend(surface.points[vertex]);
+  }
+  return glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
+}
+
+/// Triangles of one colour that hang together by their points, one patch after another.
+std::vector<std::vector<Triangle>> patches(const Surface& surface) {
+  std::map<uint32_t, std::vector<Triangle>> by_color;
+  for (const Triangle& triangle : surface.triangles) by_color[triangle.material].push_back(triangle);
+  std::vector<std::vector<Triangle>> result;
+  for (const auto& [color, triangles] : by_color) {
+    std::vector<uint32_t> parents(surface.points.size());
+    std::iota(parents.begin(), parents.end(), 0u);
+    const auto root = [&](uint32_t point) {
+      while (parents[point] != point) point = parents[point] = parents[parents[point]];
+      return point;
+    };
+    for (const Triangle& triangle : triangles) {
+      for (size_t i = 1; i < 3; ++i) parents[root(triangle.vertices[i])] = root(triangle.vertices[0]);
+    }
+    std::unordered_map<uint32_t, size_t> places;
+    for (const Triangle& triangle : triangles) {
+      const auto [found, inserted] = places.try_emplace(root(triangle.vertices[0]), result.size());
+      if (inserted) result.emplace_back();
+      result[found->second].push_back(triangle);
+    }
+  }
+  return result;
+}
+
+/// Each patch of `from` against its own colour, or against everything and the patch's own size.
+double one_sided_by_color(const Surface& from, const std::vector<uint32_t>& from_numbers, const Surface& to,
+                          const std::vector<uint32_t>& to_numbers, double& lower) {
+  std::map<uint32_t, std::vector<Triangle>> by_color;
+  for (const Triangle& triangle : to.triangles) by_color[triangle.material].push_back(triangle);
+  std::map<uint32_t, Target> targets;
+  for (const auto& [color, triangles] : by_color) targets.try_emplace(color, to, triangles, to_numbers);
+  std::optional<Target> everything;
+  double bound = 0;
+  for (const auto& patch : patches(from)) {
+    const double size = diagonal(from, patch);
+    double own = std::numeric_limits<double>::infinity(), own_lower = lower;
+    if (const auto target = targets.find(patch[0].material); target != targets.end()) {
+      own = target->second.distance_from(from, patch, from_numbers, own_lower);
+    }
+    if (own <= std::max(size, lower)) {
+      lower = std::max(lower, own_lower);
+    } else {
+      if (!everything) everything.emplace(to, to.triangles, to_numbers);
+      own = std::min(own, std::max(size, everything->distance_from(from, patch, from_numbers, lower)));
+      lower = std::max(lower, std::min(size, own));
+    }
+    bound = std::max(bound, own);
+  }
+  return bound;
+}
+
+}  // namespace
+
+double distance_bound(const Surface& a, const Surface& b, Colors colors) {
+  const CommonPoints common(a, b);
+  double bound = 0, lower = 0;
+  if (colors == Colors::ignore) {
+    bound = Target(b, b.triangles, common.of_b).distance_from(a, a.triangles, common.of_a, lower);
+    bound = std::max(bound, Target(a, a.triangles, common.of_a).distance_from(b, b.triangles, common.of_b, lower));
+  } else {
+    bound = one_sided_by_color(a, common.of_a, b, common.of_b, lower);
+    bound = std::max(bound, one_sided_by_color(b, common.of_b, a, common.of_a, lower));
+  }
+  return bound > 0 ? bound + rounding_allowance : 0;
+}
+
+}  // namespace triptych

@@ -1,0 +1,119 @@
+#include "lod/hlod.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "base/hashing.hpp"
+#include "lod/simplify.hpp"
+
+namespace triptych {
+
+size_t Baker::Hash::operator()(const glm::ivec3& point) const {
+  return static_cast<size_t>(hash_values(std::span<const glm::ivec3>(&point, 1)));
+}
+
+size_t Baker::Hash::operator()(const std::array<uint32_t, 3>& corners) const {
+  return static_cast<size_t>(hash_values(std::span<const uint32_t>(corners)));
+}
+
+namespace {
+
+/// The corners of a triangle without area, two of them moved by at most a step each so that it has one.
+std::array<glm::ivec3, 3> spread(const std::array<glm::ivec3, 3>& corners) {
+  const std::array<glm::ivec3, 4> steps = {glm::ivec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const glm::ivec3& b : steps) {
+    for (const glm::ivec3& c : steps) {
+      if (!degenerate(corners[0], corners[1] + b, corners[2] + c)) return {corners[0], corners[1] + b, corners[2] + c};
+    }
+  }
+  return corners;  // not reached: of three directions at most one is that of the line
+}
+
+}  // namespace
+
+uint32_t Baker::place(const glm::ivec3& point, const LeafSpan& span) {
+  auto& points = baked_.surface.points;
+  const auto [found, inserted] = points_.try_emplace(point, static_cast<uint32_t>(points.size()));
+  if (inserted) {
+    points.push_back(point);
+    baked_.spans.push_back(span);
+  } else {
+    baked_.spans[found->second].extend(span);
+  }
+  return found->second;
+}
+
+void Baker::add_triangle(const Triangle& triangle) {
+  std::array<uint32_t, 3> turned = triangle.vertices;
+  std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+  if (triangles_.insert(turned).second) baked_.surface.triangles.push_back(triangle);
+}
+
+void Baker::add(const Surface& surface, std::span<const LeafSpan> spans) {
+  std::vector<uint32_t> placed;
+  for (size_t i = 0; i < surface.points.size(); ++i) placed.push_back(place(surface.points[i], spans[i]));
+  for (Triangle triangle : surface.triangles) {
+    for (uint32_t& vertex : triangle.vertices) vertex = placed[vertex];
+    add_triangle(triangle);
+  }
+}
+
+void Baker::add(const Surface& surface, const Lattice& from, const Affine& transform, std::span<const LeafSpan> spans) {
+  moved_ = std::max(moved_, std::sqrt(3.0) / 2 * (1 + 1e-9));
+  std::vector<glm::ivec3> points;
+  for (const glm::ivec3& point : surface.points) {
+    points.push_back(lattice_.nearest(transform * glm::dvec4(from.position(point), 1)));
+  }
+  const bool mirrors = glm::determinant(glm::dmat3(transform)) < 0;
+  for (Triangle triangle : surface.triangles) {
+    if (mirrors) std::swap(triangle.vertices[1], triangle.vertices[2]);
+    std::array<glm::ivec3, 3> corners;
+    for (size_t i = 0; i < 3; ++i) corners[i] = points[triangle.vertices[i]];
+    if (degenerate(corners[0], corners[1], corners[2])) {
+      corners = spread(corners);
+      moved_ = std::max(moved_, std::sqrt(3.0) / 2 + 1 + 1e-9);
+    }
+    for (size_t i = 0; i < 3; ++i) triangle.vertices[i] = place(corners[i], spans[triangle.vertices[i]]);
+    add_triangle(triangle);
+  }
+}
+
+Baked Baker::finish(double error) {
+  baked_.error = error + moved_ * lattice_.step;
+  return std::move(baked_);
+}
+
+Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice, uint32_t triangles) {
+  std::vector<uint8_t> locked;
+  size_t locked_count = 0;
+  for (const LeafSpan& span : children.spans) {
+    locked.push_back(span.first < first_place || span.last >= end_place);
+    locked_count += locked.back();
+  }
+  // A border as large as this leaves nothing to simplify: it opens, within the bound.
+  if (locked_count > 2 * size_t{triangles}) locked.clear();
+
+  Hlod hlod;
+  SimplifyLimits limits;
+  limits.triangles = triangles;
+  limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
+  Chain chain = simplify(children.surface, locked, limits);
+  hlod.detached_triangles = chain.detached_triangles;
+  hlod.stuck = chain.stuck && chain.levels.empty();
+  for (const Level& level : chain.levels) {
+    hlod.drawables.push_back({encode(level.piece.surface), children.error + level.bound * lattice.step});
+  }
+  if (chain.levels.empty()) {
+    hlod.drawables.push_back({encode(children.surface), children.error});
+    hlod.coarsest = std::move(children);
+  } else {
+    Piece& piece = chain.levels.back().piece;
+    for (const uint32_t source : piece.sources) hlod.coarsest.spans.push_back(children.spans[source]);
+    hlod.coarsest.surface = std::move(piece.surface);
+    hlod.coarsest.error = hlod.drawables.back().error;
+  }
+  return hlod;
+}
+
+}  // namespace triptych

@@ -1,0 +1,77 @@
+// Hierarchical LODs: the geometry of a whole subtree, simplified, bottom-up (Erikson, Manocha and Baxter, HLODs for
+// faster display of large static and dynamic environments, 2001).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "lod/encoded.hpp"
+#include "lod/parts.hpp"
+#include "scene/surface.hpp"
+
+namespace triptych {
+
+/// Places of the leaves that a point of a border belongs to: the first and the last; a point that is on no border has
+/// only its own.
+struct LeafSpan {
+  uint32_t first = no_border, last = 0;
+  void extend(const LeafSpan& other) {
+    first = first < other.first ? first : other.first;
+    last = last > other.last ? last : other.last;
+  }
+};
+
+/// Geometry of a subtree on the model's lattice.
+struct Baked {
+  Surface surface;
+  std::vector<LeafSpan> spans;  ///< for each point
+  double error = 0;             ///< proven bound of the two-sided distance to the source, model units
+};
+
+/// Collects surfaces into one: equal points meet, equal triangles are one.
+class Baker {
+ public:
+  explicit Baker(const Lattice& lattice) : lattice_(lattice) {}
+  /// Geometry that is on the model's lattice already.
+  void add(const Surface& surface, std::span<const LeafSpan> spans);
+  /// Geometry on the lattice of its mesh, under a transform: each position is rounded to the model's lattice. Where
+  /// that leaves a triangle without area, its corners move by one more step: nothing is lost.
+  void add(const Surface& surface, const Lattice& from, const Affine& transform, std::span<const LeafSpan> spans);
+  /// What was collected. `error`: the bound of what was added; how far it moved is added to it.
+  Baked finish(double error);
+
+ private:
+  uint32_t place(const glm::ivec3& point, const LeafSpan& span);
+  void add_triangle(const Triangle& triangle);
+
+  struct Hash {
+    size_t operator()(const glm::ivec3& point) const;
+    size_t operator()(const std::array<uint32_t, 3>& corners) const;
+  };
+  const Lattice& lattice_;
+  Baked baked_;
+  std::unordered_map<glm::ivec3, uint32_t, Hash> points_;
+  std::unordered_set<std::array<uint32_t, 3>, Hash> triangles_;
+  double moved_ = 0;  ///< lattice steps
+};
+
+struct HlodDrawable {
+  EncodedChunk chunk;
+  double error = 0;
+};
+
+struct Hlod {
+  std::vector<HlodDrawable> drawables;  ///< finest first
+  Baked coarsest;
+  size_t detached_triangles = 0;
+  bool stuck = false;  ///< still as many triangles as its children have, and more than wanted
+};
+
+/// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place. Points of
+/// borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of levels.
+Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice, uint32_t triangles);
+
+}  // namespace triptych

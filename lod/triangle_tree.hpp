@@ -1,0 +1,49 @@
+// Closest-point queries on triangles, in double: a bounding volume tree of medians.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "scene/box.hpp"
+
+namespace triptych {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+/// The point of the triangle that is closest to p (Ericson, Real-Time Collision Detection, 2004, section 5.1.5). The
+/// result is a convex combination of the corners whatever rounding does, so its distance never comes out too small.
+glm::dvec3 closest_point(const glm::dvec3& p, const Corners& triangle);
+
+class TriangleTree {
+ public:
+  struct Nearest {
+    double squared_distance;
+    uint32_t triangle;  ///< index into the triangles
+  };
+
+  /// At least one triangle.
+  explicit TriangleTree(std::vector<Corners> triangles);
+
+  const Corners& triangle(uint32_t index) const { return triangles_[index]; }
+  /// The triangle closest to the point. `hint` is where to look first.
+  Nearest nearest(const glm::dvec3& point, uint32_t hint = 0) const;
+  /// The triangle whose largest distance from any of the points is smallest; since a triangle is convex, so close to it
+  /// are all convex combinations of the points. Stops at the first that is within `enough`.
+  Nearest nearest_to_all(std::span<const glm::dvec3> points, double enough_squared, uint32_t hint = 0) const;
+
+ private:
+  struct Node {
+    Box box;
+    uint32_t first = 0, count = 0;  ///< of a leaf: triangles in order_; of an inner node: count 0 and its right child
+  };
+
+  void build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& centers);
+
+  std::vector<Corners> triangles_;
+  std::vector<uint32_t> order_;
+  std::vector<Node> nodes_;  ///< depth first: a left child follows its parent
+};
+
+}  // namespace triptych

@@ -1,0 +1,26 @@
+// Reports as JSON.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "base/distribution.hpp"
+
+namespace triptych {
+
+/// {"mean", "p50", "p95", "p99", "max"}.
+nlohmann::json to_json(const Distribution& distribution);
+
+/// The distribution of what `value` gives for each record.
+template <typename Record, typename Value>
+nlohmann::json distribution_json(const std::vector<Record>& records, Value value) {
+  std::vector<double> values;
+  for (const Record& record : records) values.push_back(static_cast<double>(value(record)));
+  return to_json(distribution(values));
+}
+
+/// Writes one object, atomically. An empty path writes nothing.
+void write_json(const std::filesystem::path& file, const nlohmann::json& object);
+
+}  // namespace triptych

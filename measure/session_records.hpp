@@ -1,0 +1,34 @@
+// What the three roles of a session hand to whoever started them: JSON files, one a role.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "nodes/frame_record.hpp"
+#include "protocol/mailbox.hpp"
+#include "render/context.hpp"
+
+namespace triptych {
+
+/// One direction of one socket.
+struct SocketRecord {
+  std::string name;  ///< "switch node 0 to render node, nodes"
+  uint64_t bytes = 0, messages = 0;
+  uint64_t delta_body_bytes = 0, delta_ids = 0;
+};
+
+struct RoleRecord {
+  std::vector<SocketRecord> sockets;  ///< what this role sent
+  std::vector<FrameRecord> frames;    ///< the render node's
+  GlNames gl;
+};
+
+/// What the role has sent so far, socket by socket.
+std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);
+
+nlohmann::json to_json(const RoleRecord& record);
+/// Error (place) for JSON that is no role's record.
+RoleRecord role_record_from_json(const nlohmann::json& json, const std::string& place);
+
+}  // namespace triptych

@@ -1,0 +1,26 @@
+// Takes one frame's visible set in from HC: packet by packet, checked by the digest, asked for again where it differs.
+#pragma once
+
+#include "nodes/inbox.hpp"
+#include "nodes/occlusion_stage.hpp"
+#include "visibility/visible_stream.hpp"
+
+namespace triptych {
+
+/// How a frame's intake ended.
+struct IntakeResult {
+  VisibleSet visible;  ///< V(i)
+  Sentinel sentinel;
+  bool digest_mismatch = false;  ///< what came in packets was not V(i); `visible` is the full set, sent again
+  double waiting_ms = 0;         ///< for messages
+  double sentinel_wait_ms = 0;   ///< of that, for the last message
+};
+
+/// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i) in draw
+/// rank order as they are decided. After a digest mismatch what was decided counts for nothing: draw `visible` anew.
+/// Error if the full set does not match its digest either.
+IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_hash, const FrameRequest& frame,
+                        const VisibleSet& previous,
+                        const std::function<void(const std::vector<DrawableId>&)>& decided);
+
+}  // namespace triptych

@@ -1,0 +1,50 @@
+#include "nodes/occlusion_stage.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "visibility/map_to_cut.hpp"
+
+namespace triptych {
+
+OcclusionStage::OcclusionStage(Renderer& renderer, int width, int height, TestKind test)
+    : renderer_(renderer),
+      skeleton_(renderer.skeleton()),
+      tester_(renderer_, width, height, test),
+      is_represented_(renderer.skeleton().drawables.size(), false) {}
+
+void OcclusionStage::begin(const FrameRequest& frame) {
+  if (frame.view.width != tester_.target().width() || frame.view.height != tester_.target().height()) {
+    fail(fmt::format("frame {}", frame.number), "a viewport of {}x{} where {}x{} was agreed", frame.view.width,
+         frame.view.height, tester_.target().width(), tester_.target().height());
+  }
+  frame_ = frame;
+  cut_ = select_cut(skeleton_, frame.view, frame.pixel_error);
+  for (const DrawableId id : represented_) is_represented_[id] = false;
+  represented_.clear();
+  tester_.begin(frame.view);
+}
+
+void OcclusionStage::represent(const VisibleSet& visible) {
+  const glm::ivec3 cell = eye_cell(skeleton_, frame_.view);
+  std::vector<DrawableId> fresh = map_to_cut(skeleton_, cell, cut_, visible);
+  std::erase_if(fresh, [&](DrawableId id) { return is_represented_[id]; });
+  for (const DrawableId id : fresh) is_represented_[id] = true;
+  represented_.insert(represented_.end(), fresh.begin(), fresh.end());
+  tester_.draw(fresh);
+}
+
+void OcclusionStage::finish() { glFinish(); }
+
+CullResult OcclusionStage::cull(const VisibleSet& previous, const CullOptions& options,
+                                const std::function<void(const CullPacket&)>& emit) {
+  return hardware_cull(skeleton_, frame_.view, cut_, tester_, represented_, previous, options, emit);
+}
+
+uint64_t OcclusionStage::represented_triangles() const {
+  uint64_t triangles = 0;
+  for (const DrawableId id : represented_) triangles += skeleton_.drawables[id].triangles;
+  return triangles;
+}
+
+}  // namespace triptych

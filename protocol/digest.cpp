@@ -1,0 +1,26 @@
+#include "protocol/digest.hpp"
+
+#include "base/bytes.hpp"
+#include "base/hashing.hpp"
+
+namespace triptych {
+
+uint64_t frame_digest(uint32_t frame, const View& view, double pixel_error, uint64_t pack_hash,
+                      const VisibleSet& visible) {
+  const Camera& camera = view.camera;
+  ByteWriter fields;
+  fields.write(frame);
+  for (const auto* vector : {&camera.eye, &camera.target, &camera.up}) {
+    for (int axis = 0; axis < 3; ++axis) fields.write((*vector)[axis]);
+  }
+  for (const double value :
+       {camera.left, camera.right, camera.bottom, camera.top, camera.near, pixel_error}) {
+    fields.write(value);
+  }
+  fields.write(view.width);
+  fields.write(view.height);
+  fields.write(pack_hash);
+  return hash_values(std::span<const DrawableId>(visible), hash_bytes(fields.bytes()));
+}
+
+}  // namespace triptych

@@ -1,0 +1,105 @@
+// The links of one role to its peers.
+#pragma once
+
+#include "base/error.hpp"
+#include "protocol/link.hpp"
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+#include <chrono>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace triptych {
+
+/// A peer that closed its socket without a Bye, was reset, does not take what it is sent, or sent what is no
+/// message.
+class PeerLost : public Error {
+ public:
+  PeerLost(Role lost, const std::string& reason) : Error(role_name(lost) + " lost", reason), peer(lost) {}
+  Role peer;
+};
+
+struct Received {
+  Role peer;
+  Channel channel;
+  Message message;
+};
+
+/// Reads all sockets in the background of receive() and send(); for one thread. Every message that arrived
+/// before a peer was lost is handed out before the loss is.
+class Mailbox {
+ public:
+  Mailbox();
+  ~Mailbox();
+  Mailbox(const Mailbox&) = delete;
+  Mailbox& operator=(const Mailbox&) = delete;
+
+  /// Sockets and links belong to this.
+  asio::io_context& context() { return context_; }
+
+  void add(Role peer, Channel channel, asio::ip::tcp::socket socket);
+  void add(Role peer, Channel channel, std::shared_ptr<Link> link);
+  bool has(Role peer, Channel channel) const { return links_.count({peer, channel}) != 0; }
+
+  /// Sends at once. PeerLost if the peer is gone; where messages of a peer that is gone wait to be received,
+  /// receive() throws it after them instead. To a peer whose Bye was received, or whose loss was thrown,
+  /// nothing is sent.
+  void send(Role peer, Channel channel, const Message& message);
+
+  /// The next message in the order of arrival, or nothing within the timeout. A Bye is delivered, once a
+  /// peer, and what follows it is not an error. Throws PeerLost, once for each peer that is lost; the others
+  /// go on.
+  std::optional<Received> receive(std::chrono::milliseconds timeout);
+
+  /// For the handshake: closes the links of a peer that was lost before anything was received from it, so
+  /// that it can come again.
+  bool forget_if_broken(Role peer);
+  /// For the handshake: why a peer has ended, if one has.
+  std::optional<std::string> first_end() const;
+
+  /// Says Bye to every peer and closes all links; peers that are gone already are passed over.
+  void leave(const std::string& reason);
+
+  /// All zero for a link that never was.
+  LinkFigures figures(Role peer, Channel channel) const;
+
+  void set_send_timeout(std::chrono::milliseconds timeout) { send_timeout_ = timeout; }
+
+  /// What the peer said of itself in its handshake; Error if there was none.
+  const Hello& peer_hello(Role peer) const;
+  void set_peer_hello(const Hello& hello) { hellos_[hello.role] = hello; }
+
+ private:
+  struct Entry {
+    Role peer;
+    Channel channel;
+    Link::Outcome outcome;
+  };
+  using Key = std::pair<Role, Channel>;
+
+  void read_next(Key key);
+  static bool ends(const Entry& entry);
+  bool waiting_from(Role peer) const;
+  std::optional<Received> take_first();
+  void drop(Role peer);
+
+  asio::io_context context_;
+  asio::executor_work_guard<asio::io_context::executor_type>
+      work_;  ///< so that waiting waits, without links too
+  std::map<Key, std::shared_ptr<Link>> links_;
+  std::map<Role, Hello> hellos_;
+  std::set<Role> left_;  ///< said Bye, or was reported as lost
+  std::deque<Entry> queue_;
+  size_t queued_bytes_ = 0;
+  std::set<Key> paused_;  ///< links that are not read until the queue is shorter
+  std::chrono::milliseconds send_timeout_{10'000};
+  uint64_t nodes_messages_ = 0;
+};
+
+}  // namespace triptych

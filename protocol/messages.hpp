@@ -1,0 +1,103 @@
+// What the roles say to each other. Plain values; docs/protocol.md gives every byte.
+#pragma once
+
+#include "lod/cut.hpp"
+#include "protocol/role.hpp"
+#include "scene/camera.hpp"
+#include "visibility/visible_set.hpp"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+namespace triptych {
+
+inline constexpr uint32_t protocol_version = 1;
+
+/// The first message on every socket, in both directions.
+struct Hello {
+  uint32_t version = protocol_version;
+  Role role = Role::render;
+  Channel channel = Channel::camera;
+  Role called = Role::render;  ///< whom the sender believes to be speaking to
+  uint64_t session = 0;  ///< a number that whoever starts the session chose: roles of two sessions do not mix
+  uint64_t pack_hash = 0;  ///< the content hash of the pack that the role has opened
+  std::string gl_vendor, gl_renderer, gl_version;
+  bool operator==(const Hello&) const = default;
+};
+
+/// From the render node to both switch nodes: frame i is to be seen so.
+struct CameraMessage {
+  uint32_t frame = 0;
+  View view;
+  double pixel_error = 1;  ///< pixels; 0 asks for full detail
+  bool last = false;       ///< no frame follows
+  bool operator==(const CameraMessage&) const = default;
+};
+
+/// From HC to the other two: a packet of the delta V(i−1) → V(i), in draw rank order from packet to packet.
+struct DeltaMessage {
+  uint32_t frame = 0;
+  DrawRank watermark;  ///< every drawable of a lower draw rank is decided
+  VisibleDelta delta;
+  bool operator==(const DeltaMessage&) const = default;
+};
+
+/// What HC spent on the frame.
+struct StageTimes {
+  double hardware_cull_ms = 0;
+  double occlusion_representation_ms = 0;  ///< of R(i), one frame before, by the same process
+  double waiting_ms = 0;                   ///< for messages
+  uint32_t queries = 0;                    ///< boxes tested
+  uint32_t cut_size = 0;                   ///< drawables of cut i
+  bool operator==(const StageTimes&) const = default;
+};
+
+/// From HC to the other two: the delta is complete. Receivers compare what they have with these.
+struct Sentinel {
+  uint32_t frame = 0;
+  uint32_t visible = 0;             ///< drawables of V(i)
+  uint32_t added = 0, removed = 0;  ///< over all packets of the frame
+  uint64_t digest = 0;              ///< protocol/digest.hpp
+  StageTimes times;
+  bool operator==(const Sentinel&) const = default;
+};
+
+/// From a receiver whose digest of V(i) differs, to HC: send the whole set.
+struct FullSetRequest {
+  uint32_t frame = 0;
+  bool operator==(const FullSetRequest&) const = default;
+};
+
+/// The answer: V(i) itself.
+struct FullSet {
+  uint32_t frame = 0;
+  VisibleSet visible;
+  bool operator==(const FullSet&) const = default;
+};
+
+/// From OR to the render node: what R(i+1) cost, for reports.
+struct SwitchReport {
+  uint32_t frame = 0;  ///< i, the frame in which it was drawn
+  double occlusion_representation_ms = 0;
+  double waiting_ms = 0;
+  uint32_t drawables = 0;  ///< drawn into it
+  uint64_t triangles = 0;
+  bool operator==(const SwitchReport&) const = default;
+};
+
+/// The sender leaves. An empty reason is a clean end; any other text says what went wrong, and can be shown.
+struct Bye {
+  std::string reason;
+  bool operator==(const Bye&) const = default;
+};
+
+using Message =
+    std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet, SwitchReport, Bye>;
+
+/// The frame that a message belongs to; 0 for Hello and Bye.
+uint32_t frame_of(const Message& message);
+/// "hello", "camera", "delta" …
+const std::string& message_name(const Message& message);
+
+}  // namespace triptych

@@ -1,0 +1,60 @@
+// Arithmetic coding of bits whose probabilities are learned on the way, after G. N. N. Martin, "Range
+// encoding", 1979, with carries as in I. Pavlov's LZMA.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// How likely a bit of one kind is 0; it learns fast at first, as messages are short.
+class BitModel {
+ public:
+  /// zero_share: the expected share of zeros; trust: how many observed bits that expectation is worth.
+  constexpr explicit BitModel(double zero_share = 0.5, uint32_t trust = 1)
+      : zero_(static_cast<uint32_t>(zero_share * (least + most)) < least ? least
+              : static_cast<uint32_t>(zero_share * (least + most)) > most
+                  ? most
+                  : static_cast<uint32_t>(zero_share * (least + most))),
+        seen_(trust) {}
+
+  uint32_t zero() const { return zero_; }  ///< of 65536; never so near to either end that a bit costs nothing
+  void learn(bool bit);
+
+ private:
+  static constexpr uint32_t least = 512, most = 65536 - least, slowest = 40;
+  uint32_t zero_, seen_;
+};
+
+class RangeEncoder {
+ public:
+  void encode(BitModel& model, bool bit);
+  /// The low `count` bits of value, each as likely 0 as 1.
+  void encode_even(uint32_t value, int count);
+  /// The bytes; as few as tell the decoder everything, given that it reads zeros after the end.
+  std::vector<std::byte> finish();
+
+ private:
+  void narrow(uint32_t skipped, uint32_t range);
+  std::vector<std::byte> bytes_;
+  uint32_t low_ = 0, range_ = 0xffffffff;
+};
+
+class RangeDecoder {
+ public:
+  explicit RangeDecoder(std::span<const std::byte> bytes);
+  bool decode(BitModel& model);
+  uint32_t decode_even(int count);
+  /// More was decoded than any encoder can have put into these bytes.
+  bool overran() const { return position_ > bytes_.size() + 4; }
+
+ private:
+  void narrow(uint32_t skipped, uint32_t range);
+  std::span<const std::byte> bytes_;
+  size_t position_ = 0;
+  uint32_t code_ = 0, range_ = 0xffffffff;
+};
+
+}  // namespace triptych

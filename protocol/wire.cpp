@@ -1,0 +1,269 @@
+#include "protocol/wire.hpp"
+
+#include "base/bytes.hpp"
+#include "base/hashing.hpp"
+#include "protocol/delta_codec.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace triptych {
+
+namespace {
+
+static_assert(sizeof(MessageHeader) == header_bytes);
+constexpr uint32_t tag_base = 'T' | 'R' << 8 | 'I' << 16;
+constexpr uint32_t largest_side = 1 << 15;
+
+uint32_t checksum_of(const MessageHeader& header, std::span<const std::byte> body) {
+  const uint32_t fields[] = {header.tag, header.frame, header.body_bytes};
+  return static_cast<uint32_t>(hash_bytes(body, hash_values(std::span<const uint32_t>(fields))));
+}
+
+bool is_control(char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; }
+
+void write_line(ByteWriter& out, const std::string& text) {
+  std::string line = text.substr(0, text_limit);
+  for (char& character : line) {
+    if (is_control(character)) character = ' ';
+  }
+  out.write_text(line);
+}
+
+std::string read_line(ByteReader& in) {
+  const std::string line = in.read_text();
+  if (line.size() > text_limit) fail(in.place(), "a text of {} bytes", line.size());
+  for (const char character : line) {
+    if (is_control(character)) fail(in.place(), "a text with control characters");
+  }
+  return line;
+}
+
+template <typename Enum>
+Enum read_enum(ByteReader& in, Enum largest, const char* what) {
+  const auto value = in.read<uint8_t>();
+  if (value > static_cast<uint8_t>(largest)) fail(in.place(), "{} {} does not exist", what, value);
+  return static_cast<Enum>(value);
+}
+
+double read_not_negative(ByteReader& in, const char* what) {
+  const auto value = in.read<double>();
+  if (!std::isfinite(value) || value < 0) fail(in.place(), "{} is {}", what, value);
+  return value;
+}
+
+void write_set(ByteWriter& out, const VisibleDelta& delta) {
+  out.write_all(std::span<const std::byte>(encode_delta(delta)));
+}
+
+VisibleDelta read_set(ByteReader& in) { return decode_delta(in.read_all<std::byte>(in.left()), in.place()); }
+
+// One write and one read for each message; the frame is in the header.
+
+void write_body(ByteWriter& out, const Hello& hello) {
+  out.write(hello.version);
+  out.write(hello.role);
+  out.write(hello.channel);
+  out.write(hello.called);
+  out.write(hello.session);
+  out.write(hello.pack_hash);
+  for (const auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version}) write_line(out, *text);
+}
+
+Hello read_hello(ByteReader& in) {
+  Hello hello;
+  hello.version = in.read<uint32_t>();
+  hello.role = read_enum(in, Role::switch_1, "role");
+  hello.channel = read_enum(in, Channel::nodes, "channel");
+  hello.called = read_enum(in, Role::switch_1, "role");
+  if (hello.version != protocol_version) {
+    in.read_all<std::byte>(in.left());
+    return hello;
+  }
+  hello.session = in.read<uint64_t>();
+  hello.pack_hash = in.read<uint64_t>();
+  for (auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version}) *text = read_line(in);
+  return hello;
+}
+
+void write_body(ByteWriter& out, const CameraMessage& message) {
+  const Camera& camera = message.view.camera;
+  for (const auto* vector : {&camera.eye, &camera.target, &camera.up}) {
+    for (int axis = 0; axis < 3; ++axis) out.write((*vector)[axis]);
+  }
+  for (const double side : {camera.left, camera.right, camera.bottom, camera.top}) out.write(side);
+  out.write(camera.near);
+  out.write(static_cast<uint32_t>(message.view.width));
+  out.write(static_cast<uint32_t>(message.view.height));
+  out.write(message.pixel_error);
+  out.write(static_cast<uint8_t>(message.last));
+}
+
+CameraMessage read_camera(ByteReader& in, uint32_t frame) {
+  CameraMessage message;
+  message.frame = frame;
+  Camera& camera = message.view.camera;
+  for (auto* vector : {&camera.eye, &camera.target, &camera.up}) {
+    for (int axis = 0; axis < 3; ++axis) (*vector)[axis] = in.read<double>();
+  }
+  for (auto* side : {&camera.left, &camera.right, &camera.bottom, &camera.top}) *side = in.read<double>();
+  camera.near = in.read<double>();
+  const auto width = in.read<uint32_t>(), height = in.read<uint32_t>();
+  if (width < 1 || width > largest_side || height < 1 || height > largest_side) {
+    fail(in.place(), "a viewport of {}x{}", width, height);
+  }
+  message.view.width = static_cast<int>(width);
+  message.view.height = static_cast<int>(height);
+  message.pixel_error = read_not_negative(in, "the pixel error");
+  message.last = read_enum(in, uint8_t{1}, "end mark") == 1;
+  check_camera(camera, in.place());
+  return message;
+}
+
+// Watermarks are sent as one more than they are, so that "everything is decided" (all ones) becomes two zero
+// bytes.
+void write_body(ByteWriter& out, const DeltaMessage& message) {
+  out.write_varint(message.watermark.distance + 1);
+  out.write_varint(uint32_t{message.watermark.id + 1});
+  write_set(out, message.delta);
+}
+
+DeltaMessage read_delta(ByteReader& in, uint32_t frame) {
+  DeltaMessage message;
+  message.frame = frame;
+  message.watermark.distance = in.read_varint() - 1;
+  const uint64_t id = in.read_varint();
+  if (id > std::numeric_limits<uint32_t>::max()) fail(in.place(), "a watermark beyond the ids");
+  message.watermark.id = static_cast<uint32_t>(id) - 1;
+  message.delta = read_set(in);
+  return message;
+}
+
+void write_body(ByteWriter& out, const Sentinel& message) {
+  for (const uint32_t count : {message.visible, message.added, message.removed}) out.write(count);
+  out.write(message.digest);
+  const StageTimes& times = message.times;
+  for (const double time : {times.hardware_cull_ms, times.occlusion_representation_ms, times.waiting_ms})
+    out.write(time);
+  out.write(times.queries);
+  out.write(times.cut_size);
+}
+
+Sentinel read_sentinel(ByteReader& in, uint32_t frame) {
+  Sentinel message;
+  message.frame = frame;
+  for (auto* count : {&message.visible, &message.added, &message.removed}) *count = in.read<uint32_t>();
+  message.digest = in.read<uint64_t>();
+  StageTimes& times = message.times;
+  for (auto* time : {&times.hardware_cull_ms, &times.occlusion_representation_ms, &times.waiting_ms}) {
+    *time = read_not_negative(in, "a stage's time");
+  }
+  times.queries = in.read<uint32_t>();
+  times.cut_size = in.read<uint32_t>();
+  return message;
+}
+
+void write_body(ByteWriter&, const FullSetRequest&) {}
+
+void write_body(ByteWriter& out, const FullSet& message) { write_set(out, {message.visible, {}}); }
+
+FullSet read_full_set(ByteReader& in, uint32_t frame) {
+  VisibleDelta delta = read_set(in);
+  if (!delta.removed.empty()) fail(in.place(), "a full set that removes");
+  return {frame, std::move(delta.added)};
+}
+
+void write_body(ByteWriter& out, const SwitchReport& message) {
+  out.write(message.occlusion_representation_ms);
+  out.write(message.waiting_ms);
+  out.write(message.drawables);
+  out.write(message.triangles);
+}
+
+SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
+  SwitchReport message;
+  message.frame = frame;
+  message.occlusion_representation_ms = read_not_negative(in, "a stage's time");
+  message.waiting_ms = read_not_negative(in, "a stage's time");
+  message.drawables = in.read<uint32_t>();
+  message.triangles = in.read<uint64_t>();
+  return message;
+}
+
+void write_body(ByteWriter& out, const Bye& message) { write_line(out, message.reason); }
+
+Message read_body(uint32_t type, uint32_t frame, ByteReader& in) {
+  switch (type) {
+    case 0:
+      return read_hello(in);
+    case 1:
+      return read_camera(in, frame);
+    case 2:
+      return read_delta(in, frame);
+    case 3:
+      return read_sentinel(in, frame);
+    case 4:
+      return FullSetRequest{frame};
+    case 5:
+      return read_full_set(in, frame);
+    case 6:
+      return read_switch_report(in, frame);
+    case 7:
+      return Bye{read_line(in)};
+    default:
+      fail(in.place(), "message type {} does not exist", type);
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> encode(const Message& message) {
+  ByteWriter out;
+  MessageHeader header;
+  out.write(header);
+  std::visit([&](const auto& content) { write_body(out, content); }, message);
+  std::vector<std::byte>& bytes = out.bytes();
+  const auto body = std::span<const std::byte>(bytes).subspan(header_bytes);
+  if (body.size() > body_limit)
+    fail(message_name(message), "{} bytes do not fit into a message", body.size());
+  header = {tag_base | static_cast<uint32_t>(message.index()) << 24, frame_of(message),
+            static_cast<uint32_t>(body.size()), 0};
+  header.checksum = checksum_of(header, body);
+  std::memcpy(bytes.data(), &header, header_bytes);
+  return std::move(bytes);
+}
+
+MessageHeader decode_header(std::span<const std::byte, header_bytes> bytes, const std::string& place,
+                            uint32_t limit) {
+  MessageHeader header;
+  std::memcpy(&header, bytes.data(), header_bytes);
+  if ((header.tag & 0xffffff) != tag_base) fail(place, "does not speak this protocol");
+  if (header.tag >> 24 >= std::variant_size_v<Message>)
+    fail(place, "message type {} does not exist", header.tag >> 24);
+  if (header.body_bytes > limit) {
+    fail(place, "frame {}: a message of {} bytes, at most {} are allowed", header.frame, header.body_bytes,
+         limit);
+  }
+  return header;
+}
+
+Message decode_body(const MessageHeader& header, std::span<const std::byte> body, const std::string& place) {
+  const std::string frame_place = fmt::format("{}: frame {}", place, header.frame);
+  if (body.size() != header.body_bytes) {
+    fail(frame_place, "a body of {} bytes, {} promised", body.size(), header.body_bytes);
+  }
+  if (checksum_of(header, body) != header.checksum) fail(frame_place, "a message with a wrong checksum");
+  ByteReader in(body, frame_place);
+  Message message = read_body(header.tag >> 24, header.frame, in);
+  in.expect_end();
+  if (frame_of(message) != header.frame) fail(frame_place, "a {} of a frame", message_name(message));
+  return message;
+}
+
+Message decode(std::span<const std::byte> bytes, const std::string& place) {
+  if (bytes.size() < header_bytes) fail(place, "byte {}: a header cut short", bytes.size());
+  const auto header = decode_header(bytes.first<header_bytes>(), place);
+  return decode_body(header, bytes.subspan(header_bytes), place);
+}
+
+}  // namespace triptych

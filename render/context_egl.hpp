@@ -1,0 +1,12 @@
+// EGL without a surface: any graphics card or software renderer, no display needed.
+#pragma once
+
+#include <memory>
+
+#include "render/context.hpp"
+
+namespace triptych {
+
+std::unique_ptr<Context> make_egl_context();
+
+}  // namespace triptych

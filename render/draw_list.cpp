@@ -1,0 +1,64 @@
+#include "render/draw_list.hpp"
+
+#include <cmath>
+#include <glm/matrix.hpp>
+
+namespace triptych {
+
+DrawListBuilder::DrawListBuilder(const Skeleton& skeleton, const View& view)
+    : skeleton_(skeleton),
+      view_(view),
+      rotation_(view.rotation()),
+      projector_(skeleton, view),
+      placed_(skeleton.transforms.size()),
+      placed_with_lattice_(skeleton.transforms.size(), no_id) {}
+
+const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform, uint32_t lattice_index) {
+  PlacedLattice& placed = placed_[transform];
+  if (placed_with_lattice_[transform] == lattice_index) return placed;
+  placed_with_lattice_[transform] = lattice_index;
+  const Affine& affine = skeleton_.transforms[transform];
+  const Lattice& lattice = skeleton_.lattices[lattice_index];
+  const glm::dmat3 linear(affine);
+  // The lattice cell nearest to the eye, as seen from the mesh. A far-away eye is clamped: then distances are large
+  // and float precision relative to them is enough.
+  glm::dvec3 cell = glm::round((glm::inverse(linear) * (view_.camera.eye - affine[3]) - lattice.origin) / lattice.step);
+  for (int axis = 0; axis < 3; ++axis) {
+    cell[axis] = std::isfinite(cell[axis]) ? glm::clamp<double>(cell[axis], -Lattice::limit, Lattice::limit) : 0;
+  }
+  const glm::dvec3 residual = linear * (lattice.origin + lattice.step * cell) + (affine[3] - view_.camera.eye);
+  const glm::dmat3 to_eye = rotation_ * linear * lattice.step;
+  const glm::dvec3 shift = rotation_ * residual;
+  for (int row = 0; row < 3; ++row) {
+    placed.rows[row] = glm::vec4(to_eye[0][row], to_eye[1][row], to_eye[2][row], shift[row]);
+  }
+  placed.cell = -glm::ivec3(cell);
+  return placed;
+}
+
+void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableId> drawables, DrawList& list) {
+  for (const DrawableId id : drawables) {
+    const Drawable& drawable = skeleton_.drawables[id];
+    const ScreenBounds bounds = projector_.bounds(skeleton_.scene_nodes[drawable.scene_node].box);
+    const float nearest = bounds.kind == ScreenBounds::Kind::rectangle ? bounds.rectangle.depth : 1.0f;
+    for (uint32_t i = 0; i < drawable.placement_count; ++i) {
+      const Placement& placement = skeleton_.placements[drawable.first_placement + i];
+      const DeviceScene::Range& range = scene.range(placement.chunk);
+      if (!range.loaded()) continue;
+      const PlacedLattice& placed = place(placement.transform, skeleton_.chunks[placement.chunk].lattice);
+      list.commands.push_back({.index_count = range.index_count,
+                               .instance_count = 1,
+                               .first_index = range.first_index,
+                               .base_vertex = static_cast<int32_t>(range.base_vertex),
+                               .base_instance = static_cast<uint32_t>(list.records.size())});
+      list.records.push_back({.rows = {placed.rows[0], placed.rows[1], placed.rows[2]},
+                              .cell = placed.cell,
+                              .nearest_depth = nearest,
+                              .item = id,
+                              .unused = {}});
+    }
+    list.triangles += drawable.triangles;
+  }
+}
+
+}  // namespace triptych

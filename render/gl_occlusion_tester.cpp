@@ -1,0 +1,76 @@
+#include "render/gl_occlusion_tester.hpp"
+
+#include "base/inject.hpp"
+#include "render/shaders.hpp"
+
+namespace triptych {
+
+GlOcclusionTester::GlOcclusionTester(Renderer& renderer, int width, int height, TestKind kind)
+    : renderer_(renderer),
+      target_(TargetKind::depth_only, width, height),
+      kind_(kind),
+      program_(make_program("occlusion test", rectangle_vertex_shader(),
+                            kind == TestKind::queries ? query_fragment_shader() : storage_fragment_shader())) {}
+
+GlOcclusionTester::~GlOcclusionTester() {
+  if (!queries_.empty()) glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
+}
+
+void GlOcclusionTester::begin(const View& view) {
+  view_ = view;
+  target_.clear();
+}
+
+void GlOcclusionTester::draw(std::span<const DrawableId> drawables) {
+  renderer_.set_view(view_);
+  renderer_.draw(drawables, target_, TargetKind::depth_only);
+}
+
+void GlOcclusionTester::test(std::span<const ScreenRectangle> rectangles, std::span<uint8_t> visible) {
+  if (rectangles.empty()) return;
+  rectangles_.upload(rectangles);
+  target_.bind();
+  glBindVertexArray(vertex_array_);
+  glUseProgram(program_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
+  glDepthMask(GL_FALSE);
+  glDepthFunc(injected(Fault::strict_depth_test) ? GL_GREATER : GL_GEQUAL);
+  if (kind_ == TestKind::queries) {
+    test_by_queries(rectangles.size(), visible);
+  } else {
+    test_by_storage(rectangles.size(), visible);
+  }
+  glDepthMask(GL_TRUE);
+}
+
+void GlOcclusionTester::test_by_queries(size_t count, std::span<uint8_t> visible) {
+  if (queries_.size() < count) {
+    const size_t before = queries_.size();
+    queries_.resize(count);
+    glCreateQueries(GL_ANY_SAMPLES_PASSED, static_cast<GLsizei>(count - before), queries_.data() + before);
+  }
+  constexpr size_t flush_every = 500;  // some drivers answer late or spuriously where thousands are in flight
+  for (size_t i = 0; i < count; ++i) {
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[i]);
+    glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, 1, static_cast<GLuint>(i));
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    if (i % flush_every == flush_every - 1) glFlush();
+  }
+  for (size_t i = 0; i < count; ++i) {
+    GLuint passed = GL_TRUE;
+    glGetQueryObjectuiv(queries_[i], GL_QUERY_RESULT, &passed);
+    visible[i] = passed != GL_FALSE;
+  }
+}
+
+void GlOcclusionTester::test_by_storage(size_t count, std::span<uint8_t> visible) {
+  std::vector<uint32_t> answers(count, 0);
+  answers_.upload(std::span<const uint32_t>(answers));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, answers_binding, answers_);
+  glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count), 0);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(answers_, 0, static_cast<GLsizeiptr>(count * sizeof(uint32_t)), answers.data());
+  for (size_t i = 0; i < count; ++i) visible[i] = answers[i] != 0;
+}
+
+}  // namespace triptych

@@ -1,0 +1,25 @@
+// The shaders. One vertex stage serves every pass that draws geometry, so that all passes agree to the bit.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <string>
+
+namespace triptych {
+
+inline constexpr GLuint draws_binding = 0;       ///< storage: one DrawRecord a draw
+inline constexpr GLuint palette_binding = 1;     ///< storage: colours
+inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under test
+inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
+
+std::string geometry_vertex_shader();
+/// Depth alone, flat-shaded base colours, and drawable ids; all drop fragments nearer than their drawable's bounds.
+std::string depth_fragment_shader();
+std::string color_fragment_shader();
+std::string item_fragment_shader();
+
+std::string rectangle_vertex_shader();
+std::string query_fragment_shader();
+std::string storage_fragment_shader();
+
+}  // namespace triptych

@@ -1,0 +1,37 @@
+// The four camera paths through a sample building.
+#pragma once
+
+#include "samples/floor_plan.hpp"
+#include "samples/furnisher.hpp"
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct CameraFrame {
+  glm::dvec3 eye{0}, target{0};
+};
+using CameraFrames = std::vector<CameraFrame>;
+
+inline constexpr double eye_height = 1.65, walking_step = 0.07, walking_clearance = 0.3;
+
+/// 300 frames of 0.07 m from room to room by open doors, at least 0.3 m from everything, turning at most 2
+/// degrees a frame. Error if the building is so full that no way is long enough.
+CameraFrames make_walk(const FloorPlan& plan, const std::vector<FurniturePlacement>& placements,
+                       const Random& random);
+/// 300 frames of about 1 m: from outside through the corridors, up the hall, out by the roof and around; goes
+/// through walls where it must.
+CameraFrames make_fly(const FloorPlan& plan);
+/// 120 frames on one spot in a furnished room, turning by 3 degrees each.
+CameraFrames make_spin(const FloorPlan& plan, const std::vector<FurniturePlacement>& placements,
+                       const Random& random);
+/// 60 views from random places, three of four in rooms, the others outside.
+CameraFrames make_jump(const FloorPlan& plan, const std::vector<FurniturePlacement>& placements,
+                       const Random& random);
+
+/// The path file: `triptych_path` 1, 60 degrees, y up.
+std::string path_json(const CameraFrames& frames);
+
+}  // namespace triptych

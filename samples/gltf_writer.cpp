@@ -1,0 +1,100 @@
+#include "samples/gltf_writer.hpp"
+
+#include <cmath>
+
+namespace triptych {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int component_float = 5126, component_unsigned = 5125, target_vertices = 34962,
+              target_indices = 34963;
+
+std::filesystem::path made(const std::filesystem::path& folder) {
+  make_folder(folder);
+  return folder;
+}
+
+}  // namespace
+
+GltfWriter::GltfWriter(const std::filesystem::path& folder, const std::string& generator)
+    : folder_(made(folder)), buffer_(folder_ / "scene.bin") {
+  gltf_["asset"] = {{"version", "2.0"}, {"generator", generator}};
+  gltf_["scene"] = 0;
+  gltf_["scenes"] = Json::array({{{"nodes", Json::array()}}});
+  for (const char* part : {"nodes", "meshes", "materials", "accessors", "bufferViews", "buffers"})
+    gltf_[part] = Json::array();
+}
+
+size_t GltfWriter::add_accessor(std::span<const std::byte> bytes, size_t count, bool indices) {
+  gltf_["bufferViews"].push_back({{"buffer", 0},
+                                  {"byteOffset", buffer_.size()},
+                                  {"byteLength", bytes.size()},
+                                  {"target", indices ? target_indices : target_vertices}});
+  buffer_.write(bytes);
+  gltf_["accessors"].push_back({{"bufferView", gltf_["bufferViews"].size() - 1},
+                                {"componentType", indices ? component_unsigned : component_float},
+                                {"count", count},
+                                {"type", indices ? "SCALAR" : "VEC3"}});
+  return gltf_["accessors"].size() - 1;
+}
+
+size_t GltfWriter::material(const glm::dvec3& colour) {
+  // Four digits are more than an eight-bit picture can show, and equal colours become one material.
+  std::array<uint32_t, 3> key{};
+  for (int i = 0; i < 3; ++i)
+    key[static_cast<size_t>(i)] = static_cast<uint32_t>(std::lround(colour[i] * 10000));
+  const auto [found, added] = materials_.try_emplace(key, materials_.size());
+  if (added)
+    gltf_["materials"].push_back(
+        {{"pbrMetallicRoughness",
+          {{"baseColorFactor", {key[0] / 10000.0, key[1] / 10000.0, key[2] / 10000.0, 1.0}},
+           {"metallicFactor", 0.0}}}});
+  return found->second;
+}
+
+size_t GltfWriter::add_mesh(const std::string& name, const std::vector<MeshPart>& parts) {
+  Json primitives = Json::array();
+  for (const MeshPart& part : parts) {
+    glm::vec3 low(part.positions.at(0)), high(low);
+    for (const auto& position : part.positions) {
+      low = glm::min(low, position);
+      high = glm::max(high, position);
+    }
+    const size_t positions =
+        add_accessor(std::as_bytes(std::span<const glm::vec3>(part.positions)), part.positions.size(), false);
+    gltf_["accessors"].back()["min"] = {low.x, low.y, low.z};
+    gltf_["accessors"].back()["max"] = {high.x, high.y, high.z};
+    const size_t indices =
+        add_accessor(std::as_bytes(std::span<const uint32_t>(part.indices)), part.indices.size(), true);
+    primitives.push_back({{"attributes", {{"POSITION", positions}}},
+                          {"indices", indices},
+                          {"material", material(part.colour)}});
+  }
+  gltf_["meshes"].push_back({{"name", name}, {"primitives", std::move(primitives)}});
+  return gltf_["meshes"].size() - 1;
+}
+
+void GltfWriter::add_node(const std::string& name, size_t mesh, const glm::dmat4& transform) {
+  Json node = {{"name", name}, {"mesh", mesh}};
+  if (transform != glm::dmat4(1)) {
+    Json& matrix = node["matrix"] = Json::array();
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 4; ++row) matrix.push_back(transform[column][row]);
+  }
+  gltf_["scenes"][0]["nodes"].push_back(gltf_["nodes"].size());
+  gltf_["nodes"].push_back(std::move(node));
+}
+
+void GltfWriter::set_attribution(const std::string& copyright, Json extras) {
+  gltf_["asset"]["copyright"] = copyright;
+  gltf_["asset"]["extras"] = std::move(extras);
+}
+
+void GltfWriter::finish() {
+  gltf_["buffers"].push_back({{"uri", "scene.bin"}, {"byteLength", buffer_.size()}});
+  buffer_.commit();
+  write_file(folder_ / "scene.gltf", gltf_.dump() + "\n");
+}
+
+}  // namespace triptych

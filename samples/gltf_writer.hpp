@@ -1,0 +1,42 @@
+// Writes a glTF 2.0 scene of shared, flat-coloured meshes: `scene.gltf` and, streamed, `scene.bin`.
+#pragma once
+
+#include "base/file.hpp"
+#include "samples/obj_furniture.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// Meshes go to the buffer as they come; the JSON is written by finish(). Without it, nothing appears in the
+/// folder.
+class GltfWriter {
+ public:
+  /// Makes the folder. Error if that fails.
+  GltfWriter(const std::filesystem::path& folder, const std::string& generator);
+
+  /// One primitive for each part. Returns the mesh's number.
+  size_t add_mesh(const std::string& name, const std::vector<MeshPart>& parts);
+  /// Places a mesh: a node at the scene's top.
+  void add_node(const std::string& name, size_t mesh, const glm::dmat4& transform);
+  /// Goes into `asset`: `copyright` and `extras`.
+  void set_attribution(const std::string& copyright, nlohmann::ordered_json extras);
+  void finish();
+
+ private:
+  size_t add_accessor(std::span<const std::byte> bytes, size_t count, bool indices);
+  size_t material(const glm::dvec3& colour);
+
+  std::filesystem::path folder_;
+  AtomicFile buffer_;
+  nlohmann::ordered_json gltf_;
+  std::map<std::array<uint32_t, 3>, size_t> materials_;
+};
+
+}  // namespace triptych

@@ -1,0 +1,40 @@
+// Axis-aligned boxes, inclusive on both sides.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace triptych {
+
+/// Corners lo and hi belong to the box; a box that holds nothing has lo > hi.
+template <typename Vector>
+struct BasicBox {
+  using Scalar = typename Vector::value_type;
+  Vector lo{std::numeric_limits<Scalar>::max()};
+  Vector hi{std::numeric_limits<Scalar>::lowest()};
+
+  bool empty() const { return lo.x > hi.x || lo.y > hi.y || lo.z > hi.z; }
+  void extend(const Vector& point) {
+    lo = glm::min(lo, point);
+    hi = glm::max(hi, point);
+  }
+  void extend(const BasicBox& box) {
+    lo = glm::min(lo, box.lo);
+    hi = glm::max(hi, box.hi);
+  }
+  bool contains(const BasicBox& box) const {
+    return lo.x <= box.lo.x && lo.y <= box.lo.y && lo.z <= box.lo.z && hi.x >= box.hi.x && hi.y >= box.hi.y &&
+           hi.z >= box.hi.z;
+  }
+  /// Corner i of 8: bit 0 chooses x, bit 1 y, bit 2 z.
+  Vector corner(int i) const { return {i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z}; }
+  bool operator==(const BasicBox&) const = default;
+};
+
+using Box = BasicBox<glm::dvec3>;         ///< model or mesh space, doubles
+using LatticeBox = BasicBox<glm::ivec3>;  ///< lattice coordinates
+
+}  // namespace triptych

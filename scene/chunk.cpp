@@ -1,0 +1,66 @@
+#include "scene/chunk.hpp"
+
+#include <meshoptimizer.h>
+
+#include "base/bytes.hpp"
+
+namespace triptych {
+
+LatticeBox Chunk::box() const {
+  LatticeBox box;
+  for (const ChunkVertex& vertex : vertices) box.extend(vertex.point);
+  return box;
+}
+
+std::vector<std::byte> encode_chunk(const Chunk& chunk) {
+  // Vertex cache order, then vertices in the order of their first use: both codecs count on it.
+  std::vector<uint32_t> indices(chunk.indices.size());
+  meshopt_optimizeVertexCache(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size());
+  std::vector<ChunkVertex> vertices(chunk.vertices.size());
+  vertices.resize(meshopt_optimizeVertexFetch(vertices.data(), indices.data(), indices.size(), chunk.vertices.data(),
+                                              chunk.vertices.size(), sizeof(ChunkVertex)));
+  std::vector<uint8_t> index_bytes(meshopt_encodeIndexBufferBound(indices.size(), vertices.size()));
+  index_bytes.resize(
+      meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
+  std::vector<uint8_t> vertex_bytes(meshopt_encodeVertexBufferBound(vertices.size(), sizeof(ChunkVertex)));
+  vertex_bytes.resize(meshopt_encodeVertexBuffer(vertex_bytes.data(), vertex_bytes.size(), vertices.data(),
+                                                 vertices.size(), sizeof(ChunkVertex)));
+  ByteWriter writer;
+  writer.write(static_cast<uint32_t>(vertices.size()));
+  writer.write(static_cast<uint32_t>(indices.size() / 3));
+  writer.write(static_cast<uint32_t>(vertex_bytes.size()));
+  writer.write_all(std::span<const uint8_t>(vertex_bytes));
+  writer.write_all(std::span<const uint8_t>(index_bytes));
+  return std::move(writer.bytes());
+}
+
+Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info, size_t palette_size,
+                   const std::string& place) {
+  ByteReader reader(bytes, place);
+  const auto vertex_count = reader.read<uint32_t>();
+  const auto triangle_count = reader.read<uint32_t>();
+  if (vertex_count != info.vertex_count || triangle_count != info.triangle_count) {
+    fail(place, "holds {} vertices and {} triangles where {} and {} were promised", vertex_count, triangle_count,
+         info.vertex_count, info.triangle_count);
+  }
+  const auto vertex_bytes = reader.read_all<uint8_t>(reader.read<uint32_t>());
+  const auto index_bytes = reader.read_all<uint8_t>(reader.left());
+  Chunk chunk;
+  chunk.vertices.resize(vertex_count);
+  chunk.indices.resize(size_t{triangle_count} * 3);
+  if (meshopt_decodeVertexBuffer(chunk.vertices.data(), vertex_count, sizeof(ChunkVertex), vertex_bytes.data(),
+                                 vertex_bytes.size()) != 0 ||
+      meshopt_decodeIndexBuffer(chunk.indices.data(), chunk.indices.size(), index_bytes.data(), index_bytes.size()) != 0) {
+    fail(place, "does not decode");
+  }
+  for (const uint32_t index : chunk.indices) {
+    if (index >= vertex_count) fail(place, "names vertex {} of {}", index, vertex_count);
+  }
+  for (const ChunkVertex& vertex : chunk.vertices) {
+    if (vertex.color >= palette_size) fail(place, "names colour {} of {}", vertex.color, palette_size);
+    if (!info.box.contains(LatticeBox{vertex.point, vertex.point})) fail(place, "has a vertex outside its box");
+  }
+  return chunk;
+}
+
+}  // namespace triptych

@@ -1,0 +1,62 @@
+// What the user gave us: meshes, instances of them, materials. Positions and transforms keep their doubles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// An affine transform: columns x, y, z and translation; mesh space to model space.
+using Affine = glm::dmat4x3;
+
+struct Material {
+  /// Linear factor as the file gives it, red, green, blue, alpha in 0..1.
+  glm::vec4 base_color{0.8f, 0.8f, 0.8f, 1};
+  bool operator==(const Material&) const = default;
+};
+
+/// A triangle of a mesh: three vertex indices and the index of its material.
+struct Triangle {
+  std::array<uint32_t, 3> vertices;
+  uint32_t material;
+  bool operator==(const Triangle&) const = default;
+};
+
+/// Triangles in mesh space; any triangles: soups, non-manifold, degenerate. Coordinates are finite, indices in range.
+struct Mesh {
+  std::string name;
+  std::vector<glm::dvec3> positions;
+  std::vector<Triangle> triangles;
+};
+
+/// One placement of a mesh in the model.
+struct Instance {
+  uint32_t mesh = 0;
+  Affine transform{1};
+};
+
+/// What an import or a build dropped, merged or could not do. Nothing vanishes unsaid.
+struct ImportReport {
+  uint64_t dropped_triangles = 0;  ///< non-finite, or of no area after welding
+  uint64_t welded_vertices = 0;
+  uint64_t repaired_edges = 0;     ///< faces that took the route without half-edges: non-manifold where they met
+  uint64_t stuck_groups = 0;       ///< drawables that no simplifier made coarser
+  std::vector<std::string> warnings;
+};
+
+struct Model {
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;  ///< at least one
+  std::vector<Instance> instances;
+  ImportReport report;
+
+  uint64_t source_triangles() const;  ///< unique: each mesh once
+  uint64_t placed_triangles() const;  ///< each mesh as often as it is placed
+};
+
+}  // namespace triptych

@@ -1,0 +1,176 @@
+#include "scene/pack.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "base/bytes.hpp"
+#include "base/hashing.hpp"
+#include "scene/pack_skeleton.hpp"
+
+namespace triptych {
+
+namespace {
+
+constexpr std::array<char, 8> magic = {'T', 'R', 'I', 'P', 'T', 'Y', 'C', 'H'};
+constexpr std::array<char, 4> geometry_type = {'G', 'E', 'O', 'M'};
+constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
+
+struct Header {
+  std::array<char, 8> signature = magic;
+  uint32_t version = pack_format_version;
+  uint32_t section_count = 0;
+  uint64_t table_offset = 0;
+  uint64_t table_checksum = 0;  ///< of the table's bytes, seeded with the version
+};
+static_assert(sizeof(Header) == 32);
+
+struct Section {
+  std::array<char, 4> type{};
+  uint32_t version = 1;
+  uint64_t offset = 0, size = 0;
+  uint64_t checksum = 0;
+};
+static_assert(sizeof(Section) == 32);
+
+/// The geometry section is too large to be read at once: its checksum is that of its chunks' checksums in order.
+uint64_t geometry_checksum(const std::vector<ChunkInfo>& chunks) {
+  std::vector<uint64_t> checksums;
+  checksums.reserve(chunks.size());
+  for (const ChunkInfo& chunk : chunks) checksums.push_back(chunk.checksum);
+  return hash_values(std::span<const uint64_t>(checksums));
+}
+
+}  // namespace
+
+PackWriter::PackWriter(const std::filesystem::path& file) : file_(file) {
+  const Header unfinished{.signature = {}};
+  file_.write(std::as_bytes(std::span(&unfinished, 1)));
+}
+
+uint32_t PackWriter::add_chunk(const Chunk& chunk, uint32_t lattice) {
+  return add_encoded_chunk(encode_chunk(chunk), static_cast<uint32_t>(chunk.vertices.size()),
+                           static_cast<uint32_t>(chunk.triangle_count()), chunk.box(), lattice);
+}
+
+uint32_t PackWriter::add_encoded_chunk(std::span<const std::byte> encoded, uint32_t vertex_count,
+                                       uint32_t triangle_count, const LatticeBox& box, uint32_t lattice) {
+  // The codec drops vertices that no triangle uses, so the bytes say how many there are.
+  std::memcpy(&vertex_count, encoded.data(), sizeof(vertex_count));
+  chunks_.push_back({.offset = file_.size() - sizeof(Header),
+                     .size = encoded.size(),
+                     .checksum = hash_bytes(encoded),
+                     .vertex_count = vertex_count,
+                     .triangle_count = triangle_count,
+                     .lattice = lattice,
+                     .box = box});
+  file_.write(encoded);
+  return static_cast<uint32_t>(chunks_.size() - 1);
+}
+
+void PackWriter::finish(Skeleton skeleton) {
+  skeleton.chunks = chunks_;
+  const uint64_t geometry_end = file_.size();
+  const std::vector<std::byte> skeleton_bytes = encode_skeleton(skeleton);
+  file_.write(skeleton_bytes);
+  const std::array<Section, 2> table = {
+      Section{.type = geometry_type,
+              .offset = sizeof(Header),
+              .size = geometry_end - sizeof(Header),
+              .checksum = geometry_checksum(chunks_)},
+      Section{.type = skeleton_type,
+              .offset = geometry_end,
+              .size = skeleton_bytes.size(),
+              .checksum = hash_bytes(skeleton_bytes)}};
+  const auto table_bytes = std::as_bytes(std::span(table));
+  const Header header{.section_count = static_cast<uint32_t>(table.size()),
+                      .table_offset = file_.size(),
+                      .table_checksum = hash_bytes(table_bytes, pack_format_version)};
+  file_.write(table_bytes);
+  file_.write_at(0, std::as_bytes(std::span(&header, 1)));
+  file_.commit();
+}
+
+Pack::Pack(const std::filesystem::path& file) : name_(file.string()) {
+  file_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file_ < 0) fail(name_, "cannot be opened: {}", std::strerror(errno));
+  try {
+    const off_t end = ::lseek(file_, 0, SEEK_END);
+    if (end < 0) fail(name_, "cannot be read: {}", std::strerror(errno));
+    size_ = static_cast<uint64_t>(end);
+    read_table();
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+Pack::~Pack() { ::close(file_); }
+
+std::vector<std::byte> Pack::read_bytes(uint64_t offset, uint64_t count, const std::string& place) const {
+  if (offset > size_ || count > size_ - offset) {
+    fail(place, "byte {}: the file ends at byte {}, {} bytes were wanted", offset, size_, count);
+  }
+  std::vector<std::byte> bytes(static_cast<size_t>(count));
+  for (size_t done = 0; done < bytes.size();) {
+    const ssize_t got = ::pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) fail(place, "byte {}: cannot be read: {}", offset + done, got == 0 ? "the file ends" : std::strerror(errno));
+    done += static_cast<size_t>(got);
+  }
+  return bytes;
+}
+
+void Pack::read_table() {
+  if (size_ < sizeof(Header)) fail(name_, "is no pack: {} bytes are less than a header", size_);
+  const auto header = ByteReader(read_bytes(0, sizeof(Header), name_), name_).read<Header>();
+  if (header.signature != magic) fail(name_, "is no pack: byte 0 does not start with TRIPTYCH");
+  if (header.version != pack_format_version) {
+    fail(name_, "is a pack of format version {}, this program reads version {}", header.version, pack_format_version);
+  }
+  const std::string table_place = name_ + ": section table";
+  const auto table_bytes = read_bytes(header.table_offset, uint64_t{header.section_count} * sizeof(Section), table_place);
+  if (hash_bytes(table_bytes, header.version) != header.table_checksum) {
+    fail(table_place, "byte {}: the checksum does not match: the pack is damaged", header.table_offset);
+  }
+  ByteReader reader(table_bytes, table_place);
+  const Section* geometry = nullptr;
+  const Section* skeleton = nullptr;
+  const auto sections = reader.read_all<Section>(header.section_count);
+  for (const Section& section : sections) {  // sections of other types are left to programs that know them
+    if (section.type == geometry_type) geometry = &section;
+    if (section.type == skeleton_type) skeleton = &section;
+  }
+  if (!geometry || !skeleton) fail(table_place, "names no {} section", geometry ? "SKEL" : "GEOM");
+  if (geometry->version != 1 || skeleton->version != 1) fail(table_place, "holds sections of a newer version");
+  if (geometry->offset > size_ || geometry->size > size_ - geometry->offset) {
+    fail(name_ + ": section GEOM", "leaves the file");
+  }
+  geometry_offset_ = geometry->offset;
+  geometry_size_ = geometry->size;
+  const std::string skeleton_place = name_ + ": section SKEL";
+  const auto skeleton_bytes = read_bytes(skeleton->offset, skeleton->size, skeleton_place);
+  if (hash_bytes(skeleton_bytes) != skeleton->checksum) {
+    fail(skeleton_place, "byte {}: the checksum does not match: the pack is damaged", skeleton->offset);
+  }
+  skeleton_ = decode_skeleton(skeleton_bytes, geometry_size_, skeleton_place);
+  if (geometry_checksum(skeleton_.chunks) != geometry->checksum) {
+    fail(name_ + ": section GEOM", "its checksum does not match the skeleton's chunks: the pack is spliced");
+  }
+  content_hash_ = hash_bytes(skeleton_bytes, header.version);
+}
+
+Chunk Pack::read_chunk(uint32_t chunk) const {
+  const ChunkInfo& info = skeleton_.chunks.at(chunk);
+  const std::string place = fmt::format("{}: section GEOM: chunk {}", name_, chunk);
+  const auto bytes = read_bytes(geometry_offset_ + info.offset, info.size, place);
+  if (hash_bytes(bytes) != info.checksum) {
+    fail(place, "byte {}: the checksum does not match: the pack is damaged", geometry_offset_ + info.offset);
+  }
+  return decode_chunk(bytes, info, skeleton_.palette.size(), place);
+}
+
+}  // namespace triptych

@@ -1,0 +1,62 @@
+// The pack: one file with the skeleton and the chunks, as a table of typed, versioned, checksummed sections.
+// docs/pack-format.md has it to the byte.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "base/file.hpp"
+#include "scene/chunk.hpp"
+#include "scene/skeleton.hpp"
+
+namespace triptych {
+
+inline constexpr uint32_t pack_format_version = 1;
+
+/// Writes chunks as they come, then the skeleton; the file appears under its name with finish() and not before.
+class PackWriter {
+ public:
+  explicit PackWriter(const std::filesystem::path& file);
+  /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are taken down.
+  uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
+  /// Appends a chunk that encode_chunk already encoded; for builds on many threads.
+  uint32_t add_encoded_chunk(std::span<const std::byte> encoded, uint32_t vertex_count, uint32_t triangle_count,
+                             const LatticeBox& box, uint32_t lattice);
+  /// Writes the skeleton (its chunk table is the writer's own) and puts the file in place.
+  void finish(Skeleton skeleton);
+
+ private:
+  AtomicFile file_;
+  std::vector<ChunkInfo> chunks_;
+};
+
+/// An open pack: the skeleton in memory, chunks read on demand. Safe to read from several threads.
+class Pack {
+ public:
+  /// Error (file, section, byte) for a file that is no pack, is cut, is damaged, or is of another version.
+  explicit Pack(const std::filesystem::path& file);
+  ~Pack();
+  Pack(const Pack&) = delete;
+  Pack& operator=(const Pack&) = delete;
+
+  const Skeleton& skeleton() const { return skeleton_; }
+  /// Reads, verifies and decodes one chunk. Error (file, chunk) for damage.
+  Chunk read_chunk(uint32_t chunk) const;
+  /// The same for all files with the same content: of the skeleton and every chunk's checksum.
+  uint64_t content_hash() const { return content_hash_; }
+  uint64_t size() const { return size_; }
+  const std::string& name() const { return name_; }
+
+ private:
+  void read_table();
+  std::vector<std::byte> read_bytes(uint64_t offset, uint64_t count, const std::string& place) const;
+
+  std::string name_;
+  int file_ = -1;
+  uint64_t size_ = 0, geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
+  Skeleton skeleton_;
+};
+
+}  // namespace triptych

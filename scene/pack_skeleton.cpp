@@ -1,0 +1,153 @@
+#include "scene/pack_skeleton.hpp"
+
+#include <cmath>
+
+#include "base/bytes.hpp"
+
+namespace triptych {
+
+namespace {
+
+// The arrays are written as they stand in memory; these sizes are the format.
+static_assert(sizeof(SceneNode) == 44 && sizeof(Drawable) == 24 && sizeof(Placement) == 8);
+static_assert(sizeof(Affine) == 96 && sizeof(Lattice) == 32 && sizeof(ChunkInfo) == 64);
+
+template <typename Value>
+void write_array(ByteWriter& writer, const std::vector<Value>& values) {
+  writer.write(static_cast<uint64_t>(values.size()));
+  writer.write_all(std::span<const Value>(values));
+}
+
+template <typename Value>
+std::vector<Value> read_array(ByteReader& reader) {
+  return reader.read_all<Value>(reader.read<uint64_t>());
+}
+
+void write_texts(ByteWriter& writer, const std::vector<std::string>& texts) {
+  writer.write(static_cast<uint32_t>(texts.size()));
+  for (const std::string& text : texts) writer.write_text(text);
+}
+
+std::vector<std::string> read_texts(ByteReader& reader) {
+  std::vector<std::string> texts;
+  for (auto count = reader.read<uint32_t>(); count > 0; --count) texts.push_back(reader.read_text());
+  return texts;
+}
+
+bool in_range(uint64_t first, uint64_t count, uint64_t size) { return first <= size && count <= size - first; }
+
+void check_scene_nodes(const Skeleton& skeleton, const std::string& place) {
+  const auto& nodes = skeleton.scene_nodes;
+  if (nodes.empty() || nodes[0].parent != no_id) fail(place, "has no root scene node");
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const SceneNode& node = nodes[i];
+    const std::string here = fmt::format("{}: scene node {}", place, i);
+    if (i > 0 && node.parent >= i) fail(here, "comes before its parent");
+    if (node.box.empty()) fail(here, "has an empty box");
+    for (int axis = 0; axis < 3; ++axis) {
+      if (node.box.lo[axis] < -Lattice::limit || node.box.hi[axis] > Lattice::limit) fail(here, "leaves the lattice");
+    }
+    if (!in_range(node.first_drawable, node.drawable_count, skeleton.drawables.size())) fail(here, "names drawables that do not exist");
+    if (node.child_count == 0 && node.drawable_count == 0) fail(here, "is a leaf without a drawable");
+    if (node.child_count == 0) continue;
+    if (node.first_child <= i || !in_range(node.first_child, node.child_count, nodes.size())) fail(here, "names children that do not exist");
+    for (uint32_t child = 0; child < node.child_count; ++child) {
+      if (nodes[node.first_child + child].parent != i) fail(here, "names a child of another parent");
+    }
+  }
+}
+
+void check_drawables(const Skeleton& skeleton, const std::string& place) {
+  for (size_t i = 0; i < skeleton.drawables.size(); ++i) {
+    const Drawable& drawable = skeleton.drawables[i];
+    const std::string here = fmt::format("{}: drawable {}", place, i);
+    if (!(drawable.error >= 0) || !std::isfinite(drawable.error)) fail(here, "has no error bound");
+    if (drawable.scene_node >= skeleton.scene_nodes.size()) fail(here, "belongs to no scene node");
+    const SceneNode& node = skeleton.scene_nodes[drawable.scene_node];
+    if (i - node.first_drawable >= node.drawable_count) fail(here, "is not its scene node's");
+    if (!in_range(drawable.first_placement, drawable.placement_count, skeleton.placements.size())) fail(here, "names placements that do not exist");
+  }
+  for (size_t i = 0; i < skeleton.placements.size(); ++i) {
+    const Placement& placement = skeleton.placements[i];
+    if (placement.chunk >= skeleton.chunks.size() || placement.transform >= skeleton.transforms.size()) {
+      fail(place, "placement {} names a chunk or a transform that does not exist", i);
+    }
+  }
+}
+
+void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::string& place) {
+  for (size_t i = 0; i < skeleton.chunks.size(); ++i) {
+    const ChunkInfo& chunk = skeleton.chunks[i];
+    const std::string here = fmt::format("{}: chunk {}", place, i);
+    if (!in_range(chunk.offset, chunk.size, geometry_size)) fail(here, "leaves the geometry section");
+    if (chunk.lattice >= skeleton.lattices.size()) fail(here, "names a lattice that does not exist");
+    // A codec needs at least a byte for every 64 values: more is promised than the bytes can hold.
+    if (chunk.vertex_count > chunk.size * 64 || chunk.triangle_count > chunk.size * 64) fail(here, "promises more than its bytes hold");
+    if (chunk.box.empty()) fail(here, "has an empty box");
+    for (int axis = 0; axis < 3; ++axis) {
+      if (chunk.box.lo[axis] < -Lattice::limit || chunk.box.hi[axis] > Lattice::limit) fail(here, "leaves the lattice");
+    }
+  }
+  for (const Lattice& lattice : skeleton.lattices) {
+    const glm::dvec3& origin = lattice.origin;
+    if (!(lattice.step > 0) || !std::isfinite(lattice.step + origin.x + origin.y + origin.z)) fail(place, "has a lattice without a step");
+  }
+  for (const Affine& transform : skeleton.transforms) {
+    for (int column = 0; column < 4; ++column) {
+      const glm::dvec3& v = transform[column];
+      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) fail(place, "has a transform that is not finite");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
+  ByteWriter writer;
+  for (const uint64_t count : {skeleton.source_triangles, skeleton.placed_triangles, skeleton.objects.initial,
+                               skeleton.objects.partition1, skeleton.objects.clusters, skeleton.objects.partition2,
+                               skeleton.import.dropped_triangles, skeleton.import.welded_vertices,
+                               skeleton.import.repaired_edges, skeleton.import.stuck_groups}) {
+    writer.write(count);
+  }
+  write_texts(writer, skeleton.import.warnings);
+  write_texts(writer, skeleton.effects);
+  write_array(writer, skeleton.lattices);
+  write_array(writer, skeleton.palette);
+  write_array(writer, skeleton.transforms);
+  write_array(writer, skeleton.scene_nodes);
+  write_array(writer, skeleton.drawables);
+  write_array(writer, skeleton.placements);
+  write_array(writer, skeleton.chunks);
+  return std::move(writer.bytes());
+}
+
+Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_size, const std::string& place) {
+  ByteReader reader(bytes, place);
+  Skeleton skeleton;
+  for (uint64_t* count : {&skeleton.source_triangles, &skeleton.placed_triangles, &skeleton.objects.initial,
+                          &skeleton.objects.partition1, &skeleton.objects.clusters, &skeleton.objects.partition2,
+                          &skeleton.import.dropped_triangles, &skeleton.import.welded_vertices,
+                          &skeleton.import.repaired_edges, &skeleton.import.stuck_groups}) {
+    *count = reader.read<uint64_t>();
+  }
+  skeleton.import.warnings = read_texts(reader);
+  skeleton.effects = read_texts(reader);
+  skeleton.lattices = read_array<Lattice>(reader);
+  skeleton.palette = read_array<std::array<uint8_t, 4>>(reader);
+  skeleton.transforms = read_array<Affine>(reader);
+  skeleton.scene_nodes = read_array<SceneNode>(reader);
+  skeleton.drawables = read_array<Drawable>(reader);
+  skeleton.placements = read_array<Placement>(reader);
+  skeleton.chunks = read_array<ChunkInfo>(reader);
+  reader.expect_end();
+  if (skeleton.lattices.empty() || skeleton.transforms.empty() || skeleton.palette.empty()) {
+    fail(place, "lacks its lattice, transform or palette");
+  }
+  check_scene_nodes(skeleton, place);
+  check_chunks(skeleton, geometry_size, place);
+  check_drawables(skeleton, place);
+  return skeleton;
+}
+
+}  // namespace triptych

@@ -1,0 +1,89 @@
+#include "scene/path.hpp"
+
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+
+namespace triptych {
+
+namespace {
+
+using nlohmann::json;
+
+double number(const json& value, const std::string& place, const char* key) {
+  // JSON has no infinity, and parsers turn 1e999 into one: only finite numbers are numbers here.
+  if (!value.is_number() || !std::isfinite(value.get<double>())) fail(place, "\"{}\" must be a finite number", key);
+  return value.get<double>();
+}
+
+template <int count>
+glm::vec<count, double> vector(const json& object, const std::string& place, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_array() || found->size() != count) {
+    fail(place, "\"{}\" must be {} numbers", key, count);
+  }
+  glm::vec<count, double> result;
+  for (int i = 0; i < count; ++i) result[i] = number((*found)[static_cast<size_t>(i)], place, key);
+  return result;
+}
+
+/// Settings that stand at the top or on a frame.
+void read_settings(const json& object, const std::string& place, PathFrame& frame) {
+  if (object.contains("orthographic_height")) fail(place, "orthographic cameras are not supported yet");
+  if (object.contains("fov_y_degrees")) {
+    frame.fov_y_degrees = number(object["fov_y_degrees"], place, "fov_y_degrees");
+    if (!(frame.fov_y_degrees > 0 && frame.fov_y_degrees < 180)) fail(place, "\"fov_y_degrees\" must be between 0 and 180");
+  }
+  if (object.contains("near")) frame.near = number(object["near"], place, "near");
+  if (object.contains("off_axis")) frame.off_axis = vector<4>(object, place, "off_axis");
+}
+
+}  // namespace
+
+View Path::view(size_t i, int width, int height, double default_near) const {
+  const PathFrame& frame = frames[i];
+  View view{.camera = {.eye = frame.eye, .target = frame.target, .up = frame.up}, .width = width, .height = height};
+  set_field_of_view(view.camera, frame.fov_y_degrees, static_cast<double>(width) / height);
+  view.camera.near = frame.near.value_or(default_near);
+  if (frame.off_axis) {
+    view.camera.left = frame.off_axis->x;
+    view.camera.right = frame.off_axis->y;
+    view.camera.bottom = frame.off_axis->z;
+    view.camera.top = frame.off_axis->w;
+  }
+  return view;
+}
+
+Path load_path(const std::filesystem::path& file) {
+  const std::string place = file.string();
+  json document;
+  try {
+    document = json::parse(read_text_file(file));
+  } catch (const json::exception& error) {
+    fail(place, "is no JSON: {}", error.what());
+  }
+  if (!document.is_object() || !document.contains("triptych_path")) fail(place, "is no camera path (\"triptych_path\": 1 is missing)");
+  if (document["triptych_path"] != 1) fail(place, "is a camera path of a version that this program does not know");
+  const auto frames = document.find("frames");
+  if (frames == document.end() || !frames->is_array() || frames->empty()) fail(place, "the path has no frames");
+  PathFrame defaults;
+  read_settings(document, place, defaults);
+  Path path;
+  for (const json& object : *frames) {
+    const std::string frame_place = fmt::format("{} frame {}", place, path.frames.size());
+    if (!object.is_object()) fail(frame_place, "must be an object");
+    PathFrame frame = defaults;
+    frame.eye = vector<3>(object, frame_place, "eye");
+    frame.target = vector<3>(object, frame_place, "target");
+    frame.up = vector<3>(object, frame_place, "up");
+    read_settings(object, frame_place, frame);
+    path.frames.push_back(frame);
+    check_camera(path.view(path.frames.size() - 1, 1, 1, 1).camera, frame_place);
+  }
+  return path;
+}
+
+}  // namespace triptych

@@ -1,0 +1,32 @@
+// A recorded camera path (JSON, `"triptych_path": 1`), as samples write it and every command reads it.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <vector>
+
+#include "scene/camera.hpp"
+
+namespace triptych {
+
+/// One camera of a path, before the viewport is known.
+struct PathFrame {
+  glm::dvec3 eye{0}, target{0}, up{0};
+  double fov_y_degrees = 60;
+  std::optional<double> near;
+  std::optional<glm::dvec4> off_axis;  ///< left, right, bottom, top tangents
+};
+
+struct Path {
+  std::vector<PathFrame> frames;
+  /// The view of frame i. default_near holds where the path names no near plane.
+  View view(size_t i, int width, int height, double default_near) const;
+};
+
+/// Error (file and frame) for a file that is missing, is no path, has no frames, or holds a camera without a direction
+/// or with numbers that are not finite.
+Path load_path(const std::filesystem::path& file);
+
+}  // namespace triptych

@@ -1,0 +1,86 @@
+// The hierarchy without geometry: scene nodes, drawables, placements, chunks. Always in memory.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/box.hpp"
+#include "scene/lattice.hpp"
+#include "scene/model.hpp"
+
+namespace triptych {
+
+/// Names one scene node at one level of detail: the only name of geometry on the wire.
+using DrawableId = uint32_t;
+using SceneNodeId = uint32_t;
+inline constexpr uint32_t no_id = 0xffffffffu;
+
+/// A box of the AABB hierarchy, leaf or inner. Scene node 0 is the root; a parent's id is smaller than its children's,
+/// and the children of one parent are contiguous. Leaves have no children and at least one drawable.
+struct SceneNode {
+  LatticeBox box;  ///< on the model lattice; holds every vertex of its drawables and its children's boxes
+  SceneNodeId parent = no_id;
+  SceneNodeId first_child = 0;
+  uint32_t child_count = 0;
+  DrawableId first_drawable = 0;  ///< finest first; errors never shrink along them, nor towards the root
+  uint32_t drawable_count = 0;
+  bool operator==(const SceneNode&) const = default;
+};
+
+/// A scene node at one level of detail.
+struct Drawable {
+  double error = 0;  ///< proven bound of the two-sided distance to the source surface, model units (δ)
+  SceneNodeId scene_node = 0;
+  uint32_t first_placement = 0, placement_count = 0;
+  uint32_t triangles = 0;  ///< of all its placements
+  bool operator==(const Drawable&) const = default;
+};
+
+/// One chunk of geometry under one transform.
+struct Placement {
+  uint32_t chunk = 0;
+  uint32_t transform = 0;  ///< index into Skeleton::transforms
+  bool operator==(const Placement&) const = default;
+};
+
+/// Where a chunk of geometry lies in the pack, and what it holds.
+struct ChunkInfo {
+  uint64_t offset = 0, size = 0;  ///< bytes, from the start of the geometry section
+  uint64_t checksum = 0;          ///< XXH3-64 of those bytes
+  uint32_t vertex_count = 0, triangle_count = 0;
+  uint32_t lattice = 0;  ///< index into Skeleton::lattices
+  uint32_t reserved = 0;
+  LatticeBox box;        ///< of its vertices, on its lattice
+  bool operator==(const ChunkInfo&) const = default;
+};
+
+/// The paper's table: how many objects there are after each step of partition-cluster-partition.
+struct ObjectCounts {
+  uint64_t initial = 0, partition1 = 0, clusters = 0, partition2 = 0;
+  bool operator==(const ObjectCounts&) const = default;
+};
+
+struct Skeleton {
+  std::vector<SceneNode> scene_nodes;
+  std::vector<Drawable> drawables;
+  std::vector<Placement> placements;
+  std::vector<Affine> transforms;  ///< lattice space of a chunk (as positions) to model space; 0 is the identity
+  std::vector<Lattice> lattices;   ///< 0 is the model's
+  std::vector<ChunkInfo> chunks;
+  std::vector<std::array<uint8_t, 4>> palette;  ///< base colours, sRGB bytes, that vertices name by index
+  uint64_t source_triangles = 0, placed_triangles = 0;
+  ObjectCounts objects;
+  ImportReport import;
+  std::vector<std::string> effects;  ///< effects that the model calls for; empty for plain opaque models
+
+  const Lattice& lattice() const { return lattices[0]; }
+  uint32_t levels() const;  ///< the longest way from the root to a leaf, in scene nodes
+  /// Length of the root box's diagonal, model units.
+  double diagonal() const;
+  /// The near plane where a path names none: small against the model, far from where depth loses its precision.
+  double default_near() const;
+};
+
+}  // namespace triptych

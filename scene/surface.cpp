@@ -1,0 +1,54 @@
+#include "scene/surface.hpp"
+
+#include <unordered_map>
+
+namespace triptych {
+
+LatticeBox Surface::box() const {
+  LatticeBox box;
+  for (const glm::ivec3& point : points) box.extend(point);
+  return box;
+}
+
+Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles) {
+  Piece piece;
+  std::unordered_map<uint32_t, uint32_t> local;
+  local.reserve(triangles.size());
+  piece.surface.triangles.assign(triangles.begin(), triangles.end());
+  for (Triangle& triangle : piece.surface.triangles) {
+    for (uint32_t& vertex : triangle.vertices) {
+      const auto [found, inserted] = local.try_emplace(vertex, static_cast<uint32_t>(piece.sources.size()));
+      if (inserted) {
+        piece.sources.push_back(vertex);
+        piece.surface.points.push_back(points[vertex]);
+      }
+      vertex = found->second;
+    }
+  }
+  return piece;
+}
+
+Chunk make_chunk(const Surface& surface) {
+  Chunk chunk;
+  std::unordered_map<uint64_t, uint32_t> vertices;
+  vertices.reserve(surface.points.size());
+  chunk.indices.reserve(surface.triangles.size() * 3);
+  for (const Triangle& triangle : surface.triangles) {
+    for (const uint32_t point : triangle.vertices) {
+      const uint64_t key = uint64_t{triangle.material} << 32 | point;
+      const auto [found, inserted] = vertices.try_emplace(key, static_cast<uint32_t>(chunk.vertices.size()));
+      if (inserted) chunk.vertices.push_back({surface.points[point], triangle.material});
+      chunk.indices.push_back(found->second);
+    }
+  }
+  return chunk;
+}
+
+bool degenerate(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
+  // Differences fit 30 bits and more, their products 61: exact in 64.
+  const int64_t ux = int64_t{b.x} - a.x, uy = int64_t{b.y} - a.y, uz = int64_t{b.z} - a.z;
+  const int64_t vx = int64_t{c.x} - a.x, vy = int64_t{c.y} - a.y, vz = int64_t{c.z} - a.z;
+  return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
+}
+
+}  // namespace triptych

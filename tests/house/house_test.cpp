@@ -1,0 +1,117 @@
+// What keeps the house in order: where includes may point, how long a file may be, what the tree may name.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source_dir = SOURCE_DIR;
+
+/// A room may include those below it; neighbours on one floor do not include each other.
+const std::map<std::string, int> floors = {{"base", 0},     {"scene", 1},  {"lod", 2},   {"visibility", 3},
+                                           {"protocol", 4}, {"render", 4}, {"nodes", 5}, {"measure", 6},
+                                           {"samples", 7},  {"view", 7},   {"launch", 8}};
+
+std::vector<std::string> lines_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Our own files, without what was built.
+std::vector<fs::path> files(const std::vector<std::string>& extensions) {
+  std::vector<fs::path> found;
+  for (auto entry = fs::recursive_directory_iterator(source_dir); entry != fs::recursive_directory_iterator();
+       ++entry) {
+    const std::string name = entry->path().filename();
+    if (entry->is_directory() && (name == ".git" || name == "build" || name == "out")) {
+      entry.disable_recursion_pending();
+    } else if (entry->is_regular_file() &&
+               std::count(extensions.begin(), extensions.end(), entry->path().extension())) {
+      found.push_back(entry->path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string place(const fs::path& file, size_t line) {
+  return fs::relative(file, source_dir).string() + ":" + std::to_string(line + 1);
+}
+
+TEST(House, includes_point_downwards_only) {
+  const std::regex include("#include \"([a-z]+)/.*");
+  size_t seen = 0;
+  for (const fs::path& file : files({".cpp", ".hpp"})) {
+    const std::string room = *fs::relative(file, source_dir).begin();
+    const auto from = floors.find(room);
+    if (from == floors.end()) continue;
+    const auto lines = lines_of(file);
+    for (size_t i = 0; i < lines.size(); ++i) {
+      std::smatch match;
+      if (!std::regex_match(lines[i], match, include)) continue;
+      ++seen;
+      const auto to = floors.find(match[1]);
+      ASSERT_NE(to, floors.end()) << place(file, i) << ": " << lines[i];
+      EXPECT_TRUE(match[1] == room || to->second < from->second) << place(file, i) << ": " << lines[i];
+    }
+  }
+  EXPECT_GT(seen, 100u) << "the tree was not found";
+}
+
+TEST(House, every_room_is_known) {
+  for (const auto& entry : fs::directory_iterator(source_dir)) {
+    if (!fs::exists(entry.path() / "CMakeLists.txt")) continue;
+    const std::string room = entry.path().filename();
+    EXPECT_TRUE(room == "tests" || floors.count(room) != 0) << room;
+  }
+}
+
+TEST(House, a_file_does_one_thing_in_at_most_400_lines) {
+  for (const fs::path& file : files({".cpp", ".hpp"})) {
+    EXPECT_LE(lines_of(file).size(), 400u) << place(file, 0);
+  }
+}
+
+TEST(House, nothing_names_a_machine_or_calls_itself_unfinished) {
+  const std::regex machine(R"((^|[^\w.$}>])/(home|root|work|Users|mnt)/\w|\.\./shared|\bissue #?\d)");
+  const std::regex unfinished(R"(\b(TO)"
+                              R"(DO|FIX)"
+                              R"(ME|XX)"
+                              R"(X)\b)");
+  for (const fs::path& file : files({".cpp", ".hpp", ".md", ".cmake", ".txt", ".json", ""})) {
+    const auto lines = lines_of(file);
+    for (size_t i = 0; i < lines.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(lines[i], machine)) << place(file, i) << ": " << lines[i];
+      EXPECT_FALSE(std::regex_search(lines[i], unfinished)) << place(file, i) << ": " << lines[i];
+    }
+  }
+}
+
+TEST(House, the_list_of_packages_is_sorted_and_names_each_once) {
+  std::vector<std::string> packages = lines_of(source_dir / "launch/packages.txt");
+  std::erase_if(packages, [](const std::string& line) { return line.empty() || line.front() == '#'; });
+  ASSERT_FALSE(packages.empty());
+  EXPECT_TRUE(std::is_sorted(packages.begin(), packages.end()));
+  EXPECT_EQ(std::adjacent_find(packages.begin(), packages.end()), packages.end());
+}
+
+TEST(House, what_a_newcomer_calls_can_be_called) {
+  for (const char* script :
+       {"launch/install", "launch/compile", "launch/demo", "tests/run", "tests/check_names", ".ci/run"}) {
+    const fs::path file = source_dir / script;
+    ASSERT_TRUE(fs::exists(file)) << script;
+    EXPECT_NE(fs::status(file).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
+    EXPECT_EQ(lines_of(file).front(), "#!/usr/bin/env bash") << script;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,232 @@
+// Three roles find each other over loopback, whatever else calls, and differences end in one clear line on
+// both sides.
+#include "protocol/connect.hpp"
+
+#include "tests/protocol/sample_messages.hpp"
+
+#include <asio/connect.hpp>
+#include <asio/read.hpp>
+#include <asio/write.hpp>
+#include <future>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace triptych {
+namespace {
+
+using asio::ip::tcp;
+using namespace std::chrono_literals;
+
+/// A mailbox, or what was thrown instead.
+struct Connected {
+  std::unique_ptr<Mailbox> mailbox;
+  std::string error;
+};
+
+/// The three roles of a session on this machine, each to be connected in a thread of its own.
+class Session : public testing::Test {
+ protected:
+  std::future<Connected> start(Hello own, std::chrono::milliseconds timeout = 10s) {
+    return std::async(std::launch::async, [this, own = std::move(own), timeout] {
+      const Listener* listener = own.role == Role::render     ? &render_port
+                                 : own.role == Role::switch_0 ? &switch_port
+                                                              : nullptr;
+      try {
+        return Connected{connect_session(own, listener, addresses, timeout), ""};
+      } catch (const Error& error) {
+        return Connected{nullptr, error.what()};
+      }
+    });
+  }
+  std::future<Connected> start(Role role, std::chrono::milliseconds timeout = 10s) {
+    return start(sample_hello(role), timeout);
+  }
+  /// A socket of somebody who is no role.
+  tcp::socket stranger() {
+    tcp::socket socket(strangers);
+    socket.connect({asio::ip::address_v4::loopback(), render_port.port()});
+    return socket;
+  }
+  void say(tcp::socket& socket, const Message& message) {
+    asio::write(socket, asio::buffer(encode(message)));
+  }
+  static void expect_all(std::future<Connected>& render, std::future<Connected>& switch_0,
+                         std::future<Connected>& switch_1) {
+    // Kept until all are connected: a role that goes before the others are complete is an error to them.
+    const std::array connected = {render.get(), switch_0.get(), switch_1.get()};
+    for (const Connected& role : connected) EXPECT_EQ(role.error, "");
+  }
+
+  asio::io_context strangers;
+  Listener render_port{Address{"127.0.0.1", 0}};
+  Listener switch_port{Address{"127.0.0.1", 0}};
+  std::map<Role, Address> addresses = {{Role::render, render_port.address()},
+                                       {Role::switch_0, switch_port.address()}};
+};
+
+TEST_F(Session, every_pair_of_roles_gets_two_sockets) {
+  auto futures = std::array{start(Role::switch_1), start(Role::switch_0), start(Role::render)};
+  std::map<Role, std::unique_ptr<Mailbox>> mailboxes;
+  for (const auto& [future, role] :
+       {std::pair{&futures[0], Role::switch_1}, {&futures[1], Role::switch_0}, {&futures[2], Role::render}}) {
+    Connected connected = future->get();
+    ASSERT_EQ(connected.error, "");
+    mailboxes[role] = std::move(connected.mailbox);
+  }
+  uint32_t frame = 0;
+  for (const Role from : all_roles) {
+    for (const Role to : all_roles) {
+      if (from == to) continue;
+      EXPECT_EQ(mailboxes[from]->peer_hello(to).gl_renderer, sample_hello(to).gl_renderer);
+      EXPECT_EQ(mailboxes[from]->peer_hello(to).role, to);
+      for (const Channel channel : all_channels) {
+        mailboxes[from]->send(to, channel, FullSetRequest{++frame});
+        const auto received = mailboxes[to]->receive(5s);
+        ASSERT_TRUE(received.has_value());
+        EXPECT_EQ(received->peer, from);
+        EXPECT_EQ(received->channel, channel);
+        EXPECT_EQ(frame_of(received->message), frame);
+      }
+    }
+  }
+}
+
+TEST_F(Session, roles_may_come_in_any_order) {
+  auto switch_1 = start(Role::switch_1);
+  std::this_thread::sleep_for(150ms);
+  auto render = start(Role::render);
+  std::this_thread::sleep_for(150ms);
+  auto switch_0 = start(Role::switch_0);
+  expect_all(render, switch_0, switch_1);
+}
+
+TEST_F(Session, a_role_that_does_not_come_is_named) {
+  auto render = start(Role::render, 400ms);
+  auto switch_1 = start(Role::switch_1, 5s);
+  const std::string error = render.get().error;
+  EXPECT_EQ(error, "render node: after 400 ms still without the switch node 0, awaited at " +
+                       to_text(render_port.address()));
+  EXPECT_NE(switch_1.get().error.find(error), std::string::npos) << "the peer that had come is told";
+}
+
+TEST_F(Session, a_port_where_nobody_listens_is_named) {
+  const Address closed = Listener(Address{"127.0.0.1", 0}).address();
+  addresses[Role::render] = closed;
+  const std::string error = start(Role::switch_1, 300ms).get().error;
+  EXPECT_NE(error.find("the render node at " + to_text(closed) + " (Connection refused)"), std::string::npos)
+      << error;
+}
+
+TEST_F(Session, a_peer_that_accepts_and_stays_silent_times_out) {
+  // Nobody takes the connections from the ports' queues.
+  const std::string error = start(Role::switch_1, 300ms).get().error;
+  EXPECT_NE(error.find("still without the render node"), std::string::npos) << error;
+}
+
+class Differences : public Session {
+ protected:
+  /// Switch node 0 differs; both sides end with an error that says so and names both.
+  void expect_refusal(const Hello& odd, const std::string& what) {
+    auto render = start(Role::render);
+    auto switch_0 = start(odd);
+    const std::string at_render = render.get().error, at_odd = switch_0.get().error;
+    for (const std::string& error : {at_render, at_odd}) {
+      EXPECT_NE(error.find(what + " differs: "), std::string::npos) << error;
+      EXPECT_NE(error.find("render node has "), std::string::npos) << error;
+      EXPECT_NE(error.find("switch node 0 has "), std::string::npos) << error;
+    }
+  }
+};
+
+TEST_F(Differences, another_protocol_version_is_refused_on_both_sides) {
+  Hello odd = sample_hello(Role::switch_0);
+  odd.version = protocol_version + 1;
+  // Of another version the caller's own reading of our answer does not matter: it gets a Bye.
+  expect_refusal(odd, "protocol version");
+}
+
+TEST_F(Differences, another_session_is_refused_on_both_sides) {
+  Hello odd = sample_hello(Role::switch_0);
+  odd.session = 78;
+  expect_refusal(odd, "session");
+}
+
+TEST_F(Differences, another_pack_is_refused_on_both_sides) {
+  Hello odd = sample_hello(Role::switch_0);
+  odd.pack_hash = 1;
+  expect_refusal(odd, "pack");
+}
+
+TEST_F(Session, another_opengl_is_only_reported) {
+  Hello other = sample_hello(Role::switch_1);
+  other.gl_renderer = "somebody's graphics card";
+  auto render = start(Role::render), switch_0 = start(Role::switch_0), switch_1 = start(other);
+  const std::array connected = {render.get(), switch_0.get(), switch_1.get()};
+  for (const Connected& role : connected) ASSERT_EQ(role.error, "");
+  EXPECT_EQ(connected[0].mailbox->peer_hello(Role::switch_1).gl_renderer, "somebody's graphics card");
+}
+
+TEST_F(Session, strangers_do_not_disturb) {
+  auto render = start(Role::render);
+  auto browser = stranger();
+  asio::write(browser, asio::buffer(std::string("GET / HTTP/1.1\r\n\r\n")));
+  auto silent = stranger();
+  auto gone = stranger();
+  gone.close();
+  auto impolite = stranger();
+  say(impolite, FullSetRequest{1});
+  auto impostor = stranger();
+  say(impostor, sample_hello(Role::render));
+  std::vector<tcp::socket> crowd;
+  for (int i = 0; i < 40; ++i) crowd.push_back(stranger());
+  auto switch_0 = start(Role::switch_0), switch_1 = start(Role::switch_1);
+  expect_all(render, switch_0, switch_1);
+}
+
+TEST_F(Session, a_second_caller_of_one_role_is_turned_away) {
+  auto render = start(Role::render);
+  auto first = stranger();
+  say(first, sample_hello(Role::switch_0));
+  std::array<std::byte, header_bytes> answer{};
+  asio::read(first, asio::buffer(answer));
+  EXPECT_EQ(decode_header(answer, "render").tag >> 24, Message(Hello{}).index());
+  auto second = stranger();
+  say(second, sample_hello(Role::switch_0));
+  asio::read(second, asio::buffer(answer));
+  EXPECT_EQ(decode_header(answer, "render").tag >> 24, Message(Bye{}).index());
+  first.close();
+  auto switch_0 = start(Role::switch_0), switch_1 = start(Role::switch_1);
+  expect_all(render, switch_0, switch_1);
+}
+
+TEST_F(Session, a_caller_that_died_before_anybody_listened_can_come_again) {
+  for (int i = 0; i < 3; ++i) {
+    auto dead = stranger();
+    say(dead, sample_hello(Role::switch_0));
+    dead.close();
+  }
+  auto switch_0 = start(Role::switch_0), switch_1 = start(Role::switch_1), render = start(Role::render);
+  expect_all(render, switch_0, switch_1);
+}
+
+TEST_F(Session, a_wrong_address_is_named) {
+  addresses[Role::switch_0] = render_port.address();
+  auto render = start(Role::render, 3s);
+  const std::string error = start(Role::switch_1, 3s).get().error;
+  EXPECT_NE(error.find("refused: this is the render node; the switch node 1 calls the switch node 0"),
+            std::string::npos)
+      << error;
+  render.get();
+}
+
+TEST(Connect, a_role_without_its_addresses_or_port_is_refused) {
+  EXPECT_THROW(connect_session(sample_hello(Role::render), nullptr, {}, 1s), Error);
+  EXPECT_THROW(connect_session(sample_hello(Role::switch_1), nullptr, {}, 1s), Error);
+  EXPECT_THROW(
+      connect_session(sample_hello(Role::switch_1), nullptr,
+                      {{Role::render, {"no such host.invalid", 1}}, {Role::switch_0, {"127.0.0.1", 1}}}, 1s),
+      Error);
+}
+
+}  // namespace
+}  // namespace triptych

@@ -1,0 +1,40 @@
+// One message of each type, with something in every field.
+#pragma once
+
+#include "protocol/messages.hpp"
+
+#include <vector>
+
+namespace triptych {
+
+inline View sample_view() {
+  View view{{{1.5, -2, 3e6}, {4, 5, 6}, {0, 0, 1}}, 641, 479};
+  set_field_of_view(view.camera, 60, 641.0 / 479.0);
+  view.camera.near = 0.05;
+  return view;
+}
+
+inline Hello sample_hello(Role role) {
+  Hello hello;
+  hello.role = role;
+  hello.session = 77;
+  hello.pack_hash = 0x0123456789abcdef;
+  hello.gl_vendor = "Mesa";
+  hello.gl_renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  hello.gl_version = "4.5 (Core Profile) Mesa 22.3.6";
+  return hello;
+}
+
+inline std::vector<Message> sample_messages() {
+  const StageTimes times{4.25, 7.5, 0.125, 431, 1800};
+  return {sample_hello(Role::switch_1),
+          CameraMessage{12, sample_view(), 1.5, true},
+          DeltaMessage{12, {1ull << 50, 17}, {{1, 2, 3, 900}, {4, 77, 5000}}},
+          Sentinel{12, 1000, 4, 3, 0xfedcba9876543210, times},
+          FullSetRequest{12},
+          FullSet{12, {0, 5, 6, 7, 123456}},
+          SwitchReport{12, 7.5, 0.25, 1000, 3'000'000'000},
+          Bye{"the pack differs"}};
+}
+
+}  // namespace triptych

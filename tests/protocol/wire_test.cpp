@@ -1,0 +1,215 @@
+// Messages come back as they were, and whatever happens to their bytes is noticed.
+#include "protocol/wire.hpp"
+
+#include "base/bytes.hpp"
+#include "base/hashing.hpp"
+#include "tests/protocol/sample_messages.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <rapidcheck/gtest.h>
+
+namespace triptych {
+namespace {
+
+std::string refusal_of(std::span<const std::byte> bytes) {
+  try {
+    decode(bytes, "peer");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The message's bytes with another body, under a checksum that fits: what a peer with a fault of its own
+/// could send.
+std::vector<std::byte> forged(const Message& message, std::span<const std::byte> body) {
+  const auto bytes = encode(message);
+  MessageHeader header;
+  std::memcpy(&header, bytes.data(), header_bytes);
+  header.body_bytes = static_cast<uint32_t>(body.size());
+  const uint32_t fields[] = {header.tag, header.frame, header.body_bytes};
+  header.checksum = static_cast<uint32_t>(hash_bytes(body, hash_values(std::span<const uint32_t>(fields))));
+  ByteWriter out;
+  out.write(header);
+  out.write_all(body);
+  return out.bytes();
+}
+
+TEST(Wire, every_type_of_message_comes_back) {
+  const auto messages = sample_messages();
+  ASSERT_EQ(messages.size(), std::variant_size_v<Message>);
+  for (const Message& message : messages) {
+    EXPECT_TRUE(decode(encode(message), "peer") == message) << message_name(message);
+  }
+}
+
+RC_GTEST_PROP(Wire, deltas_come_back_with_their_watermark,
+              (uint32_t frame, uint64_t distance, uint32_t id, std::set<DrawableId> added,
+               std::set<DrawableId> removed)) {
+  const Message message =
+      DeltaMessage{frame, {distance, id}, {{added.begin(), added.end()}, {removed.begin(), removed.end()}}};
+  RC_ASSERT(decode(encode(message), "peer") == message);
+}
+
+RC_GTEST_PROP(Wire, cameras_come_back_to_the_bit, (uint32_t frame, bool last)) {
+  const auto finite = [] {
+    return *rc::gen::suchThat(rc::gen::arbitrary<double>(),
+                              [](double value) { return std::abs(value) < 1e100; });
+  };
+  CameraMessage message{frame, sample_view(), std::abs(finite()), last};
+  message.view.camera.eye = {finite(), finite(), finite()};
+  message.view.camera.target =
+      message.view.camera.eye + glm::dvec3(std::abs(message.view.camera.eye.x) + 1, 0, 0);
+  message.view.width = *rc::gen::inRange(1, 32769);
+  message.view.height = *rc::gen::inRange(1, 32769);
+  RC_ASSERT(decode(encode(message), "peer") == Message(message));
+}
+
+RC_GTEST_PROP(Wire, any_bytes_are_a_message_or_refused, (std::vector<uint8_t> noise)) {
+  try {
+    decode(std::as_bytes(std::span<const uint8_t>(noise)), "peer");
+    RC_FAIL("noise passed for a message");
+  } catch (const Error&) {
+    RC_SUCCEED("refused");
+  }
+}
+
+RC_GTEST_PROP(Wire, any_body_under_a_right_checksum_is_read_or_refused, (std::vector<uint8_t> noise)) {
+  const auto body = std::as_bytes(std::span<const uint8_t>(noise));
+  for (const Message& message : sample_messages()) {
+    try {
+      const Message read = decode(forged(message, body), "peer");
+      RC_ASSERT(read.index() == message.index());
+    } catch (const Error&) {
+      RC_ASSERT(!std::holds_alternative<FullSetRequest>(message) || !noise.empty());
+    }
+  }
+}
+
+TEST(Wire, every_truncation_is_refused) {
+  for (const Message& message : sample_messages()) {
+    const auto bytes = encode(message);
+    for (size_t length = 0; length < bytes.size(); ++length) {
+      EXPECT_NE(refusal_of(std::span(bytes).first(length)), "") << message_name(message) << " at " << length;
+    }
+  }
+}
+
+TEST(Wire, every_flipped_bit_is_refused) {
+  for (const Message& message : sample_messages()) {
+    const auto bytes = encode(message);
+    for (size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+      auto flipped = bytes;
+      flipped[bit / 8] ^= std::byte{1} << (bit % 8);
+      EXPECT_NE(refusal_of(flipped), "") << message_name(message) << " at bit " << bit;
+    }
+  }
+}
+
+TEST(Wire, every_changed_body_under_a_right_checksum_is_read_or_refused) {
+  for (const Message& message : sample_messages()) {
+    const auto bytes = encode(message);
+    const auto body = std::span(bytes).subspan(header_bytes);
+    for (size_t length = 0; length < body.size(); ++length) {
+      if (message.index() != Message(Bye{}).index()) {
+        EXPECT_NE(refusal_of(forged(message, body.first(length))), "")
+            << message_name(message) << " at " << length;
+      }
+    }
+    for (size_t i = 0; i < body.size(); ++i) {
+      for (const int value : {0x00, 0x01, 0x7f, 0x80, 0xff}) {
+        std::vector<std::byte> changed(body.begin(), body.end());
+        changed[i] = static_cast<std::byte>(value);
+        refusal_of(forged(message, changed));  // must come back at all; the sanitizers watch
+      }
+    }
+  }
+}
+
+TEST(Wire, bytes_after_the_body_are_refused) {
+  for (const Message& message : sample_messages()) {
+    auto bytes = encode(message);
+    bytes.push_back(std::byte{0});
+    EXPECT_NE(refusal_of(bytes), "") << message_name(message);
+  }
+}
+
+TEST(Wire, a_length_beyond_the_limit_is_refused_by_the_header_alone) {
+  auto bytes = encode(FullSetRequest{3});
+  const uint32_t length = body_limit + 1;
+  std::memcpy(bytes.data() + 8, &length, sizeof(length));
+  try {
+    decode_header(std::span(bytes).first<header_bytes>(), "peer");
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "peer: frame 3: a message of 67108865 bytes, at most 67108864 are allowed");
+  }
+}
+
+TEST(Wire, refusals_name_the_peer_and_the_frame) {
+  auto bytes = encode(sample_messages()[3]);
+  bytes.back() ^= std::byte{1};
+  EXPECT_EQ(refusal_of(bytes), "peer: frame 12: a message with a wrong checksum");
+}
+
+TEST(Wire, a_camera_without_a_direction_is_refused) {
+  CameraMessage message{1, sample_view(), 1, false};
+  message.view.camera.target = message.view.camera.eye;
+  EXPECT_NE(refusal_of(encode(message)).find("no direction"), std::string::npos);
+}
+
+TEST(Wire, a_camera_that_is_not_a_number_is_refused) {
+  CameraMessage message{1, sample_view(), 1, false};
+  message.view.camera.eye.y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal_of(encode(message)), "");
+  message = {1, sample_view(), std::numeric_limits<double>::infinity(), false};
+  EXPECT_NE(refusal_of(encode(message)), "");
+  message = {1, sample_view(), 1, false};
+  message.view.width = 0;
+  EXPECT_NE(refusal_of(encode(message)), "");
+}
+
+TEST(Wire, the_cameras_vectors_are_the_papers_72_bytes) {
+  const CameraMessage message{1, sample_view(), 1, false};
+  const auto bytes = encode(message);
+  const Camera& camera = message.view.camera;
+  std::array<double, 9> sent{};
+  std::memcpy(sent.data(), bytes.data() + header_bytes, 72);
+  EXPECT_EQ(sent,
+            (std::array<double, 9>{camera.eye.x, camera.eye.y, camera.eye.z, camera.target.x, camera.target.y,
+                                   camera.target.z, camera.up.x, camera.up.y, camera.up.z}));
+}
+
+TEST(Wire, a_watermark_above_everything_takes_two_bytes) {
+  const auto bytes = encode(DeltaMessage{1, {~uint64_t{0}, no_id}, {}});
+  EXPECT_EQ(bytes.size(), header_bytes + 2 + 1);
+}
+
+TEST(Wire, of_a_hello_of_another_version_only_the_beginning_is_read) {
+  ByteWriter body;
+  body.write(protocol_version + 1);
+  body.write(Role::switch_0);
+  body.write(Channel::nodes);
+  body.write(Role::render);
+  body.write_text("whatever comes with that version");
+  const Message message = decode(forged(Hello{}, body.bytes()), "peer");
+  const auto& hello = std::get<Hello>(message);
+  EXPECT_EQ(hello.version, protocol_version + 1);
+  EXPECT_EQ(hello.role, Role::switch_0);
+  EXPECT_EQ(hello.channel, Channel::nodes);
+}
+
+TEST(Wire, texts_arrive_as_one_short_line) {
+  const Message message = decode(encode(Bye{"first\nsecond\x1b[31m" + std::string(5000, 'x')}), "peer");
+  const auto& reason = std::get<Bye>(message).reason;
+  EXPECT_EQ(reason.substr(0, 17), "first second [31m");
+  EXPECT_EQ(reason.size(), text_limit);
+  ByteWriter body;
+  body.write_text("two\nlines");
+  EXPECT_NE(refusal_of(forged(Bye{}, body.bytes())), "");
+}
+
+}  // namespace
+}  // namespace triptych

@@ -1,0 +1,146 @@
+#include "import_support.hpp"
+
+namespace triptych {
+namespace {
+
+using test::append;
+using test::expect_robust;
+using test::import_error;
+using test::import_text;
+using test::warns;
+
+const std::string ascii_ply =
+    "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty double x\nproperty double "
+    "y\nproperty double z\n"
+    "property uchar red\nproperty list uchar float weights\nelement extra 1\nproperty int a\nelement face 1\n"
+    "property list uchar int vertex_indices\nproperty uchar flags\nend_header\n"
+    "0.1 0 0 255 2 0.5 0.5\n1 0 0 255 0\n1 1 0 0 0\n\n0 1 0 0 0\n7\n4 0 1 2 3 9\n";
+
+/// A square in binary, its vertices in doubles, with lists and elements that are to be skipped.
+std::string binary_ply(bool big) {
+  std::string bytes = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                      "_endian 1.0\nelement skipped 1\nproperty list short double values\nelement vertex 4\n"
+                      "property float64 y\nproperty float64 x\nproperty char tag\nproperty float64 z\n"
+                      "element face 1\nproperty list uint8 uint32 vertex_index\nend_header\n";
+  append(bytes, int16_t{2}, big);
+  append(bytes, 1.5, big);
+  append(bytes, 2.5, big);
+  for (int i = 0; i < 4; ++i) {
+    append(bytes, i * 0.1, big);
+    append(bytes, i + 0.5, big);
+    append(bytes, int8_t{-1}, big);
+    append(bytes, -7.0, big);
+  }
+  append(bytes, uint8_t{4}, big);
+  for (const uint32_t i : {0u, 1u, 2u, 3u}) append(bytes, i, big);
+  return bytes;
+}
+
+TEST(ImportPly, an_ascii_file_is_read_with_its_doubles_and_what_is_not_drawn_is_said) {
+  const Model model = import_text("a.ply", ascii_ply);
+  EXPECT_EQ(model.source_triangles(), 2u);
+  EXPECT_EQ(model.meshes[0].positions[0], glm::dvec3(0.1, 0, 0));
+  EXPECT_EQ(model.meshes[0].positions[3], glm::dvec3(0, 1, 0));
+  EXPECT_TRUE(warns(model, "4 vertices with a colour"));
+  EXPECT_TRUE(warns(model, "1 records of the element \"extra\""));
+}
+
+TEST(ImportPly, both_byte_orders_give_the_same_doubles) {
+  for (const bool big : {false, true}) {
+    const Model model = import_text("a.ply", binary_ply(big));
+    ASSERT_EQ(model.source_triangles(), 2u);
+    for (int i = 0; i < 4; ++i)
+      EXPECT_EQ(model.meshes[0].positions[static_cast<size_t>(i)], glm::dvec3(i + 0.5, i * 0.1, -7));
+    EXPECT_EQ(model.meshes[0].triangles[1].vertices, (std::array<uint32_t, 3>{0, 2, 3}));
+  }
+}
+
+TEST(ImportPly, a_promise_of_more_than_the_file_holds_is_refused_at_once) {
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\nend_header\n";
+  for (const char* count : {"1000000000", "9223372036854775807"}) {
+    for (const char* format : {"binary_little_endian", "binary_big_endian", "ascii"}) {
+      const std::string file =
+          std::string("ply\nformat ") + format + " 1.0\nelement vertex " + count + "\n" + xyz;
+      EXPECT_NE(import_error("promise.ply", file).find("promises"), std::string::npos) << format;
+    }
+  }
+  EXPECT_NE(import_error("a.ply", "ply\nformat ascii 1.0\nelement face 99999999999999999999\nend_header\n")
+                .substr(0, 6),
+            "");
+  EXPECT_NE(
+      import_error("a.ply", "ply\nformat binary_little_endian 1.0\nelement nothing 1000000000\nend_header\n")
+          .find("no properties"),
+      std::string::npos);
+}
+
+TEST(ImportPly, a_list_longer_than_the_file_is_refused_before_it_is_made) {
+  std::string file =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty "
+      "char z\n"
+      "element face 1\nproperty list uint int vertex_indices\nend_header\n123";
+  append(file, uint32_t{0xffffffff});
+  EXPECT_NE(import_error("a.ply", file).find("a list's length"), std::string::npos);
+}
+
+TEST(ImportPly, an_index_out_of_range_is_refused_with_its_place) {
+  std::string wrong = ascii_ply;
+  wrong.replace(wrong.find("4 0 1 2 3 9"), 11, "4 0 1 2 4 9");
+  EXPECT_EQ(import_error("a.ply", wrong), "line 22: a face's vertex is 4, and must be from 0 to 3");
+  wrong.replace(wrong.find("4 0 1 2 4 9"), 11, "4 0 1 2 -1 9");
+  EXPECT_EQ(import_error("a.ply", wrong).substr(0, 8), "line 22:");
+  std::string binary = binary_ply(false);
+  binary[binary.size() - 4] = 4;
+  EXPECT_NE(import_error("b.ply", binary).find("byte "), std::string::npos);
+}
+
+TEST(ImportPly, too_few_or_too_many_values_in_a_line_are_refused) {
+  std::string wrong = ascii_ply;
+  EXPECT_NE(import_error("a.ply", wrong.replace(wrong.find("1 1 0 0 0"), 9, "1 1 0 0 0 5"))
+                .find("line 18: more values"),
+            std::string::npos);
+  wrong = ascii_ply;
+  EXPECT_NE(import_error("a.ply", wrong.replace(wrong.find("1 1 0 0 0"), 9, "1 1 0 0")), "");
+}
+
+TEST(ImportPly, a_file_cut_in_half_is_refused) {
+  for (const std::string& file : {binary_ply(false), ascii_ply}) {
+    EXPECT_NE(import_error("a.ply", file.substr(0, file.size() / 2)), "");
+    EXPECT_NE(import_error("a.ply", file.substr(0, file.size() - 4)), "");
+  }
+}
+
+TEST(ImportPly, point_clouds_and_strips_are_refused) {
+  const std::string points =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+      "z\nend_header\n0 0 0\n";
+  EXPECT_EQ(import_error("a.ply", points), "holds no triangles");
+  const std::string strips =
+      "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0\n";
+  EXPECT_NE(import_error("a.ply", strips).find("triangle strips"), std::string::npos);
+}
+
+TEST(ImportPly, a_vertex_without_a_coordinate_or_a_face_without_its_list_is_refused) {
+  EXPECT_NE(
+      import_error(
+          "a.ply",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nelement face 1\n"
+          "property list uchar int vertex_indices\nend_header\n0 0\n3 0 0 0\n")
+          .find("\"z\""),
+      std::string::npos);
+  EXPECT_NE(
+      import_error(
+          "a.ply",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 1\nproperty int a\nend_header\n0 0 0\n3\n")
+          .find("vertex_indices"),
+      std::string::npos);
+}
+
+TEST(ImportPly, no_damage_makes_it_crash) {
+  expect_robust("a.ply", ascii_ply);
+  expect_robust("b.ply", binary_ply(false));
+  expect_robust("c.ply", binary_ply(true));
+}
+
+}  // namespace
+}  // namespace triptych

@@ -1,0 +1,229 @@
+#include "scene/pack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/bytes.hpp"
+#include "base/error.hpp"
+#include "base/hashing.hpp"
+#include "scene/pack_skeleton.hpp"
+#include "tests/support/small_pack.hpp"
+
+namespace triptych {
+namespace {
+
+using test::small_pack;
+using test::SmallPack;
+using test::write_pack;
+
+constexpr size_t header_bytes = 32, section_bytes = 32;
+
+/// What opening the pack and reading every chunk of it says; empty if all is well.
+std::string error_of(const std::filesystem::path& file) {
+  try {
+    const Pack pack(file);
+    for (uint32_t i = 0; i < pack.skeleton().chunks.size(); ++i) pack.read_chunk(i);
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).find(file.string()), 0u) << error.what();
+    return std::string(error.what()).substr(file.string().size());
+  }
+  return "";
+}
+
+std::string error_of(std::filesystem::path file, const std::string& contents) {
+  file += ".damaged";
+  std::ofstream(file, std::ios::binary) << contents;  // write_file() waits for the disk
+  return error_of(file);
+}
+
+template <typename Value>
+Value value_at(const std::string& bytes, size_t offset) {
+  Value value;
+  std::memcpy(&value, bytes.data() + offset, sizeof(value));
+  return value;
+}
+
+template <typename Value>
+void put(std::string& bytes, size_t offset, Value value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof(value));
+}
+
+/// Makes the table's checksum in the header right again after a change of the table.
+void seal_table(std::string& bytes) {
+  const auto table = value_at<uint64_t>(bytes, 16);
+  const auto size = value_at<uint32_t>(bytes, 12) * section_bytes;
+  put(bytes, 24,
+      hash_bytes(std::as_bytes(std::span(bytes.data() + table, size)), value_at<uint32_t>(bytes, 8)));
+}
+
+TEST(Pack, what_is_written_is_read_back) {
+  const SmallPack written = small_pack();
+  const auto file = write_pack(written);
+  const Pack pack(file);
+  const Skeleton& skeleton = pack.skeleton();
+  EXPECT_EQ(skeleton.scene_nodes, written.skeleton.scene_nodes);
+  EXPECT_EQ(skeleton.drawables, written.skeleton.drawables);
+  EXPECT_EQ(skeleton.placements, written.skeleton.placements);
+  EXPECT_EQ(skeleton.transforms, written.skeleton.transforms);
+  EXPECT_EQ(skeleton.lattices, written.skeleton.lattices);
+  EXPECT_EQ(skeleton.palette, written.skeleton.palette);
+  EXPECT_EQ(skeleton.objects, written.skeleton.objects);
+  EXPECT_EQ(skeleton.source_triangles, 256u);
+  EXPECT_EQ(skeleton.import.dropped_triangles, 3u);
+  EXPECT_EQ(skeleton.import.warnings, written.skeleton.import.warnings);
+  EXPECT_EQ(skeleton.levels(), 2u);
+  EXPECT_EQ(pack.size(), std::filesystem::file_size(file));
+  ASSERT_EQ(skeleton.chunks.size(), 3u);
+  for (uint32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(pack.read_chunk(i).triangle_count(), written.chunks[i].triangle_count());
+    EXPECT_EQ(pack.read_chunk(i).box(), written.chunks[i].box());
+    EXPECT_EQ(skeleton.chunks[i].lattice, written.chunk_lattices[i]);
+  }
+}
+
+TEST(Pack, the_content_hash_is_that_of_the_content) {
+  SmallPack changed = small_pack();
+  const uint64_t hash = Pack(write_pack(changed)).content_hash();
+  EXPECT_EQ(Pack(write_pack(changed)).content_hash(), hash);
+  changed.chunks[0].vertices[20].point.z -= 1;
+  EXPECT_NE(Pack(write_pack(changed)).content_hash(), hash);
+}
+
+TEST(Pack, vertices_that_no_triangle_uses_are_not_kept) {
+  SmallPack pack = small_pack();
+  pack.chunks[1].vertices.insert(pack.chunks[1].vertices.begin(), ChunkVertex{{0, 0, 0}, 0});
+  for (uint32_t& index : pack.chunks[1].indices) ++index;
+  EXPECT_EQ(Pack(write_pack(pack)).read_chunk(1).vertices.size(), 4u);
+}
+
+TEST(Pack, a_writer_that_does_not_finish_leaves_no_file) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "triptych_unfinished.tpk";
+  std::filesystem::remove(file);
+  {
+    PackWriter writer(file);
+    writer.add_chunk(small_pack().chunks[0], 0);
+  }
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Pack, a_file_cut_anywhere_is_refused) {
+  const auto file = write_pack(small_pack());
+  const std::string whole = read_text_file(file);
+  for (size_t length = 0; length < whole.size();
+       length += length < 64 || whole.size() - length < 80 ? 1 : 7) {
+    EXPECT_NE(error_of(file, whole.substr(0, length)), "") << length;
+  }
+}
+
+TEST(Pack, a_flipped_byte_anywhere_is_refused_and_said_where) {
+  const auto file = write_pack(small_pack());
+  const std::string whole = read_text_file(file);
+  const auto geometry_end = header_bytes + value_at<uint64_t>(whole, value_at<uint64_t>(whole, 16) + 16);
+  for (size_t i = 0; i < whole.size(); ++i) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x40);
+    const std::string error = error_of(file, damaged);
+    ASSERT_NE(error, "") << "byte " << i;
+    if (i < header_bytes) continue;
+    const bool geometry = i < geometry_end, table = i >= value_at<uint64_t>(whole, 16);
+    EXPECT_NE(error.find(geometry ? "section GEOM: chunk"
+                         : table  ? "section table"
+                                  : "section SKEL"),
+              std::string::npos)
+        << i << error;
+  }
+}
+
+TEST(Pack, another_version_and_another_kind_of_file_are_refused_by_name) {
+  const auto file = write_pack(small_pack());
+  std::string other = read_text_file(file);
+  put(other, 8, uint32_t{pack_format_version + 1});
+  EXPECT_NE(error_of(file, other).find("version 2"), std::string::npos);
+  std::string noise;
+  for (int i = 0; i < 256 * 256; ++i) noise.push_back(static_cast<char>(i));
+  EXPECT_NE(error_of(file, noise).find("is no pack"), std::string::npos);
+  EXPECT_THROW(Pack("/nonexistent/a.tpk"), Error);
+  EXPECT_THROW(Pack{std::filesystem::path(testing::TempDir())}, Error);
+}
+
+TEST(Pack, sections_of_an_unknown_type_are_passed_over) {
+  const auto file = write_pack(small_pack());
+  std::string whole = read_text_file(file);
+  const auto table = value_at<uint64_t>(whole, 16);
+  std::string extra = "XTRA";
+  extra.resize(section_bytes, '\x7f');
+  whole.insert(table, extra);
+  put(whole, 12, uint32_t{3});
+  seal_table(whole);
+  EXPECT_EQ(error_of(file, whole), "");
+}
+
+TEST(Pack, a_pack_without_its_skeleton_or_with_a_newer_one_is_refused) {
+  const auto file = write_pack(small_pack());
+  std::string without = read_text_file(file);
+  const auto table = value_at<uint64_t>(without, 16);
+  put(without, table + section_bytes, std::array{'X', 'T', 'R', 'A'});
+  seal_table(without);
+  EXPECT_NE(error_of(file, without).find("SKEL"), std::string::npos);
+  std::string newer = read_text_file(file);
+  put(newer, table + section_bytes + 4, uint32_t{2});
+  seal_table(newer);
+  EXPECT_NE(error_of(file, newer).find("newer version"), std::string::npos);
+}
+
+TEST(Pack, a_skeleton_that_does_not_hold_together_is_refused) {
+  const auto refused = [](auto&& change) {
+    SmallPack pack = small_pack();
+    change(pack.skeleton);
+    try {
+      const Pack opened(write_pack(pack));
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("section SKEL"), std::string::npos);
+      return;
+    }
+    ADD_FAILURE() << "was opened";
+  };
+  refused([](Skeleton& s) { s.scene_nodes.clear(); });
+  refused([](Skeleton& s) { s.scene_nodes[0].parent = 0; });
+  refused([](Skeleton& s) { s.scene_nodes[1].parent = 2; });
+  refused([](Skeleton& s) { s.scene_nodes[0].child_count = 3; });
+  refused([](Skeleton& s) { s.scene_nodes[0].first_child = 0xffffffff; });
+  refused([](Skeleton& s) { s.scene_nodes[0].first_child = 0; });
+  refused([](Skeleton& s) { s.scene_nodes[1].drawable_count = 0; });
+  refused([](Skeleton& s) { s.scene_nodes[2].first_drawable = 4; });
+  refused([](Skeleton& s) { s.scene_nodes[2].box.hi.x = 0; });
+  refused([](Skeleton& s) { s.scene_nodes[2].box.hi.x = Lattice::limit + 1; });
+  refused([](Skeleton& s) { s.drawables[1].error = -1; });
+  refused([](Skeleton& s) { s.drawables[1].error = std::numeric_limits<double>::quiet_NaN(); });
+  refused([](Skeleton& s) { s.drawables[1].scene_node = 2; });
+  refused([](Skeleton& s) { s.drawables[1].scene_node = 77; });
+  refused([](Skeleton& s) { s.drawables[1].placement_count = 0xffffffff; });
+  refused([](Skeleton& s) { s.placements[0].chunk = 3; });
+  refused([](Skeleton& s) { s.placements[0].transform = 3; });
+  refused([](Skeleton& s) { s.transforms[1][2].y = std::numeric_limits<double>::infinity(); });
+  refused([](Skeleton& s) { s.lattices.pop_back(); });
+  refused([](Skeleton& s) { s.lattices[0].step = 0; });
+  refused([](Skeleton& s) { s.palette.clear(); });
+}
+
+TEST(PackSkeleton, bytes_cut_anywhere_or_changed_anywhere_never_crash) {
+  Skeleton skeleton = small_pack().skeleton;
+  skeleton.chunks.assign(3, ChunkInfo{.size = 10, .box = {{0, 0, 0}, {1, 1, 1}}});
+  const auto bytes = encode_skeleton(skeleton);
+  EXPECT_NO_THROW(decode_skeleton(bytes, 100, "skeleton"));
+  for (size_t length = 0; length < bytes.size(); ++length) {
+    EXPECT_THROW(decode_skeleton(std::span(bytes).first(length), 100, "skeleton"), Error);
+  }
+  for (size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    auto damaged = bytes;
+    damaged[bit / 8] ^= std::byte{1} << (bit % 8);
+    try {
+      decode_skeleton(damaged, 100, "skeleton");
+    } catch (const Error&) {
+    }
+  }
+}
+
+}  // namespace
+}  // namespace triptych

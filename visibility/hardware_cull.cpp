@@ -1,0 +1,164 @@
+#include "visibility/hardware_cull.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+#include "base/inject.hpp"
+
+namespace triptych {
+
+namespace {
+
+/// A scene node that waits for its turn.
+struct Waiting {
+  uint64_t distance;
+  SceneNodeId node;
+  auto operator<=>(const Waiting&) const = default;
+};
+
+class HardwareCull {
+ public:
+  HardwareCull(const Skeleton& skeleton, const View& view, const Cut& cut, OcclusionTester& tester,
+               const std::vector<DrawableId>& represented, const VisibleSet& previous, size_t batch)
+      : skeleton_(skeleton),
+        cut_(cut),
+        tester_(tester),
+        projector_(skeleton, view),
+        cell_(eye_cell(skeleton, view)),
+        batch_(batch),
+        expected_(skeleton.scene_nodes.size(), false),
+        represented_(skeleton.drawables.size(), false),
+        shown_(skeleton.drawables.size(), false),
+        was_visible_(skeleton.drawables.size(), false) {
+    for (const DrawableId id : represented) represented_[id] = true;
+    for (const DrawableId id : previous) {
+      was_visible_[id] = true;
+      previous_.push_back(draw_rank(skeleton, cell_, id));
+      for (SceneNodeId node = skeleton.drawables[id].scene_node; node != no_id && !expected_[node];
+           node = skeleton.scene_nodes[node].parent) {
+        expected_[node] = true;
+      }
+    }
+    std::sort(previous_.begin(), previous_.end());
+  }
+
+  CullResult run(const std::function<void(const CullPacket&)>& emit) {
+    push(0);
+    do {
+      fill_batch();
+      test_batch();
+      draw_found();
+      emit(packet());
+    } while (!queue_.empty());
+    std::sort(result_.visible.begin(), result_.visible.end());
+    return std::move(result_);
+  }
+
+ private:
+  void push(SceneNodeId node) {
+    if (cut_.choice[node] != no_id) queue_.push({squared_distance(cell_, skeleton_.scene_nodes[node].box), node});
+  }
+  void push_children(SceneNodeId id) {
+    const SceneNode& node = skeleton_.scene_nodes[id];
+    for (uint32_t child = 0; child < node.child_count; ++child) push(node.first_child + child);
+  }
+
+  void show(SceneNodeId node) {
+    const DrawableId id = cut_.choice[node];
+    if (injected(Fault::withheld_id) && !withheld_ && result_.visible.size() >= 3) {
+      withheld_ = true;
+      return;
+    }
+    result_.visible.push_back(id);
+    shown_[id] = true;
+    if (!was_visible_[id]) added_.push_back(id);
+    if (!represented_[id]) found_.push_back(id);
+  }
+
+  /// Takes scene nodes in rank order until `batch_` of them want a test.
+  void fill_batch() {
+    nodes_.clear();
+    rectangles_.clear();
+    while (!queue_.empty() && nodes_.size() < batch_) {
+      const SceneNodeId id = queue_.top().node;
+      queue_.pop();
+      const bool inner = cut_.choice[id] == Cut::inner;
+      if (inner && expected_[id]) {
+        push_children(id);
+        continue;
+      }
+      const ScreenBounds bounds = projector_.bounds(skeleton_.scene_nodes[id].box);
+      if (bounds.kind == ScreenBounds::Kind::off_screen) continue;
+      if (bounds.kind == ScreenBounds::Kind::rectangle) {
+        nodes_.push_back(id);
+        rectangles_.push_back(bounds.rectangle);
+      } else if (inner) {
+        push_children(id);
+      } else {
+        ++result_.untested;
+        show(id);
+      }
+    }
+  }
+
+  void test_batch() {
+    if (nodes_.empty()) return;
+    answers_.assign(nodes_.size(), 1);
+    tester_.test(rectangles_, answers_);
+    ++result_.batches;
+    result_.tests += nodes_.size();
+    for (size_t i = 0; i < nodes_.size(); ++i) {
+      const bool inner = cut_.choice[nodes_[i]] == Cut::inner;
+      if (inner && answers_[i]) push_children(nodes_[i]);
+      if (inner && !answers_[i]) ++result_.hidden_subtrees;
+      if (!inner && answers_[i]) show(nodes_[i]);
+    }
+  }
+
+  void draw_found() {
+    if (!found_.empty() && !queue_.empty()) tester_.draw(found_);
+    found_.clear();
+  }
+
+  CullPacket packet() {
+    CullPacket packet;
+    packet.watermark = queue_.empty() ? DrawRank{std::numeric_limits<uint64_t>::max(), no_id} : DrawRank{queue_.top().distance, 0};
+    for (; next_previous_ < previous_.size() && previous_[next_previous_] < packet.watermark; ++next_previous_) {
+      if (!shown_[previous_[next_previous_].id]) packet.delta.removed.push_back(previous_[next_previous_].id);
+    }
+    packet.delta.added = std::move(added_);
+    added_.clear();
+    std::sort(packet.delta.added.begin(), packet.delta.added.end());
+    std::sort(packet.delta.removed.begin(), packet.delta.removed.end());
+    return packet;
+  }
+
+  const Skeleton& skeleton_;
+  const Cut& cut_;
+  OcclusionTester& tester_;
+  BoxProjector projector_;
+  glm::ivec3 cell_;
+  size_t batch_;
+  std::vector<bool> expected_, represented_, shown_, was_visible_;
+  std::vector<DrawRank> previous_;  ///< V(i−1) in rank order
+  size_t next_previous_ = 0;        ///< the first of them that is not decided
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
+  std::vector<SceneNodeId> nodes_;
+  std::vector<ScreenRectangle> rectangles_;
+  std::vector<uint8_t> answers_;
+  std::vector<DrawableId> added_, found_;
+  CullResult result_;
+  bool withheld_ = false;
+};
+
+}  // namespace
+
+CullResult hardware_cull(const Skeleton& skeleton, const View& view, const Cut& cut, OcclusionTester& tester,
+                         const std::vector<DrawableId>& represented, const VisibleSet& previous,
+                         const CullOptions& options, const std::function<void(const CullPacket&)>& emit) {
+  const size_t batch = represented.empty() ? options.batch_without_representation : options.batch;
+  return HardwareCull(skeleton, view, cut, tester, represented, previous, batch).run(emit);
+}
+
+}  // namespace triptych

@@ -1,0 +1,43 @@
+// The hardware cull (HC): which drawables of a cut show past the occlusion representation.
+#pragma once
+
+#include <functional>
+
+#include "lod/cut.hpp"
+#include "visibility/occlusion_tester.hpp"
+#include "visibility/visible_set.hpp"
+
+namespace triptych {
+
+/// A piece of a frame's delta. Every drawable whose draw rank is below the watermark is decided.
+struct CullPacket {
+  DrawRank watermark;
+  VisibleDelta delta;
+};
+
+struct CullOptions {
+  /// Boxes a batch. The smaller one holds where the occlusion representation is empty, so that what is found visible
+  /// in front hides what lies behind it.
+  size_t batch = 512, batch_without_representation = 48;
+};
+
+struct CullResult {
+  VisibleSet visible;
+  uint64_t tests = 0;         ///< boxes tested, inner scene nodes' included
+  uint64_t batches = 0;
+  uint64_t hidden_subtrees = 0;  ///< inner scene nodes that were hidden at once
+  uint64_t untested = 0;      ///< drawables that count as visible because their bounds are unknown
+};
+
+/// Tests the cut's drawables in draw rank order, in batches, inner scene nodes first, so that a hidden subtree costs
+/// one test; scene nodes with content that was visible one frame ago are not worth their own test. What is found
+/// visible and is not yet in the representation is drawn into it between batches. Batches are cut by rank and count
+/// alone, so the same frame gives the same answer whatever the timing (interactive-display-2003 §4.3).
+///
+/// tester: holds R(i), in which `represented` (drawables of the cut) was drawn under `view`.
+/// previous: V(i−1); emit: called after each batch, and at least once, with V(i−1) → V(i) in pieces.
+CullResult hardware_cull(const Skeleton& skeleton, const View& view, const Cut& cut, OcclusionTester& tester,
+                         const std::vector<DrawableId>& represented, const VisibleSet& previous,
+                         const CullOptions& options, const std::function<void(const CullPacket&)>& emit);
+
+}  // namespace triptych

@@ -1,0 +1,61 @@
+#include "visibility/screen_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/inject.hpp"
+
+namespace triptych {
+
+namespace {
+/// The vertex stage works in 32-bit floats relative to the eye: a position is off by at most about 2⁻²¹ of its distance.
+constexpr double float_rounding = 0x1p-21;
+constexpr double depth_margin = 0x1p-14;
+/// Boxes whose nearest corner is within this factor of the near plane count as touching it.
+constexpr double near_margin = 1.001;
+}  // namespace
+
+BoxProjector::BoxProjector(const Skeleton& skeleton, const View& view)
+    : lattice_(skeleton.lattice()), view_(view), rotation_(view.rotation()) {}
+
+ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
+  const Camera& camera = view_.camera;
+  const Box model_box = lattice_.box(box);
+  double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0;
+  double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 corner = rotation_ * (model_box.corner(i) - camera.eye);
+    const double depth = -corner.z;
+    least_depth = std::min(least_depth, depth);
+    greatest_depth = std::max(greatest_depth, depth);
+    if (depth <= 0) continue;
+    const double x = corner.x / depth, y = corner.y / depth;
+    left = std::min(left, x);
+    right = std::max(right, x);
+    bottom = std::min(bottom, y);
+    top = std::max(top, y);
+    greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
+  }
+  if (greatest_depth < camera.near / near_margin) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+  if (least_depth < camera.near * near_margin) return {};
+  // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice (p and w).
+  if (2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length() > 0.25) return {};
+  const double margin_x = injected(Fault::no_dilation) ? 0 : 2.0 / view_.width;
+  const double margin_y = injected(Fault::no_dilation) ? 0 : 2.0 / view_.height;
+  const auto device_x = [&](double tangent) { return 2 * (tangent - camera.left) / (camera.right - camera.left) - 1; };
+  const auto device_y = [&](double tangent) { return 2 * (tangent - camera.bottom) / (camera.top - camera.bottom) - 1; };
+  ScreenBounds bounds{.kind = ScreenBounds::Kind::rectangle, .rectangle = {}};
+  const double x0 = device_x(left) - margin_x, x1 = device_x(right) + margin_x;
+  const double y0 = device_y(bottom) - margin_y, y1 = device_y(top) + margin_y;
+  if (x0 > 1 || x1 < -1 || y0 > 1 || y1 < -1) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+  const double margin = injected(Fault::no_dilation) ? 1 : 1 + depth_margin;
+  bounds.rectangle = {.left = static_cast<float>(std::max(x0, -1.0)),
+                      .bottom = static_cast<float>(std::max(y0, -1.0)),
+                      .right = static_cast<float>(std::min(x1, 1.0)),
+                      .top = static_cast<float>(std::min(y1, 1.0)),
+                      .depth = static_cast<float>(std::min(1.0, camera.near / least_depth * margin))};
+  return bounds;
+}
+
+}  // namespace triptych

@@ -1,0 +1,38 @@
+#include "visibility/visible_stream.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace triptych {
+
+VisibleStream::VisibleStream(const Skeleton& skeleton, const glm::ivec3& cell, const VisibleSet& previous)
+    : skeleton_(skeleton), cell_(cell), visible_(previous) {
+  for (const DrawableId id : previous) undecided_.push_back(draw_rank(skeleton, cell, id));
+  std::sort(undecided_.begin(), undecided_.end());
+}
+
+std::vector<DrawableId> VisibleStream::take(const CullPacket& packet) {
+  VisibleDelta known;
+  std::set_intersection(packet.delta.removed.begin(), packet.delta.removed.end(), visible_.begin(), visible_.end(),
+                        std::back_inserter(known.removed));
+  for (const DrawableId id : packet.delta.added) {
+    if (id < skeleton_.drawables.size() && !std::binary_search(visible_.begin(), visible_.end(), id)) {
+      known.added.push_back(id);
+    }
+  }
+  faults_ += packet.delta.size() - known.size();
+  if (!apply_delta(known, visible_)) ++faults_;
+
+  std::erase_if(undecided_, [&](const DrawRank& rank) {
+    return std::binary_search(known.removed.begin(), known.removed.end(), rank.id);
+  });
+  for (const DrawableId id : known.added) undecided_.push_back(draw_rank(skeleton_, cell_, id));
+  std::sort(undecided_.begin(), undecided_.end());
+  const auto open = std::lower_bound(undecided_.begin(), undecided_.end(), packet.watermark);
+  std::vector<DrawableId> decided;
+  for (auto rank = undecided_.begin(); rank != open; ++rank) decided.push_back(rank->id);
+  undecided_.erase(undecided_.begin(), open);
+  return decided;
+}
+
+}  // namespace triptych
