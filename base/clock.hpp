@@ -5,6 +5,11 @@
 
 namespace triptych {
 
+/// This machine's steady clock: the same for all its processes, and of no meaning on another machine.
+inline double steady_milliseconds() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// Runs from its construction or last restart.
 class Stopwatch {
  public:

@@ -4,6 +4,7 @@
 #include "base/progress.hpp"
 #include "launch/command.hpp"
 #include "launch/pictures.hpp"
+#include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "render/png_file.hpp"
 
@@ -16,11 +17,13 @@ struct RenderCommand {
   std::filesystem::path output;
   CullMode cull = CullMode::occlusion;
   bool full_detail = false, item_buffer = false;
+  uint32_t every = 1;
 };
 
 int run(const RenderCommand& command) {
   const Pack pack(command.run.pack);
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+  std::erase_if(frames, [&](const FrameRequest& frame) { return frame.number % command.every != 0; });
   make_folder(command.output);
   const auto context = make_context(command.run.context);
   const auto [width, height] = command.run.size;
@@ -53,6 +56,7 @@ int run(const RenderCommand& command) {
       {"visible", distribution_json(records, [](const FrameRecord& r) { return r.visible.size(); })},
       {"cut", distribution_json(records, [](const FrameRecord& r) { return r.cut_drawables; })},
       {"tests", distribution_json(records, [](const FrameRecord& r) { return r.tests; })},
+      {"series", frame_series(records)},
       {"peak_rss_bytes", peak_resident_bytes()},
       {"gl",
        {{"vendor", context->names().vendor},
@@ -79,6 +83,8 @@ void add_render(CLI::App& app, Action& action) {
       ->default_str("occlusion");
   sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
+  sub->add_option("--every", command->every, "Only every so many frames of the path, each as if it were the next one")
+      ->check(CLI::PositiveNumber);
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

@@ -2,6 +2,7 @@
 
 #include "launch/session_run.hpp"
 #include "measure/json.hpp"
+#include "measure/session_report.hpp"
 
 namespace triptych {
 
@@ -26,6 +27,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
       {"frame_ms", distribution_json(frames, [](const FrameRecord& r) { return r.frame_ms; })},
       {"visible", distribution_json(frames, [](const FrameRecord& r) { return r.visible.size(); })},
       {"drawn_triangles", distribution_json(frames, [](const FrameRecord& r) { return r.drawn_triangles; })},
+      {"delta", delta_json(Pack(options.run.pack).skeleton(), outcome.records)},
       {"digest_mismatches", mismatches},
       {"fallback_frames", fallback_frames},
       {"roles", roles}};

@@ -1,8 +1,5 @@
 #include "lod/build.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/progress.hpp"
@@ -14,6 +11,9 @@
 #include "scene/hierarchy.hpp"
 #include "scene/pack.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace triptych {
 
 namespace {
@@ -21,7 +21,7 @@ namespace {
 /// What a scene node holds before the skeleton is put together.
 struct NodeContent {
   LatticeBox box;
-  std::vector<Drawable> drawables;    ///< placements: of `placements`
+  std::vector<Drawable> drawables;  ///< placements: of `placements`
   std::vector<Placement> placements;
   double error = 0;                   ///< of the last drawable
   std::vector<uint32_t> exit_levels;  ///< of a leaf: LeafDrawable::levels of the last drawable
@@ -48,7 +48,8 @@ class Builder {
       objects_ = make_objects(parts_, boxes, options_);
     });
     stage("hierarchy", [&] { make_nodes(boxes); });
-    stage("leaf LODs", [&] { levels_ = make_part_levels(parts_, exit_triangles(), writer_, skeleton_.import); });
+    stage("leaf LODs",
+          [&] { levels_ = make_part_levels(parts_, exit_triangles(), writer_, skeleton_.import); });
     stage("HLODs", [&] { make_drawables(); });
     stage("write", [&] { finish(); });
     report_.import = skeleton_.import;
@@ -69,7 +70,8 @@ class Builder {
     contents_.resize(nodes_.size());
     for (size_t i = nodes_.size(); i-- > 0;) {
       if (nodes_[i].child_count == 0) {
-        for (const uint32_t member : objects_.members[nodes_[i].object]) contents_[i].box.extend(boxes[member]);
+        for (const uint32_t member : objects_.members[nodes_[i].object])
+          contents_[i].box.extend(boxes[member]);
       }
       if (nodes_[i].parent != no_id) contents_[nodes_[i].parent].box.extend(contents_[i].box);
     }
@@ -118,7 +120,8 @@ class Builder {
     }
   }
 
-  /// Drawables of fewer triangles than this cost more to handle than to draw: a leaf has none beyond its first.
+  /// Drawables of fewer triangles than this cost more to handle than to draw: a leaf has none beyond its
+  /// first.
   size_t exit_triangles() const { return std::max<size_t>(options_.hlod_triangles / 8, 16); }
 
   void make_leaf(size_t node) {
@@ -154,18 +157,17 @@ class Builder {
         contents_[child].coarsest = {};
       }
     }
-    return make_hlod(baker.finish(error), nodes_[node].first_place, nodes_[node].end_place, parts_.lattices[0],
-                     options_.hlod_triangles);
+    return make_hlod(baker.finish(error), nodes_[node].first_place, nodes_[node].end_place,
+                     parts_.lattices[0], options_.hlod_triangles);
   }
 
   /// Collects the coarsest drawable of a leaf.
   void bake_leaf(size_t leaf, Baker& baker) const {
-    const uint32_t place = nodes_[leaf].first_place;
     const auto& members = objects_.members[nodes_[leaf].object];
     for (size_t i = 0; i < members.size(); ++i) {
       const PlacedPart& placed = parts_.placed[members[i]];
       const Part& part = levels_[placed.part].surfaces[contents_[leaf].exit_levels[i]];
-      std::vector<LeafSpan> spans(part.surface.points.size(), LeafSpan{place, place});
+      std::vector<LeafSpan> spans(part.surface.points.size());
       for (size_t point = 0; point < part.borders.size(); ++point) {
         const uint32_t border = part.borders[point];
         if (border != no_border) spans[point] = border_spans_[placed.instance][border];
@@ -193,7 +195,6 @@ class Builder {
     content.coarsest = std::move(hlod.coarsest);
     content.error = content.coarsest.error;
     if (nodes_[node].parent != no_id) contents_[nodes_[node].parent].box.extend(content.box);
-    skeleton_.import.repaired_edges += hlod.detached_triangles;
     skeleton_.import.stuck_groups += hlod.stuck;
   }
 
@@ -214,7 +215,8 @@ class Builder {
         drawable.first_placement += first;
         skeleton_.drawables.push_back(drawable);
       }
-      skeleton_.placements.insert(skeleton_.placements.end(), content.placements.begin(), content.placements.end());
+      skeleton_.placements.insert(skeleton_.placements.end(), content.placements.begin(),
+                                  content.placements.end());
     }
     report_.drawables = skeleton_.drawables.size();
     writer_.finish(skeleton_);
@@ -235,7 +237,8 @@ class Builder {
 }  // namespace
 
 BuildReport build_pack(Model model, const BuildOptions& options, const std::filesystem::path& file) {
-  if (model.source_triangles() == 0 || model.instances.empty()) fail(file.string(), "the model holds no triangles");
+  if (model.source_triangles() == 0 || model.instances.empty())
+    fail(file.string(), "the model holds no triangles");
   return Builder(model, options, file).run(model, file);
 }
 

@@ -1,18 +1,19 @@
 // From a model to a pack: weld, partition-cluster-partition, hierarchy, LODs, HLODs.
 #pragma once
 
+#include "scene/model.hpp"
+#include "scene/skeleton.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "scene/model.hpp"
-#include "scene/skeleton.hpp"
-
 namespace triptych {
 
 struct BuildOptions {
-  /// Triangles of a part of a mesh after the first partition, at most; smaller parts cull better and cost more draws.
+  /// Triangles of a part of a mesh after the first partition, at most; smaller parts cull better and cost
+  /// more draws.
   uint32_t part_triangles = 8192;
   /// Placed triangles of a leaf of the hierarchy, roughly.
   uint32_t leaf_triangles = 16384;
@@ -31,8 +32,8 @@ struct BuildReport {
   ImportReport import;
 };
 
-/// Builds the pack; it appears under its name only when it is whole. The same model gives the same bytes for any
-/// number of threads. Error for a model without a triangle.
+/// Builds the pack; it appears under its name only when it is whole. The same model gives the same bytes for
+/// any number of threads. Error for a model without a triangle.
 BuildReport build_pack(Model model, const BuildOptions& options, const std::filesystem::path& file);
 
 }  // namespace triptych

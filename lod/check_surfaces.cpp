@@ -17,11 +17,26 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr uint64_t kept_triangles_limit = 4'000'000;
 
-double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+double squared(const glm::dvec3& v) { return glm::dot(v, v); }
+
+/// Squared distance from the origin to the segment from a to b.
+double segment_distance2(const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 along = b - a;
-  const double length2 = glm::dot(along, along);
-  const double t = length2 > 0 ? std::clamp(glm::dot(point - a, along) / length2, 0.0, 1.0) : 0;
-  return glm::length(point - (a + t * along));
+  const double length2 = squared(along), t = -glm::dot(a, along);
+  if (!(t > 0)) return squared(a);
+  return t >= length2 ? squared(b) : squared(a + (t / length2) * along);
+}
+
+/// Squared distance from the origin to the triangle, which may be degenerate.
+double triangle_distance2(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
+  const double area2 = squared(normal);
+  const double v = glm::dot(glm::cross(ac, a), normal), w = glm::dot(glm::cross(a, ab), normal);
+  if (area2 > 0 && v >= 0 && w >= 0 && v + w <= area2) {
+    const double height = glm::dot(a, normal);
+    return height * height / area2;
+  }
+  return std::min({segment_distance2(a, b), segment_distance2(b, c), segment_distance2(c, a)});
 }
 
 /// The largest singular value: the root of the largest eigenvalue of the symmetric product, in closed form.
@@ -51,7 +66,7 @@ struct Search {
   const std::vector<glm::dvec3>* positions;
   const std::vector<uint32_t>* indices;
   const Placing* placing;
-  glm::dvec3 point;
+  glm::dvec3 point;  ///< less the translation
   double best, floor, margin;
 };
 
@@ -60,10 +75,11 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   std::array<glm::dvec3, 3> corners;
   for (size_t k = 0; k < 3; ++k) {
     const uint32_t vertex = (*search.indices)[3 * size_t{arguments->primID} + k];
-    corners[k] = search.placing->transform * glm::dvec4((*search.positions)[vertex], 1);
+    corners[k] = search.placing->linear * (*search.positions)[vertex] - search.point;
   }
-  const double distance = distance_to_triangle(search.point, corners[0], corners[1], corners[2]);
-  if (!(distance < search.best)) return false;
+  const double distance2 = triangle_distance2(corners[0], corners[1], corners[2]);
+  if (!(distance2 < search.best * search.best)) return false;
+  const double distance = std::min(std::sqrt(distance2), search.best);
   search.best = distance;
   if (distance <= search.floor) {
     arguments->query->radius = 0;
@@ -79,19 +95,10 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
 
 double distance_to_triangle(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
                             const glm::dvec3& c) {
-  const glm::dvec3 ab = b - a, ac = c - a, ap = point - a;
-  const glm::dvec3 normal = glm::cross(ab, ac);
-  const double area2 = glm::dot(normal, normal);
-  if (area2 > 0) {
-    const double v = glm::dot(glm::cross(ap, ac), normal), w = glm::dot(glm::cross(ab, ap), normal);
-    if (v >= 0 && w >= 0 && v + w <= area2) return std::abs(glm::dot(ap, normal)) / std::sqrt(area2);
-  }
-  return std::min(
-      {distance_to_segment(point, a, b), distance_to_segment(point, b, c), distance_to_segment(point, c, a)});
+  return std::sqrt(triangle_distance2(a - point, b - point, c - point));
 }
 
-Placing::Placing(const Affine& affine) : transform(affine), inverse(1), stretch(infinite) {
-  const glm::dmat3 linear(affine);
+Placing::Placing(const Affine& affine) : transform(affine), linear(affine), inverse(1), stretch(infinite) {
   const glm::dmat3 candidate = glm::inverse(linear);
   const double largest = largest_stretch(candidate) * (1 + 1e-9);
   if (!std::isfinite(largest)) return;
@@ -130,7 +137,7 @@ double ChunkTree::distance(const Placing& placing, const glm::dvec3& point, doub
   // Vertices and the point were rounded to floats: four units in the last place of the largest coordinate
   // cover both.
   const double margin = (extent_ + glm::length(local)) * 0x1p-21;
-  Search search{&positions_, &indices_, &placing, point, best, floor, margin};
+  Search search{&positions_, &indices_, &placing, point - placing.transform[3], best, floor, margin};
   RTCPointQuery query;
   query.x = static_cast<float>(local.x);
   query.y = static_cast<float>(local.y);

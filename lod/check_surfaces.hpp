@@ -25,7 +25,7 @@ double distance_to_triangle(const glm::dvec3& point, const glm::dvec3& a, const 
 struct Placing {
   explicit Placing(const Affine& transform);
   Affine transform;
-  glm::dmat3 inverse;
+  glm::dmat3 linear, inverse;
   double stretch;  ///< a distance in model space is at most this much longer in the chunk's space; infinite
                    ///< if singular
 };

@@ -26,14 +26,16 @@ struct Traits : OpenMesh::DefaultTraits {
   VertexTraits {
     uint32_t source = 0;
     OpenMesh::Geometry::QuadricT<double> quadric;
+    double weight = 0;  ///< of the planes in it
   };
   FaceTraits { uint32_t color = 0; };
 };
 using Vector = OpenMesh::Vec3d;
 
-/// OpenMesh's triangle mesh with two of its questions answered here: the library that Debian ships has its own checks
-/// compiled in, and these two are asked for every candidate of a collapse. The answers are the same, except that a hub
-/// of many triangles takes no part in collapses: the questions would cost the square of their number.
+/// OpenMesh's triangle mesh with two of its questions answered here: the library that Debian ships has its
+/// own checks compiled in, and these two are asked for every candidate of a collapse. The answers are the
+/// same, except that a hub of many triangles takes no part in collapses: the questions would cost the square
+/// of their number.
 class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
  public:
   OpenMesh::HalfedgeHandle find_halfedge(OpenMesh::VertexHandle from, OpenMesh::VertexHandle to) {
@@ -56,7 +58,8 @@ class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
       if (is_boundary(side)) continue;
       const auto second = next_halfedge_handle(side), third = next_halfedge_handle(second);
       (side == v0v1 ? left : right) = to_vertex_handle(second);
-      if (is_boundary(opposite_halfedge_handle(second)) && is_boundary(opposite_halfedge_handle(third))) return false;
+      if (is_boundary(opposite_halfedge_handle(second)) && is_boundary(opposite_halfedge_handle(third)))
+        return false;
     }
     if (left == right) return false;
     // The neighbours that both ends share are those two and no others.
@@ -89,9 +92,11 @@ class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
   }
 };
 
-/// Squared distances from the planes of the triangles, weighted by area, as OpenMesh's ModQuadricT; beyond it, planes
-/// upright on the lines where the surface ends or colours meet, quadrics that live on when the mesh is cleaned up
-/// between two levels, and no collapse that turns a triangle over.
+/// Squared distances from the planes of the triangles, weighted by area, as OpenMesh's ModQuadricT, but their
+/// mean over the planes of the point that moves: sums would let small parts go first, however far that is
+/// from the surface, and the largest distance is what counts. Beyond it, planes upright on the lines where
+/// the surface ends or colours meet, quadrics that live on when the mesh is cleaned up between two levels,
+/// and no collapse that turns a triangle over.
 template <typename MeshT>
 class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -108,7 +113,8 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
       const Vector normal = area_vector(face);
       const double doubled_area = normal.norm();
       if (!(doubled_area > 0)) continue;
-      for (const auto vertex : mesh.fv_range(face)) add(vertex, normal / doubled_area, point, doubled_area / 2);
+      for (const auto vertex : mesh.fv_range(face))
+        add(vertex, normal / doubled_area, point, doubled_area / 2);
       for (const auto side : mesh.fh_range(face)) {
         if (!outline(side)) continue;
         const auto from = mesh.from_vertex_handle(side), to = mesh.to_vertex_handle(side);
@@ -128,7 +134,8 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
     int outlines = 0;
     bool collapses_along_outline = false;
     for (const auto side : mesh.voh_range(info.v0)) {
-      if (mesh.is_boundary(side) || mesh.is_boundary(mesh.opposite_halfedge_handle(side)) || !outline(side)) continue;
+      if (mesh.is_boundary(side) || mesh.is_boundary(mesh.opposite_halfedge_handle(side)) || !outline(side))
+        continue;
       ++outlines;
       collapses_along_outline |= side == info.v0v1;
     }
@@ -140,12 +147,12 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
       if (a == info.v1 || b == info.v1) continue;
       const Vector before = (mesh.point(a) - info.p0) % (mesh.point(b) - info.p0);
       const Vector after = (mesh.point(a) - info.p1) % (mesh.point(b) - info.p1);
-      // A fifth of the cosine: slivers that stand on end would look torn, and lines of no area are no triangles.
+      // A fifth of the cosine: slivers that stand on end would look torn, and lines of no area are no
+      // triangles.
       if (!((before | after) > 0.2 * before.norm() * after.norm())) return Base::ILLEGAL_COLLAPSE;
     }
-    auto quadric = mesh.data(info.v0).quadric;
-    quadric += mesh.data(info.v1).quadric;
-    const double error = std::max(quadric(info.p1), 0.0);
+    const auto& moved = mesh.data(info.v0);
+    const double error = std::max(moved.quadric(info.p1), 0.0) / std::max(moved.weight, 1e-300);
     // Of collapses that cost nothing (flat regions) the short ones come first: they keep triangles in shape.
     return static_cast<float>(error + 1e-9 * (info.p1 - info.p0).sqrnorm());
   }
@@ -153,13 +160,15 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
   void postprocess_collapse(const CollapseInfo& info) override {
     auto& mesh = Base::mesh();
     mesh.data(info.v1).quadric += mesh.data(info.v0).quadric;
+    mesh.data(info.v1).weight += mesh.data(info.v0).weight;
   }
 
  private:
   Vector area_vector(OpenMesh::FaceHandle face) const {
     auto& mesh = const_cast<OutlineQuadric*>(this)->mesh();
     const auto halfedge = mesh.halfedge_handle(face);
-    const Vector a = mesh.point(mesh.from_vertex_handle(halfedge)), b = mesh.point(mesh.to_vertex_handle(halfedge));
+    const Vector a = mesh.point(mesh.from_vertex_handle(halfedge)),
+                 b = mesh.point(mesh.to_vertex_handle(halfedge));
     const Vector c = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(halfedge)));
     return (b - a) % (c - a);
   }
@@ -174,11 +183,12 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
     OpenMesh::Geometry::QuadricT<double> quadric(normal[0], normal[1], normal[2], -(normal | point));
     quadric *= weight;
     Base::mesh().data(vertex).quadric += quadric;
+    Base::mesh().data(vertex).weight += weight;
   }
 };
 
-/// Adds the triangles to the mesh; one that meets the others in a way half-edges cannot express goes into another
-/// sheet with points of its own, so that it is there all the same. Returns how many triangles did.
+/// Adds the triangles to the mesh; one that meets the others in a way half-edges cannot express goes into
+/// another sheet with points of its own, so that it is there all the same. Returns how many triangles did.
 size_t fill(HalfEdgeMesh& mesh, const Surface& surface, std::span<const uint8_t> locked) {
   constexpr size_t sheets = 4;  // beyond it each triangle stands alone
   const glm::ivec3 origin = surface.points[0];
@@ -255,7 +265,8 @@ Piece Decimation::reduce_to(size_t triangles) {
   Piece piece;
   // Sheets meet in the same points again.
   std::vector<std::pair<uint32_t, uint32_t>> found;
-  for (const auto vertex : mesh.vertices()) found.push_back({mesh.data(vertex).source, static_cast<uint32_t>(vertex.idx())});
+  for (const auto vertex : mesh.vertices())
+    found.push_back({mesh.data(vertex).source, static_cast<uint32_t>(vertex.idx())});
   std::sort(found.begin(), found.end());
   std::vector<uint32_t> place(mesh.n_vertices());
   for (const auto& [source, vertex] : found) {
@@ -269,7 +280,8 @@ Piece Decimation::reduce_to(size_t triangles) {
   for (const auto face : mesh.faces()) {
     Triangle triangle{{}, mesh.data(face).color};
     size_t corner = 0;
-    for (const auto vertex : mesh.fv_range(face)) triangle.vertices[corner++] = place[static_cast<size_t>(vertex.idx())];
+    for (const auto vertex : mesh.fv_range(face))
+      triangle.vertices[corner++] = place[static_cast<size_t>(vertex.idx())];
     piece.surface.triangles.push_back(triangle);
   }
   return piece;

@@ -1,18 +1,19 @@
-// Simplification by half-edge collapses in the order of quadric errors (Garland and Heckbert, Surface simplification
-// using quadric error metrics, 1997), with OpenMesh's decimater.
+// Simplification by half-edge collapses in the order of quadric errors (Garland and Heckbert, Surface
+// simplification using quadric error metrics, 1997), with OpenMesh's decimater.
 #pragma once
+
+#include "scene/surface.hpp"
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "scene/surface.hpp"
-
 namespace triptych {
 
-/// Takes a surface to fewer and fewer triangles. Points stay where they are: they only become fewer. Lines where a
-/// surface ends or colours meet weigh like planes through them, so that shapes and colours keep their outlines.
+/// Takes a surface to fewer and fewer triangles. Points stay where they are: they only become fewer. Lines
+/// where a surface ends or colours meet weigh like planes through them, so that shapes and colours keep their
+/// outlines.
 class Decimation {
  public:
   /// `locked`, if not empty, says for each point whether it must stay.
@@ -25,7 +26,8 @@ class Decimation {
   /// Piece::sources are indices into the points of the surface that this decimation began with.
   Piece reduce_to(size_t triangles);
 
-  /// Triangles that hang together with the others only by their points: half-edges cannot express how they meet.
+  /// Triangles that hang together with the others only by their points: half-edges cannot express how they
+  /// meet.
   size_t detached_triangles() const;
 
  private:

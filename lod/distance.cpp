@@ -1,5 +1,8 @@
 #include "lod/distance.hpp"
 
+#include "base/hashing.hpp"
+#include "lod/triangle_tree.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,19 +15,19 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "base/hashing.hpp"
-#include "lod/triangle_tree.hpp"
-
 namespace triptych {
 
 namespace {
 
-/// What is smaller than this, in lattice steps, is not worth a cut: the bound may be so much larger than the truth.
+/// What is smaller than this, in lattice steps, is not worth a cut: the bound may be so much larger than the
+/// truth.
 constexpr double floor_distance = 0.25;
 /// Cut corners are rounded; this is far above what rounding can do and far below what anybody sees.
 constexpr double rounding_allowance = 1e-5;
 /// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
 constexpr size_t cuts_a_triangle = 6;
+/// How close to the truth the bound is to come.
+constexpr double tight = 1.25;
 
 struct ArrayHash {
   template <typename Values>
@@ -33,7 +36,8 @@ struct ArrayHash {
   }
 };
 
-/// A convex polygon. Each cut adds one corner at most, and each path of cuts is short; what grows beyond is not cut.
+/// A convex polygon. Each cut adds one corner at most, and each path of cuts is short; what grows beyond is
+/// not cut.
 class Polygon {
  public:
   static constexpr size_t most_corners = 15;
@@ -58,32 +62,39 @@ glm::dvec3 middle_of(const Polygon& polygon) {
   return sum / static_cast<double>(polygon.size());
 }
 
-/// Cuts off what lies beyond the plane dot(normal, x) = limit and returns it; both stay convex, either may be empty.
-Polygon cut(Polygon& polygon, const glm::dvec3& normal, double limit) {
-  Polygon inside, outside;
+/// Cuts off what lies beyond the plane dot(normal, x) = limit and returns it; both stay convex, either may be
+/// empty. A strip that is narrower than `narrow` is not worth a cut of its own: it stays with the rest.
+Polygon cut(Polygon& polygon, const glm::dvec3& normal, double limit, double narrow) {
+  std::array<double, Polygon::most_corners + 2> beyond;
+  double furthest = -1, deepest = -1;
   for (size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double beyond_a = glm::dot(normal, a) - limit, beyond_b = glm::dot(normal, b) - limit;
-    if (beyond_a <= 0) inside.push_back(a);
-    if (beyond_a >= 0) outside.push_back(a);
-    if ((beyond_a < 0 && beyond_b > 0) || (beyond_a > 0 && beyond_b < 0)) {
-      const glm::dvec3 crossing = a + (b - a) * (beyond_a / (beyond_a - beyond_b));
+    beyond[i] = glm::dot(normal, polygon[i]) - limit;
+    furthest = std::max(furthest, beyond[i]);
+    deepest = std::max(deepest, -beyond[i]);
+  }
+  if (furthest <= narrow) return {};
+  Polygon inside, outside;
+  if (deepest <= narrow) {
+    std::swap(polygon, outside);
+    return outside;
+  }
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const size_t next = (i + 1) % polygon.size();
+    if (beyond[i] <= 0) inside.push_back(polygon[i]);
+    if (beyond[i] >= 0) outside.push_back(polygon[i]);
+    if ((beyond[i] < 0 && beyond[next] > 0) || (beyond[i] > 0 && beyond[next] < 0)) {
+      const glm::dvec3 crossing =
+          polygon[i] + (polygon[next] - polygon[i]) * (beyond[i] / (beyond[i] - beyond[next]));
       inside.push_back(crossing);
       outside.push_back(crossing);
     }
-  }
-  // A side that is but a point or a line belongs to the other one.
-  if (outside.size() < 3) return {};
-  if (inside.size() < 3) {
-    inside.clear();
-    outside = polygon;
   }
   polygon = inside;
   return outside;
 }
 
-/// The largest distance of polygons from the triangles of a tree, by branch and bound: the polygon with the largest
-/// bound is cut until that bound is nearly reached by some point, or the work is no longer worth it.
+/// The largest distance of polygons from the triangles of a tree, by branch and bound: the polygon with the
+/// largest bound is cut until that bound is nearly reached by some point, or the work is no longer worth it.
 class OneSided {
  public:
   /// `lower` is a distance that is known to be reached elsewhere: below it nothing needs to be known exactly.
@@ -126,19 +137,21 @@ class OneSided {
     bool operator<(const Waiting& other) const { return bound < other.bound; }
   };
 
-  /// A bound up to here needs no cut: within a tenth of a distance that is really reached somewhere.
-  double enough() const { return std::max(floor_distance, lower_ * 1.1); }
+  /// A bound up to here needs no cut: within a quarter of a distance that is really reached somewhere.
+  double enough() const { return std::max(floor_distance, lower_ * tight); }
 
   void add(const Polygon& polygon) {
     if (polygon.size() < 3) return;
-    const auto nearest = tree_.nearest_to_all(polygon, enough() * enough(), hint_);
-    hint_ = nearest.triangle;
-    double bound = std::sqrt(nearest.squared_distance);
+    const glm::dvec3 middle = middle_of(polygon);
+    double reach = 0;
+    for (const glm::dvec3& corner : polygon) reach = std::max(reach, glm::distance(corner, middle));
+    // From the cheapest to the dearest: no point is further off than its way to the middle and on from there;
+    // one triangle may be near all corners, first of all the one near the middle.
+    double bound = touch(middle) + reach;
+    if (bound > enough()) bound = std::min(bound, std::sqrt(tree_.squared_distance(polygon, hint_)));
     if (bound > enough()) {
-      const glm::dvec3 middle = middle_of(polygon);
-      double reach = 0;
-      for (const glm::dvec3& corner : polygon) reach = std::max(reach, glm::distance(corner, middle));
-      bound = std::min(bound, touch(middle) + reach);
+      const auto found = tree_.within(polygon, enough() * enough());
+      if (found.triangle != TriangleTree::no_triangle) bound = std::sqrt(found.squared_distance);
     }
     if (bound <= enough()) {
       bound_ = std::max(bound_, bound);
@@ -148,7 +161,8 @@ class OneSided {
     }
   }
 
-  /// Cuts out what lies over the triangle nearest to the polygon's middle; halves the polygon where that leads nowhere.
+  /// Cuts out what lies over the triangle nearest to the polygon's middle; halves the polygon where that
+  /// leads nowhere.
   void divide(const Polygon& polygon) {
     const Corners& near = tree_.triangle(hint_);
     const glm::dvec3 normal = glm::cross(near[1] - near[0], near[2] - near[0]);
@@ -161,7 +175,7 @@ class OneSided {
       const double length = glm::length(outwards);
       if (!(length > 0)) continue;
       const glm::dvec3 direction = outwards / length;
-      beyond[i] = cut(rest, direction, glm::dot(direction, near[i]) + slack);
+      beyond[i] = cut(rest, direction, glm::dot(direction, near[i]) + slack, slack * 0.2);
       was_cut |= !beyond[i].empty();
     }
     if (rest.empty() || !was_cut) {
@@ -185,7 +199,7 @@ class OneSided {
         from = i;
       }
     }
-    const Polygon other = cut(polygon, direction, glm::dot(direction, polygon[from] + direction * 0.5));
+    const Polygon other = cut(polygon, direction, glm::dot(direction, polygon[from] + direction * 0.5), 0);
     add(polygon);
     add(other);
   }
@@ -205,7 +219,8 @@ Corners corners_of(const Surface& surface, const Triangle& triangle) {
 struct CommonPoints {
   CommonPoints(const Surface& a, const Surface& b) {
     numbers.reserve(std::max(a.points.size(), b.points.size()));
-    for (const glm::ivec3& point : b.points) numbers.try_emplace(point, static_cast<uint32_t>(numbers.size()));
+    for (const glm::ivec3& point : b.points)
+      numbers.try_emplace(point, static_cast<uint32_t>(numbers.size()));
     for (const glm::ivec3& point : a.points) {
       of_a.push_back(numbers.try_emplace(point, static_cast<uint32_t>(numbers.size())).first->second);
     }
@@ -335,7 +350,8 @@ double distance_bound(const Surface& a, const Surface& b, Colors colors) {
   double bound = 0, lower = 0;
   if (colors == Colors::ignore) {
     bound = Target(b, b.triangles, common.of_b).distance_from(a, a.triangles, common.of_a, lower);
-    bound = std::max(bound, Target(a, a.triangles, common.of_a).distance_from(b, b.triangles, common.of_b, lower));
+    bound = std::max(bound,
+                     Target(a, a.triangles, common.of_a).distance_from(b, b.triangles, common.of_b, lower));
   } else {
     bound = one_sided_by_color(a, common.of_a, b, common.of_b, lower);
     bound = std::max(bound, one_sided_by_color(b, common.of_b, a, common.of_a, lower));

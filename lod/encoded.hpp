@@ -1,12 +1,12 @@
 // A chunk that waits, encoded, for its turn to be written: threads encode, one writes in a fixed order.
 #pragma once
 
+#include "scene/pack.hpp"
+#include "scene/surface.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "scene/pack.hpp"
-#include "scene/surface.hpp"
 
 namespace triptych {
 

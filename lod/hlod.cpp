@@ -1,11 +1,11 @@
 #include "lod/hlod.hpp"
 
+#include "base/hashing.hpp"
+#include "lod/simplify.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-
-#include "base/hashing.hpp"
-#include "lod/simplify.hpp"
 
 namespace triptych {
 
@@ -24,7 +24,8 @@ std::array<glm::ivec3, 3> spread(const std::array<glm::ivec3, 3>& corners) {
   const std::array<glm::ivec3, 4> steps = {glm::ivec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const glm::ivec3& b : steps) {
     for (const glm::ivec3& c : steps) {
-      if (!degenerate(corners[0], corners[1] + b, corners[2] + c)) return {corners[0], corners[1] + b, corners[2] + c};
+      if (!degenerate(corners[0], corners[1] + b, corners[2] + c))
+        return {corners[0], corners[1] + b, corners[2] + c};
     }
   }
   return corners;  // not reached: of three directions at most one is that of the line
@@ -59,7 +60,8 @@ void Baker::add(const Surface& surface, std::span<const LeafSpan> spans) {
   }
 }
 
-void Baker::add(const Surface& surface, const Lattice& from, const Affine& transform, std::span<const LeafSpan> spans) {
+void Baker::add(const Surface& surface, const Lattice& from, const Affine& transform,
+                std::span<const LeafSpan> spans) {
   moved_ = std::max(moved_, std::sqrt(3.0) / 2 * (1 + 1e-9));
   std::vector<glm::ivec3> points;
   for (const glm::ivec3& point : surface.points) {
@@ -84,7 +86,8 @@ Baked Baker::finish(double error) {
   return std::move(baked_);
 }
 
-Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice, uint32_t triangles) {
+Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
+               uint32_t triangles) {
   std::vector<uint8_t> locked;
   size_t locked_count = 0;
   for (const LeafSpan& span : children.spans) {
@@ -92,14 +95,16 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
     locked_count += locked.back();
   }
   // A border as large as this leaves nothing to simplify: it opens, within the bound.
-  if (locked_count > 2 * size_t{triangles}) locked.clear();
+  if (locked_count > 2 * size_t{triangles}) {
+    locked.clear();
+    locked_count = 0;
+  }
 
   Hlod hlod;
   SimplifyLimits limits;
-  limits.triangles = triangles;
+  limits.triangles = triangles + locked_count;  // what lies between the borders gets its full share
   limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
   Chain chain = simplify(children.surface, locked, limits);
-  hlod.detached_triangles = chain.detached_triangles;
   hlod.stuck = chain.stuck && chain.levels.empty();
   for (const Level& level : chain.levels) {
     hlod.drawables.push_back({encode(level.piece.surface), children.error + level.bound * lattice.step});

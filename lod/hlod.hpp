@@ -1,6 +1,10 @@
-// Hierarchical LODs: the geometry of a whole subtree, simplified, bottom-up (Erikson, Manocha and Baxter, HLODs for
-// faster display of large static and dynamic environments, 2001).
+// Hierarchical LODs: the geometry of a whole subtree, simplified, bottom-up (Erikson, Manocha and Baxter,
+// HLODs for faster display of large static and dynamic environments, 2001).
 #pragma once
+
+#include "lod/encoded.hpp"
+#include "lod/parts.hpp"
+#include "scene/surface.hpp"
 
 #include <cstdint>
 #include <span>
@@ -8,14 +12,11 @@
 #include <unordered_set>
 #include <vector>
 
-#include "lod/encoded.hpp"
-#include "lod/parts.hpp"
-#include "scene/surface.hpp"
-
 namespace triptych {
 
-/// Places of the leaves that a point of a border belongs to: the first and the last; a point that is on no border has
-/// only its own.
+/// Places of the leaves that a point of a border belongs to: the first and the last; empty for a point that
+/// is on no border. Objects that only touch are no borders of each other: they may part, as far as the bound
+/// lets them.
 struct LeafSpan {
   uint32_t first = no_border, last = 0;
   void extend(const LeafSpan& other) {
@@ -37,9 +38,10 @@ class Baker {
   explicit Baker(const Lattice& lattice) : lattice_(lattice) {}
   /// Geometry that is on the model's lattice already.
   void add(const Surface& surface, std::span<const LeafSpan> spans);
-  /// Geometry on the lattice of its mesh, under a transform: each position is rounded to the model's lattice. Where
-  /// that leaves a triangle without area, its corners move by one more step: nothing is lost.
-  void add(const Surface& surface, const Lattice& from, const Affine& transform, std::span<const LeafSpan> spans);
+  /// Geometry on the lattice of its mesh, under a transform: each position is rounded to the model's lattice.
+  /// Where that leaves a triangle without area, its corners move by one more step: nothing is lost.
+  void add(const Surface& surface, const Lattice& from, const Affine& transform,
+           std::span<const LeafSpan> spans);
   /// What was collected. `error`: the bound of what was added; how far it moved is added to it.
   Baked finish(double error);
 
@@ -66,12 +68,13 @@ struct HlodDrawable {
 struct Hlod {
   std::vector<HlodDrawable> drawables;  ///< finest first
   Baked coarsest;
-  size_t detached_triangles = 0;
   bool stuck = false;  ///< still as many triangles as its children have, and more than wanted
 };
 
-/// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place. Points of
-/// borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of levels.
-Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice, uint32_t triangles);
+/// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.
+/// Points of borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of
+/// levels.
+Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
+               uint32_t triangles);
 
 }  // namespace triptych

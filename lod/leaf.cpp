@@ -1,12 +1,12 @@
 #include "lod/leaf.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "lod/encoded.hpp"
 #include "lod/simplify.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace triptych {
 
@@ -33,7 +33,7 @@ Prepared prepare(Part& part, size_t kept_triangles) {
   for (const uint32_t border : part.borders) locked.push_back(border != no_border);
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits;
-  limits.triangles = coarsest_triangles;
+  limits.triangles = coarsest_triangles + static_cast<size_t>(std::count(locked.begin(), locked.end(), 1));
   limits.largest_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
   prepared.detached_triangles = chain.detached_triangles;
@@ -75,7 +75,8 @@ std::vector<PartLevels> make_part_levels(Parts& parts, size_t kept_triangles, Pa
       PartLevels& levels = result[first + i];
       for (size_t level = 0; level < prepared[i].chunks.size(); ++level) {
         const EncodedChunk& chunk = prepared[i].chunks[level];
-        const double bound = prepared[i].bounds[level] * parts.lattices[lattice].step + parts.lattices[lattice].rounding();
+        const double bound =
+            prepared[i].bounds[level] * parts.lattices[lattice].step + parts.lattices[lattice].rounding();
         levels.levels.push_back({append(writer, chunk, lattice), chunk.triangles, bound});
       }
       levels.surfaces = std::move(prepared[i].surfaces);
@@ -116,12 +117,19 @@ std::vector<LeafDrawable> leaf_drawables(const Parts& parts, std::span<const Par
   for (double threshold = errors.empty() ? 0 : errors.front(); !errors.empty();) {
     if (drawables.back().triangles <= exit_triangles) break;
     LeafDrawable drawable = select(threshold);
-    if (static_cast<double>(drawable.triangles) <= worth_it * static_cast<double>(drawables.back().triangles)) {
+    if (static_cast<double>(drawable.triangles) <=
+        worth_it * static_cast<double>(drawables.back().triangles)) {
       drawables.push_back(std::move(drawable));
     }
     if (threshold >= errors.back()) break;
     const double next = *std::upper_bound(errors.begin(), errors.end(), threshold);
     threshold = std::min(std::max(2 * threshold, next), errors.back());
+  }
+  // HLODs begin with the last one: it has few triangles, or every member at its coarsest. Others were not
+  // kept.
+  if (drawables.back().triangles > exit_triangles && !errors.empty()) {
+    LeafDrawable coarsest = select(errors.back());
+    if (coarsest.levels != drawables.back().levels) drawables.push_back(std::move(coarsest));
   }
   return drawables;
 }

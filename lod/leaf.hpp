@@ -1,12 +1,12 @@
 // LODs of the parts, shared by all placements, and the drawables of the leaves that are made of them.
 #pragma once
 
+#include "lod/parts.hpp"
+#include "scene/pack.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "lod/parts.hpp"
-#include "scene/pack.hpp"
 
 namespace triptych {
 
@@ -22,8 +22,8 @@ struct PartLevels {
   std::vector<Part> surfaces;
 };
 
-/// Simplifies every part and writes its levels to the pack; takes the parts' surfaces with it, part by part. Kept for
-/// HLODs are the coarsest level of each part and those with at most `kept_triangles`.
+/// Simplifies every part and writes its levels to the pack; takes the parts' surfaces with it, part by part.
+/// Kept for HLODs are the coarsest level of each part and those with at most `kept_triangles`.
 std::vector<PartLevels> make_part_levels(Parts& parts, size_t kept_triangles, PackWriter& writer,
                                          ImportReport& report);
 
@@ -34,9 +34,10 @@ struct LeafDrawable {
   std::vector<uint32_t> levels;  ///< of each member which of its part's levels
 };
 
-/// The drawables of a leaf with these members (indices of placed parts), finest first: each next one has twice the
-/// error or more, every member at its coarsest level within it, and at most 70 % of the triangles. They end with the
-/// first that has at most `exit_triangles`: what is coarser is left to the HLODs above, which start from the last one.
+/// The drawables of a leaf with these members (indices of placed parts), finest first: each next one has
+/// twice the error or more, every member at its coarsest level within it, and at most 70 % of the triangles.
+/// They end with the first that has at most `exit_triangles`: what is coarser is left to the HLODs above,
+/// which start from the last one.
 std::vector<LeafDrawable> leaf_drawables(const Parts& parts, std::span<const PartLevels> levels,
                                          std::span<const uint32_t> members, size_t exit_triangles);
 

@@ -1,13 +1,13 @@
 #include "lod/objects.hpp"
 
+#include "scene/cluster.hpp"
+#include "scene/partition.hpp"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <utility>
-
-#include "scene/cluster.hpp"
-#include "scene/partition.hpp"
 
 namespace triptych {
 
@@ -27,13 +27,15 @@ double weighted_median(std::vector<std::pair<double, uint64_t>> values) {
   return 0;
 }
 
-/// How large a place is that holds `leaf_triangles`, as a rule: by splitting all parts evenly, whatever their extent.
-/// A few vast objects, such as the ground that a building stands on, do not change it; the model's box would.
+/// How large a place is that holds `leaf_triangles`, as a rule: by splitting all parts evenly, whatever their
+/// extent. A few vast objects, such as the ground that a building stands on, do not change it; the model's
+/// box would.
 double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triangles) {
   std::vector<uint32_t> all(extents.size());
   std::iota(all.begin(), all.end(), 0u);
   std::vector<std::pair<double, uint64_t>> places, parts;
-  for (const auto& group : partition_objects(extents, all, leaf_triangles, std::numeric_limits<double>::infinity())) {
+  for (const auto& group :
+       partition_objects(extents, all, leaf_triangles, std::numeric_limits<double>::infinity())) {
     Box centers;
     uint64_t triangles = 0;
     for (const uint32_t index : group) {

@@ -1,12 +1,12 @@
 // The final objects: placed parts, clustered and partitioned again; each becomes a leaf of the hierarchy.
 #pragma once
 
+#include "lod/build.hpp"
+#include "lod/parts.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "lod/build.hpp"
-#include "lod/parts.hpp"
 
 namespace triptych {
 
@@ -16,8 +16,8 @@ struct Objects {
   ObjectCounts counts;
 };
 
-/// `boxes`: of each placed part, on the model's lattice. Only parts that are small, by triangles and by extent, are
-/// grouped; a wall or a slab stays an object of its own, with a box as tight as it is.
+/// `boxes`: of each placed part, on the model's lattice. Only parts that are small, by triangles and by
+/// extent, are grouped; a wall or a slab stays an object of its own, with a box as tight as it is.
 Objects make_objects(const Parts& parts, std::span<const LatticeBox> boxes, const BuildOptions& options);
 
 }  // namespace triptych

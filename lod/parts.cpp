@@ -1,14 +1,14 @@
 #include "lod/parts.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/glm.hpp>
-#include <map>
-
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "scene/partition.hpp"
 #include "scene/weld.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <map>
 
 namespace triptych {
 
@@ -58,14 +58,17 @@ std::vector<uint32_t> make_palette(const std::vector<Material>& materials, Parts
   std::vector<uint32_t> colors;
   for (const Material& material : materials) {
     const glm::vec4& factor = material.base_color;
-    const std::array<uint8_t, 4> color = {to_srgb(factor.r), to_srgb(factor.g), to_srgb(factor.b),
-                                          static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
+    const std::array<uint8_t, 4> color = {
+        to_srgb(factor.r), to_srgb(factor.g), to_srgb(factor.b),
+        static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
     const auto [found, inserted] = indices.try_emplace(color, static_cast<uint32_t>(parts.palette.size()));
     if (inserted) parts.palette.push_back(color);
     colors.push_back(found->second);
   }
   return colors;
 }
+
+double diagonal(const LatticeBox& box) { return glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo)); }
 
 struct MeshParts {
   std::vector<Part> parts;
@@ -126,7 +129,8 @@ LatticeBox placed_box(const Parts& parts, const PlacedPart& placed) {
   const Lattice& lattice = parts.lattices[part.lattice];
   const Affine& transform = parts.transforms[placed.transform];
   Box box;
-  for (const glm::ivec3& point : part.surface.points) box.extend(transform * glm::dvec4(lattice.position(point), 1));
+  for (const glm::ivec3& point : part.surface.points)
+    box.extend(transform * glm::dvec4(lattice.position(point), 1));
   LatticeBox enclosing = parts.lattices[0].enclosing(box);
   enclosing.lo -= 1;  // rounding in the transform
   enclosing.hi += 1;
@@ -155,7 +159,8 @@ Parts make_parts(Model& model, const BuildOptions& options, ImportReport& report
     }
   }
   if (bad_transforms > 0) {
-    report.warnings.push_back(std::to_string(bad_transforms) + " placements left out: their transforms are singular or beyond all bounds");
+    report.warnings.push_back(std::to_string(bad_transforms) +
+                              " placements left out: their transforms are singular or beyond all bounds");
   }
   if (placed.empty()) fail("model", "holds no triangles");
 
@@ -188,7 +193,6 @@ Parts make_parts(Model& model, const BuildOptions& options, ImportReport& report
     }
   });
   Box model_box;
-  std::vector<double> diagonals(model.meshes.size(), 0);
   for (const uint32_t i : placed) model_box.extend(instance_boxes[i]);
   if (model_box.empty()) fail("model", "holds no triangles");
   parts.lattices[0] = make_lattice(model_box, model_bits);
@@ -199,8 +203,11 @@ Parts make_parts(Model& model, const BuildOptions& options, ImportReport& report
     model.meshes[instance.mesh] = {};
   });
 
-  // The first partition, once a mesh: by triangles, and by extent against the model.
-  const double large = glm::length(model_box.hi - model_box.lo) / 6;
+  // The first partition, once a mesh. Borders between parts stay as they are in all levels, and that costs
+  // triangles: a mesh that is small in the model, such as a piece of furniture, is parted only if it has a
+  // great many.
+  const double model_diagonal = glm::length(model_box.hi - model_box.lo);
+  const double small = model_diagonal / 32, large = model_diagonal / 6;
   std::vector<double> stretches(model.meshes.size(), 0);
   for (const uint32_t i : placed) {
     const Instance& instance = model.instances[i];
@@ -211,8 +218,13 @@ Parts make_parts(Model& model, const BuildOptions& options, ImportReport& report
   parallel_for(model.meshes.size(), [&](size_t i) {
     if (uses[i] == 0) return;
     PartitionLimits limits;
+    const double scale = stretches[i] * parts.lattices[lattice_of[i]].step;
     limits.triangles = options.part_triangles;
-    limits.diagonal = large / (stretches[i] * parts.lattices[lattice_of[i]].step);
+    if (diagonal(welded[i].surface.box()) * scale < small &&
+        welded[i].surface.triangles.size() <= size_t{options.part_triangles} * 8) {
+      limits.triangles = welded[i].surface.triangles.size();
+    }
+    limits.diagonal = large / scale;
     divided[i] = divide(std::move(welded[i].surface), lattice_of[i], limits);
   });
 

@@ -1,11 +1,11 @@
 #include "lod/simplify.hpp"
 
-#include <algorithm>
-#include <optional>
-
 #include "lod/decimate.hpp"
-#include "lod/distance.hpp"
 #include "lod/vertex_clustering.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
 
 namespace triptych {
 
@@ -17,11 +17,12 @@ constexpr double worth_it = 0.75;
 /// What the chain has arrived at, and the decimation that goes on from there.
 class Simplifier {
  public:
-  Simplifier(const Surface& surface, std::span<const uint8_t> locked, Colors colors)
-      : colors_(colors), locked_(locked.begin(), locked.end()) {
-    current_.surface = surface;
-    for (uint32_t i = 0; i < surface.points.size(); ++i) current_.sources.push_back(i);
+  Simplifier(const Surface& source, std::span<const uint8_t> locked, Colors colors)
+      : source_(source), locked_(locked), colors_(colors) {
+    current_.surface = source;
+    for (uint32_t i = 0; i < source.points.size(); ++i) current_.sources.push_back(i);
     start_decimation();
+    detached_triangles_ = decimation_->detached_triangles();
   }
 
   size_t triangles() const { return current_.surface.triangles.size(); }
@@ -30,64 +31,70 @@ class Simplifier {
   /// Goes on to about `goal` triangles; nothing if neither way gets far enough.
   std::optional<Level> next(size_t goal) {
     const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
-    std::optional<Piece> collapsed;
-    double collapsed_bound = 0;
-    if (decimation_) {
-      collapsed = decimation_->reduce_to(goal);
-      if (collapsed->surface.triangles.empty() || collapsed->surface.triangles.size() > enough) {
-        collapsed.reset();
-        decimation_.reset();
-      } else {
-        for (uint32_t& source : collapsed->sources) source = decimated_from_[source];
-        collapsed_bound = distance_bound(current_.surface, collapsed->surface, colors_);
-      }
-    }
-    // Clustering moves points by about a cell: if cells of the collapses' bound leave more triangles, it is no better.
-    if (collapsed && cluster_vertices(current_.surface, locked_, collapsed_bound).piece.surface.triangles.size() > goal) {
-      take(std::move(*collapsed), collapsed_bound);
-      return Level{current_, bound_};
-    }
-    Clustered clustered = cluster_to(current_.surface, locked_, goal);
-    const bool clusters = clustered.piece.surface.triangles.size() <= enough;
-    if (!clusters && !collapsed) return std::nullopt;
-    double clustered_bound = 0;
-    if (clusters) {
-      clustered_bound = distance_bound(current_.surface, clustered.piece.surface, colors_);
-      // By construction, where colours do not count.
-      if (colors_ == Colors::ignore) clustered_bound = std::min(clustered_bound, clustered.bound);
-    }
-    if (!clusters || (collapsed && collapsed_bound <= clustered_bound)) {
-      take(std::move(*collapsed), collapsed_bound);
-    } else {
-      for (uint32_t& source : clustered.piece.sources) source = current_.sources[source];
-      take(std::move(clustered.piece), clustered_bound);
+    auto collapsed = collapse(goal, enough);
+    // Clustering moves points by about a cell: where cells as large as the collapses' bound leave too many
+    // triangles, it is no better.
+    auto clustered =
+        collapsed && !clusters_well(goal, collapsed->bound) ? std::nullopt : cluster(goal, enough);
+    if (clustered && (!collapsed || clustered->bound < collapsed->bound)) {
+      current_ = clustered->piece;
+      bound_ = clustered->bound;
       start_decimation();
+      return clustered;
     }
-    return Level{current_, bound_};
+    if (collapsed) {
+      current_ = collapsed->piece;
+      bound_ = collapsed->bound;
+    }
+    return collapsed;
   }
 
  private:
   void start_decimation() {
-    decimation_ = std::make_unique<Decimation>(current_.surface, locked_);
+    decimation_ = std::make_unique<Decimation>(current_.surface, locked_now());
     decimated_from_ = current_.sources;
-    detached_triangles_ = std::max(detached_triangles_, decimation_->detached_triangles());
   }
 
-  void take(Piece piece, double bound) {
-    if (!locked_.empty()) {
-      std::vector<uint8_t> all(current_.sources.empty() ? 0 : *std::max_element(current_.sources.begin(), current_.sources.end()) + size_t{1});
-      for (size_t i = 0; i < current_.sources.size(); ++i) all[current_.sources[i]] = locked_[i];
-      locked_.clear();
-      for (const uint32_t source : piece.sources) locked_.push_back(all[source]);
+  std::optional<Level> collapse(size_t goal, size_t enough) {
+    if (!decimation_) return std::nullopt;
+    Piece piece = decimation_->reduce_to(goal);
+    if (piece.surface.triangles.empty() || piece.surface.triangles.size() > enough) {
+      decimation_.reset();
+      return std::nullopt;
     }
-    current_ = std::move(piece);
-    bound_ += bound;
+    for (uint32_t& source : piece.sources) source = decimated_from_[source];
+    const double bound = distance_bound(source_, piece.surface, colors_);
+    return Level{std::move(piece), std::max(bound, bound_)};
   }
 
+  bool clusters_well(size_t goal, double cell) const {
+    if (!(cell > 1)) return false;
+    return cluster_vertices(current_.surface, locked_now(), cell).piece.surface.triangles.size() <= goal;
+  }
+
+  std::optional<Level> cluster(size_t goal, size_t enough) const {
+    Clustered clustered = cluster_to(current_.surface, locked_now(), goal);
+    if (clustered.piece.surface.triangles.size() > enough) return std::nullopt;
+    for (uint32_t& source : clustered.piece.sources) source = current_.sources[source];
+    double bound = distance_bound(source_, clustered.piece.surface, colors_);
+    // By construction, where colours do not count.
+    if (colors_ == Colors::ignore) bound = std::min(bound, bound_ + clustered.bound);
+    return Level{std::move(clustered.piece), std::max(bound, bound_)};
+  }
+
+  std::vector<uint8_t> locked_now() const {
+    std::vector<uint8_t> locked;
+    if (!locked_.empty()) {
+      for (const uint32_t source : current_.sources) locked.push_back(locked_[source]);
+    }
+    return locked;
+  }
+
+  const Surface& source_;
+  std::span<const uint8_t> locked_;  ///< for each point of the source
   Colors colors_;
-  Piece current_;  ///< sources: in the surface that the chain began with
-  std::vector<uint8_t> locked_;
-  double bound_ = 0;
+  Piece current_;     ///< sources: in the source
+  double bound_ = 0;  ///< of its distance to the source
   std::unique_ptr<Decimation> decimation_;
   std::vector<uint32_t> decimated_from_;  ///< sources of the surface that decimation_ began with
   size_t detached_triangles_ = 0;

@@ -17,7 +17,7 @@ double squared_distance(const glm::dvec3& point, const Box& box) {
 }
 
 /// The largest squared distance of the points from the triangle; cut short where it exceeds `limit`.
-double squared_distance(std::span<const glm::dvec3> points, const Corners& triangle, double limit) {
+double furthest(std::span<const glm::dvec3> points, const Corners& triangle, double limit) {
   double largest = 0;
   for (const glm::dvec3& point : points) {
     largest = std::max(largest, squared(point - closest_point(point, triangle)));
@@ -26,7 +26,7 @@ double squared_distance(std::span<const glm::dvec3> points, const Corners& trian
   return largest;
 }
 
-double squared_distance(std::span<const glm::dvec3> points, const Box& box) {
+double furthest(std::span<const glm::dvec3> points, const Box& box) {
   double largest = 0;
   for (const glm::dvec3& point : points) largest = std::max(largest, squared_distance(point, box));
   return largest;
@@ -84,43 +84,54 @@ void TriangleTree::build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& 
   const glm::dvec3 size = middle_box.hi - middle_box.lo;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const uint32_t middle = (first + end) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + end, [&](uint32_t a, uint32_t b) {
-    return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis] : a < b;
-  });
+  std::nth_element(
+      order_.begin() + first, order_.begin() + middle, order_.begin() + end, [&](uint32_t a, uint32_t b) {
+        return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis] : a < b;
+      });
   build(first, middle, centers);
   nodes_[index].first = static_cast<uint32_t>(nodes_.size());
   build(middle, end, centers);
 }
 
 TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, uint32_t hint) const {
-  return nearest_to_all(std::span(&point, 1), 0, hint);
+  const std::span<const glm::dvec3> points(&point, 1);
+  return search<false>(points, {squared_distance(points, hint), hint});
 }
 
-TriangleTree::Nearest TriangleTree::nearest_to_all(std::span<const glm::dvec3> points, double enough_squared,
-                                                   uint32_t hint) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Nearest best{squared_distance(points, triangles_[hint], infinity), hint};
-  if (best.squared_distance <= enough_squared) return best;
+TriangleTree::Nearest TriangleTree::within(std::span<const glm::dvec3> points,
+                                           double squared_distance) const {
+  return search<true>(points, {squared_distance, no_triangle});
+}
+
+double TriangleTree::squared_distance(std::span<const glm::dvec3> points, uint32_t triangle) const {
+  return furthest(points, triangles_[triangle], std::numeric_limits<double>::infinity());
+}
+
+/// Looks for what is nearer than `best`: for the nearest, or for any.
+template <bool Any>
+TriangleTree::Nearest TriangleTree::search(std::span<const glm::dvec3> points, Nearest best) const {
   struct Waiting {
     uint32_t node;
     double squared_distance;
   };
   std::array<Waiting, 64> stack;  // medians: the depth is at most 32
   size_t height = 0;
-  stack[height++] = {0, squared_distance(points, nodes_[0].box)};
+  stack[height++] = {0, furthest(points, nodes_[0].box)};
   while (height > 0) {
     const Waiting waiting = stack[--height];
     if (waiting.squared_distance >= best.squared_distance) continue;
     const Node& node = nodes_[waiting.node];
     if (node.count > 0) {
       for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-        const double distance = squared_distance(points, triangles_[order_[i]], best.squared_distance);
-        if (distance < best.squared_distance) best = {distance, order_[i]};
-        if (best.squared_distance <= enough_squared) return best;
+        const double distance = furthest(points, triangles_[order_[i]], best.squared_distance);
+        if (distance < best.squared_distance) {
+          best = {distance, order_[i]};
+          if (Any) return best;
+        }
       }
     } else {
-      const Waiting left{waiting.node + 1, squared_distance(points, nodes_[waiting.node + 1].box)};
-      const Waiting right{node.first, squared_distance(points, nodes_[node.first].box)};
+      const Waiting left{waiting.node + 1, furthest(points, nodes_[waiting.node + 1].box)};
+      const Waiting right{node.first, furthest(points, nodes_[node.first].box)};
       const bool left_first = left.squared_distance <= right.squared_distance;
       stack[height++] = left_first ? right : left;
       stack[height++] = left_first ? left : right;

@@ -1,19 +1,20 @@
 // Closest-point queries on triangles, in double: a bounding volume tree of medians.
 #pragma once
 
+#include "scene/box.hpp"
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
-#include "scene/box.hpp"
-
 namespace triptych {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// The point of the triangle that is closest to p (Ericson, Real-Time Collision Detection, 2004, section 5.1.5). The
-/// result is a convex combination of the corners whatever rounding does, so its distance never comes out too small.
+/// The point of the triangle that is closest to p (Ericson, Real-Time Collision Detection, 2004,
+/// section 5.1.5). The result is a convex combination of the corners whatever rounding does, so its distance
+/// never comes out too small.
 glm::dvec3 closest_point(const glm::dvec3& p, const Corners& triangle);
 
 class TriangleTree {
@@ -29,16 +30,23 @@ class TriangleTree {
   const Corners& triangle(uint32_t index) const { return triangles_[index]; }
   /// The triangle closest to the point. `hint` is where to look first.
   Nearest nearest(const glm::dvec3& point, uint32_t hint = 0) const;
-  /// The triangle whose largest distance from any of the points is smallest; since a triangle is convex, so close to it
-  /// are all convex combinations of the points. Stops at the first that is within `enough`.
-  Nearest nearest_to_all(std::span<const glm::dvec3> points, double enough_squared, uint32_t hint = 0) const;
+  /// A triangle that has all points within the distance (and so, since it is convex, all their convex
+  /// combinations), or no_triangle; gives the largest of their squared distances from it.
+  Nearest within(std::span<const glm::dvec3> points, double squared_distance) const;
+  /// The largest squared distance of the points from one triangle.
+  double squared_distance(std::span<const glm::dvec3> points, uint32_t triangle) const;
+
+  static constexpr uint32_t no_triangle = 0xffffffffu;
 
  private:
   struct Node {
     Box box;
-    uint32_t first = 0, count = 0;  ///< of a leaf: triangles in order_; of an inner node: count 0 and its right child
+    uint32_t first = 0,
+             count = 0;  ///< of a leaf: triangles in order_; of an inner node: count 0 and its right child
   };
 
+  template <bool Any>
+  Nearest search(std::span<const glm::dvec3> points, Nearest best) const;
   void build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& centers);
 
   std::vector<Corners> triangles_;

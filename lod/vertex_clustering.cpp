@@ -1,13 +1,13 @@
 #include "lod/vertex_clustering.hpp"
 
+#include "base/hashing.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <unordered_map>
 #include <unordered_set>
-
-#include "base/hashing.hpp"
 
 namespace triptych {
 
@@ -34,7 +34,8 @@ struct Quadric {
   /// Up to a constant.
   double operator()(const glm::dvec3& p) const {
     const double planes = xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z +
-                          2 * (xy * p.x * p.y + xz * p.x * p.z + yz * p.y * p.z) + 2 * (x * p.x + y * p.y + z * p.z);
+                          2 * (xy * p.x * p.y + xz * p.x * p.z + yz * p.y * p.z) +
+                          2 * (x * p.x + y * p.y + z * p.z);
     // In flat cells every point fits; there the one in the middle is taken.
     const double middle = weight * glm::dot(p, p) - 2 * glm::dot(weighted_points, p);
     return planes + 0.01 * middle;
@@ -43,7 +44,9 @@ struct Quadric {
 
 double area_of(const Surface& surface, uint32_t a, uint32_t b, uint32_t c) {
   const glm::dvec3 origin(surface.points[a]);
-  return glm::length(glm::cross(glm::dvec3(surface.points[b]) - origin, glm::dvec3(surface.points[c]) - origin)) / 2;
+  return glm::length(
+             glm::cross(glm::dvec3(surface.points[b]) - origin, glm::dvec3(surface.points[c]) - origin)) /
+         2;
 }
 
 class Clustering {
@@ -98,8 +101,8 @@ class Clustering {
     image_.resize(surface_.points.size());
     for (uint32_t i = 0; i < image_.size(); ++i) {
       image_[i] = !locked_.empty() && locked_[i] ? i : best[cell_of[i]];
-      moved_ = std::max(moved_,
-                        glm::distance(glm::dvec3(surface_.points[i]), glm::dvec3(surface_.points[image_[i]])));
+      moved_ = std::max(
+          moved_, glm::distance(glm::dvec3(surface_.points[i]), glm::dvec3(surface_.points[image_[i]])));
     }
     bound_ = moved_;
   }
@@ -114,7 +117,8 @@ class Clustering {
     for (uint32_t i = 0; i < surface_.triangles.size(); ++i) {
       const auto& vertices = surface_.triangles[i].vertices;
       std::array<uint32_t, 3> corners = {image_[vertices[0]], image_[vertices[1]], image_[vertices[2]]};
-      if (degenerate(surface_.points[corners[0]], surface_.points[corners[1]], surface_.points[corners[2]])) continue;
+      if (degenerate(surface_.points[corners[0]], surface_.points[corners[1]], surface_.points[corners[2]]))
+        continue;
       std::sort(corners.begin(), corners.end());
       const double area = area_of(surface_, vertices[0], vertices[1], vertices[2]);
       const auto [found, inserted] = images.try_emplace(corners, Source{area, i});
@@ -144,7 +148,8 @@ class Clustering {
       const auto& [a, b, c] = triangle.vertices;
       const std::array<uint32_t, 3> corners = {image_[a], image_[b], image_[c]};
       if (corners[0] == corners[1] && corners[1] == corners[2]) continue;
-      const bool line_of_three = corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+      const bool line_of_three =
+          corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
       if (line_of_three && !degenerate(surface_.points[corners[0]], surface_.points[corners[1]],
                                        surface_.points[corners[2]])) {
         continue;
@@ -163,13 +168,15 @@ class Clustering {
       if (sides_.contains(key)) continue;
       const auto [found, inserted] = lines.try_emplace(key);
       if (inserted) order.push_back(key);
-      // With r, a corner that moved to p, the triangle p q r is no further from this one than its corners moved.
+      // With r, a corner that moved to p, the triangle p q r is no further from this one than its corners
+      // moved.
       for (size_t i = 1; i < 3; ++i) {
         const uint32_t r = triangle.vertices[(single + i) % 3];
         if (r == p || degenerate(surface_.points[p], surface_.points[q], surface_.points[r])) continue;
         const double area = area_of(surface_, p, q, r);
         if (!found->second.moved || area > found->second.area) {
-          // The turn of the triangle that it stands for: corner r keeps its place, q its own, p takes the third.
+          // The turn of the triangle that it stands for: corner r keeps its place, q its own, p takes the
+          // third.
           Triangle thin = triangle;
           thin.vertices[single] = q;
           thin.vertices[(single + i) % 3] = r;
@@ -189,7 +196,8 @@ class Clustering {
     }
   }
 
-  /// Triangles that became points: where no kept triangle has the point for a corner, the largest of them stays.
+  /// Triangles that became points: where no kept triangle has the point for a corner, the largest of them
+  /// stays.
   void keep_points() {
     std::unordered_map<uint32_t, std::pair<double, Triangle>> points;
     std::vector<uint32_t> order;
@@ -239,7 +247,8 @@ Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, si
   const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
   const double longest = std::max({size.x, size.y, size.z, 1.0});
   // One cell holds all at the coarse end; at the fine end hardly any two points meet.
-  double coarse = longest * 1.001, fine = std::max(1.0, longest / (8 * std::sqrt(static_cast<double>(triangles)) + 8));
+  double coarse = longest * 1.001,
+         fine = std::max(1.0, longest / (8 * std::sqrt(static_cast<double>(triangles)) + 8));
   Clustered best = cluster_vertices(surface, locked, coarse);
   for (int i = 0; i < 9 && coarse > 1.05 * fine; ++i) {
     const double cell = std::sqrt(coarse * fine);

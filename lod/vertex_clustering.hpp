@@ -1,11 +1,12 @@
-// Simplification of anything: points that share a cell of a grid become one of them (after Rossignac and Borrel,
-// Multi-resolution 3D approximations for rendering complex scenes, 1993). Merges what is disjoint and loses nothing.
+// Simplification of anything: points that share a cell of a grid become one of them (after Rossignac and
+// Borrel, Multi-resolution 3D approximations for rendering complex scenes, 1993). Merges what is disjoint and
+// loses nothing.
 #pragma once
+
+#include "scene/surface.hpp"
 
 #include <cstdint>
 #include <span>
-
-#include "scene/surface.hpp"
 
 namespace triptych {
 
@@ -14,10 +15,10 @@ struct Clustered {
   double bound = 0;  ///< of the two-sided distance to the surface by construction, lattice steps
 };
 
-/// Each point moves to the point of its cell that fits the planes around best; locked points stay. A triangle whose
-/// corners then are fewer than three goes, and where nothing that is left holds its image, a line or a point, a thin
-/// triangle between points of the surface stays in its place: so every point of the surface stays within `bound` of the
-/// result, and the other way round.
+/// Each point moves to the point of its cell that fits the planes around best; locked points stay. A triangle
+/// whose corners then are fewer than three goes, and where nothing that is left holds its image, a line or a
+/// point, a thin triangle between points of the surface stays in its place: so every point of the surface
+/// stays within `bound` of the result, and the other way round.
 Clustered cluster_vertices(const Surface& surface, std::span<const uint8_t> locked, double cell);
 
 /// The result with the finest cells that has at most so many triangles, or the coarsest one there is.

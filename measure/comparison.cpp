@@ -1,15 +1,16 @@
 #include "measure/comparison.hpp"
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 double Comparison::culling_efficiency() const {
-  return visible_drawables ? static_cast<double>(drawn_drawables) / static_cast<double>(visible_drawables) : 0;
+  return visible_drawables ? static_cast<double>(drawn_drawables) / static_cast<double>(visible_drawables)
+                           : 0;
 }
 
 namespace {
@@ -23,35 +24,44 @@ VisibleSet owners(std::vector<uint32_t> items) {
   }
   return ids;
 }
+
+void add_frame(Comparison& comparison, const FrameRecord& record, uint64_t picture_hash,
+               const VisibleSet& truth) {
+  const bool identical = picture_hash == record.picture_hash;
+  ++comparison.frames_compared;
+  comparison.identical_frames += identical;
+  if (!identical) comparison.different.push_back(record.number);
+  comparison.visible_drawables += truth.size();
+  comparison.drawn_drawables += record.visible.size();
+  comparison.missing_drawables += difference(record.visible, truth).added.size();
+}
+
 }  // namespace
 
-Comparison compare(const Pack& pack, const std::vector<FrameRequest>& requests, const std::vector<FrameRecord>& records) {
-  if (records.size() > requests.size()) fail("comparison", "{} frames were drawn of {}", records.size(), requests.size());
-  Comparison comparison;
-  if (records.empty()) return comparison;
+std::vector<Comparison> compare(const Pack& pack, const std::vector<FrameRequest>& requests,
+                                const std::vector<const std::vector<FrameRecord>*>& runs) {
+  std::vector<Comparison> comparisons(runs.size());
+  size_t frames = 0;
+  for (const std::vector<FrameRecord>* run : runs) frames = std::max(frames, run->size());
+  if (frames > requests.size()) fail("comparison", "{} frames were drawn of {}", frames, requests.size());
+  if (frames == 0) return comparisons;
   Renderer renderer(pack);
   const View& first = requests.front().view;
-  PictureStage pictures(renderer, first.width, first.height), items(renderer, first.width, first.height, TargetKind::item);
-  Progress progress("compare with un-culled", records.size());
-  for (size_t i = 0; i < records.size(); ++i) {
-    const FrameRecord& record = records[i];
+  PictureStage pictures(renderer, first.width, first.height, TargetKind::color_and_item);
+  Progress progress("compare with un-culled", frames);
+  for (size_t i = 0; i < frames; ++i) {
     const Cut cut = select_cut(pack.skeleton(), requests[i].view, requests[i].pixel_error);
     pictures.begin(requests[i].view);
     pictures.draw(cut.drawables);
     const std::vector<uint8_t> colors = pictures.target().read_colors();
-    items.begin(requests[i].view);
-    items.draw(cut.drawables);
-    const VisibleSet truth = owners(items.target().read_items());
-    const bool identical = hash_values(std::span<const uint8_t>(colors)) == record.picture_hash;
-    ++comparison.frames_compared;
-    comparison.identical_frames += identical;
-    if (!identical) comparison.different.push_back(record.number);
-    comparison.visible_drawables += truth.size();
-    comparison.drawn_drawables += record.visible.size();
-    comparison.missing_drawables += difference(record.visible, truth).added.size();
+    const VisibleSet truth = owners(pictures.target().read_items());
+    const uint64_t hash = hash_values(std::span<const uint8_t>(colors));
+    for (size_t run = 0; run < runs.size(); ++run) {
+      if (i < runs[run]->size()) add_frame(comparisons[run], (*runs[run])[i], hash, truth);
+    }
     progress.advance();
   }
-  return comparison;
+  return comparisons;
 }
 
 }  // namespace triptych

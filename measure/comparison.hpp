@@ -1,17 +1,19 @@
-// Holds frames against the un-culled picture of the same cut, and against what the item buffer says is visible.
+// Holds frames against the un-culled picture of the same cut, and against what the item buffer says is
+// visible.
 #pragma once
-
-#include <vector>
 
 #include "nodes/frame_record.hpp"
 #include "nodes/picture_stage.hpp"
+
+#include <vector>
 
 namespace triptych {
 
 struct Comparison {
   uint64_t frames_compared = 0;
   uint64_t identical_frames = 0;
-  uint64_t visible_drawables = 0;  ///< Σ over frames of drawables that own at least one pixel of the un-culled picture
+  uint64_t visible_drawables =
+      0;  ///< Σ over frames of drawables that own at least one pixel of the un-culled picture
   uint64_t drawn_drawables = 0;    ///< Σ |V(i)|
   uint64_t missing_drawables = 0;  ///< Σ of visible drawables that are not in V(i); none, or culling is wrong
   std::vector<uint32_t> different;  ///< the numbers of frames that are not identical
@@ -20,8 +22,10 @@ struct Comparison {
   double culling_efficiency() const;
 };
 
-/// Draws each frame's whole cut, as picture and as item buffer, and compares with the records' picture hashes and
-/// visible sets. A context must be current, of the same OpenGL as drew the frames. requests[k] is frame records[k].
-Comparison compare(const Pack& pack, const std::vector<FrameRequest>& requests, const std::vector<FrameRecord>& records);
+/// Draws each frame's whole cut, picture and item buffer in one pass, and compares with the picture hashes and
+/// visible sets of several runs; one comparison a run. A context must be current, of the same OpenGL as drew
+/// the frames. requests[k] is frame run[k] of each run.
+std::vector<Comparison> compare(const Pack& pack, const std::vector<FrameRequest>& requests,
+                                const std::vector<const std::vector<FrameRecord>*>& runs);
 
 }  // namespace triptych

@@ -1,7 +1,9 @@
 #include "measure/session_report.hpp"
 
 #include <algorithm>
+#include <set>
 
+#include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 
 namespace triptych {
@@ -30,20 +32,16 @@ Delta sum_deltas(const std::vector<FrameRecord>& frames) {
   return sum;
 }
 
-json delta_json(const std::vector<FrameRecord>& frames, const std::vector<RoleRecord>& roles) {
-  const Delta sum = sum_deltas(frames);
-  uint64_t bytes = 0, ids = 0;
-  for (const RoleRecord& role : roles) {
-    for (const SocketRecord& socket : role.sockets) {
-      bytes += socket.delta_body_bytes;
-      ids += socket.delta_ids;
-    }
+/// Of the ids that changed, those of scene nodes that stayed visible at another level of detail.
+double level_changes(const Skeleton& skeleton, const std::vector<FrameRecord>& frames) {
+  double changes = 0;
+  for (size_t i = 1; i < frames.size(); ++i) {
+    const VisibleDelta delta = difference(frames[i - 1].visible, frames[i].visible);
+    std::set<SceneNodeId> removed;
+    for (const DrawableId id : delta.removed) removed.insert(skeleton.drawables[id].scene_node);
+    for (const DrawableId id : delta.added) changes += removed.count(skeleton.drawables[id].scene_node) ? 2 : 0;
   }
-  const double count = std::max<double>(1, static_cast<double>(frames.size()));
-  return {{"added_mean", sum.added / count},
-          {"removed_mean", sum.removed / count},
-          {"saved_percent", sum.set > 0 ? 100 * (1 - (sum.added + sum.removed) / sum.set) : 0.0},
-          {"body_bytes_per_id", ids ? static_cast<double>(bytes) / static_cast<double>(ids) : 0.0}};
+  return changes;
 }
 
 json stages_json(const std::vector<FrameRecord>& frames) {
@@ -67,6 +65,24 @@ double predicted_fps(const std::vector<FrameRecord>& one_process) {
 }
 
 }  // namespace
+
+json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles) {
+  const std::vector<FrameRecord>& frames = roles.front().frames;
+  const Delta sum = sum_deltas(frames);
+  uint64_t bytes = 0, ids = 0;
+  for (const RoleRecord& role : roles) {
+    for (const SocketRecord& socket : role.sockets) {
+      bytes += socket.delta_body_bytes;
+      ids += socket.delta_ids;
+    }
+  }
+  const double count = std::max<double>(1, static_cast<double>(frames.size()));
+  return {{"added_mean", sum.added / count},
+          {"removed_mean", sum.removed / count},
+          {"level_changes_mean", level_changes(skeleton, frames) / count},
+          {"saved_percent", sum.set > 0 ? 100 * (1 - (sum.added + sum.removed) / sum.set) : 0.0},
+          {"body_bytes_per_id", ids ? static_cast<double>(bytes) / static_cast<double>(ids) : 0.0}};
+}
 
 json session_report(const Pack& pack, const SessionMeasurement& measurement) {
   const std::vector<FrameRecord>& frames = measurement.roles.front().frames;
@@ -101,7 +117,7 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
       {"cut", distribution_json(frames, [](const auto& r) { return r.cut_drawables; })},
       {"tests", distribution_json(frames, [](const auto& r) { return r.tests; })},
       {"drawn_triangles", distribution_json(frames, [](const auto& r) { return r.drawn_triangles; })},
-      {"delta", delta_json(frames, measurement.roles)},
+      {"delta", delta_json(pack.skeleton(), measurement.roles)},
       {"bytes_per_frame", sockets},
       {"mbit_per_s",
        {{"measured", seconds > 0 ? static_cast<double>(total_bytes) * 8 / seconds / 1e6 : 0.0},
@@ -119,7 +135,9 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
         {"stages_ms", stages_json(measurement.one_process)},
         {"identical_frames", measurement.fallback.identical_frames},
         {"frames_compared", measurement.fallback.frames_compared},
-        {"culling_efficiency", measurement.fallback.culling_efficiency()}}},
+        {"culling_efficiency", measurement.fallback.culling_efficiency()},
+        {"series", frame_series(measurement.one_process)}}},
+      {"series", frame_series(frames)},
       {"gl",
        {{"vendor", measurement.roles.front().gl.vendor},
         {"renderer", measurement.roles.front().gl.renderer},

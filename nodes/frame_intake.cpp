@@ -1,10 +1,26 @@
 #include "nodes/frame_intake.hpp"
 
+#include <algorithm>
+
 #include "base/clock.hpp"
 #include "base/inject.hpp"
+#include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 
 namespace triptych {
+
+namespace {
+
+/// The packet's changes of V(i−1); none where they do not fit the set that we have, which the digest then tells.
+VisibleDelta delta_of(const DeltaMessage& packet, const VisibleSet& previous) {
+  try {
+    return decode_delta(packet.encoded, previous, "delta");
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+}  // namespace
 
 IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_hash, const FrameRequest& frame,
                         const VisibleSet& previous,
@@ -12,16 +28,17 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
   IntakeResult result;
   VisibleStream stream(skeleton, eye_cell(skeleton, frame.view), previous);
   for (;;) {
-    const Stopwatch waiting;
+    const double began_ms = steady_milliseconds();
     const auto message = inbox.packet(frame.number);
-    result.sentinel_wait_ms = waiting.milliseconds();
-    result.waiting_ms += result.sentinel_wait_ms;
+    const double came_ms = steady_milliseconds();
+    result.waiting_ms += came_ms - began_ms;
     if (const auto* sentinel = std::get_if<Sentinel>(&message)) {
+      result.network_ms = std::clamp(came_ms - sentinel->times.sent_at_ms, 0.0, came_ms - began_ms);
       result.sentinel = *sentinel;
       break;
     }
     const auto& packet = std::get<DeltaMessage>(message);
-    if (const auto fresh = stream.take({packet.watermark, packet.delta}); !fresh.empty()) decided(fresh);
+    if (const auto fresh = stream.take({packet.watermark, delta_of(packet, previous)}); !fresh.empty()) decided(fresh);
   }
   const auto matches = [&](const VisibleSet& visible) {
     return frame_digest(frame.number, frame.view, frame.pixel_error, pack_hash, visible) == result.sentinel.digest;

@@ -13,7 +13,7 @@ struct IntakeResult {
   Sentinel sentinel;
   bool digest_mismatch = false;  ///< what came in packets was not V(i); `visible` is the full set, sent again
   double waiting_ms = 0;         ///< for messages
-  double sentinel_wait_ms = 0;   ///< of that, for the last message
+  double network_ms = 0;         ///< of that, while the sentinel was on its way; 0 where it was there already
 };
 
 /// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i) in draw

@@ -58,7 +58,6 @@ class RenderNode {
       picture_.draw(drawables);
       drawing_ms += stopwatch.milliseconds();
     };
-    const double taken_ms = clock_.milliseconds();
     picture_.begin(frame.view);
     IntakeResult intake =
         take_frame(inbox_, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more);
@@ -73,7 +72,7 @@ class RenderNode {
     visible_ = intake.visible;
     const double done_ms = clock_.milliseconds();
     record.render_ms = drawing_ms + finishing.milliseconds();
-    record.waiting_ms = intake.waiting_ms;
+    record.waiting_ms = intake.waiting_ms - intake.network_ms;
     record.frame_ms = done_ms - (i == 0 ? released_ms_[0] : last_done_ms_);
     record.camera_to_image_ms = done_ms - released_ms_[i];
     record.hardware_cull_ms = intake.sentinel.times.hardware_cull_ms;
@@ -85,8 +84,7 @@ class RenderNode {
     record.drawn_triangles = picture_.drawn_triangles();
     record.digest_mismatch = intake.digest_mismatch;
     record.visible = std::move(intake.visible);
-    // The stages of one frame follow each other: what the picture did not spend in one of them passed on the way.
-    record.network_ms = std::max(0.0, std::min(intake.sentinel_wait_ms, done_ms - taken_ms - record.render_ms - record.hardware_cull_ms));
+    record.network_ms = intake.network_ms;
     last_done_ms_ = done_ms;
     if (options_.on_picture) options_.on_picture(record, picture_.target());
     records_.push_back(std::move(record));

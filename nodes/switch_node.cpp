@@ -1,10 +1,13 @@
 #include "nodes/switch_node.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "base/clock.hpp"
 #include "base/inject.hpp"
 #include "nodes/frame_intake.hpp"
+#include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 
 namespace triptych {
@@ -50,16 +53,30 @@ class SwitchNode {
     stage_->begin(request(camera));
   }
 
+  /// Joins a part of the delta to what waits to be sent.
+  static void gather(CullPacket& packet, const CullPacket& part) {
+    packet.watermark = part.watermark;
+    for (const auto list : {&VisibleDelta::added, &VisibleDelta::removed}) {
+      auto& ids = packet.delta.*list;
+      const auto middle = ids.insert(ids.end(), (part.delta.*list).begin(), (part.delta.*list).end());
+      std::inplace_merge(ids.begin(), middle, ids.end());
+    }
+  }
+
   /// HC in frame i: R(i) stands, V(i−1) is known.
   void cull(uint32_t frame) {
     if (frame == 0) begin(camera_);
     const Stopwatch stopwatch;
     Sentinel sentinel{.frame = frame, .visible = 0, .added = 0, .removed = 0, .digest = 0, .times = {}};
-    const CullResult result = stage_->cull(visible_, options_.batches, [&](const CullPacket& packet) {
-      DeltaMessage message{frame, packet.watermark, packet.delta};
+    CullPacket gathered;
+    const CullResult result = stage_->cull(visible_, options_.batches, [&](const CullPacket& part) {
+      gather(gathered, part);
+      if (gathered.delta.size() < options_.packet_ids && part.watermark != everything_decided) return;
+      CullPacket packet = std::exchange(gathered, {});
       sentinel.added += static_cast<uint32_t>(packet.delta.added.size());
       sentinel.removed += static_cast<uint32_t>(packet.delta.removed.size());
-      if (injected(Fault::wrong_delta) && !message.delta.added.empty()) message.delta.added.pop_back();
+      if (injected(Fault::wrong_delta) && !packet.delta.added.empty()) packet.delta.added.pop_back();
+      const DeltaMessage message{frame, packet.watermark, encode_delta(packet.delta, visible_)};
       inbox_.mailbox().send(peer_, Channel::nodes, message);
       inbox_.mailbox().send(Role::render, Channel::nodes, message);
     });
@@ -72,7 +89,8 @@ class SwitchNode {
                       .occlusion_representation_ms = represent_ms_,
                       .waiting_ms = waiting_ms_,
                       .queries = static_cast<uint32_t>(result.tests),
-                      .cut_size = static_cast<uint32_t>(stage_->cut().drawables.size())};
+                      .cut_size = static_cast<uint32_t>(stage_->cut().drawables.size()),
+                      .sent_at_ms = steady_milliseconds()};
     inbox_.mailbox().send(peer_, Channel::nodes, sentinel);
     inbox_.mailbox().send(Role::render, Channel::nodes, sentinel);
   }

@@ -10,16 +10,26 @@
 
 namespace triptych {
 
-/// A message cannot hold more ids than this.
+/// A message cannot add more ids than this.
 inline constexpr size_t delta_limit = size_t{1} << 24;
 
-/// Added and removed ids in one ascending sequence of gaps and kinds, arithmetic coded: neighbours of one
-/// kind (new siblings) and of both kinds (one scene node at another level of detail) cost little.
-/// Deterministic. Error for lists that are not strictly ascending or too long.
-std::vector<std::byte> encode_delta(const VisibleDelta& delta);
+/// How many ids an encoded delta adds and removes.
+struct DeltaCounts {
+  size_t added = 0, removed = 0;
+};
 
-/// Error (place) for bytes that encode_delta did not write; never allocates much more than the bytes can
-/// stand for.
-VisibleDelta decode_delta(std::span<const std::byte> bytes, const std::string& place);
+/// The delta as the change of a set that the receiver has as well: arithmetic coded, removed ids by their
+/// place in the set, added ones by their distances. Neighbours cost little, and an empty delta no byte.
+/// Deterministic. Error for lists that are not strictly ascending, removed ids that are not in the set, and
+/// more added ones than a message holds.
+std::vector<std::byte> encode_delta(const VisibleDelta& delta, const VisibleSet& before);
+
+/// Error (place) for bytes that encode_delta cannot have written for a set like this; gives up where they
+/// end.
+VisibleDelta decode_delta(std::span<const std::byte> bytes, const VisibleSet& before,
+                          const std::string& place);
+
+/// What the bytes promise, without the set. Any bytes have an answer.
+DeltaCounts delta_counts(std::span<const std::byte> bytes);
 
 }  // namespace triptych

@@ -1,5 +1,7 @@
 #include "protocol/link.hpp"
 
+#include "protocol/delta_codec.hpp"
+
 #include <asio/io_context.hpp>
 #include <asio/read.hpp>
 #include <asio/write.hpp>
@@ -12,6 +14,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 uint64_t wire_bytes(size_t bytes) { return bytes + 66 * ((bytes + 1447) / 1448); }
+
+uint64_t ids_in(const DeltaMessage& message) {
+  const DeltaCounts counts = delta_counts(message.encoded);
+  return counts.added + counts.removed;
+}
 
 void notice_a_peer_that_is_gone(asio::ip::tcp::socket& socket) {
   asio::error_code ignored;  // a socket that is already broken says so at the first read
@@ -86,7 +93,7 @@ void Link::read_body() {
     figures.wire_bytes_received += wire_bytes(bytes);
     if (const auto* delta = std::get_if<DeltaMessage>(&arrived.message)) {
       figures.delta_body_bytes_received += arrived.body_bytes;
-      figures.delta_ids_received += delta->delta.size();
+      figures.delta_ids_received += ids_in(*delta);
     }
     self->finish_read(std::move(arrived));
   });
@@ -121,7 +128,7 @@ std::string Link::write(const Message& message, const std::vector<std::byte>& by
   figures_.wire_bytes_sent += wire_bytes(bytes.size());
   if (const auto* delta = std::get_if<DeltaMessage>(&message)) {
     figures_.delta_body_bytes_sent += bytes.size() - header_bytes;
-    figures_.delta_ids_sent += delta->delta.size();
+    figures_.delta_ids_sent += ids_in(*delta);
   }
   return {};
 }

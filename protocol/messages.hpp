@@ -6,9 +6,12 @@
 #include "scene/camera.hpp"
 #include "visibility/visible_set.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace triptych {
 
@@ -35,11 +38,14 @@ struct CameraMessage {
   bool operator==(const CameraMessage&) const = default;
 };
 
+/// Above every draw rank.
+inline constexpr DrawRank everything_decided{std::numeric_limits<uint64_t>::max(), no_id};
+
 /// From HC to the other two: a packet of the delta V(i−1) → V(i), in draw rank order from packet to packet.
 struct DeltaMessage {
   uint32_t frame = 0;
-  DrawRank watermark;  ///< every drawable of a lower draw rank is decided
-  VisibleDelta delta;
+  DrawRank watermark;              ///< every drawable of a lower draw rank is decided
+  std::vector<std::byte> encoded;  ///< encode_delta(the packet's delta, V(i−1))
   bool operator==(const DeltaMessage&) const = default;
 };
 
@@ -50,6 +56,7 @@ struct StageTimes {
   double waiting_ms = 0;                   ///< for messages
   uint32_t queries = 0;                    ///< boxes tested
   uint32_t cut_size = 0;                   ///< drawables of cut i
+  double sent_at_ms = 0;                   ///< the sender's steady clock
   bool operator==(const StageTimes&) const = default;
 };
 

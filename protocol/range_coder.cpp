@@ -1,7 +1,5 @@
 #include "protocol/range_coder.hpp"
 
-#include <algorithm>
-
 namespace triptych {
 
 namespace {

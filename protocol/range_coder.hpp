@@ -2,6 +2,7 @@
 // encoding", 1979, with carries as in I. Pavlov's LZMA.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,19 +13,15 @@ namespace triptych {
 /// How likely a bit of one kind is 0; it learns fast at first, as messages are short.
 class BitModel {
  public:
-  /// zero_share: the expected share of zeros; trust: how many observed bits that expectation is worth.
-  constexpr explicit BitModel(double zero_share = 0.5, uint32_t trust = 1)
-      : zero_(static_cast<uint32_t>(zero_share * (least + most)) < least ? least
-              : static_cast<uint32_t>(zero_share * (least + most)) > most
-                  ? most
-                  : static_cast<uint32_t>(zero_share * (least + most))),
-        seen_(trust) {}
+  /// Expects `zeros` zeros among `total` bits; trust: how many observed bits that expectation is worth.
+  constexpr explicit BitModel(uint64_t zeros = 1, uint64_t total = 2, uint32_t trust = 1)
+      : zero_(std::clamp(static_cast<uint32_t>((zeros << 16) / total), least, most)), seen_(trust) {}
 
   uint32_t zero() const { return zero_; }  ///< of 65536; never so near to either end that a bit costs nothing
   void learn(bool bit);
 
  private:
-  static constexpr uint32_t least = 512, most = 65536 - least, slowest = 40;
+  static constexpr uint32_t least = 128, most = 65536 - least, slowest = 40;
   uint32_t zero_, seen_;
 };
 

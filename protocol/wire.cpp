@@ -13,6 +13,7 @@ namespace {
 
 static_assert(sizeof(MessageHeader) == header_bytes);
 constexpr uint32_t tag_base = 'T' | 'R' << 8 | 'I' << 16;
+constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
 
 uint32_t checksum_of(const MessageHeader& header, std::span<const std::byte> body) {
@@ -51,12 +52,6 @@ double read_not_negative(ByteReader& in, const char* what) {
   if (!std::isfinite(value) || value < 0) fail(in.place(), "{} is {}", what, value);
   return value;
 }
-
-void write_set(ByteWriter& out, const VisibleDelta& delta) {
-  out.write_all(std::span<const std::byte>(encode_delta(delta)));
-}
-
-VisibleDelta read_set(ByteReader& in) { return decode_delta(in.read_all<std::byte>(in.left()), in.place()); }
 
 // One write and one read for each message; the frame is in the header.
 
@@ -120,22 +115,23 @@ CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   return message;
 }
 
-// Watermarks are sent as one more than they are, so that "everything is decided" (all ones) becomes two zero
-// bytes.
 void write_body(ByteWriter& out, const DeltaMessage& message) {
-  out.write_varint(message.watermark.distance + 1);
-  out.write_varint(uint32_t{message.watermark.id + 1});
-  write_set(out, message.delta);
+  if (message.watermark != everything_decided) {
+    out.write_varint(message.watermark.distance);
+    out.write_varint(message.watermark.id);
+  }
+  out.write_all(std::span<const std::byte>(message.encoded));
 }
 
-DeltaMessage read_delta(ByteReader& in, uint32_t frame) {
-  DeltaMessage message;
-  message.frame = frame;
-  message.watermark.distance = in.read_varint() - 1;
-  const uint64_t id = in.read_varint();
-  if (id > std::numeric_limits<uint32_t>::max()) fail(in.place(), "a watermark beyond the ids");
-  message.watermark.id = static_cast<uint32_t>(id) - 1;
-  message.delta = read_set(in);
+DeltaMessage read_delta(ByteReader& in, uint32_t frame, bool all_decided) {
+  DeltaMessage message{frame, everything_decided, {}};
+  if (!all_decided) {
+    message.watermark.distance = in.read_varint();
+    const uint64_t id = in.read_varint();
+    if (id > no_id) fail(in.place(), "a watermark beyond the ids");
+    message.watermark.id = static_cast<DrawableId>(id);
+  }
+  message.encoded = in.read_all<std::byte>(in.left());
   return message;
 }
 
@@ -147,6 +143,7 @@ void write_body(ByteWriter& out, const Sentinel& message) {
     out.write(time);
   out.write(times.queries);
   out.write(times.cut_size);
+  out.write(times.sent_at_ms);
 }
 
 Sentinel read_sentinel(ByteReader& in, uint32_t frame) {
@@ -160,17 +157,18 @@ Sentinel read_sentinel(ByteReader& in, uint32_t frame) {
   }
   times.queries = in.read<uint32_t>();
   times.cut_size = in.read<uint32_t>();
+  times.sent_at_ms = read_not_negative(in, "a clock");
   return message;
 }
 
 void write_body(ByteWriter&, const FullSetRequest&) {}
 
-void write_body(ByteWriter& out, const FullSet& message) { write_set(out, {message.visible, {}}); }
+void write_body(ByteWriter& out, const FullSet& message) {
+  out.write_all(std::span<const std::byte>(encode_delta({message.visible, {}}, {})));
+}
 
 FullSet read_full_set(ByteReader& in, uint32_t frame) {
-  VisibleDelta delta = read_set(in);
-  if (!delta.removed.empty()) fail(in.place(), "a full set that removes");
-  return {frame, std::move(delta.added)};
+  return {frame, decode_delta(in.read_all<std::byte>(in.left()), {}, in.place()).added};
 }
 
 void write_body(ByteWriter& out, const SwitchReport& message) {
@@ -192,14 +190,21 @@ SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
 
 void write_body(ByteWriter& out, const Bye& message) { write_line(out, message.reason); }
 
+uint32_t type_of(const Message& message) {
+  const auto* delta = std::get_if<DeltaMessage>(&message);
+  const bool all_decided = delta != nullptr && delta->watermark == everything_decided;
+  return static_cast<uint32_t>(message.index()) | (all_decided ? all_decided_mark : 0);
+}
+
 Message read_body(uint32_t type, uint32_t frame, ByteReader& in) {
   switch (type) {
     case 0:
       return read_hello(in);
     case 1:
       return read_camera(in, frame);
-    case 2:
-      return read_delta(in, frame);
+    case delta_type:
+    case delta_type | all_decided_mark:
+      return read_delta(in, frame, type != delta_type);
     case 3:
       return read_sentinel(in, frame);
     case 4:
@@ -226,8 +231,7 @@ std::vector<std::byte> encode(const Message& message) {
   const auto body = std::span<const std::byte>(bytes).subspan(header_bytes);
   if (body.size() > body_limit)
     fail(message_name(message), "{} bytes do not fit into a message", body.size());
-  header = {tag_base | static_cast<uint32_t>(message.index()) << 24, frame_of(message),
-            static_cast<uint32_t>(body.size()), 0};
+  header = {tag_base | type_of(message) << 24, frame_of(message), static_cast<uint32_t>(body.size()), 0};
   header.checksum = checksum_of(header, body);
   std::memcpy(bytes.data(), &header, header_bytes);
   return std::move(bytes);
@@ -238,8 +242,9 @@ MessageHeader decode_header(std::span<const std::byte, header_bytes> bytes, cons
   MessageHeader header;
   std::memcpy(&header, bytes.data(), header_bytes);
   if ((header.tag & 0xffffff) != tag_base) fail(place, "does not speak this protocol");
-  if (header.tag >> 24 >= std::variant_size_v<Message>)
-    fail(place, "message type {} does not exist", header.tag >> 24);
+  const uint32_t type = header.tag >> 24;
+  if (type >= std::variant_size_v<Message> && type != (delta_type | all_decided_mark))
+    fail(place, "message type {} does not exist", type);
   if (header.body_bytes > limit) {
     fail(place, "frame {}: a message of {} bytes, at most {} are allowed", header.frame, header.body_bytes,
          limit);

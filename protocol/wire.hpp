@@ -20,7 +20,7 @@ inline constexpr uint32_t hello_body_limit = 4096;
 inline constexpr size_t text_limit = 1000;
 
 /// The bytes "TRI" and the message's type, frame, length of the body, low 32 bits of the checksum;
-/// little-endian.
+/// little-endian. The type's high bit marks a delta after which everything is decided.
 struct MessageHeader {
   uint32_t tag = 0, frame = 0, body_bytes = 0, checksum = 0;
 };

@@ -1,13 +1,28 @@
 #include "render/renderer.hpp"
 
-#include <glm/geometric.hpp>
-
 #include "render/shaders.hpp"
+
+#include <glm/geometric.hpp>
 
 namespace triptych {
 
 namespace {
 const glm::dvec3 light_in_model = glm::normalize(glm::dvec3(0.35, 0.85, 0.40));
+
+GlProgram make_pass(TargetKind kind) {
+  switch (kind) {
+    case TargetKind::color:
+      return make_program("colour", geometry_vertex_shader(), color_fragment_shader());
+    case TargetKind::item:
+      return make_program("item", geometry_vertex_shader(), item_fragment_shader());
+    case TargetKind::depth_only:
+      return make_program("depth", geometry_vertex_shader(), depth_fragment_shader());
+    case TargetKind::color_and_item:
+      break;
+  }
+  return make_program("colour and item", geometry_vertex_shader(), color_and_item_fragment_shader());
+}
+
 }  // namespace
 
 Renderer::Renderer(const Pack& pack) : scene_(pack) {}
@@ -15,12 +30,7 @@ Renderer::Renderer(const Pack& pack) : scene_(pack) {}
 Renderer::Pass& Renderer::pass(TargetKind kind) {
   std::optional<Pass>& pass = passes_[static_cast<size_t>(kind)];
   if (pass) return *pass;
-  const bool color = kind == TargetKind::color;
-  const bool item = kind == TargetKind::item;
-  pass.emplace(Pass{make_program(color ? "colour" : item ? "item" : "depth", geometry_vertex_shader(),
-                                 color  ? color_fragment_shader()
-                                 : item ? item_fragment_shader()
-                                        : depth_fragment_shader())});
+  pass.emplace(Pass{make_pass(kind)});
   pass->frustum = glGetUniformLocation(pass->program, "frustum");
   pass->near = glGetUniformLocation(pass->program, "near");
   pass->light = glGetUniformLocation(pass->program, "light");
@@ -60,7 +70,8 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Target& tar
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal
-  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(list.commands.size()), 0);
+  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr,
+                              static_cast<GLsizei>(list.commands.size()), 0);
   return list.triangles;
 }
 

@@ -1,12 +1,12 @@
 // The passes that draw geometry: depth, colour, items.
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include "render/device_scene.hpp"
 #include "render/draw_list.hpp"
 #include "render/target.hpp"
+
+#include <optional>
+#include <span>
 
 namespace triptych {
 
@@ -17,8 +17,8 @@ class Renderer {
 
   /// The view for the draws that follow.
   void set_view(const View& view);
-  /// Draws in the order given; at equal depth what was drawn first stays. What the target holds already stays too.
-  /// Returns the triangles that were drawn.
+  /// Draws in the order given; at equal depth what was drawn first stays. What the target holds already stays
+  /// too. Returns the triangles that were drawn.
   uint64_t draw(std::span<const DrawableId> drawables, const Target& target, TargetKind pass);
 
   const Skeleton& skeleton() const { return scene_.skeleton(); }
@@ -32,7 +32,7 @@ class Renderer {
   Pass& pass(TargetKind kind);
 
   DeviceScene scene_;
-  std::optional<Pass> passes_[3];  ///< a program exists only once something calls for it
+  std::optional<Pass> passes_[4];  ///< a program exists only once something calls for it
   std::optional<DrawListBuilder> builder_;
   View view_;
   StreamBuffer records_, commands_;

@@ -17,11 +17,27 @@ struct DrawRecord {
 layout(std430, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
 )";
 
-// A sliver seen edge-on has depth interpolated beyond its own vertices. Bounding every fragment by its drawable's nearest
-// corner, in every pass, is what makes the rectangle test exact. Written so that NaN is dropped too.
+// A sliver seen edge-on has depth interpolated beyond its own vertices. Bounding every fragment by its
+// drawable's nearest corner, in every pass, is what makes the rectangle test exact. Written so that NaN is
+// dropped too.
 const std::string bounded = R"(
 flat in float nearest_depth;
 void bound_fragment() { if (!(gl_FragCoord.z <= nearest_depth)) discard; }
+)";
+
+// The shaded colour of a fragment, the same text for every pass that draws colours.
+const std::string shaded = R"(
+in vec3 eye_position;
+flat in vec4 base_color;
+uniform vec3 light;  // direction to the light, eye space
+layout(location = 0) out vec4 color;
+void shade_fragment() {
+  vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
+  float length_squared = dot(normal, normal);
+  normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
+  // Both sides are lit: CAD models do not agree on which side is out.
+  color = vec4(base_color.rgb * (0.42 + 0.38 * abs(dot(normal, light)) + 0.20 * abs(normal.z)), 1.0);
+}
 )";
 
 }  // namespace
@@ -56,18 +72,22 @@ void main() {
 std::string depth_fragment_shader() { return version + bounded + "void main() { bound_fragment(); }\n"; }
 
 std::string color_fragment_shader() {
-  return version + bounded + R"(
-in vec3 eye_position;
-flat in vec4 base_color;
-uniform vec3 light;  // direction to the light, eye space
-out vec4 color;
+  return version + bounded + shaded + R"(
 void main() {
   bound_fragment();
-  vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
-  float length_squared = dot(normal, normal);
-  normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
-  // Both sides are lit: CAD models do not agree on which side is out.
-  color = vec4(base_color.rgb * (0.42 + 0.38 * abs(dot(normal, light)) + 0.20 * abs(normal.z)), 1.0);
+  shade_fragment();
+}
+)";
+}
+
+std::string color_and_item_fragment_shader() {
+  return version + bounded + shaded + R"(
+flat in uint item;
+layout(location = 1) out uint id;
+void main() {
+  bound_fragment();
+  shade_fragment();
+  id = item + 1u;
 }
 )";
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glad/gl.h>
-
 #include <string>
 
 namespace triptych {
@@ -13,10 +12,13 @@ inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under 
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
 
 std::string geometry_vertex_shader();
-/// Depth alone, flat-shaded base colours, and drawable ids; all drop fragments nearer than their drawable's bounds.
+/// Depth alone, flat-shaded base colours, and drawable ids; all drop fragments nearer than their drawable's
+/// bounds.
 std::string depth_fragment_shader();
 std::string color_fragment_shader();
 std::string item_fragment_shader();
+/// Colours and ids in one pass, at locations 0 and 1.
+std::string color_and_item_fragment_shader();
 
 std::string rectangle_vertex_shader();
 std::string query_fragment_shader();

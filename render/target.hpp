@@ -1,16 +1,17 @@
 // What is drawn into: colour or item ids, and 32-bit float depth.
 #pragma once
 
+#include "render/gl_objects.hpp"
+
 #include <cstdint>
 #include <vector>
 
-#include "render/gl_objects.hpp"
-
 namespace triptych {
 
-enum class TargetKind { color, item, depth_only };
+enum class TargetKind { color, item, depth_only, color_and_item };
 
-/// A framebuffer of width × height pixels. Rows of read-back pictures go from bottom to top, as OpenGL has them.
+/// A framebuffer of width × height pixels. Rows of read-back pictures go from bottom to top, as OpenGL has
+/// them.
 class Target {
  public:
   Target(TargetKind kind, int width, int height);
@@ -18,19 +19,23 @@ class Target {
   void bind() const;
   /// Depth to 0 (infinitely far), colour to the background, items to 0.
   void clear() const;
-  /// width × height × RGBA bytes; TargetKind::color only.
+  /// width × height × RGBA bytes; TargetKind::color or color_and_item.
   std::vector<uint8_t> read_colors() const;
-  /// width × height of drawable id + 1, 0 where nothing is; TargetKind::item only.
+  /// width × height of drawable id + 1, 0 where nothing is; TargetKind::item or color_and_item.
   std::vector<uint32_t> read_items() const;
   /// width × height of reversed depth.
   std::vector<float> read_depths() const;
+  bool has_colors() const { return kind_ == TargetKind::color || kind_ == TargetKind::color_and_item; }
+  bool has_items() const { return kind_ == TargetKind::item || kind_ == TargetKind::color_and_item; }
   int width() const { return width_; }
   int height() const { return height_; }
 
  private:
+  void attach(const GlTexture& texture, GLenum attachment, GLenum format);
+
   TargetKind kind_;
   int width_, height_;
-  GlTexture color_, depth_;
+  GlTexture color_, item_, depth_;
   GlFramebuffer framebuffer_;
 };
 

@@ -8,8 +8,6 @@
 namespace triptych {
 namespace {
 
-constexpr double any = 100;
-
 /// Categories and words are lists separated by |; a word matches at the start of any word of the name, an
 /// entry that begins with = matches the whole name.
 struct Rule {

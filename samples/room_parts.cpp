@@ -135,15 +135,15 @@ std::vector<size_t> put_kitchen_run(Furnisher& f) {
   double at = span.x + 0.03;
   for (const auto& piece : run) {
     if (!piece) continue;
-    const double width = f.piece(*piece).size.x;
-    while (at + width < span.y && !f.put_at_wall(*piece, side, at + width / 2)) at += 0.15;
-    if (at + width >= span.y) break;
+    const double broad = f.piece(*piece).size.x;
+    while (at + broad < span.y && !f.put_at_wall(*piece, side, at + broad / 2)) at += 0.15;
+    if (at + broad >= span.y) break;
     if (f.piece(*piece).size.y < 1.0) counters.push_back(f.last());
-    at += width + 0.005;
+    at += broad + 0.005;
   }
   if (!upper) return counters;
-  const double width = f.piece(*upper).size.x, bottom = f.piece(*upper).elevation;
-  for (double along = span.x + 0.03 + width / 2; along + width / 2 < span.y; along += width + 0.005)
+  const double broad = f.piece(*upper).size.x, bottom = f.piece(*upper).elevation;
+  for (double along = span.x + 0.03 + broad / 2; along + broad / 2 < span.y; along += broad + 0.005)
     f.put_at_wall(*upper, side, along, bottom);
   return counters;
 }

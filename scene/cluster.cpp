@@ -1,11 +1,11 @@
 #include "scene/cluster.hpp"
 
+#include "scene/neighbours.hpp"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <tuple>
-
-#include "scene/neighbours.hpp"
 
 namespace triptych {
 
@@ -23,7 +23,10 @@ struct Edge {
 class Forest {
  public:
   Forest(std::span<const ObjectExtent> objects, const ClusterLimits& limits)
-      : limits_(limits), parents_(objects.size()), extents_(objects.begin(), objects.end()), internal_(objects.size()) {
+      : limits_(limits),
+        parents_(objects.size()),
+        extents_(objects.begin(), objects.end()),
+        internal_(objects.size()) {
     std::iota(parents_.begin(), parents_.end(), 0u);
   }
 
@@ -38,7 +41,8 @@ class Forest {
     ObjectExtent joined = extents_[a];
     joined.box.extend(extents_[b].box);
     joined.triangles += extents_[b].triangles;
-    if (joined.triangles > limits_.triangles || glm::length(joined.box.hi - joined.box.lo) > limits_.diagonal) return;
+    if (joined.triangles > limits_.triangles || glm::length(joined.box.hi - joined.box.lo) > limits_.diagonal)
+      return;
     parents_[b] = a;
     extents_[a] = joined;
     internal_[a] = edge.weight;  // edges come in ascending order
@@ -46,7 +50,8 @@ class Forest {
 
  private:
   double tolerated(uint32_t cluster) const {
-    const double share = static_cast<double>(extents_[cluster].triangles) / static_cast<double>(limits_.triangles);
+    const double share =
+        static_cast<double>(extents_[cluster].triangles) / static_cast<double>(limits_.triangles);
     return internal_[cluster] + limits_.scale / std::max(share, 1.0 / 64);
   }
 
@@ -65,7 +70,8 @@ std::vector<Edge> edges_between(std::span<const ObjectExtent> objects, uint32_t 
     for (const uint32_t other : nearest[i]) {
       const Box &a = objects[i].box, &b = objects[other].box;
       const double gap = glm::length(glm::max(glm::max(a.lo - b.hi, b.lo - a.hi), glm::dvec3(0)));
-      edges.push_back({gap + 0.1 * glm::distance(centers[i], centers[other]), std::min(i, other), std::max(i, other)});
+      edges.push_back(
+          {gap + 0.1 * glm::distance(centers[i], centers[other]), std::min(i, other), std::max(i, other)});
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -74,7 +80,8 @@ std::vector<Edge> edges_between(std::span<const ObjectExtent> objects, uint32_t 
 
 }  // namespace
 
-std::vector<std::vector<uint32_t>> cluster_objects(std::span<const ObjectExtent> objects, const ClusterLimits& limits) {
+std::vector<std::vector<uint32_t>> cluster_objects(std::span<const ObjectExtent> objects,
+                                                   const ClusterLimits& limits) {
   Forest forest(objects, limits);
   for (const Edge& edge : edges_between(objects, limits.neighbours)) forest.merge_if_close(edge);
   std::vector<std::vector<uint32_t>> clusters;

@@ -1,12 +1,13 @@
 // Bottom-up clustering of small objects by proximity: Kruskal's minimum spanning tree with the criterion of
-// Felzenszwalb and Huttenlocher, Efficiently computing a good segmentation (section 2.2 of Manocha 2003, step 2).
+// Felzenszwalb and Huttenlocher, Efficiently computing a good segmentation (section 2.2 of Manocha 2003, step
+// 2).
 #pragma once
+
+#include "scene/partition.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "scene/partition.hpp"
 
 namespace triptych {
 
@@ -14,13 +15,16 @@ struct ClusterLimits {
   uint64_t triangles = 16384;  ///< no cluster of several objects has more
   double diagonal = 1e300;     ///< nor a box with a longer diagonal
   /// k of the criterion, in units of distance: clusters C1 and C2 merge over an edge of weight w only where
-  /// w <= min(Int(C1) + k / |C1|, Int(C2) + k / |C2|); |C| counts triangles in shares of `triangles`, at least 1/64.
+  /// w <= min(Int(C1) + k / |C1|, Int(C2) + k / |C2|); |C| counts triangles in shares of `triangles`, at
+  /// least 1/64.
   double scale = 1;
-  uint32_t neighbours = 12;    ///< edges of each object, to those with the nearest centres
+  uint32_t neighbours = 12;  ///< edges of each object, to those with the nearest centres
 };
 
-/// Groups of indices into `objects`, each object in one group, in ascending order of their first members. The weight of
-/// an edge is the gap between the boxes plus a little of the distance of their centres. Ties are broken by index.
-std::vector<std::vector<uint32_t>> cluster_objects(std::span<const ObjectExtent> objects, const ClusterLimits& limits);
+/// Groups of indices into `objects`, each object in one group, in ascending order of their first members. The
+/// weight of an edge is the gap between the boxes plus a little of the distance of their centres. Ties are
+/// broken by index.
+std::vector<std::vector<uint32_t>> cluster_objects(std::span<const ObjectExtent> objects,
+                                                   const ClusterLimits& limits);
 
 }  // namespace triptych

@@ -21,8 +21,9 @@ class Splitter {
     for (const Box& box : boxes) centers_.push_back((box.lo + box.hi) * 0.5);
   }
 
-  /// Reorders the range and returns the size of its first half: the split of least summed area times count among all
-  /// three axes, neither half smaller than an eighth, so that the depth is bounded by log(n) / log(8/7).
+  /// Reorders the range and returns the size of its first half: the split of least summed area times count
+  /// among all three axes, neither half smaller than an eighth, so that the depth is bounded by log(n) /
+  /// log(8/7).
   size_t split(Range range) const {
     const size_t count = range.size(), least = std::max<size_t>(1, count / 8);
     double best_cost = std::numeric_limits<double>::infinity();

@@ -1,12 +1,12 @@
 // The AABB hierarchy over the final objects, top-down (section 2.2 of Manocha 2003, step 4).
 #pragma once
 
+#include "scene/box.hpp"
+#include "scene/skeleton.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "scene/box.hpp"
-#include "scene/skeleton.hpp"
 
 namespace triptych {
 
@@ -15,14 +15,15 @@ struct HierarchyNode {
   SceneNodeId first_child = 0;
   uint32_t child_count = 0;  ///< 0 for a leaf, 2 to 4 otherwise
   uint32_t object = no_id;   ///< of a leaf: the index of its object
-  /// The leaves below hold these places in the order of a depth-first walk: first_place up to, not including, end_place.
+  /// The leaves below hold these places in the order of a depth-first walk: first_place up to, not including,
+  /// end_place.
   uint32_t first_place = 0, end_place = 0;
 };
 
-/// Nodes breadth first: a parent before its children, the children of one parent side by side. Binary splits by the
-/// surface area heuristic over the boxes' centres (MacDonald and Booth 1990), median splits where that would be
-/// lopsided, joined into nodes of up to four children; so the depth stays within a few levels of balanced, even for
-/// equal boxes. At least one box must be given; one box gives a root that is a leaf.
+/// Nodes breadth first: a parent before its children, the children of one parent side by side. Binary splits
+/// by the surface area heuristic over the boxes' centres (MacDonald and Booth 1990), median splits where that
+/// would be lopsided, joined into nodes of up to four children; so the depth stays within a few levels of
+/// balanced, even for equal boxes. At least one box must be given; one box gives a root that is a leaf.
 std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects);
 
 }  // namespace triptych

@@ -1,12 +1,12 @@
 #include "scene/neighbours.hpp"
 
+#include "base/threads.hpp"
+#include "scene/box.hpp"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
-
-#include "base/threads.hpp"
-#include "scene/box.hpp"
 
 namespace triptych {
 
@@ -15,7 +15,8 @@ namespace {
 /// The middle of each range of `order_` is its root, split along the axis in `axes_`.
 class Tree {
  public:
-  explicit Tree(std::span<const glm::dvec3> points) : points_(points), order_(points.size()), axes_(points.size()) {
+  explicit Tree(std::span<const glm::dvec3> points)
+      : points_(points), order_(points.size()), axes_(points.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     build(0, order_.size());
   }
@@ -83,7 +84,8 @@ class Tree {
 std::vector<std::vector<uint32_t>> nearest_neighbours(std::span<const glm::dvec3> points, uint32_t count) {
   const Tree tree(points);
   std::vector<std::vector<uint32_t>> neighbours(points.size());
-  parallel_for(points.size(), [&](size_t i) { neighbours[i] = tree.nearest(static_cast<uint32_t>(i), count); });
+  parallel_for(points.size(),
+               [&](size_t i) { neighbours[i] = tree.nearest(static_cast<uint32_t>(i), count); });
   return neighbours;
 }
 

@@ -25,18 +25,21 @@ size_t split(std::span<Item> items) {
   const auto above = std::stable_partition(items.begin(), items.end(),
                                            [&](const Item& item) { return item.center[axis] < middle; });
   const auto below = static_cast<size_t>(above - items.begin());
-  if (below >= items.size() / 4 && below <= items.size() - items.size() / 4 && below > 0 && below < items.size()) {
+  if (below >= items.size() / 4 && below <= items.size() - items.size() / 4 && below > 0 &&
+      below < items.size()) {
     return below;
   }
   const size_t half = items.size() / 2;
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
                    [&](const Item& a, const Item& b) {
-                     return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis] : a.index < b.index;
+                     return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis]
+                                                             : a.index < b.index;
                    });
   return half;
 }
 
-/// Splits until `fits`; parts come out in the order of a depth-first walk, each in ascending order of its indices.
+/// Splits until `fits`; parts come out in the order of a depth-first walk, each in ascending order of its
+/// indices.
 template <typename Fits>
 std::vector<std::vector<uint32_t>> partition(std::vector<Item> items, const Fits& fits) {
   std::vector<std::vector<uint32_t>> parts;
@@ -60,7 +63,8 @@ std::vector<std::vector<uint32_t>> partition(std::vector<Item> items, const Fits
 
 }  // namespace
 
-std::vector<std::vector<uint32_t>> partition_triangles(const Surface& surface, const PartitionLimits& limits) {
+std::vector<std::vector<uint32_t>> partition_triangles(const Surface& surface,
+                                                       const PartitionLimits& limits) {
   std::vector<Item> items(surface.triangles.size());
   for (uint32_t i = 0; i < items.size(); ++i) {
     glm::dvec3 sum{0};

@@ -1,19 +1,19 @@
 // Triangles on a lattice: what welding, partition and simplification pass to each other.
 #pragma once
 
+#include "scene/box.hpp"
+#include "scene/chunk.hpp"
+#include "scene/model.hpp"
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
-#include "scene/box.hpp"
-#include "scene/chunk.hpp"
-#include "scene/model.hpp"
-
 namespace triptych {
 
-/// Points of a lattice, each of them once, and triangles that share them. Triangle::material is an index into the
-/// palette here. No triangle is degenerate, and every point belongs to one.
+/// Points of a lattice, each of them once, and triangles that share them. Triangle::material is an index into
+/// the palette here. No triangle is degenerate, and every point belongs to one.
 struct Surface {
   std::vector<glm::ivec3> points;
   std::vector<Triangle> triangles;

@@ -1,11 +1,11 @@
 #include "scene/weld.hpp"
 
+#include "base/hashing.hpp"
+
 #include <algorithm>
 #include <glm/glm.hpp>
 #include <unordered_map>
 #include <unordered_set>
-
-#include "base/hashing.hpp"
 
 namespace triptych {
 
@@ -25,7 +25,8 @@ struct CornersHash {
 
 }  // namespace
 
-Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors) {
+Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
+            std::span<const uint32_t> colors) {
   Welded welded;
   Surface& surface = welded.surface;
   std::unordered_map<glm::ivec3, uint32_t, PointHash> places;

@@ -20,13 +20,14 @@ struct Waiting {
 class HardwareCull {
  public:
   HardwareCull(const Skeleton& skeleton, const View& view, const Cut& cut, OcclusionTester& tester,
-               const std::vector<DrawableId>& represented, const VisibleSet& previous, size_t batch)
+               const std::vector<DrawableId>& represented, const VisibleSet& previous, const CullOptions& options)
       : skeleton_(skeleton),
         cut_(cut),
         tester_(tester),
         projector_(skeleton, view),
         cell_(eye_cell(skeleton, view)),
-        batch_(batch),
+        options_(options),
+        batch_(!represented.empty() && represented.size() * 2 >= previous.size() ? options.batch : options.incoherent_batch),
         expected_(skeleton.scene_nodes.size(), false),
         represented_(skeleton.drawables.size(), false),
         shown_(skeleton.drawables.size(), false),
@@ -49,7 +50,10 @@ class HardwareCull {
       fill_batch();
       test_batch();
       draw_found();
-      emit(packet());
+      decide();
+      if (queue_.empty() || packet_.delta.size() >= options_.packet_changes || kept_ >= options_.packet_kept) {
+        emit(take_packet());
+      }
     } while (!queue_.empty());
     std::sort(result_.visible.begin(), result_.visible.end());
     return std::move(result_);
@@ -72,7 +76,7 @@ class HardwareCull {
     }
     result_.visible.push_back(id);
     shown_[id] = true;
-    if (!was_visible_[id]) added_.push_back(id);
+    if (!was_visible_[id]) packet_.delta.added.push_back(id);
     if (!represented_[id]) found_.push_back(id);
   }
 
@@ -121,14 +125,24 @@ class HardwareCull {
     found_.clear();
   }
 
-  CullPacket packet() {
-    CullPacket packet;
-    packet.watermark = queue_.empty() ? DrawRank{std::numeric_limits<uint64_t>::max(), no_id} : DrawRank{queue_.top().distance, 0};
-    for (; next_previous_ < previous_.size() && previous_[next_previous_] < packet.watermark; ++next_previous_) {
-      if (!shown_[previous_[next_previous_].id]) packet.delta.removed.push_back(previous_[next_previous_].id);
+  /// Moves the watermark on: drawables of V(i−1) below it that did not show are gone.
+  void decide() {
+    packet_.watermark =
+        queue_.empty() ? DrawRank{std::numeric_limits<uint64_t>::max(), no_id} : DrawRank{queue_.top().distance, 0};
+    for (; next_previous_ < previous_.size() && previous_[next_previous_] < packet_.watermark; ++next_previous_) {
+      const DrawableId id = previous_[next_previous_].id;
+      if (shown_[id]) {
+        ++kept_;
+      } else {
+        packet_.delta.removed.push_back(id);
+      }
     }
-    packet.delta.added = std::move(added_);
-    added_.clear();
+  }
+
+  CullPacket take_packet() {
+    CullPacket packet = std::move(packet_);
+    packet_ = {};
+    kept_ = 0;
     std::sort(packet.delta.added.begin(), packet.delta.added.end());
     std::sort(packet.delta.removed.begin(), packet.delta.removed.end());
     return packet;
@@ -139,6 +153,7 @@ class HardwareCull {
   OcclusionTester& tester_;
   BoxProjector projector_;
   glm::ivec3 cell_;
+  const CullOptions& options_;
   size_t batch_;
   std::vector<bool> expected_, represented_, shown_, was_visible_;
   std::vector<DrawRank> previous_;  ///< V(i−1) in rank order
@@ -147,7 +162,9 @@ class HardwareCull {
   std::vector<SceneNodeId> nodes_;
   std::vector<ScreenRectangle> rectangles_;
   std::vector<uint8_t> answers_;
-  std::vector<DrawableId> added_, found_;
+  std::vector<DrawableId> found_;
+  CullPacket packet_;  ///< what was decided since the last one was sent
+  size_t kept_ = 0;
   CullResult result_;
   bool withheld_ = false;
 };
@@ -157,8 +174,7 @@ class HardwareCull {
 CullResult hardware_cull(const Skeleton& skeleton, const View& view, const Cut& cut, OcclusionTester& tester,
                          const std::vector<DrawableId>& represented, const VisibleSet& previous,
                          const CullOptions& options, const std::function<void(const CullPacket&)>& emit) {
-  const size_t batch = represented.empty() ? options.batch_without_representation : options.batch;
-  return HardwareCull(skeleton, view, cut, tester, represented, previous, batch).run(emit);
+  return HardwareCull(skeleton, view, cut, tester, represented, previous, options).run(emit);
 }
 
 }  // namespace triptych

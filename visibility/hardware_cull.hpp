@@ -16,9 +16,12 @@ struct CullPacket {
 };
 
 struct CullOptions {
-  /// Boxes a batch. The smaller one holds where the occlusion representation is empty, so that what is found visible
-  /// in front hides what lies behind it.
-  size_t batch = 512, batch_without_representation = 48;
+  /// Boxes a batch. The smaller one holds where the frame is incoherent, that is, where the occlusion representation
+  /// holds less than half as many drawables as were visible one frame ago, or none: then what is found visible in front
+  /// must hide what lies behind it.
+  size_t batch = 512, incoherent_batch = 32;
+  /// A packet is sent once it decides so many drawables that change, or that stay.
+  size_t packet_changes = 100, packet_kept = 200;
 };
 
 struct CullResult {
@@ -35,7 +38,7 @@ struct CullResult {
 /// alone, so the same frame gives the same answer whatever the timing (interactive-display-2003 §4.3).
 ///
 /// tester: holds R(i), in which `represented` (drawables of the cut) was drawn under `view`.
-/// previous: V(i−1); emit: called after each batch, and at least once, with V(i−1) → V(i) in pieces.
+/// previous: V(i−1); emit: called at least once, with V(i−1) → V(i) in pieces.
 CullResult hardware_cull(const Skeleton& skeleton, const View& view, const Cut& cut, OcclusionTester& tester,
                          const std::vector<DrawableId>& represented, const VisibleSet& previous,
                          const CullOptions& options, const std::function<void(const CullPacket&)>& emit);

@@ -21,7 +21,10 @@ std::vector<DrawableId> VisibleStream::take(const CullPacket& packet) {
     }
   }
   faults_ += packet.delta.size() - known.size();
-  if (!apply_delta(known, visible_)) ++faults_;
+  if (!apply_delta(known, visible_)) {
+    faults_ += known.size();
+    known = {};
+  }
 
   std::erase_if(undecided_, [&](const DrawRank& rank) {
     return std::binary_search(known.removed.begin(), known.removed.end(), rank.id);

@@ -77,7 +77,7 @@ TEST_F(MailboxPair, a_silent_peer_lets_receive_time_out) {
 }
 
 TEST_F(MailboxPair, what_was_sent_is_what_was_received_in_the_figures) {
-  const Message delta = DeltaMessage{1, {5, 5}, {{1, 2, 3}, {9}}};
+  const Message delta = DeltaMessage{1, {5, 5}, encode_delta({{1, 2, 3}, {9}}, {9})};
   switch_0->send(Role::render, Channel::nodes, delta);
   switch_0->send(Role::render, Channel::camera, FullSetRequest{1});
   next();
@@ -179,7 +179,7 @@ TEST_F(MailboxPair, a_flipped_byte_on_the_way_is_noticed) {
   inject("flipped-byte");
   for (int i = 0; i < 50; ++i) {
     switch_0->send(Role::render, Channel::nodes,
-                   DeltaMessage{static_cast<uint32_t>(i), {1, 1}, {{1, 2}, {3}}});
+                   DeltaMessage{static_cast<uint32_t>(i), {1, 1}, encode_delta({{1, 2}, {3}}, {3})});
   }
   for (uint32_t i = 0; i < 49; ++i) EXPECT_EQ(frame_of(next()), i);
   try {

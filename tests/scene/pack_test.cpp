@@ -1,14 +1,13 @@
 #include "scene/pack.hpp"
 
-#include <gtest/gtest.h>
-
-#include <fstream>
-
 #include "base/bytes.hpp"
 #include "base/error.hpp"
 #include "base/hashing.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "tests/support/small_pack.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
 
 namespace triptych {
 namespace {

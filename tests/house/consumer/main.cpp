@@ -7,8 +7,10 @@
 #include <cstdio>
 
 int main() {
-  const triptych::VisibleDelta delta = triptych::difference({1, 2, 3}, {2, 3, 4});
-  const bool same = triptych::decode_delta(triptych::encode_delta(delta), "consumer") == delta;
+  const triptych::VisibleSet before = {1, 2, 3};
+  const triptych::VisibleDelta delta = triptych::difference(before, {2, 3, 4});
+  const bool same =
+      triptych::decode_delta(triptych::encode_delta(delta, before), before, "consumer") == delta;
   std::puts(same ? "the delta came back" : "the delta is another one");
   return same ? 0 : 1;
 }

@@ -1,0 +1,18 @@
+// How far the drawables of a pack are from their source: the finest leaf drawables of their subtree.
+#pragma once
+
+#include "scene/pack.hpp"
+
+#include <vector>
+
+namespace triptych {
+
+/// Whether the drawable is the finest one of a leaf: the source that others are held against.
+bool is_source(const Skeleton& skeleton, DrawableId id);
+
+/// For each drawable the largest two-sided distance to its source that was found at about `points` points
+/// over all; 0 for the source itself, NaN where a chunk is damaged. A lower bound of the true distance, the
+/// same for the same pack.
+std::vector<double> measured_distances(const Pack& pack, uint64_t points);
+
+}  // namespace triptych

@@ -1,0 +1,28 @@
+// What a run must reach, held against its figures.
+#pragma once
+
+#include "measure/report.hpp"
+
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct Goal {
+  std::string what;
+  double value = 0, limit = 0;
+  bool at_least = false;  ///< the value must reach the limit; otherwise it must not pass it
+  int decimals = 0;
+  std::vector<std::string> entries;  ///< where the figures come from
+
+  bool met() const { return at_least ? value >= limit : value <= limit; }
+  /// "met: 97.10, at least 93.00" or "missed by 4.20: 88.80, at least 93.00".
+  std::string verdict() const;
+};
+
+/// Every target whose entries the report has: frames identical to the un-culled picture, none left out of the
+/// comparison, no digest mismatches, culling efficiency, delta savings, triangles at 8 pixels, and the frame
+/// time against full detail.
+std::vector<Goal> judge(const Report& report);
+
+}  // namespace triptych

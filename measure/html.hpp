@@ -1,0 +1,27 @@
+// The few pieces of HTML that reports are made of.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace triptych {
+
+/// Text as it may stand between tags and inside quoted attributes.
+std::string escape_html(std::string_view text);
+
+/// "12 345" with narrow spaces that do not break, decimals after the point.
+std::string grouped(double value, int decimals = 0);
+
+/// A table whose first column names the row and whose other columns are figures. The cells are HTML.
+struct HtmlTable {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+std::string to_html(const HtmlTable& table);
+
+/// The whole page around a body: style for light and dark, wide and narrow windows; nothing is loaded from
+/// elsewhere.
+std::string html_page(const std::string& title, const std::string& body);
+
+}  // namespace triptych

@@ -1,0 +1,44 @@
+// A report's material: what the commands of a run wrote as JSON, with the command beside each.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct ReportEntry {
+  std::string name;            ///< what the page knows it by: "walk", "one_process" …
+  std::string command;         ///< as it was typed
+  std::filesystem::path file;  ///< where its figures came from
+  nlohmann::json figures;
+
+  /// The number at a JSON pointer such as "/frame_ms/p50". Error (place: the file) where there is none.
+  double figure(const std::string& pointer) const;
+  /// The text, or the numbers, at a JSON pointer; the same Error.
+  std::string text(const std::string& pointer) const;
+  std::vector<double> numbers(const std::string& pointer) const;
+};
+
+struct ReportPicture {
+  std::string file;  ///< relative to the page
+  std::string caption, command;
+};
+
+struct Report {
+  std::string title;
+  std::string note;  ///< what a reader should know first; may be empty
+  std::vector<ReportEntry> entries;
+  std::vector<ReportPicture> pictures;
+
+  /// The entry of that name, or none.
+  const ReportEntry* find(const std::string& name) const;
+};
+
+/// Reads a manifest {"title", "note", "entries": [{"name", "command", "json"}], "pictures": [{"file", "caption",
+/// "command"}]} and the JSON files that it names, relative to it. Error for a file that is missing or broken,
+/// a name used twice, and a picture that is not there.
+Report load_report(const std::filesystem::path& manifest);
+
+}  // namespace triptych

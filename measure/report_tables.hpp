@@ -1,0 +1,18 @@
+// The tables of a report's page; each has no rows where the report lacks its entries.
+#pragma once
+
+#include "measure/html.hpp"
+#include "measure/report.hpp"
+
+namespace triptych {
+
+HtmlTable model_table(const Report& report);
+/// Full detail, one process, 8 pixels, three processes.
+HtmlTable speed_table(const Report& report);
+HtmlTable exactness_table(const Report& report);
+/// By path, with the paper's figure as the last row.
+HtmlTable delta_table(const Report& report);
+HtmlTable socket_table(const Report& report);
+HtmlTable stages_table(const Report& report);
+
+}  // namespace triptych

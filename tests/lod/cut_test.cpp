@@ -1,0 +1,233 @@
+// Cut selection: every leaf in the frustum once, each as coarse as the pixel error lets it be and no coarser.
+#include "lod/cut.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "tests/support/scenes.hpp"
+
+namespace triptych {
+namespace {
+
+class CutOf : public testing::TestWithParam<std::string> {
+ protected:
+  const Skeleton& skeleton = scenes::pack(GetParam()).skeleton();
+  const std::vector<View> views = scenes::path(skeleton, 512, 384);
+
+  /// Whether selection finds the node beyond the frustum: itself or one of its ancestors is.
+  bool beyond(const EyeSpace& eye_space, SceneNodeId node) const {
+    for (; node != no_id; node = skeleton.scene_nodes[node].parent) {
+      if (eye_space.bounds(skeleton.scene_nodes[node].box).outside) return true;
+    }
+    return false;
+  }
+  double error_on_screen(const View& view, DrawableId id) const {
+    const Drawable& drawable = skeleton.drawables[id];
+    return projected_error(view.focal_length(), drawable.error,
+                           EyeSpace(skeleton, view).bounds(skeleton.scene_nodes[drawable.scene_node].box));
+  }
+};
+
+TEST_P(CutOf, covers_each_leaf_in_the_frustum_once) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    const Cut cut = select_cut(skeleton, views[frame], scenes::pixel_error(frame));
+    const EyeSpace eye_space(skeleton, views[frame]);
+    for (SceneNodeId leaf = 0; leaf < skeleton.scene_nodes.size(); ++leaf) {
+      if (skeleton.scene_nodes[leaf].child_count > 0) continue;
+      int covered = 0;
+      for (SceneNodeId node = leaf; node != no_id; node = skeleton.scene_nodes[node].parent) {
+        covered += cut.choice[node] < Cut::inner;
+      }
+      EXPECT_LE(covered, 1) << "leaf " << leaf << " in frame " << frame;
+      if (!beyond(eye_space, leaf)) {
+        EXPECT_EQ(covered, 1) << "leaf " << leaf << " in frame " << frame;
+      }
+    }
+  }
+}
+
+TEST_P(CutOf, keeps_the_pixel_error_and_is_no_finer_than_it_must_be) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    const double pixel_error = scenes::pixel_error(frame);
+    const Cut cut = select_cut(skeleton, views[frame], pixel_error);
+    for (const DrawableId id : cut.drawables) {
+      const SceneNodeId node_id = skeleton.drawables[id].scene_node;
+      const SceneNode& node = skeleton.scene_nodes[node_id];
+      const bool finest = node.child_count == 0 && id == node.first_drawable;
+      EXPECT_TRUE(finest || error_on_screen(views[frame], id) <= pixel_error) << "drawable " << id;
+      if (id + 1 < node.first_drawable + node.drawable_count) {
+        EXPECT_GT(error_on_screen(views[frame], id + 1), pixel_error) << "a coarser one would have done";
+      }
+      if (node.parent == no_id) continue;
+      const SceneNode& parent = skeleton.scene_nodes[node.parent];
+      for (uint32_t level = 0; level < parent.drawable_count; ++level) {
+        EXPECT_GT(error_on_screen(views[frame], parent.first_drawable + level), pixel_error) << "its parent would have done";
+      }
+    }
+  }
+}
+
+TEST_P(CutOf, is_in_draw_rank_order_and_a_child_never_ranks_before_its_parent) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    const glm::ivec3 cell = eye_cell(skeleton, views[frame]);
+    const Cut cut = select_cut(skeleton, views[frame], scenes::pixel_error(frame));
+    for (size_t i = 1; i < cut.drawables.size(); ++i) {
+      EXPECT_LT(draw_rank(skeleton, cell, cut.drawables[i - 1]), draw_rank(skeleton, cell, cut.drawables[i]));
+    }
+    for (DrawableId id = 0; id < skeleton.drawables.size(); ++id) {
+      const SceneNodeId parent = skeleton.scene_nodes[skeleton.drawables[id].scene_node].parent;
+      if (parent == no_id || skeleton.scene_nodes[parent].drawable_count == 0) continue;
+      EXPECT_LT(draw_rank(skeleton, cell, skeleton.scene_nodes[parent].first_drawable), draw_rank(skeleton, cell, id));
+    }
+  }
+}
+
+TEST_P(CutOf, only_moves_up_the_hierarchy_as_the_pixel_error_grows) {
+  for (const View& view : views) {
+    Cut finer = select_cut(skeleton, view, 0);
+    for (const double pixel_error : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 64.0, 4096.0}) {
+      Cut coarser = select_cut(skeleton, view, pixel_error);
+      for (const DrawableId id : finer.drawables) {
+        SceneNodeId node = skeleton.drawables[id].scene_node;
+        while (node != no_id && !(coarser.choice[node] < Cut::inner)) node = skeleton.scene_nodes[node].parent;
+        ASSERT_NE(node, no_id) << "nothing stands for drawable " << id << " at " << pixel_error << " pixels";
+        if (node == skeleton.drawables[id].scene_node) {
+          EXPECT_GE(coarser.choice[node], id) << "a finer level at a larger pixel error";
+        }
+      }
+      finer = std::move(coarser);
+    }
+  }
+}
+
+TEST_P(CutOf, at_a_pixel_error_of_zero_is_full_detail) {
+  for (const View& view : views) {
+    for (const DrawableId id : select_cut(skeleton, view, 0).drawables) {
+      const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[id].scene_node];
+      EXPECT_EQ(node.child_count, 0u);
+      EXPECT_EQ(id, node.first_drawable);
+    }
+  }
+}
+
+TEST_P(CutOf, is_the_same_when_selected_again) {
+  for (const View& view : views) {
+    const Cut one = select_cut(skeleton, view, 1), other = select_cut(skeleton, view, 1);
+    EXPECT_EQ(one.drawables, other.drawables);
+    EXPECT_EQ(one.choice, other.choice);
+  }
+}
+
+TEST_P(CutOf, without_frustum_culling_holds_the_whole_model_and_the_cut_itself) {
+  for (const View& view : views) {
+    const Cut cut = select_cut(skeleton, view, 1), all = select_cut(skeleton, view, 1, FrustumCulling::off);
+    for (SceneNodeId leaf = 0; leaf < skeleton.scene_nodes.size(); ++leaf) {
+      if (skeleton.scene_nodes[leaf].child_count > 0) continue;
+      int covered = 0;
+      for (SceneNodeId node = leaf; node != no_id; node = skeleton.scene_nodes[node].parent) {
+        covered += all.choice[node] < Cut::inner;
+      }
+      EXPECT_EQ(covered, 1) << "leaf " << leaf;
+    }
+    for (const DrawableId id : cut.drawables) EXPECT_EQ(all.choice[skeleton.drawables[id].scene_node], id);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, CutOf, testing::ValuesIn(scenes::names()),
+                         [](const auto& parameter) { return parameter.param; });
+
+TEST(Cut, coarse_drawables_are_chosen_from_far_away) {
+  const Skeleton& skeleton = scenes::pack("instances").skeleton();
+  View near_view = scenes::path(skeleton, 512, 512).front();
+  View far_view = near_view;
+  far_view.camera.eye = near_view.camera.eye * 400.0;
+  const size_t near_size = select_cut(skeleton, near_view, 1).drawables.size();
+  EXPECT_GT(near_size, 10u);
+  EXPECT_LT(select_cut(skeleton, far_view, 1, FrustumCulling::off).drawables.size(), near_size / 4);
+}
+
+/// A box beside or around the eye and a view of it, at random.
+struct Trial {
+  Skeleton skeleton;
+  View view;
+  LatticeBox box;
+
+  explicit Trial(scenes::Random& random) {
+    skeleton.lattices = {Lattice{{0, 0, 0}, 0x1p-10}};
+    view.width = 1 + static_cast<int>(random.index(2000));
+    view.height = 1 + static_cast<int>(random.index(2000));
+    view.camera.eye = random.vector(-20, 20);
+    view.camera.target = view.camera.eye + random.vector(-1, 1);
+    view.camera.up = random.vector(-1, 1);
+    view.camera.left = random.number(-3, 0.5);
+    view.camera.right = view.camera.left + random.number(0.01, 3);
+    view.camera.bottom = random.number(-3, 0.5);
+    view.camera.top = view.camera.bottom + random.number(0.01, 3);
+    view.camera.near = std::exp2(random.number(-10, 2));
+    const glm::dvec3 lo = random.vector(-20, 20);
+    box = skeleton.lattice().enclosing({lo, lo + random.vector() * std::exp2(random.number(-6, 4))});
+  }
+  glm::dvec3 point(scenes::Random& random) const {
+    const Box model_box = skeleton.lattice().box(box);
+    return model_box.lo + (model_box.hi - model_box.lo) * random.vector();
+  }
+};
+
+using Precise = glm::vec<3, long double>;
+
+/// Eye space of a model-space point, in long double.
+Precise to_eye(const View& view, const glm::dvec3& point) {
+  const glm::mat<3, 3, long double> rotation(view.rotation());
+  return rotation * (Precise(point) - Precise(view.camera.eye));
+}
+
+bool in_frustum(const Camera& camera, const Precise& p) {
+  const long double depth = -p.z;
+  return depth >= camera.near && p.x >= camera.left * depth && p.x <= camera.right * depth &&
+         p.y >= camera.bottom * depth && p.y <= camera.top * depth;
+}
+
+TEST(ProjectedError, bounds_how_far_any_displaced_point_of_the_box_moves) {
+  scenes::Random random(21);
+  int points = 0;
+  double tightest = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const Trial trial(random);
+    const EyeBounds bounds = EyeSpace(trial.skeleton, trial.view).bounds(trial.box);
+    const double error = std::exp2(random.number(-12, 1));
+    const double bound = projected_error(trial.view.focal_length(), error, bounds);
+    for (int i = 0; i < 20; ++i) {
+      const Precise at = to_eye(trial.view, trial.point(random));
+      if (!in_frustum(trial.view.camera, at)) continue;
+      EXPECT_FALSE(bounds.outside) << "a box with a point in the frustum";
+      if (std::isinf(bound)) continue;
+      // The worst displacement, and others: towards the eye and away from the axis.
+      Precise aside = i % 2 ? Precise(at.x, at.y, at.z * -(at.x * at.x + at.y * at.y) / (at.z * at.z))
+                            : Precise(random.vector(-1, 1));
+      if (!(glm::length(aside) > 0)) continue;
+      const Precise moved = at + glm::normalize(aside) * static_cast<long double>(error);
+      const long double x = (moved.x / -moved.z - at.x / -at.z) * trial.view.focal_x();
+      const long double y = (moved.y / -moved.z - at.y / -at.z) * trial.view.focal_y();
+      const auto movement = static_cast<double>(std::hypot(x, y));
+      EXPECT_LE(movement, bound * (1 + 1e-12));
+      tightest = std::max(tightest, movement / bound);
+      ++points;
+    }
+  }
+  EXPECT_GT(points, 1000);
+  EXPECT_GT(tightest, 0.9) << "a bound that is never nearly reached tests little";
+}
+
+TEST(ProjectedError, is_infinite_where_the_surface_may_reach_the_eye) {
+  EXPECT_TRUE(std::isinf(projected_error(500, 1, {.least_depth = 1, .outside = false, .stretch = 1})));
+  EXPECT_TRUE(std::isinf(projected_error(500, 1, {.least_depth = -3, .outside = false, .stretch = 1})));
+  EXPECT_TRUE(std::isinf(projected_error(500, 0, {.least_depth = 0, .outside = false, .stretch = 1})));
+  EXPECT_EQ(projected_error(500, 0, {.least_depth = 1, .outside = false, .stretch = 2}), 0);
+  EXPECT_DOUBLE_EQ(projected_error(500, 1, {.least_depth = 6, .outside = false, .stretch = 2}), 200);
+}
+
+}  // namespace
+}  // namespace triptych

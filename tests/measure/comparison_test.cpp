@@ -1,0 +1,80 @@
+#include "measure/comparison.hpp"
+
+#include "base/hashing.hpp"
+#include "nodes/fallback.hpp"
+#include "render/context.hpp"
+#include "support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace triptych {
+
+namespace {
+
+constexpr int width = 96, height = 80;
+
+struct Run {
+  std::vector<FrameRequest> requests;
+  std::vector<FrameRecord> records;
+};
+
+Run draw_room(const Pack& pack) {
+  Run run;
+  Fallback fallback(pack, {.width = width, .height = height, .batches = {}});
+  for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 7)) {
+    run.requests.push_back(
+        {.number = static_cast<uint32_t>(run.requests.size()), .view = view, .pixel_error = 1});
+    run.records.push_back(fallback.draw(run.requests.back()));
+    run.records.back().picture_hash =
+        hash_values(std::span<const uint8_t>(std::vector<uint8_t>(fallback.target().read_colors())));
+  }
+  return run;
+}
+
+}  // namespace
+
+TEST(Comparison, frames_drawn_with_culling_equal_the_unculled_ones_and_hold_what_is_visible) {
+  const auto context = make_context(ContextKind::egl);
+  const Pack& pack = scenes::pack("room");
+  const Run run = draw_room(pack);
+  const Comparison comparison = compare(pack, run.requests, {&run.records}).front();
+  EXPECT_EQ(comparison.frames_compared, run.records.size());
+  EXPECT_EQ(comparison.identical_frames, run.records.size());
+  EXPECT_EQ(comparison.missing_drawables, 0u);
+  EXPECT_GT(comparison.visible_drawables, run.records.size());
+  EXPECT_GE(comparison.culling_efficiency(), 1);
+}
+
+TEST(Comparison, a_wrong_picture_and_a_withheld_drawable_are_found_in_their_run_alone) {
+  const auto context = make_context(ContextKind::egl);
+  const Pack& pack = scenes::pack("room");
+  const Run run = draw_room(pack);
+  std::vector<FrameRecord> wrong = run.records;
+  wrong[3].picture_hash ^= 1;
+  for (FrameRecord& record : wrong) record.visible.clear();
+  wrong.pop_back();
+  const std::vector<Comparison> comparisons = compare(pack, run.requests, {&run.records, &wrong});
+  EXPECT_TRUE(comparisons[0].different.empty());
+  EXPECT_EQ(comparisons[1].different, std::vector<uint32_t>{3});
+  EXPECT_EQ(comparisons[1].frames_compared, run.records.size() - 1);
+  EXPECT_EQ(comparisons[1].missing_drawables, comparisons[1].visible_drawables);
+}
+
+TEST(Comparison, pictures_and_items_of_one_pass_are_those_of_a_pass_each) {
+  const auto context = make_context(ContextKind::egl);
+  const Pack& pack = scenes::pack("room");
+  Renderer renderer(pack);
+  PictureStage both(renderer, width, height, TargetKind::color_and_item), colors(renderer, width, height),
+      items(renderer, width, height, TargetKind::item);
+  for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 7)) {
+    const Cut cut = select_cut(pack.skeleton(), view, 1);
+    for (PictureStage* stage : {&both, &colors, &items}) {
+      stage->begin(view);
+      stage->draw(cut.drawables);
+    }
+    EXPECT_EQ(both.target().read_colors(), colors.target().read_colors());
+    EXPECT_EQ(both.target().read_items(), items.target().read_items());
+  }
+}
+
+}  // namespace triptych

@@ -1,0 +1,98 @@
+// Where depths are equal the lower draw rank wins, whoever was drawn when.
+#include <gtest/gtest.h>
+
+#include "tests/render/rig.hpp"
+#include "tests/support/small_pack.hpp"
+
+namespace triptych {
+namespace {
+
+/// Two squares in one plane under a root: the first red, the second green.
+test::SmallPack two_coplanar_squares() {
+  test::SmallPack pack = test::small_pack();
+  Skeleton& skeleton = pack.skeleton;
+  pack.chunks = {test::grid_chunk({0, 0, 0}, 1, 64, 0, 0), test::grid_chunk({0, 0, 0}, 1, 64, 0, 1)};
+  pack.chunk_lattices = {0, 0};
+  skeleton.scene_nodes = {
+      {.box = {{0, 0, 0}, {64, 64, 0}}, .first_child = 1, .child_count = 2, .first_drawable = 0, .drawable_count = 0},
+      {.box = {{0, 0, 0}, {64, 64, 0}}, .parent = 0, .first_drawable = 0, .drawable_count = 1},
+      {.box = {{0, 0, 0}, {64, 64, 0}}, .parent = 0, .first_drawable = 1, .drawable_count = 1}};
+  skeleton.placements = {{0, 0}, {1, 0}};
+  skeleton.drawables = {
+      {.error = 0, .scene_node = 1, .first_placement = 0, .placement_count = 1, .triangles = 2},
+      {.error = 0, .scene_node = 2, .first_placement = 1, .placement_count = 1, .triangles = 2}};
+  return pack;
+}
+
+View view_of_the_squares() {
+  View view{.camera = {.eye = {3, 3.5, 12}, .target = {4, 4, 0}, .up = {0, 1, 0}}, .width = 200, .height = 160};
+  set_field_of_view(view.camera, 60, 200.0 / 160);
+  return view;
+}
+
+size_t reddish(const std::vector<uint8_t>& colors) {
+  size_t count = 0;
+  for (size_t i = 0; i < colors.size(); i += 4) count += colors[i] > 2 * colors[i + 1];
+  return count;
+}
+
+size_t greenish(const std::vector<uint8_t>& colors) {
+  size_t count = 0;
+  for (size_t i = 0; i < colors.size(); i += 4) count += colors[i + 1] > 2 * colors[i];
+  return count;
+}
+
+TEST(DepthOrder, the_lower_draw_rank_wins_at_equal_depth) {
+  test_context();
+  const Pack pack(test::write_pack(two_coplanar_squares()));
+  for (const CullMode cull : {CullMode::occlusion, CullMode::frustum, CullMode::none}) {
+    Fallback fallback(pack, {.width = 200, .height = 160, .cull = cull, .batches = {}});
+    for (uint32_t frame = 0; frame < 3; ++frame) {
+      fallback.draw({frame, view_of_the_squares(), 1});
+      EXPECT_GT(reddish(fallback.target().read_colors()), 1000u);
+      EXPECT_EQ(greenish(fallback.target().read_colors()), 0u);
+    }
+  }
+}
+
+TEST(DepthOrder, the_order_of_drawing_would_show) {
+  test_context();
+  const Pack pack(test::write_pack(two_coplanar_squares()));
+  Renderer renderer(pack);
+  PictureStage picture(renderer, 200, 160);
+  picture.begin(view_of_the_squares());
+  picture.draw({1, 0});
+  picture.finish();
+  EXPECT_EQ(reddish(picture.target().read_colors()), 0u);
+  EXPECT_GT(greenish(picture.target().read_colors()), 1000u);
+}
+
+TEST(DepthOrder, a_drawable_that_coincides_with_an_occluder_counts_as_visible) {
+  test_context();
+  const Pack pack(test::write_pack(two_coplanar_squares()));
+  Fallback fallback(pack, {.width = 200, .height = 160, .batches = {}});
+  for (uint32_t frame = 0; frame < 3; ++frame) {
+    EXPECT_EQ(fallback.draw({frame, view_of_the_squares(), 1}).visible, (VisibleSet{0, 1}));
+  }
+}
+
+TEST(DepthOrder, depth_and_colour_passes_meet_in_every_pixel) {
+  test_context();
+  const Pack pack(test::write_pack(test::small_pack()));
+  Renderer renderer(pack);
+  const View view = view_of_the_squares();
+  renderer.set_view(view);
+  std::vector<std::vector<float>> depths;
+  for (const TargetKind kind : {TargetKind::depth_only, TargetKind::color, TargetKind::item}) {
+    const Target target(kind, view.width, view.height);
+    target.clear();
+    renderer.draw(select_cut(pack.skeleton(), view, 0.01).drawables, target, kind);
+    depths.push_back(target.read_depths());
+  }
+  EXPECT_GT(std::count_if(depths[0].begin(), depths[0].end(), [](float depth) { return depth > 0; }), 1000);
+  EXPECT_EQ(depths[0], depths[1]);
+  EXPECT_EQ(depths[0], depths[2]);
+}
+
+}  // namespace
+}  // namespace triptych

@@ -1,0 +1,64 @@
+// One scene drawn every way there is: culled by both kinds of test, un-culled, and as an item buffer.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "nodes/fallback.hpp"
+#include "render/context.hpp"
+
+namespace triptych {
+
+/// The process's context: the environment's TRIPTYCH_TEST_CONTEXT says which, "osmesa" or else EGL.
+inline Context& test_context() {
+  static const std::unique_ptr<Context> context = [] {
+    const char* kind = std::getenv("TRIPTYCH_TEST_CONTEXT");
+    return make_context(kind && std::string(kind) == "osmesa" ? ContextKind::osmesa : ContextKind::egl);
+  }();
+  return *context;
+}
+
+inline size_t differing_pixels(const std::vector<uint8_t>& one, const std::vector<uint8_t>& other) {
+  size_t count = 0;
+  for (size_t i = 0; i < one.size(); i += 4) count += !std::equal(&one[i], &one[i] + 4, &other[i]);
+  return count;
+}
+
+/// The drawables that own a pixel.
+inline VisibleSet owners(std::vector<uint32_t> items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  VisibleSet ids;
+  for (const uint32_t item : items) {
+    if (item > 0) ids.push_back(item - 1);
+  }
+  return ids;
+}
+
+/// The fallback and, beside it, the un-culled picture of the same cut.
+class Rig {
+ public:
+  Rig(const Pack& pack, int width, int height, TestKind test = TestKind::storage, CullOptions batches = {})
+      : context_(test_context()),
+        culled_(pack, {.width = width, .height = height, .test = test, .batches = batches}),
+        whole_(pack, {.width = width, .height = height, .cull = CullMode::frustum, .batches = {}}) {}
+
+  struct Frame {
+    FrameRecord record;
+    size_t differing_pixels = 0;
+  };
+  Frame draw(const FrameRequest& request) {
+    Frame frame{.record = culled_.draw(request)};
+    whole_.draw(request);
+    frame.differing_pixels = differing_pixels(culled_.target().read_colors(), whole_.target().read_colors());
+    return frame;
+  }
+
+ private:
+  Context& context_;
+  Fallback culled_, whole_;
+};
+
+}  // namespace triptych

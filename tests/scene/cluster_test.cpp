@@ -1,0 +1,77 @@
+#include "scene/cluster.hpp"
+
+#include "scene/neighbours.hpp"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace triptych {
+namespace {
+
+/// Unit boxes in a square block of side × side around `at`, half a unit apart.
+void add_block(std::vector<ObjectExtent>& objects, const glm::dvec3& at, int side) {
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < side; ++y) {
+      const glm::dvec3 lo = at + glm::dvec3(x, y, 0) * 1.5;
+      objects.push_back({{lo, lo + 1.0}, 100});
+    }
+  }
+}
+
+TEST(Cluster, two_groups_far_apart_stay_two_groups) {
+  std::vector<ObjectExtent> objects;
+  add_block(objects, {0, 0, 0}, 4);
+  add_block(objects, {40, 0, 0}, 4);
+  const auto clusters = cluster_objects(objects, {1000000, 1e9, 0.05, 12});
+  ASSERT_EQ(clusters.size(), 2u);
+  for (uint32_t i = 0; i < 16; ++i) {
+    EXPECT_EQ(clusters[0][i], i);
+    EXPECT_EQ(clusters[1][i], i + 16);
+  }
+}
+
+TEST(Cluster, limits_of_triangles_and_extent_hold) {
+  std::vector<ObjectExtent> objects;
+  add_block(objects, {0, 0, 0}, 12);
+  for (const auto& cluster : cluster_objects(objects, {800, 1e9, 10, 12})) EXPECT_LE(cluster.size(), 8u);
+  for (const auto& cluster : cluster_objects(objects, {1000000, 5, 10, 12})) {
+    Box box;
+    for (const uint32_t member : cluster) box.extend(objects[member].box);
+    EXPECT_LE(box.hi.x - box.lo.x, 5);
+  }
+}
+
+TEST(Cluster, every_object_is_in_one_cluster_even_a_thousand_at_one_place) {
+  const std::vector<ObjectExtent> objects(1000, ObjectExtent{{{0, 0, 0}, {1, 1, 1}}, 12});
+  size_t members = 0;
+  for (const auto& cluster : cluster_objects(objects, {16384, 10, 1, 12})) members += cluster.size();
+  EXPECT_EQ(members, 1000u);
+}
+
+TEST(Cluster, one_object_and_none) {
+  EXPECT_TRUE(cluster_objects({}, {}).empty());
+  EXPECT_EQ(cluster_objects(std::vector<ObjectExtent>(1), {}).size(), 1u);
+}
+
+TEST(Neighbours, are_the_nearest_that_a_plain_search_finds) {
+  std::mt19937 random(7);
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 500; ++i) points.push_back({random() % 50, random() % 50, random() % 3});
+  const auto neighbours = nearest_neighbours(points, 5);
+  const auto apart = [&](size_t a, size_t b) {
+    const glm::dvec3 d = points[a] - points[b];
+    return d.x * d.x + d.y * d.y + d.z * d.z;
+  };
+  for (size_t i = 0; i < points.size(); ++i) {
+    std::vector<double> distances;
+    for (size_t j = 0; j < points.size(); ++j) {
+      if (j != i) distances.push_back(apart(i, j));
+    }
+    std::sort(distances.begin(), distances.end());
+    ASSERT_EQ(neighbours[i].size(), 5u);
+    for (size_t k = 0; k < 5; ++k) EXPECT_EQ(apart(i, neighbours[i][k]), distances[k]);
+  }
+}
+
+}  // namespace
+}  // namespace triptych

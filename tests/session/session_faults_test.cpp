@@ -1,0 +1,43 @@
+// The checks of a session can fail: faults that are put in on purpose are found out.
+#include "tests/session/scene_files.hpp"
+
+namespace triptych::test {
+namespace {
+
+using SessionFaults = SceneFiles;
+
+TEST_F(SessionFaults, a_withheld_id_fails_the_comparison) {
+  const std::string line = failure(measure({"--inject", "withheld-id"}));
+  EXPECT_NE(line.find("is not the un-culled picture"), std::string::npos) << line;
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["frames_compared"], frame_count);
+  EXPECT_LT(report["identical_frames"].get<size_t>(), frame_count);
+  EXPECT_EQ(report["digest_mismatches"], 0) << "the sender means what it sends";
+}
+
+TEST_F(SessionFaults, a_wrong_delta_is_refused_by_its_digest_and_never_shown) {
+  run(measure({"--inject", "wrong-delta"}));
+  const nlohmann::json report = json_of(json);
+  EXPECT_GT(report["digest_mismatches"].get<size_t>(), 0u);
+  EXPECT_EQ(report["identical_frames"], frame_count);
+  EXPECT_EQ(report["frames_compared"], frame_count);
+}
+
+TEST_F(SessionFaults, a_wrong_delta_without_digests_changes_the_picture) {
+  failure(measure({"--inject", "wrong-delta", "--inject", "no-digest"}));
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["digest_mismatches"], 0);
+  EXPECT_LT(report["identical_frames"].get<size_t>(), frame_count);
+}
+
+TEST_F(SessionFaults, a_flipped_byte_ends_the_session_with_one_line) {
+  failure(session({"--inject", "flipped-byte", "--loop", "4", "-o", folder.file("pictures")}));
+}
+
+TEST_F(SessionFaults, an_unknown_fault_is_a_usage_error) {
+  Program program(session({"--inject", "no-such-fault"}));
+  EXPECT_EQ(program.wait(), 2);
+}
+
+}  // namespace
+}  // namespace triptych::test

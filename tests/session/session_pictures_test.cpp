@@ -1,0 +1,90 @@
+// Three processes, one picture: the one that a single process draws without culling anything.
+#include <cstdlib>
+
+#include "tests/session/scene_files.hpp"
+
+namespace triptych::test {
+namespace {
+
+class SessionPictures : public SceneFiles {
+ protected:
+  void expect_identical(size_t frames) const {
+    const nlohmann::json report = json_of(json);
+    EXPECT_EQ(report["frames"], frames);
+    EXPECT_EQ(report["frames_compared"], frames);
+    EXPECT_EQ(report["identical_frames"], frames);
+    EXPECT_EQ(report["digest_mismatches"], 0);
+    EXPECT_EQ(report["fallback_frames"], 0);
+    EXPECT_EQ(report["missing_drawables"], 0);
+  }
+};
+
+TEST_F(SessionPictures, are_the_un_culled_ones_through_turns_and_jumps) {
+  run(measure());
+  expect_identical(frame_count);
+}
+
+TEST_F(SessionPictures, are_the_un_culled_ones_with_osmesa_queries_and_an_odd_size) {
+  run(measure({"--context", "osmesa", "--test", "queries", "--size", "211x97", "--pixel-error", "4"}));
+  expect_identical(frame_count);
+}
+
+TEST_F(SessionPictures, and_visible_sets_are_the_same_every_time) {
+  run(measure({"--frames", "20"}));
+  const nlohmann::json once = json_of(json);
+  run(measure({"--frames", "20", "--rate", "30"}));
+  const nlohmann::json again = json_of(json);
+  for (const char* key : {"visible", "tests", "drawn_triangles", "identical_frames"}) EXPECT_EQ(once[key], again[key]) << key;
+}
+
+TEST_F(SessionPictures, are_the_files_that_one_process_writes) {
+  run(session({"--frames", "6", "-o", folder.file("session")}));
+  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "-o", folder.file("render")});
+  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--context", "osmesa", "-o", folder.file("osmesa")});
+  for (int frame = 0; frame < 6; ++frame) {
+    const std::string name = "/00000" + std::to_string(frame) + ".png";
+    const std::string picture = text_of(folder.file("session") + name);
+    EXPECT_GT(picture.size(), 100u);
+    EXPECT_EQ(picture, text_of(folder.file("render") + name)) << "frame " << frame;
+    EXPECT_EQ(picture, text_of(folder.file("osmesa") + name)) << "frame " << frame;
+  }
+}
+
+TEST_F(SessionPictures, are_the_same_of_roles_that_are_started_by_hand) {
+  // Ports of this process's own choice, below those that the kernel hands out.
+  const int port = 12000 + 2 * (::getpid() % 8000);
+  const std::string render = "127.0.0.1:" + std::to_string(port), other = "127.0.0.1:" + std::to_string(port + 1);
+  Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other});
+  Program switch_0({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render});
+  Program render_node({"role", "render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--listen", render, "-o",
+                       folder.file("roles")});
+  EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
+  EXPECT_EQ(switch_0.wait(), 0) << switch_0.errors();
+  EXPECT_EQ(switch_1.wait(), 0) << switch_1.errors();
+  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--cull", "frustum", "-o", folder.file("render")});
+  for (int frame = 0; frame < 6; ++frame) {
+    const std::string name = "/00000" + std::to_string(frame) + ".png";
+    EXPECT_EQ(text_of(folder.file("roles") + name), text_of(folder.file("render") + name)) << "frame " << frame;
+  }
+}
+
+TEST_F(SessionPictures, of_a_furnished_building_are_the_un_culled_ones_on_every_frame_of_every_path) {
+  if (!std::filesystem::exists("/usr/share/sweethome3d")) {
+    GTEST_SKIP() << "the furniture is not installed";
+  }
+  const std::string building = folder.file("building"), building_pack = folder.file("building.tpk");
+  run({"sample", "building", "--floors", "1", "--furniture", "200", "-o", building});
+  run({"build", building + "/scene.gltf", "-o", building_pack});
+  for (const std::string name : {"walk", "fly", "spin", "jump"}) {
+    SCOPED_TRACE(name);
+    const std::string file = building + "/" + name + ".json";
+    run({"measure", "session", building_pack, "--path", file, "--size", "160x120", "--json", json});
+    expect_identical(json_of(file)["frames"].size());
+    if (name == "walk") {
+      EXPECT_GE(json_of(json)["delta"]["saved_percent"].get<double>(), 93);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace triptych::test

@@ -1,0 +1,193 @@
+// The hardware cull against testers that need no graphics card.
+#include "visibility/hardware_cull.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "tests/support/scenes.hpp"
+#include "visibility/map_to_cut.hpp"
+#include "visibility/visible_stream.hpp"
+
+namespace triptych {
+namespace {
+
+/// Answers as the function says, whatever was drawn.
+class FakeTester : public OcclusionTester {
+ public:
+  explicit FakeTester(std::function<bool(const ScreenRectangle&)> answer) : answer_(std::move(answer)) {}
+  void draw(std::span<const DrawableId> drawables) override { drawn.insert(drawn.end(), drawables.begin(), drawables.end()); }
+  void test(std::span<const ScreenRectangle> rectangles, std::span<uint8_t> visible) override {
+    largest_batch = std::max(largest_batch, rectangles.size());
+    for (size_t i = 0; i < rectangles.size(); ++i) visible[i] = answer_(rectangles[i]);
+  }
+  std::vector<DrawableId> drawn;
+  size_t largest_batch = 0;
+
+ private:
+  std::function<bool(const ScreenRectangle&)> answer_;
+};
+
+/// Leaves every answer as it found it.
+class SilentTester : public OcclusionTester {
+ public:
+  void draw(std::span<const DrawableId>) override {}
+  void test(std::span<const ScreenRectangle>, std::span<uint8_t>) override {}
+};
+
+bool always(const ScreenRectangle&) { return true; }
+bool never(const ScreenRectangle&) { return false; }
+/// Some are visible and some are not, at random but each rectangle always the same.
+bool some(const ScreenRectangle& rectangle) {
+  return static_cast<int>(std::abs(rectangle.left + rectangle.top) * 1000 + rectangle.depth * 1e5f) % 3 != 0;
+}
+
+class HardwareCull : public testing::TestWithParam<std::string> {
+ protected:
+  const Skeleton& skeleton = scenes::pack(GetParam()).skeleton();
+  const std::vector<View> views = scenes::path(skeleton, 320, 240);
+  std::vector<CullPacket> packets;
+
+  CullResult cull(size_t frame, OcclusionTester& tester, const VisibleSet& previous = {}, size_t batch = 48) {
+    const Cut cut = cut_of(frame);
+    packets.clear();
+    const auto represented = map_to_cut(skeleton, eye_cell(skeleton, views[frame]), cut, previous);
+    return hardware_cull(skeleton, views[frame], cut, tester, represented, previous,
+                         {.batch = batch, .incoherent_batch = batch},
+                         [&](const CullPacket& packet) { packets.push_back(packet); });
+  }
+  Cut cut_of(size_t frame) const { return select_cut(skeleton, views[frame], scenes::pixel_error(frame)); }
+  VisibleSet of_kind(size_t frame, const std::function<bool(ScreenBounds::Kind)>& wanted) const {
+    const BoxProjector projector(skeleton, views[frame]);
+    VisibleSet set;
+    for (const DrawableId id : cut_of(frame).drawables) {
+      const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[id].scene_node];
+      if (wanted(projector.bounds(node.box).kind)) set.push_back(id);
+    }
+    std::sort(set.begin(), set.end());
+    return set;
+  }
+  VisibleSet on_screen(size_t frame) const {
+    return of_kind(frame, [](ScreenBounds::Kind kind) { return kind != ScreenBounds::Kind::off_screen; });
+  }
+  VisibleSet untestable(size_t frame) const {
+    return of_kind(frame, [](ScreenBounds::Kind kind) { return kind == ScreenBounds::Kind::unbounded; });
+  }
+};
+
+TEST_P(HardwareCull, where_every_box_shows_gives_the_whole_cut_on_the_screen) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    FakeTester tester(always);
+    EXPECT_EQ(cull(frame, tester).visible, on_screen(frame)) << "frame " << frame;
+  }
+}
+
+TEST_P(HardwareCull, where_no_test_answers_gives_the_whole_cut_on_the_screen) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    SilentTester tester;
+    EXPECT_EQ(cull(frame, tester).visible, on_screen(frame)) << "frame " << frame;
+  }
+}
+
+TEST_P(HardwareCull, where_no_box_shows_gives_only_what_cannot_be_tested) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    FakeTester tester(never);
+    const CullResult result = cull(frame, tester);
+    EXPECT_EQ(result.visible, untestable(frame)) << "frame " << frame;
+    EXPECT_EQ(result.untested, result.visible.size());
+  }
+}
+
+TEST_P(HardwareCull, spends_one_test_on_a_hidden_subtree) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    const Cut cut = cut_of(frame);
+    const BoxProjector projector(skeleton, views[frame]);
+    uint64_t testable = 0, subtrees = 0;
+    const std::function<void(SceneNodeId)> visit = [&](SceneNodeId id) {
+      if (cut.choice[id] == no_id) return;
+      const SceneNode& node = skeleton.scene_nodes[id];
+      const ScreenBounds::Kind kind = projector.bounds(node.box).kind;
+      testable += kind == ScreenBounds::Kind::rectangle;
+      subtrees += kind == ScreenBounds::Kind::rectangle && cut.choice[id] == Cut::inner;
+      if (kind != ScreenBounds::Kind::unbounded || cut.choice[id] != Cut::inner) return;
+      for (uint32_t child = 0; child < node.child_count; ++child) visit(node.first_child + child);
+    };
+    visit(0);
+    FakeTester tester(never);
+    const CullResult result = cull(frame, tester);
+    EXPECT_EQ(result.tests, testable) << "frame " << frame;
+    EXPECT_EQ(result.hidden_subtrees, subtrees) << "frame " << frame;
+  }
+}
+
+TEST_P(HardwareCull, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order) {
+  VisibleSet previous;
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    FakeTester tester(some);
+    const CullResult result = cull(frame, tester, previous, 7);
+    ASSERT_FALSE(packets.empty());
+    const glm::ivec3 cell = eye_cell(skeleton, views[frame]);
+    VisibleStream stream(skeleton, cell, previous);
+    std::vector<DrawableId> decided;
+    VisibleSet set = previous;
+    for (size_t i = 0; i < packets.size(); ++i) {
+      if (i > 0) {
+        EXPECT_LE(packets[i - 1].watermark, packets[i].watermark);
+      }
+      EXPECT_TRUE(apply_delta(packets[i].delta, set));
+      const auto fresh = stream.take(packets[i]);
+      decided.insert(decided.end(), fresh.begin(), fresh.end());
+      for (const DrawableId id : packets[i].delta.removed) {
+        EXPECT_LT(draw_rank(skeleton, cell, id), packets[i].watermark) << "removed, but not decided";
+      }
+    }
+    EXPECT_EQ(set, result.visible) << "frame " << frame;
+    EXPECT_EQ(stream.visible(), result.visible);
+    EXPECT_EQ(stream.faults(), 0u);
+    std::vector<DrawableId> expected = result.visible;
+    sort_by_rank(skeleton, cell, expected);
+    EXPECT_EQ(decided, expected);
+    previous = result.visible;
+  }
+}
+
+TEST_P(HardwareCull, gives_the_same_set_in_batches_of_any_size) {
+  VisibleSet previous;
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    FakeTester reference(some);
+    const CullResult expected = cull(frame, reference, previous);
+    for (const size_t batch : {size_t{1}, size_t{2}, size_t{13}, size_t{1} << 20}) {
+      FakeTester tester(some);
+      const CullResult result = cull(frame, tester, previous, batch);
+      EXPECT_EQ(result.visible, expected.visible) << "frame " << frame << " in batches of " << batch;
+      EXPECT_EQ(result.tests, expected.tests);
+      EXPECT_LE(tester.largest_batch, batch);
+    }
+    previous = expected.visible;
+  }
+}
+
+TEST_P(HardwareCull, draws_only_what_it_found_visible_and_what_is_not_represented_yet) {
+  VisibleSet previous;
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    FakeTester tester(some);
+    const auto represented = map_to_cut(skeleton, eye_cell(skeleton, views[frame]), cut_of(frame), previous);
+    const std::set<DrawableId> there(represented.begin(), represented.end());
+    const CullResult result = cull(frame, tester, previous, 5);
+    std::set<DrawableId> once;
+    for (const DrawableId id : tester.drawn) {
+      EXPECT_TRUE(once.insert(id).second) << "drawn twice";
+      EXPECT_FALSE(there.count(id)) << "is in the representation already";
+      EXPECT_TRUE(std::binary_search(result.visible.begin(), result.visible.end(), id)) << "is not visible";
+    }
+    previous = result.visible;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, HardwareCull, testing::ValuesIn(scenes::names()),
+                         [](const auto& parameter) { return parameter.param; });
+
+}  // namespace
+}  // namespace triptych

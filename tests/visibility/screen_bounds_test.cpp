@@ -1,0 +1,152 @@
+// Where boxes may appear on the screen: never too small, never too far, and unbounded where it cannot be known.
+#include "visibility/screen_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/scenes.hpp"
+
+namespace triptych {
+namespace {
+
+using Kind = ScreenBounds::Kind;
+
+class ScreenBoundsOf : public testing::Test {
+ protected:
+  ScreenBoundsOf() {
+    skeleton.lattices = {Lattice{{0, 0, 0}, 0x1p-10}};
+    view.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .up = {0, 1, 0}, .near = 0.125};
+    view.width = view.height = 512;
+  }
+  ScreenBounds bounds(const glm::dvec3& lo, const glm::dvec3& hi) const {
+    return BoxProjector(skeleton, view).bounds(skeleton.lattice().enclosing({lo, hi}));
+  }
+  Skeleton skeleton;
+  View view;
+};
+
+TEST_F(ScreenBoundsOf, a_box_before_the_eye_are_a_rectangle_with_a_pixel_of_margin) {
+  const ScreenBounds found = bounds({-0.5, -1, -4}, {1, 0.5, -2});
+  ASSERT_EQ(found.kind, Kind::rectangle);
+  const float pixel = 2.0f / 512;
+  EXPECT_FLOAT_EQ(found.rectangle.left, -0.25f - pixel);
+  EXPECT_FLOAT_EQ(found.rectangle.right, 0.5f + pixel);
+  EXPECT_FLOAT_EQ(found.rectangle.bottom, -0.5f - pixel);
+  EXPECT_FLOAT_EQ(found.rectangle.top, 0.25f + pixel);
+  EXPECT_GT(found.rectangle.depth, 0.0625f);
+  EXPECT_LT(found.rectangle.depth, 0.0626f);
+}
+
+TEST_F(ScreenBoundsOf, a_box_cut_by_the_near_plane_are_unknown) {
+  EXPECT_EQ(bounds({-1, -1, -5}, {1, 1, -0.1}).kind, Kind::unbounded);
+  EXPECT_EQ(bounds({-1, -1, -5}, {1, 1, 3}).kind, Kind::unbounded);
+  EXPECT_EQ(bounds({-1, -1, -5}, {1, 1, -0.125}).kind, Kind::unbounded) << "it touches the near plane";
+}
+
+TEST_F(ScreenBoundsOf, a_box_around_the_eye_are_unknown) {
+  EXPECT_EQ(bounds({-1, -1, -1}, {1, 1, 1}).kind, Kind::unbounded);
+  EXPECT_EQ(bounds({0, 0, -1}, {1, 1, 0}).kind, Kind::unbounded) << "the eye is its corner";
+  EXPECT_EQ(bounds({-1, -1, 0}, {1, 1, 0}).kind, Kind::off_screen) << "the eye is on it, all of it is too near";
+}
+
+TEST_F(ScreenBoundsOf, a_box_behind_or_beside_the_view_are_off_the_screen) {
+  EXPECT_EQ(bounds({-1, -1, 1}, {1, 1, 5}).kind, Kind::off_screen);
+  EXPECT_EQ(bounds({20, -1, -5}, {30, 1, -4}).kind, Kind::off_screen);
+  EXPECT_EQ(bounds({-1, -30, -5}, {1, -20, -4}).kind, Kind::off_screen);
+}
+
+TEST_F(ScreenBoundsOf, a_flat_box_and_a_point_are_rectangles_too) {
+  const ScreenBounds flat = bounds({-0.5, -0.5, -2}, {0.5, 0.5, -2});
+  ASSERT_EQ(flat.kind, Kind::rectangle);
+  const ScreenBounds point = bounds({0, 0, -2}, {0, 0, -2});
+  ASSERT_EQ(point.kind, Kind::rectangle);
+  EXPECT_FLOAT_EQ(point.rectangle.right - point.rectangle.left, 4.0f / 512) << "a pixel on each side";
+}
+
+/// At any place and under any lopsided frustum.
+View some_view(scenes::Random& random) {
+  View view;
+  view.width = 16 + static_cast<int>(random.index(2000));
+  view.height = 16 + static_cast<int>(random.index(2000));
+  view.camera.eye = random.vector(-20, 20);
+  view.camera.target = view.camera.eye + random.vector(-1, 1);
+  view.camera.up = random.vector(-1, 1);
+  view.camera.left = random.number(-3, 0.5);
+  view.camera.right = view.camera.left + random.number(0.01, 3);
+  view.camera.bottom = random.number(-3, 0.5);
+  view.camera.top = view.camera.bottom + random.number(0.01, 3);
+  view.camera.near = std::exp2(random.number(-10, 1));
+  return view;
+}
+
+Box some_box(scenes::Random& random) {
+  const glm::dvec3 lo = random.vector(-20, 20);
+  return {lo, lo + random.vector() * std::exp2(random.number(-8, 4))};
+}
+
+TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
+  scenes::Random random(41);
+  int rectangles = 0, points = 0;
+  for (int round = 0; round < 40000; ++round) {
+    view = some_view(random);
+    const LatticeBox lattice_box = skeleton.lattice().enclosing(some_box(random));
+    const Box box = skeleton.lattice().box(lattice_box);
+    const ScreenBounds found = BoxProjector(skeleton, view).bounds(lattice_box);
+    if (found.kind == Kind::unbounded) continue;
+    rectangles += found.kind == Kind::rectangle;
+    const glm::mat<3, 3, long double> rotation(view.rotation());
+    for (int i = 0; i < 24; ++i) {
+      const glm::dvec3 point = i < 8 ? box.corner(i) : box.lo + (box.hi - box.lo) * random.vector();
+      using Precise = glm::vec<3, long double>;
+      const Precise eye_point = rotation * (Precise(point) - Precise(view.camera.eye));
+      const long double depth = -eye_point.z;
+      if (depth < view.camera.near) {
+        EXPECT_EQ(found.kind, Kind::off_screen) << "a rectangle for a box that the near plane cuts";
+        continue;
+      }
+      const auto device = [&](long double tangent, double low, double high) { return 2 * (tangent - low) / (high - low) - 1; };
+      const long double x = device(eye_point.x / depth, view.camera.left, view.camera.right);
+      const long double y = device(eye_point.y / depth, view.camera.bottom, view.camera.top);
+      if (std::abs(x) > 1 || std::abs(y) > 1) continue;
+      ASSERT_EQ(found.kind, Kind::rectangle) << "a point of it is on the screen";
+      const ScreenRectangle& r = found.rectangle;
+      // Sub-pixel snapping and the vertex stage may move it by half a pixel; the edges of the screen are clipped.
+      const long double pixel_x = 1.0L / view.width, pixel_y = 1.0L / view.height;
+      EXPECT_TRUE(r.left <= std::max(x - pixel_x, -1.0L) && r.right >= std::min(x + pixel_x, 1.0L));
+      EXPECT_TRUE(r.bottom <= std::max(y - pixel_y, -1.0L) && r.top >= std::min(y + pixel_y, 1.0L));
+      EXPECT_GE(r.depth, std::min(1.0L, view.camera.near / depth * (1 + 0x1p-16L)));
+      ++points;
+    }
+  }
+  EXPECT_GT(rectangles, 1000);
+  EXPECT_GT(points, 10000);
+}
+
+TEST_F(ScreenBoundsOf, a_box_hold_those_of_boxes_in_it) {
+  scenes::Random random(42);
+  int compared = 0;
+  for (int round = 0; round < 40000; ++round) {
+    view = some_view(random);
+    const Box outer = some_box(random);
+    const glm::dvec3 size = outer.hi - outer.lo, lo = outer.lo + size * random.vector();
+    const Box inner{lo, lo + (outer.hi - lo) * random.vector()};
+    const ScreenBounds around = bounds(outer.lo, outer.hi), within = bounds(inner.lo, inner.hi);
+    if (around.kind == Kind::off_screen) {
+      EXPECT_EQ(within.kind, Kind::off_screen);
+    }
+    if (around.kind != Kind::rectangle) continue;
+    ASSERT_NE(within.kind, Kind::unbounded);
+    if (within.kind == Kind::off_screen) continue;
+    EXPECT_LE(around.rectangle.left, within.rectangle.left);
+    EXPECT_LE(around.rectangle.bottom, within.rectangle.bottom);
+    EXPECT_GE(around.rectangle.right, within.rectangle.right);
+    EXPECT_GE(around.rectangle.top, within.rectangle.top);
+    EXPECT_GE(around.rectangle.depth, within.rectangle.depth);
+    ++compared;
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+}  // namespace
+}  // namespace triptych
