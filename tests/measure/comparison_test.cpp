@@ -3,7 +3,7 @@
 #include "base/hashing.hpp"
 #include "nodes/fallback.hpp"
 #include "render/context.hpp"
-#include "support/scenes.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@ namespace {
 
 constexpr int width = 96, height = 80;
 
-struct Run {
+struct DrawnFrames {
   std::vector<FrameRequest> requests;
   std::vector<FrameRecord> records;
 };
 
-Run draw_room(const Pack& pack) {
-  Run run;
+DrawnFrames draw_room(const Pack& pack) {
+  DrawnFrames run;
   Fallback fallback(pack, {.width = width, .height = height, .batches = {}});
   for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 7)) {
     run.requests.push_back(
@@ -36,7 +36,7 @@ Run draw_room(const Pack& pack) {
 TEST(Comparison, frames_drawn_with_culling_equal_the_unculled_ones_and_hold_what_is_visible) {
   const auto context = make_context(ContextKind::egl);
   const Pack& pack = scenes::pack("room");
-  const Run run = draw_room(pack);
+  const DrawnFrames run = draw_room(pack);
   const Comparison comparison = compare(pack, run.requests, {&run.records}).front();
   EXPECT_EQ(comparison.frames_compared, run.records.size());
   EXPECT_EQ(comparison.identical_frames, run.records.size());
@@ -48,7 +48,7 @@ TEST(Comparison, frames_drawn_with_culling_equal_the_unculled_ones_and_hold_what
 TEST(Comparison, a_wrong_picture_and_a_withheld_drawable_are_found_in_their_run_alone) {
   const auto context = make_context(ContextKind::egl);
   const Pack& pack = scenes::pack("room");
-  const Run run = draw_room(pack);
+  const DrawnFrames run = draw_room(pack);
   std::vector<FrameRecord> wrong = run.records;
   wrong[3].picture_hash ^= 1;
   for (FrameRecord& record : wrong) record.visible.clear();

@@ -28,8 +28,8 @@ class SceneFiles : public testing::Test {
   }
 
   /// measure session, at a small size, with more arguments.
-  std::vector<std::string> measure(std::vector<std::string> more = {}) const {
-    return with({"measure", "session", pack, "--path", path, "--size", "160x120", "--json", json}, std::move(more));
+  std::vector<std::string> measure(std::vector<std::string> more = {}, const std::string& size = "160x120") const {
+    return with({"measure", "session", pack, "--path", path, "--size", size, "--json", json}, std::move(more));
   }
   std::vector<std::string> session(std::vector<std::string> more = {}) const {
     return with({"session", pack, "--path", path, "--size", "160x120"}, std::move(more));

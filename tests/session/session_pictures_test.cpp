@@ -25,7 +25,7 @@ TEST_F(SessionPictures, are_the_un_culled_ones_through_turns_and_jumps) {
 }
 
 TEST_F(SessionPictures, are_the_un_culled_ones_with_osmesa_queries_and_an_odd_size) {
-  run(measure({"--context", "osmesa", "--test", "queries", "--size", "211x97", "--pixel-error", "4"}));
+  run(measure({"--context", "osmesa", "--test", "queries", "--pixel-error", "4"}, "211x97"));
   expect_identical(frame_count);
 }
 
