@@ -1,6 +1,8 @@
 // Little-endian bytes in and out, bounds-checked: the pack and the protocol are written with these.
 #pragma once
 
+#include "base/error.hpp"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +11,6 @@
 #include <string>
 #include <type_traits>
 #include <vector>
-
-#include "base/error.hpp"
 
 namespace triptych {
 
@@ -70,7 +70,8 @@ class ByteReader {
   /// `count` values; the count is checked against what is left before anything is allocated.
   template <typename Value>
   std::vector<Value> read_all(uint64_t count) {
-    if (count > left() / sizeof(Value)) fail(place_, "byte {}: {} values promised, {} bytes left", offset_, count, left());
+    if (count > left() / sizeof(Value))
+      fail(place_, "byte {}: {} values promised, {} bytes left", offset_, count, left());
     std::vector<Value> values(static_cast<size_t>(count));
     const auto bytes = take(values.size() * sizeof(Value));
     if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());

@@ -7,13 +7,16 @@ namespace triptych {
 
 /// This machine's steady clock: the same for all its processes, and of no meaning on another machine.
 inline double steady_milliseconds() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
 }
 
 /// Runs from its construction or last restart.
 class Stopwatch {
  public:
-  double milliseconds() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+  }
   double seconds() const { return milliseconds() / 1000; }
   void restart() { start_ = Clock::now(); }
 

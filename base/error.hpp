@@ -1,8 +1,8 @@
-// Errors that a user, a file or a peer can cause. Each says where; the program's outermost layer prints it, once.
+// Errors that a user, a file or a peer can cause. Each says where; the program's outermost layer prints it,
+// once.
 #pragma once
 
 #include <fmt/core.h>
-
 #include <stdexcept>
 #include <string>
 
@@ -16,7 +16,8 @@ class Error : public std::runtime_error {
 
 /// Throws Error(place, formatted message).
 template <typename... Arguments>
-[[noreturn]] void fail(const std::string& place, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+[[noreturn]] void fail(const std::string& place, fmt::format_string<Arguments...> format,
+                       Arguments&&... arguments) {
   throw Error(place, fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 

@@ -1,12 +1,11 @@
 #include "base/file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
+#include "base/error.hpp"
 
 #include <cerrno>
 #include <cstring>
-
-#include "base/error.hpp"
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace triptych {
 
@@ -31,7 +30,9 @@ Container read_whole(const std::filesystem::path& path) {
 }
 }  // namespace
 
-std::vector<std::byte> read_file(const std::filesystem::path& path) { return read_whole<std::vector<std::byte>>(path); }
+std::vector<std::byte> read_file(const std::filesystem::path& path) {
+  return read_whole<std::vector<std::byte>>(path);
+}
 std::string read_text_file(const std::filesystem::path& path) { return read_whole<std::string>(path); }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -64,7 +65,8 @@ void AtomicFile::write(std::string_view text) { write(std::as_bytes(std::span(te
 
 void AtomicFile::write_at(uint64_t offset, std::span<const std::byte> bytes) {
   if (std::fseek(file_, static_cast<long>(offset), SEEK_SET) != 0 ||
-      std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() || std::fseek(file_, 0, SEEK_END) != 0) {
+      std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() ||
+      std::fseek(file_, 0, SEEK_END) != 0) {
     fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   }
 }

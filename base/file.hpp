@@ -18,7 +18,8 @@ std::string read_text_file(const std::filesystem::path& path);
 /// Makes the folder and its parents. Error if that fails.
 void make_folder(const std::filesystem::path& folder);
 
-/// A file that is written beside its name and renamed by commit(); destroyed without commit, it leaves nothing.
+/// A file that is written beside its name and renamed by commit(); destroyed without commit, it leaves
+/// nothing.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -28,7 +29,8 @@ class AtomicFile {
 
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
-  /// Overwrites bytes at an earlier offset (a header that is known last); the end of the file stays the place to write.
+  /// Overwrites bytes at an earlier offset (a header that is known last); the end of the file stays the place
+  /// to write.
   void write_at(uint64_t offset, std::span<const std::byte> bytes);
   uint64_t size() const { return size_; }
   /// Flushes to the disk and renames. Error if either fails; then nothing is left.

@@ -12,8 +12,9 @@ uint32_t& active_faults() {
 }  // namespace
 
 const std::vector<std::string>& fault_names() {
-  static const std::vector<std::string> names = {"withheld-id",  "wrong-delta",    "no-digest",    "strict-depth-test",
-                                                 "no-dilation", "wrong-ancestor", "stale-camera", "flipped-byte"};
+  static const std::vector<std::string> names = {"withheld-id",       "wrong-delta", "no-digest",
+                                                 "strict-depth-test", "no-dilation", "wrong-ancestor",
+                                                 "stale-camera",      "flipped-byte"};
   return names;
 }
 

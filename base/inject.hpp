@@ -8,17 +8,18 @@
 namespace triptych {
 
 enum class Fault {
-  withheld_id,         ///< culling withholds one visible drawable of each frame
-  wrong_delta,         ///< a delta is changed after the digest was taken
-  no_digest,           ///< receivers do not compare digests
-  strict_depth_test,   ///< boxes are tested with a strict comparison
-  no_dilation,         ///< boxes are tested without their margin
-  wrong_ancestor,      ///< the visible set is mapped to drawables that are not in the cut
-  stale_camera,        ///< culling uses the previous frame's camera
-  flipped_byte,        ///< one byte of a message is flipped on its way
+  withheld_id,        ///< culling withholds one visible drawable of each frame
+  wrong_delta,        ///< a delta is changed after the digest was taken
+  no_digest,          ///< receivers do not compare digests
+  strict_depth_test,  ///< boxes are tested with a strict comparison
+  no_dilation,        ///< boxes are tested without their margin
+  wrong_ancestor,     ///< the visible set is mapped to drawables that are not in the cut
+  stale_camera,       ///< culling uses the previous frame's camera
+  flipped_byte,       ///< one byte of a message is flipped on its way
 };
 
-/// Turns a fault on for this process. Returns false for a name that is no fault ("withheld-id" names withheld_id).
+/// Turns a fault on for this process. Returns false for a name that is no fault ("withheld-id" names
+/// withheld_id).
 bool inject(std::string_view name);
 bool injected(Fault fault);
 /// Every name that inject() takes, in the order of Fault.

@@ -1,10 +1,9 @@
 #include "base/progress.hpp"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <cstdio>
+#include <fmt/core.h>
 #include <mutex>
+#include <unistd.h>
 
 namespace triptych {
 

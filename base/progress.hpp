@@ -1,10 +1,10 @@
 // Progress on standard error: one living line on a terminal, plain lines elsewhere.
 #pragma once
 
+#include "base/clock.hpp"
+
 #include <cstdint>
 #include <string>
-
-#include "base/clock.hpp"
 
 namespace triptych {
 

@@ -1,9 +1,8 @@
 #include "base/threads.hpp"
 
+#include <memory>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-
-#include <memory>
 
 namespace triptych {
 
@@ -16,7 +15,8 @@ std::unique_ptr<tbb::global_control>& limit() {
 
 void set_thread_count(unsigned count) {
   limit().reset();
-  if (count > 0) limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
+  if (count > 0)
+    limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
 }
 
 void parallel_for(size_t count, const std::function<void(size_t)>& body) {

@@ -1,11 +1,11 @@
-#include <fmt/core.h>
-
 #include "lod/build.hpp"
 
 #include "base/memory.hpp"
 #include "launch/command.hpp"
 #include "measure/json.hpp"
 #include "scene/import.hpp"
+
+#include <fmt/core.h>
 
 namespace triptych {
 
@@ -19,7 +19,8 @@ struct BuildCommand {
 int run(const BuildCommand& command) {
   const BuildReport report = build_pack(import_model(command.inputs), {}, command.output);
   nlohmann::json stages = nlohmann::json::array();
-  for (const BuildStage& stage : report.stages) stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  for (const BuildStage& stage : report.stages)
+    stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
   for (const std::string& warning : report.import.warnings) fmt::print(stderr, "warning: {}\n", warning);
   fmt::print("{}: {} drawables, {} source and {} placed triangles, {:.1f} MB\n", command.output.string(),
              report.drawables, report.source_triangles, report.placed_triangles,
@@ -43,7 +44,9 @@ void add_build(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("build", "Model files to a pack: glTF, GLB, OBJ, PLY, STL");
   sub->footer("Example: triptych build scene.gltf -o scene.tpk");
   add_common_flags(*sub, command->json);
-  sub->add_option("input", command->inputs, "Model files; several become one model")->required()->type_name("INPUT");
+  sub->add_option("input", command->inputs, "Model files; several become one model")
+      ->required()
+      ->type_name("INPUT");
   sub->add_option("-o,--output", command->output, "The pack to write")->required()->type_name("FILE.tpk");
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -1,10 +1,10 @@
 #include "lod/check.hpp"
 
-#include <fmt/core.h>
-
 #include "base/error.hpp"
 #include "launch/command.hpp"
 #include "measure/json.hpp"
+
+#include <fmt/core.h>
 
 namespace triptych {
 
@@ -15,8 +15,8 @@ int run(const std::filesystem::path& file, const std::filesystem::path& json) {
   const CheckReport report = check_pack(pack);
   for (const std::string& message : report.messages) fmt::print("{}\n", message);
   fmt::print("{} drawables checked, {} not; violations: {} bounds, {} boxes, {} monotonicity, {} checksums\n",
-             report.drawables_checked, report.drawables_not_checked, report.bound_violations, report.box_violations,
-             report.monotonicity_violations, report.checksum_errors);
+             report.drawables_checked, report.drawables_not_checked, report.bound_violations,
+             report.box_violations, report.monotonicity_violations, report.checksum_errors);
   write_json(json, {{"drawables_checked", report.drawables_checked},
                     {"drawables_not_checked", report.drawables_not_checked},
                     {"bound_violations", report.bound_violations},
@@ -25,7 +25,8 @@ int run(const std::filesystem::path& file, const std::filesystem::path& json) {
                     {"checksum_errors", report.checksum_errors},
                     {"bound_over_measured", to_json(report.bound_over_measured)}});
   if (!report.sound()) {
-    fail(file.string(), "the pack is not sound: {}", report.messages.empty() ? "see above" : report.messages.front());
+    fail(file.string(), "the pack is not sound: {}",
+         report.messages.empty() ? "see above" : report.messages.front());
   }
   return 0;
 }

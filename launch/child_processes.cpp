@@ -1,19 +1,18 @@
 #include "launch/child_processes.hpp"
 
+#include "base/clock.hpp"
+#include "base/error.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <csignal>
-#include <cstring>
-
-#include "base/clock.hpp"
-#include "base/error.hpp"
 
 namespace triptych {
 
@@ -70,7 +69,8 @@ void ChildProcesses::take_lines(Child& child, const char* characters, size_t cou
 
 void ChildProcesses::read_errors(int timeout_ms) {
   std::vector<pollfd> waiting;
-  for (const Child& child : children_) waiting.push_back({.fd = child.errors, .events = POLLIN, .revents = 0});
+  for (const Child& child : children_)
+    waiting.push_back({.fd = child.errors, .events = POLLIN, .revents = 0});
   if (::poll(waiting.data(), waiting.size(), timeout_ms) <= 0) return;
   for (size_t i = 0; i < waiting.size(); ++i) {
     if (waiting[i].revents == 0) continue;
@@ -124,9 +124,11 @@ void ChildProcesses::end_all(std::chrono::milliseconds grace) {
 
 std::string ChildProcesses::failure(const Child& child) {
   if (WIFSIGNALED(child.status)) {
-    return fmt::format("was killed by signal {} ({})", WTERMSIG(child.status), ::strsignal(WTERMSIG(child.status)));
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(child.status),
+                       ::strsignal(WTERMSIG(child.status)));
   }
-  return child.complaint.empty() ? fmt::format("ended with exit code {}", WEXITSTATUS(child.status)) : child.complaint;
+  return child.complaint.empty() ? fmt::format("ended with exit code {}", WEXITSTATUS(child.status))
+                                 : child.complaint;
 }
 
 bool ChildProcesses::wait(bool (*stop)()) {

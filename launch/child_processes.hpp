@@ -1,11 +1,10 @@
 // Processes that this one starts and ends: none is left behind, and what they complain about is collected.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <optional>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace triptych {
@@ -18,13 +17,13 @@ class ChildProcesses {
   ChildProcesses(const ChildProcesses&) = delete;
   ChildProcesses& operator=(const ChildProcesses&) = delete;
 
-  /// Starts this program again with other arguments. Its standard error comes through here, lines that start with
-  /// "triptych: " excepted: they are kept as its complaint. Error if it cannot be started.
+  /// Starts this program again with other arguments. Its standard error comes through here, lines that start
+  /// with "triptych: " excepted: they are kept as its complaint. Error if it cannot be started.
   pid_t start(const std::string& name, const std::vector<std::string>& arguments);
 
-  /// Waits until all have ended. As soon as one fails the others get a moment to leave by themselves and are ended
-  /// then; the Error names the first that failed and its complaint. stop: asked a few times a second; once true, all
-  /// are told to end, and that is no error. Returns false where it was stopped.
+  /// Waits until all have ended. As soon as one fails the others get a moment to leave by themselves and are
+  /// ended then; the Error names the first that failed and its complaint. stop: asked a few times a second;
+  /// once true, all are told to end, and that is no error. Returns false where it was stopped.
   bool wait(bool (*stop)());
 
  private:

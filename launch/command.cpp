@@ -1,12 +1,12 @@
 #include "launch/command.hpp"
 
-#include <fmt/core.h>
+#include "base/inject.hpp"
+#include "base/threads.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-
-#include "base/inject.hpp"
-#include "base/threads.hpp"
+#include <fmt/core.h>
 
 namespace triptych {
 
@@ -30,7 +30,8 @@ const CLI::Validator positive_number(
     [](std::string& text) {
       double value = 0;
       const bool number = CLI::detail::lexical_cast(text, value);
-      return number && value > 0 && std::isfinite(value) ? std::string() : "\"" + text + "\" is no number above 0";
+      return number && value > 0 && std::isfinite(value) ? std::string()
+                                                         : "\"" + text + "\" is no number above 0";
     },
     "NUMBER>0");
 
@@ -48,8 +49,9 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
       ->check(CLI::IsMember(fault_names()))
       ->allow_extra_args(false);
   command
-      .add_option_function<unsigned>("--threads", [](unsigned count) { set_thread_count(count); },
-                                     "Threads to work with (default: all cores)")
+      .add_option_function<unsigned>(
+          "--threads", [](unsigned count) { set_thread_count(count); },
+          "Threads to work with (default: all cores)")
       ->check(CLI::Range(1, 1024));
 }
 
@@ -59,7 +61,9 @@ void add_drawing_flags(CLI::App& command, RunOptions& options) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ContextKind>{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}}))
       ->default_str("egl");
-  command.add_option("--test", options.test, "How boxes are tested: occlusion queries, or a draw that marks a storage buffer")
+  command
+      .add_option("--test", options.test,
+                  "How boxes are tested: occlusion queries, or a draw that marks a storage buffer")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, TestKind>{{"queries", TestKind::queries}, {"storage", TestKind::storage}}))
       ->default_str("storage");
@@ -69,16 +73,18 @@ void add_run_flags(CLI::App& command, RunOptions& options) {
   add_common_flags(command, options.json);
   add_drawing_flags(command, options);
   command.add_option("--path", options.path, "The camera path")->required()->type_name("FILE");
-  command.add_option_function<std::string>(
-             "--size", [&options](const std::string& text) { options.size = parse_size(text); },
-             "Width and height of the picture in pixels")
+  command
+      .add_option_function<std::string>(
+          "--size", [&options](const std::string& text) { options.size = parse_size(text); },
+          "Width and height of the picture in pixels")
       ->type_name("WxH")
       ->default_str("512x512");
   command.add_option("--pixel-error", options.pixel_errors, "How far surfaces may deviate, in pixels")
       ->delimiter(',')
       ->check(positive_number)
       ->default_str("1");
-  command.add_option("--frames", options.frames, "Only the first frames of the path")->check(CLI::PositiveNumber);
+  command.add_option("--frames", options.frames, "Only the first frames of the path")
+      ->check(CLI::PositiveNumber);
 }
 
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {

@@ -1,16 +1,16 @@
 // What the subcommands share: flags that mean the same everywhere, and how each enters the program.
 #pragma once
 
+#include "nodes/fallback.hpp"
+#include "render/context.hpp"
+#include "scene/pack.hpp"
+#include "scene/path.hpp"
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "nodes/fallback.hpp"
-#include "render/context.hpp"
-#include "scene/pack.hpp"
-#include "scene/path.hpp"
 
 namespace triptych {
 

@@ -1,7 +1,7 @@
-#include <fmt/core.h>
-
 #include "launch/command.hpp"
 #include "measure/json.hpp"
+
+#include <fmt/core.h>
 
 namespace triptych {
 

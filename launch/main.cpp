@@ -1,9 +1,8 @@
 // The program `triptych`: one file a subcommand; errors end here, in one line.
-#include <fmt/core.h>
-
-#include <new>
-
 #include "launch/command.hpp"
+
+#include <fmt/core.h>
+#include <new>
 
 int main(int argc, char** argv) {
   CLI::App app{"Triptych: walk through models that are too big to draw"};

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "launch/command.hpp"
@@ -7,6 +5,8 @@
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "render/png_file.hpp"
+
+#include <fmt/core.h>
 
 namespace triptych {
 
@@ -50,7 +50,8 @@ int run(const RenderCommand& command) {
       {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},
       {"occlusion_representation_ms",
        distribution_json(records, [](const FrameRecord& r) { return r.occlusion_representation_ms; })},
-      {"hardware_cull_ms", distribution_json(records, [](const FrameRecord& r) { return r.hardware_cull_ms; })},
+      {"hardware_cull_ms",
+       distribution_json(records, [](const FrameRecord& r) { return r.hardware_cull_ms; })},
       {"render_ms", distribution_json(records, [](const FrameRecord& r) { return r.render_ms; })},
       {"drawn_triangles", distribution_json(records, [](const FrameRecord& r) { return r.drawn_triangles; })},
       {"visible", distribution_json(records, [](const FrameRecord& r) { return r.visible.size(); })},
@@ -83,7 +84,8 @@ void add_render(CLI::App& app, Action& action) {
       ->default_str("occlusion");
   sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
-  sub->add_option("--every", command->every, "Only every so many frames of the path, each as if it were the next one")
+  sub->add_option("--every", command->every,
+                  "Only every so many frames of the path, each as if it were the next one")
       ->check(CLI::PositiveNumber);
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -1,8 +1,8 @@
 #include "base/file.hpp"
 #include "launch/command.hpp"
+#include "measure/goals.hpp"
 #include "measure/json.hpp"
 #include "measure/report_page.hpp"
-#include "measure/goals.hpp"
 
 #include <fmt/core.h>
 

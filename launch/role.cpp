@@ -1,8 +1,8 @@
+#include "base/hashing.hpp"
+#include "base/progress.hpp"
 #include "launch/command.hpp"
 #include "launch/picture_writer.hpp"
 #include "launch/pictures.hpp"
-#include "base/hashing.hpp"
-#include "base/progress.hpp"
 #include "measure/json.hpp"
 #include "measure/session_records.hpp"
 #include "nodes/render_node.hpp"
@@ -84,18 +84,22 @@ int run_render(const RoleCommand& command) {
       std::vector<uint8_t> colors = target.read_colors();
       if (command.hash) record.picture_hash = hash_values(std::span<const uint8_t>(colors));
       if (command.output.empty()) return;
-      writer.add(command.output / picture_name(record.number), target.width(), target.height(), std::move(colors));
+      writer.add(command.output / picture_name(record.number), target.width(), target.height(),
+                 std::move(colors));
     };
     records = run_render_node(pack, *mailbox, frames, options);
   }
   writer.finish();
-  write_json(command.run.json, to_json(RoleRecord{sockets_of(Role::render, *mailbox), records, context->names()}));
+  write_json(command.run.json,
+             to_json(RoleRecord{sockets_of(Role::render, *mailbox), records, context->names()}));
   return 0;
 }
 
 void add_connection_flags(CLI::App& role, RoleCommand& command) {
-  auto* listen = role.add_option("--listen", command.listen, "Where this role waits for others")->type_name("HOST:PORT");
-  role.add_option("--listen-descriptor", command.listen_descriptor, "A listening socket that this process inherited")
+  auto* listen =
+      role.add_option("--listen", command.listen, "Where this role waits for others")->type_name("HOST:PORT");
+  role.add_option("--listen-descriptor", command.listen_descriptor,
+                  "A listening socket that this process inherited")
       ->excludes(listen);
   role.add_option("--session", command.session, "A number that the roles of one session share");
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
@@ -115,19 +119,23 @@ void add_role(CLI::App& app, Action& action) {
       "  triptych role switch scene.tpk --index 1 --render 127.0.0.1:7000 --switch-0 127.0.0.1:7001");
 
   auto switch_command = std::make_shared<RoleCommand>();
-  CLI::App* switch_node = role->add_subcommand("switch", "A switch node: occlusion representation and culling in turns");
+  CLI::App* switch_node =
+      role->add_subcommand("switch", "A switch node: occlusion representation and culling in turns");
   add_common_flags(*switch_node, switch_command->run.json);
   add_drawing_flags(*switch_node, switch_command->run);
   add_connection_flags(*switch_node, *switch_command);
   auto index = std::make_shared<int>(0);
   switch_node->add_option("--index", *index, "Which of both it is")->required()->check(CLI::Range(0, 1));
-  switch_node->add_option("--render", switch_command->render_address, "The render node")->required()->type_name("HOST:PORT");
+  switch_node->add_option("--render", switch_command->render_address, "The render node")
+      ->required()
+      ->type_name("HOST:PORT");
   switch_node->add_option("--switch-0", switch_command->switch_0_address, "Switch node 0, for switch node 1")
       ->type_name("HOST:PORT");
   switch_node->callback([switch_command, index, &action] {
     RoleCommand& command = *switch_command;
     command.self = *index == 0 ? Role::switch_0 : Role::switch_1;
-    if (*index == 0 && command.listen.empty() && command.listen_descriptor < 0) throw CLI::RequiredError("--listen");
+    if (*index == 0 && command.listen.empty() && command.listen_descriptor < 0)
+      throw CLI::RequiredError("--listen");
     if (*index == 1 && command.switch_0_address.empty()) throw CLI::RequiredError("--switch-0");
     action = [switch_command] { return run_switch(*switch_command); };
   });
@@ -137,11 +145,13 @@ void add_role(CLI::App& app, Action& action) {
   add_run_flags(*render, render_command->run);
   add_connection_flags(*render, *render_command);
   render->add_option("-o,--output", render_command->output, "Folder for the PNG files")->type_name("DIR");
-  render->add_option("--loop", render_command->loop, "How often the path is played")->check(CLI::PositiveNumber);
+  render->add_option("--loop", render_command->loop, "How often the path is played")
+      ->check(CLI::PositiveNumber);
   render->add_option("--rate", render_command->rate, "Cameras released a second")->check(CLI::PositiveNumber);
   render->add_flag("--hash", render_command->hash, "Take each picture's hash down in the JSON");
   render->callback([render_command, &action] {
-    if (render_command->listen.empty() && render_command->listen_descriptor < 0) throw CLI::RequiredError("--listen");
+    if (render_command->listen.empty() && render_command->listen_descriptor < 0)
+      throw CLI::RequiredError("--listen");
     action = [render_command] { return run_render(*render_command); };
   });
 }

@@ -1,8 +1,8 @@
-#include <fmt/core.h>
-
 #include "launch/session_run.hpp"
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"
+
+#include <fmt/core.h>
 
 namespace triptych {
 

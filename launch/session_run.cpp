@@ -1,15 +1,14 @@
 #include "launch/session_run.hpp"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
-#include <random>
-
 #include "base/file.hpp"
 #include "base/inject.hpp"
 #include "launch/child_processes.hpp"
 #include "nodes/inbox.hpp"
 #include "protocol/listener.hpp"
+
+#include <fmt/core.h>
+#include <random>
+#include <unistd.h>
 
 namespace triptych {
 
@@ -36,8 +35,12 @@ class TemporaryFolder {
 };
 
 std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_t session) {
-  std::vector<std::string> arguments = {options.run.pack.string(), "--session", std::to_string(session), "--context",
-                                        options.run.context == ContextKind::egl ? "egl" : "osmesa", "--test",
+  std::vector<std::string> arguments = {options.run.pack.string(),
+                                        "--session",
+                                        std::to_string(session),
+                                        "--context",
+                                        options.run.context == ContextKind::egl ? "egl" : "osmesa",
+                                        "--test",
                                         options.run.test == TestKind::storage ? "storage" : "queries"};
   for (const std::string& name : injected_names()) arguments.insert(arguments.end(), {"--inject", name});
   return arguments;
@@ -62,7 +65,9 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
       ->check(CLI::PositiveNumber);
-  command.add_option("--port", options.port, "The render node's port; switch node 0 takes the next one (default: free ones)")
+  command
+      .add_option("--port", options.port,
+                  "The render node's port; switch node 0 takes the next one (default: free ones)")
       ->check(CLI::Range(1, 65534));
 }
 
@@ -82,7 +87,8 @@ SessionOutcome run_session(const SessionOptions& options) {
   const std::string switch_address = to_text({"127.0.0.1", switch_listener.port()});
   const std::vector<std::string> names = {"render", "switch 0", "switch 1"};
   std::vector<std::filesystem::path> files;
-  for (const char* name : {"render.json", "switch-0.json", "switch-1.json"}) files.push_back(folder.path() / name);
+  for (const char* name : {"render.json", "switch-0.json", "switch-1.json"})
+    files.push_back(folder.path() / name);
 
   std::vector<std::string> render = {"role", "render"};
   for (const std::string& argument : shared_arguments(options, session)) render.push_back(argument);
@@ -108,8 +114,8 @@ SessionOutcome run_session(const SessionOptions& options) {
   for (const int index : {0, 1}) {
     std::vector<std::string> arguments = {"role", "switch"};
     for (const std::string& argument : shared_arguments(options, session)) arguments.push_back(argument);
-    append(arguments, {"--index", std::to_string(index), "--json", files[static_cast<size_t>(index) + 1].string(),
-                       "--render", render_address});
+    append(arguments, {"--index", std::to_string(index), "--json",
+                       files[static_cast<size_t>(index) + 1].string(), "--render", render_address});
     if (index == 0) {
       append(arguments, {"--listen-descriptor", std::to_string(switch_listener.descriptor())});
       switch_listener.set_inherited(true);

@@ -1,10 +1,10 @@
 // Starts the three roles on this machine, waits for them, and gathers what they recorded.
 #pragma once
 
-#include <sys/types.h>
-
 #include "launch/command.hpp"
 #include "measure/session_records.hpp"
+
+#include <sys/types.h>
 
 namespace triptych {
 

@@ -105,7 +105,8 @@ Cut select_cut(const Skeleton& skeleton, const View& view, double pixel_error, F
     EyeBounds bounds = eye_space.bounds(node.box);
     if (bounds.outside) {
       if (culling == FrustumCulling::on) continue;
-      bounds.least_depth = std::sqrt(static_cast<double>(squared_distance(cell, node.box))) * skeleton.lattice().step;
+      bounds.least_depth =
+          std::sqrt(static_cast<double>(squared_distance(cell, node.box))) * skeleton.lattice().step;
       bounds.stretch = 1;
     }
     DrawableId chosen = pixel_error > 0 ? coarsest(skeleton, node, focal_length, pixel_error, bounds) : no_id;

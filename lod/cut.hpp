@@ -1,17 +1,19 @@
-// Cut selection: which drawables stand for the model in one view. Pure: a function of skeleton, view and pixel error.
+// Cut selection: which drawables stand for the model in one view. Pure: a function of skeleton, view and
+// pixel error.
 #pragma once
+
+#include "scene/camera.hpp"
+#include "scene/skeleton.hpp"
 
 #include <compare>
 #include <cstdint>
 #include <vector>
 
-#include "scene/camera.hpp"
-#include "scene/skeleton.hpp"
-
 namespace triptych {
 
-/// The order in which drawables are tested and drawn: squared distance from the eye's lattice cell to the scene node's
-/// box, in integers, ties by id. Every machine agrees on it, and a child never ranks before its parent.
+/// The order in which drawables are tested and drawn: squared distance from the eye's lattice cell to the
+/// scene node's box, in integers, ties by id. Every machine agrees on it, and a child never ranks before its
+/// parent.
 struct DrawRank {
   uint64_t distance = 0;
   DrawableId id = 0;
@@ -30,11 +32,11 @@ void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<
 struct EyeBounds {
   double least_depth = 0;  ///< of the box along the view axis; negative behind the eye
   bool outside = false;    ///< wholly beyond one of the frustum's planes
-  double stretch = 1;      ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
+  double stretch = 1;  ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
 };
 
-/// The pixel error of a surface that deviates by at most `error` (δ, model units): f·δ·√(1+|t|²)/(z−δ), and infinite
-/// where z ≤ δ (vlod-2005 §4; derived in docs/algorithms.md).
+/// The pixel error of a surface that deviates by at most `error` (δ, model units): f·δ·√(1+|t|²)/(z−δ), and
+/// infinite where z ≤ δ (vlod-2005 §4; derived in docs/algorithms.md).
 double projected_error(double focal_length, double error, const EyeBounds& bounds);
 
 /// What one view needs to place boxes: computed once a frame.
@@ -50,8 +52,9 @@ class EyeSpace {
   double left_, right_, bottom_, top_, near_, corner_stretch_;
 };
 
-/// Whether drawables outside the frustum belong to the selection: `on` gives the cut; `off` adds the rest of the model
-/// at the detail that its distance asks for, which is what a program without any culling would draw.
+/// Whether drawables outside the frustum belong to the selection: `on` gives the cut; `off` adds the rest of
+/// the model at the detail that its distance asks for, which is what a program without any culling would
+/// draw.
 enum class FrustumCulling { on, off };
 
 /// The drawables that cover the view frustum, each the coarsest that keeps the pixel error.
@@ -59,7 +62,8 @@ struct Cut {
   static constexpr DrawableId inner = no_id - 1;  ///< the scene node was refined: its children hold the cut
 
   std::vector<DrawableId> drawables;  ///< in draw rank order
-  /// For each scene node: its drawable in the cut, `inner`, or no_id where the cut is above it or the frustum elsewhere.
+  /// For each scene node: its drawable in the cut, `inner`, or no_id where the cut is above it or the frustum
+  /// elsewhere.
   std::vector<DrawableId> choice;
 };
 

@@ -22,9 +22,9 @@ struct Comparison {
   double culling_efficiency() const;
 };
 
-/// Draws each frame's whole cut, picture and item buffer in one pass, and compares with the picture hashes and
-/// visible sets of several runs; one comparison a run. A context must be current, of the same OpenGL as drew
-/// the frames. requests[k] is frame run[k] of each run.
+/// Draws each frame's whole cut, picture and item buffer in one pass, and compares with the picture hashes
+/// and visible sets of several runs; one comparison a run. A context must be current, of the same OpenGL as
+/// drew the frames. requests[k] is frame run[k] of each run.
 std::vector<Comparison> compare(const Pack& pack, const std::vector<FrameRequest>& requests,
                                 const std::vector<const std::vector<FrameRecord>*>& runs);
 

@@ -1,11 +1,11 @@
 // Reports as JSON.
 #pragma once
 
+#include "base/distribution.hpp"
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
-
-#include "base/distribution.hpp"
 
 namespace triptych {
 

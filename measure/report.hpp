@@ -36,9 +36,9 @@ struct Report {
   const ReportEntry* find(const std::string& name) const;
 };
 
-/// Reads a manifest {"title", "note", "entries": [{"name", "command", "json"}], "pictures": [{"file", "caption",
-/// "command"}]} and the JSON files that it names, relative to it. Error for a file that is missing or broken,
-/// a name used twice, and a picture that is not there.
+/// Reads a manifest {"title", "note", "entries": [{"name", "command", "json"}], "pictures": [{"file",
+/// "caption", "command"}]} and the JSON files that it names, relative to it. Error for a file that is missing
+/// or broken, a name used twice, and a picture that is not there.
 Report load_report(const std::filesystem::path& manifest);
 
 }  // namespace triptych

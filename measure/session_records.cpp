@@ -7,9 +7,10 @@ namespace triptych {
 using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, delta_body_bytes, delta_ids)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms, hardware_cull_ms, render_ms,
-                                   network_ms, waiting_ms, camera_to_image_ms, cut_drawables, drawn_triangles, tests,
-                                   added, removed, digest_mismatch, fallback, visible, picture_hash)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
+                                   hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
+                                   cut_drawables, drawn_triangles, tests, added, removed, digest_mismatch,
+                                   fallback, visible, picture_hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GlNames, vendor, renderer, version)
 
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
@@ -18,11 +19,12 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
     if (peer == self) continue;
     for (const Channel channel : all_channels) {
       const LinkFigures figures = mailbox.figures(peer, channel);
-      sockets.push_back({.name = fmt::format("{} to {}, {}", role_name(self), role_name(peer), channel_name(channel)),
-                         .bytes = figures.bytes_sent,
-                         .messages = figures.messages_sent,
-                         .delta_body_bytes = figures.delta_body_bytes_sent,
-                         .delta_ids = figures.delta_ids_sent});
+      sockets.push_back(
+          {.name = fmt::format("{} to {}, {}", role_name(self), role_name(peer), channel_name(channel)),
+           .bytes = figures.bytes_sent,
+           .messages = figures.messages_sent,
+           .delta_body_bytes = figures.delta_body_bytes_sent,
+           .delta_ids = figures.delta_ids_sent});
     }
   }
   return sockets;
@@ -34,8 +36,8 @@ json to_json(const RoleRecord& record) {
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
   try {
-    return {document.at("sockets").get<std::vector<SocketRecord>>(), document.at("frames").get<std::vector<FrameRecord>>(),
-            document.at("gl").get<GlNames>()};
+    return {document.at("sockets").get<std::vector<SocketRecord>>(),
+            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>()};
   } catch (const json::exception& error) {
     fail(place, "is no role's record: {}", error.what());
   }

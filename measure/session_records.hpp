@@ -1,13 +1,13 @@
 // What the three roles of a session hand to whoever started them: JSON files, one a role.
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
-
 #include "nodes/frame_record.hpp"
 #include "protocol/mailbox.hpp"
 #include "render/context.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 namespace triptych {
 

@@ -1,10 +1,10 @@
 #include "measure/session_report.hpp"
 
-#include <algorithm>
-#include <set>
-
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
+
+#include <algorithm>
+#include <set>
 
 namespace triptych {
 
@@ -39,22 +39,24 @@ double level_changes(const Skeleton& skeleton, const std::vector<FrameRecord>& f
     const VisibleDelta delta = difference(frames[i - 1].visible, frames[i].visible);
     std::set<SceneNodeId> removed;
     for (const DrawableId id : delta.removed) removed.insert(skeleton.drawables[id].scene_node);
-    for (const DrawableId id : delta.added) changes += removed.count(skeleton.drawables[id].scene_node) ? 2 : 0;
+    for (const DrawableId id : delta.added)
+      changes += removed.count(skeleton.drawables[id].scene_node) ? 2 : 0;
   }
   return changes;
 }
 
 json stages_json(const std::vector<FrameRecord>& frames) {
-  return {{"occlusion_representation", distribution_json(frames, [](const auto& r) { return r.occlusion_representation_ms; })},
+  return {{"occlusion_representation",
+           distribution_json(frames, [](const auto& r) { return r.occlusion_representation_ms; })},
           {"hardware_cull", distribution_json(frames, [](const auto& r) { return r.hardware_cull_ms; })},
           {"render", distribution_json(frames, [](const auto& r) { return r.render_ms; })},
           {"network", distribution_json(frames, [](const auto& r) { return r.network_ms; })},
           {"waiting", distribution_json(frames, [](const auto& r) { return r.waiting_ms; })}};
 }
 
-/// A prediction, not a measurement: the stages of the one-process run were timed one at a time with all cores, as three
-/// machines would have them. The switch nodes take turns, so HC and OR of one frame are counted one after the other
-/// although OR starts while HC still streams; the render node works beside them.
+/// A prediction, not a measurement: the stages of the one-process run were timed one at a time with all
+/// cores, as three machines would have them. The switch nodes take turns, so HC and OR of one frame are
+/// counted one after the other although OR starts while HC still streams; the render node works beside them.
 double predicted_fps(const std::vector<FrameRecord>& one_process) {
   std::vector<double> cycles;
   for (const FrameRecord& frame : one_process) {

@@ -1,17 +1,17 @@
 // A session in figures: `triptych measure session`.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "measure/comparison.hpp"
 #include "measure/session_records.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace triptych {
 
 struct SessionMeasurement {
   std::vector<FrameRequest> requests;
-  std::vector<RoleRecord> roles;        ///< render node, switch node 0, switch node 1
-  Comparison session, fallback;         ///< of the session's frames, and of the same path in one process
+  std::vector<RoleRecord> roles;         ///< render node, switch node 0, switch node 1
+  Comparison session, fallback;          ///< of the session's frames, and of the same path in one process
   std::vector<FrameRecord> one_process;  ///< the fallback's, stages timed one at a time with all cores
 };
 
@@ -21,8 +21,8 @@ nlohmann::json session_report(const Pack& pack, const SessionMeasurement& measur
 /// The key `delta`: what sending changes saves. roles[0] is the render node, whose frames count.
 nlohmann::json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles);
 
-/// The paper's bandwidth for n node ids a frame at f frames a second, in bit/s: 8nf + nhf/b + 216f + 3hf bytes with
-/// headers of h = 50 bytes and b = 100 ids a packet (interactive-display-2003 §4.5).
+/// The paper's bandwidth for n node ids a frame at f frames a second, in bit/s: 8nf + nhf/b + 216f + 3hf
+/// bytes with headers of h = 50 bytes and b = 100 ids a packet (interactive-display-2003 §4.5).
 double formula_bits_per_second(double ids_per_frame, double frames_per_second);
 
 }  // namespace triptych

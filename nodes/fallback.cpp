@@ -1,8 +1,8 @@
 #include "nodes/fallback.hpp"
 
-#include <algorithm>
-
 #include "base/clock.hpp"
+
+#include <algorithm>
 
 namespace triptych {
 
@@ -10,7 +10,8 @@ Fallback::Fallback(const Pack& pack, const FallbackOptions& options)
     : options_(options),
       renderer_(pack),
       occlusion_(renderer_, options.width, options.height, options.test),
-      picture_(renderer_, options.width, options.height, options.item_buffer ? TargetKind::item : TargetKind::color) {}
+      picture_(renderer_, options.width, options.height,
+               options.item_buffer ? TargetKind::item : TargetKind::color) {}
 
 FrameRecord Fallback::draw(const FrameRequest& frame) {
   FrameRecord record{.number = frame.number};

@@ -1,17 +1,18 @@
 #include "nodes/frame_intake.hpp"
 
-#include <algorithm>
-
 #include "base/clock.hpp"
 #include "base/inject.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 namespace {
 
-/// The packet's changes of V(i−1); none where they do not fit the set that we have, which the digest then tells.
+/// The packet's changes of V(i−1); none where they do not fit the set that we have, which the digest then
+/// tells.
 VisibleDelta delta_of(const DeltaMessage& packet, const VisibleSet& previous) {
   try {
     return decode_delta(packet.encoded, previous, "delta");
@@ -38,10 +39,12 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
       break;
     }
     const auto& packet = std::get<DeltaMessage>(message);
-    if (const auto fresh = stream.take({packet.watermark, delta_of(packet, previous)}); !fresh.empty()) decided(fresh);
+    if (const auto fresh = stream.take({packet.watermark, delta_of(packet, previous)}); !fresh.empty())
+      decided(fresh);
   }
   const auto matches = [&](const VisibleSet& visible) {
-    return frame_digest(frame.number, frame.view, frame.pixel_error, pack_hash, visible) == result.sentinel.digest;
+    return frame_digest(frame.number, frame.view, frame.pixel_error, pack_hash, visible) ==
+           result.sentinel.digest;
   };
   result.visible = stream.visible();
   if (injected(Fault::no_digest) || matches(result.visible)) return result;

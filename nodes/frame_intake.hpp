@@ -1,4 +1,5 @@
-// Takes one frame's visible set in from HC: packet by packet, checked by the digest, asked for again where it differs.
+// Takes one frame's visible set in from HC: packet by packet, checked by the digest, asked for again where it
+// differs.
 #pragma once
 
 #include "nodes/inbox.hpp"
@@ -16,9 +17,9 @@ struct IntakeResult {
   double network_ms = 0;         ///< of that, while the sentinel was on its way; 0 where it was there already
 };
 
-/// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i) in draw
-/// rank order as they are decided. After a digest mismatch what was decided counts for nothing: draw `visible` anew.
-/// Error if the full set does not match its digest either.
+/// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i)
+/// in draw rank order as they are decided. After a digest mismatch what was decided counts for nothing: draw
+/// `visible` anew. Error if the full set does not match its digest either.
 IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_hash, const FrameRequest& frame,
                         const VisibleSet& previous,
                         const std::function<void(const std::vector<DrawableId>&)>& decided);

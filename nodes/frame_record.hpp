@@ -1,9 +1,9 @@
 // What one frame was and cost, whoever drew it.
 #pragma once
 
-#include <cstdint>
-
 #include "visibility/visible_set.hpp"
+
+#include <cstdint>
 
 namespace triptych {
 
@@ -12,14 +12,14 @@ struct FrameRecord {
   uint32_t number = 0;
   double frame_ms = 0;  ///< fallback: the stages' sum; session: from the last picture to this one
   double occlusion_representation_ms = 0, hardware_cull_ms = 0, render_ms = 0;
-  double network_ms = 0;          ///< the render node's wait while HC's sentinel was on its way (on one machine)
-  double waiting_ms = 0;          ///< the render node's other waiting for messages
+  double network_ms = 0;  ///< the render node's wait while HC's sentinel was on its way (on one machine)
+  double waiting_ms = 0;  ///< the render node's other waiting for messages
   double camera_to_image_ms = 0;  ///< from the camera's release to its picture
   uint64_t cut_drawables = 0, drawn_triangles = 0, tests = 0;
   uint64_t added = 0, removed = 0;
   bool digest_mismatch = false;
-  bool fallback = false;  ///< drawn by the render node alone
-  VisibleSet visible{};   ///< V(i)
+  bool fallback = false;      ///< drawn by the render node alone
+  VisibleSet visible{};       ///< V(i)
   uint64_t picture_hash = 0;  ///< XXH3-64 of the picture's RGBA bytes, where it was read back
 };
 

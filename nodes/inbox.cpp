@@ -1,8 +1,7 @@
 #include "nodes/inbox.hpp"
 
-#include <csignal>
-
 #include <algorithm>
+#include <csignal>
 
 namespace triptych {
 

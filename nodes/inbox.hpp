@@ -1,20 +1,20 @@
 // A role's messages by what it waits for: a frame's camera, a frame's packets, the end.
 #pragma once
 
+#include "protocol/mailbox.hpp"
+
 #include <deque>
 #include <functional>
 #include <optional>
 #include <variant>
-
-#include "protocol/mailbox.hpp"
 
 namespace triptych {
 
 /// The session is over for this role: the render node left, or a signal asked to stop.
 struct SessionEnded {};
 
-/// Waits for one kind of message at a time and keeps the others in order. Requests for a full set are answered
-/// whenever they come.
+/// Waits for one kind of message at a time and keeps the others in order. Requests for a full set are
+/// answered whenever they come.
 class Inbox {
  public:
   explicit Inbox(Mailbox& mailbox) : mailbox_(mailbox) {}
@@ -36,7 +36,8 @@ class Inbox {
   Mailbox& mailbox() { return mailbox_; }
 
  private:
-  /// Takes the first message that `wanted` accepts; waits for it. Error if a peer is lost or leaves in trouble.
+  /// Takes the first message that `wanted` accepts; waits for it. Error if a peer is lost or leaves in
+  /// trouble.
   Message wait(const std::function<bool(const Message&)>& wanted);
   void receive();
 

@@ -1,9 +1,9 @@
 #include "nodes/occlusion_stage.hpp"
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "visibility/map_to_cut.hpp"
+
+#include <algorithm>
 
 namespace triptych {
 
@@ -15,8 +15,8 @@ OcclusionStage::OcclusionStage(Renderer& renderer, int width, int height, TestKi
 
 void OcclusionStage::begin(const FrameRequest& frame) {
   if (frame.view.width != tester_.target().width() || frame.view.height != tester_.target().height()) {
-    fail(fmt::format("frame {}", frame.number), "a viewport of {}x{} where {}x{} was agreed", frame.view.width,
-         frame.view.height, tester_.target().width(), tester_.target().height());
+    fail(fmt::format("frame {}", frame.number), "a viewport of {}x{} where {}x{} was agreed",
+         frame.view.width, frame.view.height, tester_.target().width(), tester_.target().height());
   }
   frame_ = frame;
   cut_ = select_cut(skeleton_, frame.view, frame.pixel_error);

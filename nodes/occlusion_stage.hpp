@@ -1,4 +1,5 @@
-// What a switch node does with its graphics card: draw the next occlusion representation, then cull against it.
+// What a switch node does with its graphics card: draw the next occlusion representation, then cull against
+// it.
 #pragma once
 
 #include "render/gl_occlusion_tester.hpp"
@@ -13,8 +14,8 @@ struct FrameRequest {
   double pixel_error = 1;
 };
 
-/// Holds R(i) from begin() until the next begin(): first as OR, then as HC. The fallback and the switch nodes run
-/// this same code.
+/// Holds R(i) from begin() until the next begin(): first as OR, then as HC. The fallback and the switch nodes
+/// run this same code.
 class OcclusionStage {
  public:
   OcclusionStage(Renderer& renderer, int width, int height, TestKind test);

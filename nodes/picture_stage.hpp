@@ -1,10 +1,10 @@
 // What the render node does with its graphics card: draw the visible set, in draw rank order.
 #pragma once
 
-#include <vector>
-
 #include "nodes/occlusion_stage.hpp"
 #include "render/target.hpp"
+
+#include <vector>
 
 namespace triptych {
 

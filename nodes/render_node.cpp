@@ -1,9 +1,9 @@
 #include "nodes/render_node.hpp"
 
-#include <thread>
-
 #include "base/clock.hpp"
 #include "nodes/frame_intake.hpp"
+
+#include <thread>
 
 namespace triptych {
 
@@ -39,7 +39,8 @@ class RenderNode {
       const double due_ms = static_cast<double>(i) * 1000 / options_.rate;
       while (clock_.milliseconds() < due_ms) {
         if (stop_requested()) throw SessionEnded();
-        std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(std::min(50.0, due_ms - clock_.milliseconds())));
+        std::this_thread::sleep_for(
+            std::chrono::duration<double, std::milli>(std::min(50.0, due_ms - clock_.milliseconds())));
       }
     }
     released_ms_[i] = clock_.milliseconds();
@@ -110,7 +111,8 @@ class RenderNode {
 
 }  // namespace
 
-std::vector<FrameRecord> run_render_node(const Pack& pack, Mailbox& mailbox, const std::vector<FrameRequest>& frames,
+std::vector<FrameRecord> run_render_node(const Pack& pack, Mailbox& mailbox,
+                                         const std::vector<FrameRequest>& frames,
                                          const RenderNodeOptions& options) {
   RenderNode node(pack, mailbox, frames, options);
   try {

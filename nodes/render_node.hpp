@@ -1,11 +1,11 @@
 // The render node: sends cameras, takes visible sets in, draws the pictures. It culls nothing itself.
 #pragma once
 
-#include <functional>
-
 #include "nodes/frame_record.hpp"
 #include "nodes/inbox.hpp"
 #include "nodes/picture_stage.hpp"
+
+#include <functional>
 
 namespace triptych {
 
@@ -16,10 +16,11 @@ struct RenderNodeOptions {
   std::function<void(FrameRecord&, const Target&)> on_picture;
 };
 
-/// Plays the frames, which must be numbered 0, 1, 2 …, and returns what each was. At most two are in flight: camera
-/// i+2 is sent when picture i stands. A context must be current, and the mailbox connected.
-/// PeerLost or Error where the session cannot go on; a signal ends it early, with the frames so far.
-std::vector<FrameRecord> run_render_node(const Pack& pack, Mailbox& mailbox, const std::vector<FrameRequest>& frames,
+/// Plays the frames, which must be numbered 0, 1, 2 …, and returns what each was. At most two are in flight:
+/// camera i+2 is sent when picture i stands. A context must be current, and the mailbox connected. PeerLost
+/// or Error where the session cannot go on; a signal ends it early, with the frames so far.
+std::vector<FrameRecord> run_render_node(const Pack& pack, Mailbox& mailbox,
+                                         const std::vector<FrameRequest>& frames,
                                          const RenderNodeOptions& options);
 
 }  // namespace triptych

@@ -1,14 +1,14 @@
 #include "nodes/switch_node.hpp"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "base/clock.hpp"
 #include "base/inject.hpp"
 #include "nodes/frame_intake.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace triptych {
 
@@ -42,7 +42,9 @@ class SwitchNode {
   }
 
  private:
-  static FrameRequest request(const CameraMessage& camera) { return {camera.frame, camera.view, camera.pixel_error}; }
+  static FrameRequest request(const CameraMessage& camera) {
+    return {camera.frame, camera.view, camera.pixel_error};
+  }
 
   void begin(const CameraMessage& camera) {
     if (!stage_ || stage_width_ != camera.view.width || stage_height_ != camera.view.height) {
@@ -103,8 +105,9 @@ class SwitchNode {
     waiting_ms_ = waiting.milliseconds();
     const Stopwatch whole;
     begin(camera_);
-    IntakeResult intake = take_frame(inbox_, pack_.skeleton(), pack_.content_hash(), current, visible_,
-                                     [&](const std::vector<DrawableId>& decided) { stage_->represent(decided); });
+    IntakeResult intake =
+        take_frame(inbox_, pack_.skeleton(), pack_.content_hash(), current, visible_,
+                   [&](const std::vector<DrawableId>& decided) { stage_->represent(decided); });
     if (intake.digest_mismatch) {
       begin(camera_);
       stage_->represent(intake.visible);

@@ -9,13 +9,13 @@ namespace triptych {
 struct SwitchNodeOptions {
   TestKind test = TestKind::storage;
   CullOptions batches;
-  /// A packet of the delta is sent when it holds so many ids, and at the end. Smaller packets let the render node begin
-  /// earlier and cost more bytes.
+  /// A packet of the delta is sent when it holds so many ids, and at the end. Smaller packets let the render
+  /// node begin earlier and cost more bytes.
   size_t packet_ids = 32;
 };
 
-/// Plays the role until the render node leaves or a signal asks to stop. A context must be current, and the mailbox
-/// connected. PeerLost where a peer goes without a word; Error for messages that do not fit.
+/// Plays the role until the render node leaves or a signal asks to stop. A context must be current, and the
+/// mailbox connected. PeerLost where a peer goes without a word; Error for messages that do not fit.
 void run_switch_node(const Pack& pack, Mailbox& mailbox, Role self, const SwitchNodeOptions& options);
 
 }  // namespace triptych

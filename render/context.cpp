@@ -1,10 +1,10 @@
 #include "render/context.hpp"
 
-#include <glad/gl.h>
-
 #include "base/error.hpp"
 #include "render/context_egl.hpp"
 #include "render/context_osmesa.hpp"
+
+#include <glad/gl.h>
 
 namespace triptych {
 
@@ -18,7 +18,8 @@ std::string text(GLenum name) {
 void Context::load(Loader loader, const std::string& place) {
   const int version = gladLoadGL(loader);
   if (version < GLAD_MAKE_VERSION(4, 5)) {
-    fail(place, "offers OpenGL {}.{}, 4.5 is needed", GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version));
+    fail(place, "offers OpenGL {}.{}, 4.5 is needed", GLAD_VERSION_MAJOR(version),
+         GLAD_VERSION_MINOR(version));
   }
   if (!GLAD_GL_ARB_shader_draw_parameters) fail(place, "lacks GL_ARB_shader_draw_parameters");
   names_ = {text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)};

@@ -14,8 +14,8 @@ struct GlNames {
   bool operator==(const GlNames&) const = default;
 };
 
-/// A current OpenGL context of this thread, with its functions loaded. One kind a process: the loaded functions are
-/// the first context's. Error where the machine offers none.
+/// A current OpenGL context of this thread, with its functions loaded. One kind a process: the loaded
+/// functions are the first context's. Error where the machine offers none.
 class Context {
  public:
   virtual ~Context() = default;

@@ -1,9 +1,9 @@
 #include "render/context_egl.hpp"
 
+#include "base/error.hpp"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-
-#include "base/error.hpp"
 
 namespace triptych {
 
@@ -22,12 +22,19 @@ class EglContext : public Context {
       fail(place, "no surfaceless display: error {:#x}", eglGetError());
     }
     eglBindAPI(EGL_OPENGL_API);
-    const EGLint config_wishes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    const EGLint config_wishes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                    EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(display_, config_wishes, &config, 1, &count) || count == 0) fail(place, "no configuration for OpenGL");
-    const EGLint context_wishes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    if (!eglChooseConfig(display_, config_wishes, &config, 1, &count) || count == 0)
+      fail(place, "no configuration for OpenGL");
+    const EGLint context_wishes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     4,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     5,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, context_wishes);
     if (context_ == EGL_NO_CONTEXT) fail(place, "no OpenGL 4.5 core context: error {:#x}", eglGetError());
     if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {

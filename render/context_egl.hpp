@@ -1,9 +1,9 @@
 // EGL without a surface: any graphics card or software renderer, no display needed.
 #pragma once
 
-#include <memory>
-
 #include "render/context.hpp"
+
+#include <memory>
 
 namespace triptych {
 

@@ -1,10 +1,9 @@
 #include "render/context_osmesa.hpp"
 
-#include <GL/osmesa.h>
-
-#include <array>
-
 #include "base/error.hpp"
+
+#include <GL/osmesa.h>
+#include <array>
 
 namespace triptych {
 
@@ -15,8 +14,15 @@ const std::string place = "OSMesa";
 class OsmesaContext : public Context {
  public:
   OsmesaContext() {
-    const int wishes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 4,
-                          OSMESA_CONTEXT_MINOR_VERSION, 5, 0};
+    const int wishes[] = {OSMESA_FORMAT,
+                          OSMESA_RGBA,
+                          OSMESA_PROFILE,
+                          OSMESA_CORE_PROFILE,
+                          OSMESA_CONTEXT_MAJOR_VERSION,
+                          4,
+                          OSMESA_CONTEXT_MINOR_VERSION,
+                          5,
+                          0};
     context_ = OSMesaCreateContextAttribs(wishes, nullptr);
     if (!context_) fail(place, "no OpenGL 4.5 core context");
     // Pictures are drawn into framebuffer objects; this buffer only makes the context current.

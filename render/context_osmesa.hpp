@@ -1,9 +1,9 @@
 // OSMesa: OpenGL in memory alone, where not even EGL is to be had.
 #pragma once
 
-#include <memory>
-
 #include "render/context.hpp"
+
+#include <memory>
 
 namespace triptych {
 

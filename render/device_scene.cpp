@@ -1,9 +1,9 @@
 #include "render/device_scene.hpp"
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "render/shaders.hpp"
+
+#include <algorithm>
 
 namespace triptych {
 
@@ -19,7 +19,8 @@ uint64_t DeviceScene::Arena::append(std::span<const std::byte> bytes) {
     capacity = grown;
   }
   const uint64_t offset = used;
-  glNamedBufferSubData(buffer, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+  glNamedBufferSubData(buffer, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                       bytes.data());
   used += bytes.size();
   return offset;
 }
@@ -52,7 +53,8 @@ void DeviceScene::load(uint32_t chunk) {
   if (index / sizeof(uint32_t) > UINT32_MAX || vertex / sizeof(ChunkVertex) > INT32_MAX) {
     fail("device memory", "more geometry than one buffer can address");
   }
-  ranges_[chunk] = {static_cast<uint32_t>(index / sizeof(uint32_t)), static_cast<uint32_t>(geometry.indices.size()),
+  ranges_[chunk] = {static_cast<uint32_t>(index / sizeof(uint32_t)),
+                    static_cast<uint32_t>(geometry.indices.size()),
                     static_cast<uint32_t>(vertex / sizeof(ChunkVertex))};
 }
 

@@ -1,11 +1,11 @@
 // Geometry in device memory: chunks of a pack, loaded when something wants to be drawn.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "render/gl_objects.hpp"
 #include "scene/pack.hpp"
+
+#include <span>
+#include <vector>
 
 namespace triptych {
 
@@ -20,7 +20,8 @@ class DeviceScene {
     bool loaded() const { return index_count > 0; }
   };
 
-  /// Loads what the drawables need and is not there. Error for a damaged chunk, or where OpenGL has no memory left.
+  /// Loads what the drawables need and is not there. Error for a damaged chunk, or where OpenGL has no memory
+  /// left.
   void require(std::span<const DrawableId> drawables);
   const Range& range(uint32_t chunk) const { return ranges_[chunk]; }
 

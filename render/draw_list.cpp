@@ -20,13 +20,16 @@ const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform,
   const Affine& affine = skeleton_.transforms[transform];
   const Lattice& lattice = skeleton_.lattices[lattice_index];
   const glm::dmat3 linear(affine);
-  // The lattice cell nearest to the eye, as seen from the mesh. A far-away eye is clamped: then distances are large
-  // and float precision relative to them is enough.
-  glm::dvec3 cell = glm::round((glm::inverse(linear) * (view_.camera.eye - affine[3]) - lattice.origin) / lattice.step);
+  // The lattice cell nearest to the eye, as seen from the mesh. A far-away eye is clamped: then distances are
+  // large and float precision relative to them is enough.
+  glm::dvec3 cell =
+      glm::round((glm::inverse(linear) * (view_.camera.eye - affine[3]) - lattice.origin) / lattice.step);
   for (int axis = 0; axis < 3; ++axis) {
-    cell[axis] = std::isfinite(cell[axis]) ? glm::clamp<double>(cell[axis], -Lattice::limit, Lattice::limit) : 0;
+    cell[axis] =
+        std::isfinite(cell[axis]) ? glm::clamp<double>(cell[axis], -Lattice::limit, Lattice::limit) : 0;
   }
-  const glm::dvec3 residual = linear * (lattice.origin + lattice.step * cell) + (affine[3] - view_.camera.eye);
+  const glm::dvec3 residual =
+      linear * (lattice.origin + lattice.step * cell) + (affine[3] - view_.camera.eye);
   const glm::dmat3 to_eye = rotation_ * linear * lattice.step;
   const glm::dvec3 shift = rotation_ * residual;
   for (int row = 0; row < 3; ++row) {
@@ -36,7 +39,8 @@ const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform,
   return placed;
 }
 
-void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableId> drawables, DrawList& list) {
+void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableId> drawables,
+                             DrawList& list) {
   for (const DrawableId id : drawables) {
     const Drawable& drawable = skeleton_.drawables[id];
     const ScreenBounds bounds = projector_.bounds(skeleton_.scene_nodes[drawable.scene_node].box);

@@ -1,14 +1,14 @@
 // Drawables as OpenGL draws them: one indirect command and one record a placement, in the order given.
 #pragma once
 
+#include "render/device_scene.hpp"
+#include "scene/camera.hpp"
+#include "visibility/screen_bounds.hpp"
+
 #include <glm/mat4x3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
-
-#include "render/device_scene.hpp"
-#include "scene/camera.hpp"
-#include "visibility/screen_bounds.hpp"
 
 namespace triptych {
 
@@ -28,8 +28,8 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Places chunks under one view. Positions are taken relative to the eye's cell on the chunk's own lattice, in
-/// integers, so that precision does not depend on where the model stands.
+/// Places chunks under one view. Positions are taken relative to the eye's cell on the chunk's own lattice,
+/// in integers, so that precision does not depend on where the model stands.
 class DrawListBuilder {
  public:
   DrawListBuilder(const Skeleton& skeleton, const View& view);
@@ -54,7 +54,7 @@ class DrawListBuilder {
   View view_;
   glm::dmat3 rotation_;
   BoxProjector projector_;
-  std::vector<PlacedLattice> placed_;        ///< by transform, for the lattice it was last asked with
+  std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice it was last asked with
   std::vector<uint32_t> placed_with_lattice_;
 };
 

@@ -1,8 +1,8 @@
 #include "render/gl_objects.hpp"
 
-#include <algorithm>
-
 #include "base/error.hpp"
+
+#include <algorithm>
 
 namespace triptych {
 
@@ -25,7 +25,8 @@ void attach(GLuint program, GLenum kind, const std::string& name, const std::str
 }
 }  // namespace
 
-GlProgram make_program(const std::string& name, const std::string& vertex_source, const std::string& fragment_source) {
+GlProgram make_program(const std::string& name, const std::string& vertex_source,
+                       const std::string& fragment_source) {
   GlProgram program;
   attach(program, GL_VERTEX_SHADER, name, vertex_source);
   attach(program, GL_FRAGMENT_SHADER, name, fragment_source);
@@ -42,7 +43,8 @@ GlProgram make_program(const std::string& name, const std::string& vertex_source
 
 void check_gl(const std::string& place) {
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-    fail(place, "OpenGL reports {}", error == GL_OUT_OF_MEMORY ? "that its memory is full" : fmt::format("error {:#x}", error));
+    fail(place, "OpenGL reports {}",
+         error == GL_OUT_OF_MEMORY ? "that its memory is full" : fmt::format("error {:#x}", error));
   }
 }
 

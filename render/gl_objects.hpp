@@ -1,9 +1,8 @@
 // Owners of OpenGL objects, and the little around them that every pass needs.
 #pragma once
 
-#include <glad/gl.h>
-
 #include <cstddef>
+#include <glad/gl.h>
 #include <span>
 #include <string>
 #include <utility>
@@ -49,7 +48,8 @@ using GlTexture = GlObject<gl_functions::make_texture, gl_functions::remove_text
 using GlProgram = GlObject<gl_functions::make_program, gl_functions::remove_program>;
 
 /// Compiles and links; an Error with the driver's log where it refuses.
-GlProgram make_program(const std::string& name, const std::string& vertex_source, const std::string& fragment_source);
+GlProgram make_program(const std::string& name, const std::string& vertex_source,
+                       const std::string& fragment_source);
 
 /// Error (place) if OpenGL reports one; out of memory above all.
 void check_gl(const std::string& place);

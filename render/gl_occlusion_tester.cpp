@@ -9,8 +9,9 @@ GlOcclusionTester::GlOcclusionTester(Renderer& renderer, int width, int height, 
     : renderer_(renderer),
       target_(TargetKind::depth_only, width, height),
       kind_(kind),
-      program_(make_program("occlusion test", rectangle_vertex_shader(),
-                            kind == TestKind::queries ? query_fragment_shader() : storage_fragment_shader())) {}
+      program_(
+          make_program("occlusion test", rectangle_vertex_shader(),
+                       kind == TestKind::queries ? query_fragment_shader() : storage_fragment_shader())) {}
 
 GlOcclusionTester::~GlOcclusionTester() {
   if (!queries_.empty()) glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());

@@ -1,10 +1,10 @@
 // Occlusion tests on the graphics card: queries, or one batched draw that marks a storage buffer.
 #pragma once
 
-#include <vector>
-
 #include "render/renderer.hpp"
 #include "visibility/occlusion_tester.hpp"
+
+#include <vector>
 
 namespace triptych {
 

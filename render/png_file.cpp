@@ -1,11 +1,10 @@
 #include "render/png_file.hpp"
 
-#include <png.h>
-
-#include <vector>
-
 #include "base/error.hpp"
 #include "base/file.hpp"
+
+#include <png.h>
+#include <vector>
 
 namespace triptych {
 

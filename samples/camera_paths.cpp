@@ -56,14 +56,14 @@ double turned(double from, double to) { return std::remainder(to - from, glm::tw
 /// Looks ahead along the way; the head turns smoothly.
 std::vector<double> headings(const Line& line, size_t count) {
   constexpr size_t ahead = 32;  // frames: 1.5 metres
-  const double most = glm::radians(1.35), more = glm::radians(0.07);
+  const double most = glm::radians(0.98), more = glm::radians(0.05);
   std::vector<double> result;
   double heading = 0, speed = 0;
   for (size_t i = 0; i < count; ++i) {
     const glm::dvec2 direction = line[std::min(i + ahead, line.size() - 1)] - line[i];
     const double wanted = glm::length(direction) < 0.2 ? heading : std::atan2(direction.y, direction.x);
     if (i == 0) heading = wanted;
-    const double aimed = std::clamp(turned(heading, wanted) * 0.08, -most, most);
+    const double aimed = std::clamp(turned(heading, wanted) * 0.06, -most, most);
     speed += std::clamp(aimed - speed, -more, more);
     heading += speed;
     result.push_back(heading);

@@ -1,10 +1,10 @@
 #include "scene/camera.hpp"
 
+#include "base/error.hpp"
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-
-#include "base/error.hpp"
 
 namespace triptych {
 
@@ -20,17 +20,21 @@ void set_field_of_view(Camera& camera, double fov_y_degrees, double aspect) {
 }
 
 void check_camera(const Camera& camera, const std::string& place) {
-  if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up)) fail(place, "the camera is not finite");
+  if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up))
+    fail(place, "the camera is not finite");
   const glm::dvec3 forward = camera.target - camera.eye;
-  if (!(glm::length(forward) > 0) || !std::isfinite(glm::length(forward))) fail(place, "the camera has no direction");
+  if (!(glm::length(forward) > 0) || !std::isfinite(glm::length(forward)))
+    fail(place, "the camera has no direction");
   if (!(glm::length(camera.up) > 0)) fail(place, "the camera has no up vector");
   const glm::dvec3 side = glm::cross(glm::normalize(forward), glm::normalize(camera.up));
   if (!(glm::length(side) > 1e-9)) fail(place, "the camera's up vector lies along its direction");
   for (const double side_tangent : {camera.left, camera.right, camera.bottom, camera.top}) {
     if (!std::isfinite(side_tangent)) fail(place, "the camera's frustum is not finite");
   }
-  if (!(camera.left < camera.right) || !(camera.bottom < camera.top)) fail(place, "the camera's frustum is empty");
-  if (!(camera.near > 0) || !std::isfinite(camera.near)) fail(place, "the camera's near plane must be in front of it");
+  if (!(camera.left < camera.right) || !(camera.bottom < camera.top))
+    fail(place, "the camera's frustum is empty");
+  if (!(camera.near > 0) || !std::isfinite(camera.near))
+    fail(place, "the camera's near plane must be in front of it");
 }
 
 glm::dmat3 View::rotation() const {

@@ -1,4 +1,5 @@
-// A camera, and the view that it gives of a viewport. Everything is double; see docs/algorithms.md for the derivations.
+// A camera, and the view that it gives of a viewport. Everything is double; see docs/algorithms.md for the
+// derivations.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,8 @@ struct Camera {
 /// A symmetric frustum of the given vertical field of view (degrees) and aspect (width over height).
 void set_field_of_view(Camera& camera, double fov_y_degrees, double aspect);
 
-/// Error (place) for a camera without a direction, with numbers that are not finite, an empty frustum or near ≤ 0.
+/// Error (place) for a camera without a direction, with numbers that are not finite, an empty frustum or near
+/// ≤ 0.
 void check_camera(const Camera& camera, const std::string& place);
 
 /// A camera and its viewport in pixels, with what follows from them.
@@ -29,7 +31,8 @@ struct View {
   Camera camera;
   int width = 1, height = 1;
 
-  /// Rows are the camera's right, up and backward axes: eye space = rotation · (position − eye). Eye space looks along −z.
+  /// Rows are the camera's right, up and backward axes: eye space = rotation · (position − eye). Eye space
+  /// looks along −z.
   glm::dmat3 rotation() const;
   /// Pixels per unit of tangent, horizontally and vertically.
   double focal_x() const { return width / (camera.right - camera.left); }

@@ -1,8 +1,8 @@
 #include "scene/chunk.hpp"
 
-#include <meshoptimizer.h>
-
 #include "base/bytes.hpp"
+
+#include <meshoptimizer.h>
 
 namespace triptych {
 
@@ -17,8 +17,9 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   std::vector<uint32_t> indices(chunk.indices.size());
   meshopt_optimizeVertexCache(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size());
   std::vector<ChunkVertex> vertices(chunk.vertices.size());
-  vertices.resize(meshopt_optimizeVertexFetch(vertices.data(), indices.data(), indices.size(), chunk.vertices.data(),
-                                              chunk.vertices.size(), sizeof(ChunkVertex)));
+  vertices.resize(meshopt_optimizeVertexFetch(vertices.data(), indices.data(), indices.size(),
+                                              chunk.vertices.data(), chunk.vertices.size(),
+                                              sizeof(ChunkVertex)));
   std::vector<uint8_t> index_bytes(meshopt_encodeIndexBufferBound(indices.size(), vertices.size()));
   index_bytes.resize(
       meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
@@ -40,17 +41,18 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info, size
   const auto vertex_count = reader.read<uint32_t>();
   const auto triangle_count = reader.read<uint32_t>();
   if (vertex_count != info.vertex_count || triangle_count != info.triangle_count) {
-    fail(place, "holds {} vertices and {} triangles where {} and {} were promised", vertex_count, triangle_count,
-         info.vertex_count, info.triangle_count);
+    fail(place, "holds {} vertices and {} triangles where {} and {} were promised", vertex_count,
+         triangle_count, info.vertex_count, info.triangle_count);
   }
   const auto vertex_bytes = reader.read_all<uint8_t>(reader.read<uint32_t>());
   const auto index_bytes = reader.read_all<uint8_t>(reader.left());
   Chunk chunk;
   chunk.vertices.resize(vertex_count);
   chunk.indices.resize(size_t{triangle_count} * 3);
-  if (meshopt_decodeVertexBuffer(chunk.vertices.data(), vertex_count, sizeof(ChunkVertex), vertex_bytes.data(),
-                                 vertex_bytes.size()) != 0 ||
-      meshopt_decodeIndexBuffer(chunk.indices.data(), chunk.indices.size(), index_bytes.data(), index_bytes.size()) != 0) {
+  if (meshopt_decodeVertexBuffer(chunk.vertices.data(), vertex_count, sizeof(ChunkVertex),
+                                 vertex_bytes.data(), vertex_bytes.size()) != 0 ||
+      meshopt_decodeIndexBuffer(chunk.indices.data(), chunk.indices.size(), index_bytes.data(),
+                                index_bytes.size()) != 0) {
     fail(place, "does not decode");
   }
   for (const uint32_t index : chunk.indices) {
@@ -58,7 +60,8 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info, size
   }
   for (const ChunkVertex& vertex : chunk.vertices) {
     if (vertex.color >= palette_size) fail(place, "names colour {} of {}", vertex.color, palette_size);
-    if (!info.box.contains(LatticeBox{vertex.point, vertex.point})) fail(place, "has a vertex outside its box");
+    if (!info.box.contains(LatticeBox{vertex.point, vertex.point}))
+      fail(place, "has a vertex outside its box");
   }
   return chunk;
 }

@@ -1,16 +1,17 @@
-// The integer lattice that positions live on: one for the model, one for each mesh that is placed more than once.
+// The integer lattice that positions live on: one for the model, one for each mesh that is placed more than
+// once.
 #pragma once
+
+#include "scene/box.hpp"
 
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/box.hpp"
-
 namespace triptych {
 
-/// position = origin + step · point, exactly in double arithmetic: the step is a power of two and the origin a
-/// multiple of it. Points stay within ±2^29, so that differences of two fit 32 bits.
+/// position = origin + step · point, exactly in double arithmetic: the step is a power of two and the origin
+/// a multiple of it. Points stay within ±2^29, so that differences of two fit 32 bits.
 struct Lattice {
   glm::dvec3 origin{0};
   double step = 1;
@@ -19,10 +20,13 @@ struct Lattice {
 
   glm::dvec3 position(const glm::ivec3& point) const { return origin + step * glm::dvec3(point); }
   /// The nearest lattice point; off by at most step · √3 / 2.
-  glm::ivec3 nearest(const glm::dvec3& position) const { return glm::ivec3(glm::round((position - origin) / step)); }
+  glm::ivec3 nearest(const glm::dvec3& position) const {
+    return glm::ivec3(glm::round((position - origin) / step));
+  }
   /// The smallest lattice box that holds the box.
   LatticeBox enclosing(const Box& box) const {
-    return {glm::ivec3(glm::floor((box.lo - origin) / step)), glm::ivec3(glm::ceil((box.hi - origin) / step))};
+    return {glm::ivec3(glm::floor((box.lo - origin) / step)),
+            glm::ivec3(glm::ceil((box.hi - origin) / step))};
   }
   Box box(const LatticeBox& box) const { return {position(box.lo), position(box.hi)}; }
   /// The largest distance between a position and its nearest lattice point.

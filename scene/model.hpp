@@ -27,7 +27,8 @@ struct Triangle {
   bool operator==(const Triangle&) const = default;
 };
 
-/// Triangles in mesh space; any triangles: soups, non-manifold, degenerate. Coordinates are finite, indices in range.
+/// Triangles in mesh space; any triangles: soups, non-manifold, degenerate. Coordinates are finite, indices
+/// in range.
 struct Mesh {
   std::string name;
   std::vector<glm::dvec3> positions;
@@ -44,8 +45,8 @@ struct Instance {
 struct ImportReport {
   uint64_t dropped_triangles = 0;  ///< non-finite, or of no area after welding
   uint64_t welded_vertices = 0;
-  uint64_t repaired_edges = 0;     ///< faces that took the route without half-edges: non-manifold where they met
-  uint64_t stuck_groups = 0;       ///< drawables that no simplifier made coarser
+  uint64_t repaired_edges = 0;  ///< faces that took the route without half-edges: non-manifold where they met
+  uint64_t stuck_groups = 0;    ///< drawables that no simplifier made coarser
   std::vector<std::string> warnings;
 };
 

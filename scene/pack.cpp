@@ -1,15 +1,14 @@
 #include "scene/pack.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
+#include "base/bytes.hpp"
+#include "base/hashing.hpp"
+#include "scene/pack_skeleton.hpp"
 
 #include <array>
 #include <cerrno>
 #include <cstring>
-
-#include "base/bytes.hpp"
-#include "base/hashing.hpp"
-#include "scene/pack_skeleton.hpp"
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace triptych {
 
@@ -36,7 +35,8 @@ struct Section {
 };
 static_assert(sizeof(Section) == 32);
 
-/// The geometry section is too large to be read at once: its checksum is that of its chunks' checksums in order.
+/// The geometry section is too large to be read at once: its checksum is that of its chunks' checksums in
+/// order.
 uint64_t geometry_checksum(const std::vector<ChunkInfo>& chunks) {
   std::vector<uint64_t> checksums;
   checksums.reserve(chunks.size());
@@ -76,15 +76,14 @@ void PackWriter::finish(Skeleton skeleton) {
   const uint64_t geometry_end = file_.size();
   const std::vector<std::byte> skeleton_bytes = encode_skeleton(skeleton);
   file_.write(skeleton_bytes);
-  const std::array<Section, 2> table = {
-      Section{.type = geometry_type,
-              .offset = sizeof(Header),
-              .size = geometry_end - sizeof(Header),
-              .checksum = geometry_checksum(chunks_)},
-      Section{.type = skeleton_type,
-              .offset = geometry_end,
-              .size = skeleton_bytes.size(),
-              .checksum = hash_bytes(skeleton_bytes)}};
+  const std::array<Section, 2> table = {Section{.type = geometry_type,
+                                                .offset = sizeof(Header),
+                                                .size = geometry_end - sizeof(Header),
+                                                .checksum = geometry_checksum(chunks_)},
+                                        Section{.type = skeleton_type,
+                                                .offset = geometry_end,
+                                                .size = skeleton_bytes.size(),
+                                                .checksum = hash_bytes(skeleton_bytes)}};
   const auto table_bytes = std::as_bytes(std::span(table));
   const Header header{.section_count = static_cast<uint32_t>(table.size()),
                       .table_offset = file_.size(),
@@ -116,9 +115,12 @@ std::vector<std::byte> Pack::read_bytes(uint64_t offset, uint64_t count, const s
   }
   std::vector<std::byte> bytes(static_cast<size_t>(count));
   for (size_t done = 0; done < bytes.size();) {
-    const ssize_t got = ::pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    const ssize_t got =
+        ::pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) fail(place, "byte {}: cannot be read: {}", offset + done, got == 0 ? "the file ends" : std::strerror(errno));
+    if (got <= 0)
+      fail(place, "byte {}: cannot be read: {}", offset + done,
+           got == 0 ? "the file ends" : std::strerror(errno));
     done += static_cast<size_t>(got);
   }
   return bytes;
@@ -129,10 +131,12 @@ void Pack::read_table() {
   const auto header = ByteReader(read_bytes(0, sizeof(Header), name_), name_).read<Header>();
   if (header.signature != magic) fail(name_, "is no pack: byte 0 does not start with TRIPTYCH");
   if (header.version != pack_format_version) {
-    fail(name_, "is a pack of format version {}, this program reads version {}", header.version, pack_format_version);
+    fail(name_, "is a pack of format version {}, this program reads version {}", header.version,
+         pack_format_version);
   }
   const std::string table_place = name_ + ": section table";
-  const auto table_bytes = read_bytes(header.table_offset, uint64_t{header.section_count} * sizeof(Section), table_place);
+  const auto table_bytes =
+      read_bytes(header.table_offset, uint64_t{header.section_count} * sizeof(Section), table_place);
   if (hash_bytes(table_bytes, header.version) != header.table_checksum) {
     fail(table_place, "byte {}: the checksum does not match: the pack is damaged", header.table_offset);
   }
@@ -145,7 +149,8 @@ void Pack::read_table() {
     if (section.type == skeleton_type) skeleton = &section;
   }
   if (!geometry || !skeleton) fail(table_place, "names no {} section", geometry ? "SKEL" : "GEOM");
-  if (geometry->version != 1 || skeleton->version != 1) fail(table_place, "holds sections of a newer version");
+  if (geometry->version != 1 || skeleton->version != 1)
+    fail(table_place, "holds sections of a newer version");
   if (geometry->offset > size_ || geometry->size > size_ - geometry->offset) {
     fail(name_ + ": section GEOM", "leaves the file");
   }

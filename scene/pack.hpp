@@ -2,28 +2,30 @@
 // docs/pack-format.md has it to the byte.
 #pragma once
 
+#include "base/file.hpp"
+#include "scene/chunk.hpp"
+#include "scene/skeleton.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 
-#include "base/file.hpp"
-#include "scene/chunk.hpp"
-#include "scene/skeleton.hpp"
-
 namespace triptych {
 
 inline constexpr uint32_t pack_format_version = 1;
 
-/// Writes chunks as they come, then the skeleton; the file appears under its name with finish() and not before.
+/// Writes chunks as they come, then the skeleton; the file appears under its name with finish() and not
+/// before.
 class PackWriter {
  public:
   explicit PackWriter(const std::filesystem::path& file);
-  /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are taken down.
+  /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are
+  /// taken down.
   uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
   /// Appends a chunk that encode_chunk already encoded; for builds on many threads.
-  uint32_t add_encoded_chunk(std::span<const std::byte> encoded, uint32_t vertex_count, uint32_t triangle_count,
-                             const LatticeBox& box, uint32_t lattice);
+  uint32_t add_encoded_chunk(std::span<const std::byte> encoded, uint32_t vertex_count,
+                             uint32_t triangle_count, const LatticeBox& box, uint32_t lattice);
   /// Writes the skeleton (its chunk table is the writer's own) and puts the file in place.
   void finish(Skeleton skeleton);
 

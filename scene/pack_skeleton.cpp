@@ -1,8 +1,8 @@
 #include "scene/pack_skeleton.hpp"
 
-#include <cmath>
-
 #include "base/bytes.hpp"
+
+#include <cmath>
 
 namespace triptych {
 
@@ -34,7 +34,9 @@ std::vector<std::string> read_texts(ByteReader& reader) {
   return texts;
 }
 
-bool in_range(uint64_t first, uint64_t count, uint64_t size) { return first <= size && count <= size - first; }
+bool in_range(uint64_t first, uint64_t count, uint64_t size) {
+  return first <= size && count <= size - first;
+}
 
 void check_scene_nodes(const Skeleton& skeleton, const std::string& place) {
   const auto& nodes = skeleton.scene_nodes;
@@ -45,12 +47,15 @@ void check_scene_nodes(const Skeleton& skeleton, const std::string& place) {
     if (i > 0 && node.parent >= i) fail(here, "comes before its parent");
     if (node.box.empty()) fail(here, "has an empty box");
     for (int axis = 0; axis < 3; ++axis) {
-      if (node.box.lo[axis] < -Lattice::limit || node.box.hi[axis] > Lattice::limit) fail(here, "leaves the lattice");
+      if (node.box.lo[axis] < -Lattice::limit || node.box.hi[axis] > Lattice::limit)
+        fail(here, "leaves the lattice");
     }
-    if (!in_range(node.first_drawable, node.drawable_count, skeleton.drawables.size())) fail(here, "names drawables that do not exist");
+    if (!in_range(node.first_drawable, node.drawable_count, skeleton.drawables.size()))
+      fail(here, "names drawables that do not exist");
     if (node.child_count == 0 && node.drawable_count == 0) fail(here, "is a leaf without a drawable");
     if (node.child_count == 0) continue;
-    if (node.first_child <= i || !in_range(node.first_child, node.child_count, nodes.size())) fail(here, "names children that do not exist");
+    if (node.first_child <= i || !in_range(node.first_child, node.child_count, nodes.size()))
+      fail(here, "names children that do not exist");
     for (uint32_t child = 0; child < node.child_count; ++child) {
       if (nodes[node.first_child + child].parent != i) fail(here, "names a child of another parent");
     }
@@ -65,7 +70,8 @@ void check_drawables(const Skeleton& skeleton, const std::string& place) {
     if (drawable.scene_node >= skeleton.scene_nodes.size()) fail(here, "belongs to no scene node");
     const SceneNode& node = skeleton.scene_nodes[drawable.scene_node];
     if (i - node.first_drawable >= node.drawable_count) fail(here, "is not its scene node's");
-    if (!in_range(drawable.first_placement, drawable.placement_count, skeleton.placements.size())) fail(here, "names placements that do not exist");
+    if (!in_range(drawable.first_placement, drawable.placement_count, skeleton.placements.size()))
+      fail(here, "names placements that do not exist");
   }
   for (size_t i = 0; i < skeleton.placements.size(); ++i) {
     const Placement& placement = skeleton.placements[i];
@@ -82,20 +88,24 @@ void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::s
     if (!in_range(chunk.offset, chunk.size, geometry_size)) fail(here, "leaves the geometry section");
     if (chunk.lattice >= skeleton.lattices.size()) fail(here, "names a lattice that does not exist");
     // A codec needs at least a byte for every 64 values: more is promised than the bytes can hold.
-    if (chunk.vertex_count > chunk.size * 64 || chunk.triangle_count > chunk.size * 64) fail(here, "promises more than its bytes hold");
+    if (chunk.vertex_count > chunk.size * 64 || chunk.triangle_count > chunk.size * 64)
+      fail(here, "promises more than its bytes hold");
     if (chunk.box.empty()) fail(here, "has an empty box");
     for (int axis = 0; axis < 3; ++axis) {
-      if (chunk.box.lo[axis] < -Lattice::limit || chunk.box.hi[axis] > Lattice::limit) fail(here, "leaves the lattice");
+      if (chunk.box.lo[axis] < -Lattice::limit || chunk.box.hi[axis] > Lattice::limit)
+        fail(here, "leaves the lattice");
     }
   }
   for (const Lattice& lattice : skeleton.lattices) {
     const glm::dvec3& origin = lattice.origin;
-    if (!(lattice.step > 0) || !std::isfinite(lattice.step + origin.x + origin.y + origin.z)) fail(place, "has a lattice without a step");
+    if (!(lattice.step > 0) || !std::isfinite(lattice.step + origin.x + origin.y + origin.z))
+      fail(place, "has a lattice without a step");
   }
   for (const Affine& transform : skeleton.transforms) {
     for (int column = 0; column < 4; ++column) {
       const glm::dvec3& v = transform[column];
-      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) fail(place, "has a transform that is not finite");
+      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+        fail(place, "has a transform that is not finite");
     }
   }
 }
@@ -104,10 +114,11 @@ void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::s
 
 std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
   ByteWriter writer;
-  for (const uint64_t count : {skeleton.source_triangles, skeleton.placed_triangles, skeleton.objects.initial,
-                               skeleton.objects.partition1, skeleton.objects.clusters, skeleton.objects.partition2,
-                               skeleton.import.dropped_triangles, skeleton.import.welded_vertices,
-                               skeleton.import.repaired_edges, skeleton.import.stuck_groups}) {
+  for (const uint64_t count :
+       {skeleton.source_triangles, skeleton.placed_triangles, skeleton.objects.initial,
+        skeleton.objects.partition1, skeleton.objects.clusters, skeleton.objects.partition2,
+        skeleton.import.dropped_triangles, skeleton.import.welded_vertices, skeleton.import.repaired_edges,
+        skeleton.import.stuck_groups}) {
     writer.write(count);
   }
   write_texts(writer, skeleton.import.warnings);
@@ -125,10 +136,11 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
 Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_size, const std::string& place) {
   ByteReader reader(bytes, place);
   Skeleton skeleton;
-  for (uint64_t* count : {&skeleton.source_triangles, &skeleton.placed_triangles, &skeleton.objects.initial,
-                          &skeleton.objects.partition1, &skeleton.objects.clusters, &skeleton.objects.partition2,
-                          &skeleton.import.dropped_triangles, &skeleton.import.welded_vertices,
-                          &skeleton.import.repaired_edges, &skeleton.import.stuck_groups}) {
+  for (uint64_t* count :
+       {&skeleton.source_triangles, &skeleton.placed_triangles, &skeleton.objects.initial,
+        &skeleton.objects.partition1, &skeleton.objects.clusters, &skeleton.objects.partition2,
+        &skeleton.import.dropped_triangles, &skeleton.import.welded_vertices, &skeleton.import.repaired_edges,
+        &skeleton.import.stuck_groups}) {
     *count = reader.read<uint64_t>();
   }
   skeleton.import.warnings = read_texts(reader);

@@ -1,20 +1,20 @@
 // The skeleton as bytes: the pack's section SKEL.
 #pragma once
 
+#include "scene/skeleton.hpp"
+
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "scene/skeleton.hpp"
-
 namespace triptych {
 
 std::vector<std::byte> encode_skeleton(const Skeleton& skeleton);
 
-/// Error (place, byte) for bytes that end too soon or too late, and for a skeleton that does not hold together: ids out
-/// of range, children before their parents, boxes or errors that are no boxes or errors. geometry_size: bytes of the
-/// geometry section, which the chunk table must stay inside.
+/// Error (place, byte) for bytes that end too soon or too late, and for a skeleton that does not hold
+/// together: ids out of range, children before their parents, boxes or errors that are no boxes or errors.
+/// geometry_size: bytes of the geometry section, which the chunk table must stay inside.
 Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_size, const std::string& place);
 
 }  // namespace triptych

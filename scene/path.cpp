@@ -1,11 +1,11 @@
 #include "scene/path.hpp"
 
+#include "base/error.hpp"
+#include "base/file.hpp"
+
 #include <cmath>
 #include <glm/vec4.hpp>
 #include <nlohmann/json.hpp>
-
-#include "base/error.hpp"
-#include "base/file.hpp"
 
 namespace triptych {
 
@@ -15,7 +15,8 @@ using nlohmann::json;
 
 double number(const json& value, const std::string& place, const char* key) {
   // JSON has no infinity, and parsers turn 1e999 into one: only finite numbers are numbers here.
-  if (!value.is_number() || !std::isfinite(value.get<double>())) fail(place, "\"{}\" must be a finite number", key);
+  if (!value.is_number() || !std::isfinite(value.get<double>()))
+    fail(place, "\"{}\" must be a finite number", key);
   return value.get<double>();
 }
 
@@ -35,7 +36,8 @@ void read_settings(const json& object, const std::string& place, PathFrame& fram
   if (object.contains("orthographic_height")) fail(place, "orthographic cameras are not supported yet");
   if (object.contains("fov_y_degrees")) {
     frame.fov_y_degrees = number(object["fov_y_degrees"], place, "fov_y_degrees");
-    if (!(frame.fov_y_degrees > 0 && frame.fov_y_degrees < 180)) fail(place, "\"fov_y_degrees\" must be between 0 and 180");
+    if (!(frame.fov_y_degrees > 0 && frame.fov_y_degrees < 180))
+      fail(place, "\"fov_y_degrees\" must be between 0 and 180");
   }
   if (object.contains("near")) frame.near = number(object["near"], place, "near");
   if (object.contains("off_axis")) frame.off_axis = vector<4>(object, place, "off_axis");
@@ -45,7 +47,8 @@ void read_settings(const json& object, const std::string& place, PathFrame& fram
 
 View Path::view(size_t i, int width, int height, double default_near) const {
   const PathFrame& frame = frames[i];
-  View view{.camera = {.eye = frame.eye, .target = frame.target, .up = frame.up}, .width = width, .height = height};
+  View view{
+      .camera = {.eye = frame.eye, .target = frame.target, .up = frame.up}, .width = width, .height = height};
   set_field_of_view(view.camera, frame.fov_y_degrees, static_cast<double>(width) / height);
   view.camera.near = frame.near.value_or(default_near);
   if (frame.off_axis) {
@@ -65,10 +68,13 @@ Path load_path(const std::filesystem::path& file) {
   } catch (const json::exception& error) {
     fail(place, "is no JSON: {}", error.what());
   }
-  if (!document.is_object() || !document.contains("triptych_path")) fail(place, "is no camera path (\"triptych_path\": 1 is missing)");
-  if (document["triptych_path"] != 1) fail(place, "is a camera path of a version that this program does not know");
+  if (!document.is_object() || !document.contains("triptych_path"))
+    fail(place, "is no camera path (\"triptych_path\": 1 is missing)");
+  if (document["triptych_path"] != 1)
+    fail(place, "is a camera path of a version that this program does not know");
   const auto frames = document.find("frames");
-  if (frames == document.end() || !frames->is_array() || frames->empty()) fail(place, "the path has no frames");
+  if (frames == document.end() || !frames->is_array() || frames->empty())
+    fail(place, "the path has no frames");
   PathFrame defaults;
   read_settings(document, place, defaults);
   Path path;

@@ -1,13 +1,13 @@
 // A recorded camera path (JSON, `"triptych_path": 1`), as samples write it and every command reads it.
 #pragma once
 
+#include "scene/camera.hpp"
+
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <vector>
-
-#include "scene/camera.hpp"
 
 namespace triptych {
 
@@ -25,8 +25,8 @@ struct Path {
   View view(size_t i, int width, int height, double default_near) const;
 };
 
-/// Error (file and frame) for a file that is missing, is no path, has no frames, or holds a camera without a direction
-/// or with numbers that are not finite.
+/// Error (file and frame) for a file that is missing, is no path, has no frames, or holds a camera without a
+/// direction or with numbers that are not finite.
 Path load_path(const std::filesystem::path& file);
 
 }  // namespace triptych

@@ -21,6 +21,8 @@ double Skeleton::diagonal() const {
   return glm::length(box.hi - box.lo);
 }
 
-double Skeleton::default_near() const { return std::max(diagonal() * 1e-4, lattices.empty() ? 1e-6 : lattice().step); }
+double Skeleton::default_near() const {
+  return std::max(diagonal() * 1e-4, lattices.empty() ? 1e-6 : lattice().step);
+}
 
 }  // namespace triptych

@@ -1,14 +1,14 @@
 // The hierarchy without geometry: scene nodes, drawables, placements, chunks. Always in memory.
 #pragma once
 
+#include "scene/box.hpp"
+#include "scene/lattice.hpp"
+#include "scene/model.hpp"
+
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include "scene/box.hpp"
-#include "scene/lattice.hpp"
-#include "scene/model.hpp"
 
 namespace triptych {
 
@@ -17,8 +17,9 @@ using DrawableId = uint32_t;
 using SceneNodeId = uint32_t;
 inline constexpr uint32_t no_id = 0xffffffffu;
 
-/// A box of the AABB hierarchy, leaf or inner. Scene node 0 is the root; a parent's id is smaller than its children's,
-/// and the children of one parent are contiguous. Leaves have no children and at least one drawable.
+/// A box of the AABB hierarchy, leaf or inner. Scene node 0 is the root; a parent's id is smaller than its
+/// children's, and the children of one parent are contiguous. Leaves have no children and at least one
+/// drawable.
 struct SceneNode {
   LatticeBox box;  ///< on the model lattice; holds every vertex of its drawables and its children's boxes
   SceneNodeId parent = no_id;
@@ -52,7 +53,7 @@ struct ChunkInfo {
   uint32_t vertex_count = 0, triangle_count = 0;
   uint32_t lattice = 0;  ///< index into Skeleton::lattices
   uint32_t reserved = 0;
-  LatticeBox box;        ///< of its vertices, on its lattice
+  LatticeBox box;  ///< of its vertices, on its lattice
   bool operator==(const ChunkInfo&) const = default;
 };
 
@@ -66,8 +67,9 @@ struct Skeleton {
   std::vector<SceneNode> scene_nodes;
   std::vector<Drawable> drawables;
   std::vector<Placement> placements;
-  std::vector<Affine> transforms;  ///< lattice space of a chunk (as positions) to model space; 0 is the identity
-  std::vector<Lattice> lattices;   ///< 0 is the model's
+  std::vector<Affine>
+      transforms;  ///< lattice space of a chunk (as positions) to model space; 0 is the identity
+  std::vector<Lattice> lattices;  ///< 0 is the model's
   std::vector<ChunkInfo> chunks;
   std::vector<std::array<uint8_t, 4>> palette;  ///< base colours, sRGB bytes, that vertices name by index
   uint64_t source_triangles = 0, placed_triangles = 0;
@@ -79,7 +81,8 @@ struct Skeleton {
   uint32_t levels() const;  ///< the longest way from the root to a leaf, in scene nodes
   /// Length of the root box's diagonal, model units.
   double diagonal() const;
-  /// The near plane where a path names none: small against the model, far from where depth loses its precision.
+  /// The near plane where a path names none: small against the model, far from where depth loses its
+  /// precision.
   double default_near() const;
 };
 

@@ -1,10 +1,10 @@
 #include "visibility/hardware_cull.hpp"
 
+#include "base/inject.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <queue>
-
-#include "base/inject.hpp"
 
 namespace triptych {
 
@@ -20,14 +20,16 @@ struct Waiting {
 class HardwareCull {
  public:
   HardwareCull(const Skeleton& skeleton, const View& view, const Cut& cut, OcclusionTester& tester,
-               const std::vector<DrawableId>& represented, const VisibleSet& previous, const CullOptions& options)
+               const std::vector<DrawableId>& represented, const VisibleSet& previous,
+               const CullOptions& options)
       : skeleton_(skeleton),
         cut_(cut),
         tester_(tester),
         projector_(skeleton, view),
         cell_(eye_cell(skeleton, view)),
         options_(options),
-        batch_(!represented.empty() && represented.size() * 2 >= previous.size() ? options.batch : options.incoherent_batch),
+        batch_(!represented.empty() && represented.size() * 2 >= previous.size() ? options.batch
+                                                                                 : options.incoherent_batch),
         expected_(skeleton.scene_nodes.size(), false),
         represented_(skeleton.drawables.size(), false),
         shown_(skeleton.drawables.size(), false),
@@ -51,7 +53,8 @@ class HardwareCull {
       test_batch();
       draw_found();
       decide();
-      if (queue_.empty() || packet_.delta.size() >= options_.packet_changes || kept_ >= options_.packet_kept) {
+      if (queue_.empty() || packet_.delta.size() >= options_.packet_changes ||
+          kept_ >= options_.packet_kept) {
         emit(take_packet());
       }
     } while (!queue_.empty());
@@ -61,7 +64,8 @@ class HardwareCull {
 
  private:
   void push(SceneNodeId node) {
-    if (cut_.choice[node] != no_id) queue_.push({squared_distance(cell_, skeleton_.scene_nodes[node].box), node});
+    if (cut_.choice[node] != no_id)
+      queue_.push({squared_distance(cell_, skeleton_.scene_nodes[node].box), node});
   }
   void push_children(SceneNodeId id) {
     const SceneNode& node = skeleton_.scene_nodes[id];
@@ -127,9 +131,10 @@ class HardwareCull {
 
   /// Moves the watermark on: drawables of V(i−1) below it that did not show are gone.
   void decide() {
-    packet_.watermark =
-        queue_.empty() ? DrawRank{std::numeric_limits<uint64_t>::max(), no_id} : DrawRank{queue_.top().distance, 0};
-    for (; next_previous_ < previous_.size() && previous_[next_previous_] < packet_.watermark; ++next_previous_) {
+    packet_.watermark = queue_.empty() ? DrawRank{std::numeric_limits<uint64_t>::max(), no_id}
+                                       : DrawRank{queue_.top().distance, 0};
+    for (; next_previous_ < previous_.size() && previous_[next_previous_] < packet_.watermark;
+         ++next_previous_) {
       const DrawableId id = previous_[next_previous_].id;
       if (shown_[id]) {
         ++kept_;

@@ -1,11 +1,11 @@
 // The hardware cull (HC): which drawables of a cut show past the occlusion representation.
 #pragma once
 
-#include <functional>
-
 #include "lod/cut.hpp"
 #include "visibility/occlusion_tester.hpp"
 #include "visibility/visible_set.hpp"
+
+#include <functional>
 
 namespace triptych {
 
@@ -16,26 +16,27 @@ struct CullPacket {
 };
 
 struct CullOptions {
-  /// Boxes a batch. The smaller one holds where the frame is incoherent, that is, where the occlusion representation
-  /// holds less than half as many drawables as were visible one frame ago, or none: then what is found visible in front
-  /// must hide what lies behind it.
-  size_t batch = 512, incoherent_batch = 32;
+  /// Boxes a batch. The smaller one holds where the frame is incoherent, that is, where the occlusion
+  /// representation holds less than half as many drawables as were visible one frame ago, or none: then what
+  /// is found visible in front must hide what lies behind it.
+  size_t batch = 512, incoherent_batch = 8;
   /// A packet is sent once it decides so many drawables that change, or that stay.
   size_t packet_changes = 100, packet_kept = 200;
 };
 
 struct CullResult {
   VisibleSet visible;
-  uint64_t tests = 0;         ///< boxes tested, inner scene nodes' included
+  uint64_t tests = 0;  ///< boxes tested, inner scene nodes' included
   uint64_t batches = 0;
   uint64_t hidden_subtrees = 0;  ///< inner scene nodes that were hidden at once
-  uint64_t untested = 0;      ///< drawables that count as visible because their bounds are unknown
+  uint64_t untested = 0;         ///< drawables that count as visible because their bounds are unknown
 };
 
-/// Tests the cut's drawables in draw rank order, in batches, inner scene nodes first, so that a hidden subtree costs
-/// one test; scene nodes with content that was visible one frame ago are not worth their own test. What is found
-/// visible and is not yet in the representation is drawn into it between batches. Batches are cut by rank and count
-/// alone, so the same frame gives the same answer whatever the timing (interactive-display-2003 §4.3).
+/// Tests the cut's drawables in draw rank order, in batches, inner scene nodes first, so that a hidden
+/// subtree costs one test; scene nodes with content that was visible one frame ago are not worth their own
+/// test. What is found visible and is not yet in the representation is drawn into it between batches. Batches
+/// are cut by rank and count alone, so the same frame gives the same answer whatever the timing
+/// (interactive-display-2003 §4.3).
 ///
 /// tester: holds R(i), in which `represented` (drawables of the cut) was drawn under `view`.
 /// previous: V(i−1); emit: called at least once, with V(i−1) → V(i) in pieces.

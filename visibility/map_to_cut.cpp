@@ -1,8 +1,8 @@
 #include "visibility/map_to_cut.hpp"
 
-#include <algorithm>
-
 #include "base/inject.hpp"
+
+#include <algorithm>
 
 namespace triptych {
 

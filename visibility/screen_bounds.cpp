@@ -1,15 +1,16 @@
 #include "visibility/screen_bounds.hpp"
 
+#include "base/inject.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "base/inject.hpp"
-
 namespace triptych {
 
 namespace {
-/// The vertex stage works in 32-bit floats relative to the eye: a position is off by at most about 2⁻²¹ of its distance.
+/// The vertex stage works in 32-bit floats relative to the eye: a position is off by at most about 2⁻²¹ of
+/// its distance.
 constexpr double float_rounding = 0x1p-21;
 constexpr double depth_margin = 0x1p-14;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
@@ -37,18 +38,25 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
     top = std::max(top, y);
     greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
   }
-  if (greatest_depth < camera.near / near_margin) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+  if (greatest_depth < camera.near / near_margin)
+    return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
   if (least_depth < camera.near * near_margin) return {};
-  // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice (p and w).
+  // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
+  // (p and w).
   if (2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length() > 0.25) return {};
   const double margin_x = injected(Fault::no_dilation) ? 0 : 2.0 / view_.width;
   const double margin_y = injected(Fault::no_dilation) ? 0 : 2.0 / view_.height;
-  const auto device_x = [&](double tangent) { return 2 * (tangent - camera.left) / (camera.right - camera.left) - 1; };
-  const auto device_y = [&](double tangent) { return 2 * (tangent - camera.bottom) / (camera.top - camera.bottom) - 1; };
+  const auto device_x = [&](double tangent) {
+    return 2 * (tangent - camera.left) / (camera.right - camera.left) - 1;
+  };
+  const auto device_y = [&](double tangent) {
+    return 2 * (tangent - camera.bottom) / (camera.top - camera.bottom) - 1;
+  };
   ScreenBounds bounds{.kind = ScreenBounds::Kind::rectangle, .rectangle = {}};
   const double x0 = device_x(left) - margin_x, x1 = device_x(right) + margin_x;
   const double y0 = device_y(bottom) - margin_y, y1 = device_y(top) + margin_y;
-  if (x0 > 1 || x1 < -1 || y0 > 1 || y1 < -1) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+  if (x0 > 1 || x1 < -1 || y0 > 1 || y1 < -1)
+    return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
   const double margin = injected(Fault::no_dilation) ? 1 : 1 + depth_margin;
   bounds.rectangle = {.left = static_cast<float>(std::max(x0, -1.0)),
                       .bottom = static_cast<float>(std::max(y0, -1.0)),

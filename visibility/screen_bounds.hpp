@@ -1,17 +1,18 @@
 // Where a box may appear on the screen: the rectangle and the nearest depth that the occlusion test uses.
 #pragma once
 
-#include <cstdint>
-
 #include "scene/camera.hpp"
 #include "scene/skeleton.hpp"
 
+#include <cstdint>
+
 namespace triptych {
 
-/// A rectangle in normalised device coordinates (−1 to 1, y up) and a depth in 0 to 1, reversed: 1 at the near plane,
-/// 0 at infinity. No fragment of the box's content lies outside the rectangle. Every pass drops fragments nearer than
-/// `depth`, so no drawn fragment is nearer than it: wherever the content is the nearest thing, a non-strict test of the
-/// rectangle passes. That is what makes culling exact (docs/algorithms.md has the argument).
+/// A rectangle in normalised device coordinates (−1 to 1, y up) and a depth in 0 to 1, reversed: 1 at the
+/// near plane, 0 at infinity. No fragment of the box's content lies outside the rectangle. Every pass drops
+/// fragments nearer than `depth`, so no drawn fragment is nearer than it: wherever the content is the nearest
+/// thing, a non-strict test of the rectangle passes. That is what makes culling exact (docs/algorithms.md has
+/// the argument).
 struct ScreenRectangle {
   float left = -1, bottom = -1, right = 1, top = 1;
   float depth = 1;
@@ -20,16 +21,17 @@ struct ScreenRectangle {
 struct ScreenBounds {
   enum class Kind : uint8_t {
     off_screen,  ///< covers no pixel centre
-    unbounded,   ///< touches the near plane, or its projection is not known well enough: visible without a test
+    unbounded,   ///< touches the near plane, or its projection is not known well enough: visible without a
+                 ///< test
     rectangle,   ///< the rectangle holds
   };
   Kind kind = Kind::unbounded;
   ScreenRectangle rectangle;
 };
 
-/// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by one pixel on each side
-/// (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, and the vertex stage's rounding is bounded below);
-/// the depth moves towards the eye by 2⁻¹⁴ of itself (float rounding of w).
+/// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by one pixel on
+/// each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, and the vertex stage's rounding
+/// is bounded below); the depth moves towards the eye by 2⁻¹⁴ of itself (float rounding of w).
 class BoxProjector {
  public:
   BoxProjector(const Skeleton& skeleton, const View& view);

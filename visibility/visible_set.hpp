@@ -1,9 +1,9 @@
 // Sets of drawables, and the difference between two of them.
 #pragma once
 
-#include <vector>
-
 #include "scene/skeleton.hpp"
+
+#include <vector>
 
 namespace triptych {
 
@@ -20,9 +20,9 @@ struct VisibleDelta {
 /// The delta with before − removed ∪ added = after.
 VisibleDelta difference(const VisibleSet& before, const VisibleSet& after);
 
-/// (set − removed) ∪ added (interactive-display-2003 §4.4). Returns false, and leaves the set as it was, where an added
-/// id is in the set already, a removed one is not in it, or a list is not ascending: then the sender and the receiver
-/// do not agree on the set.
+/// (set − removed) ∪ added (interactive-display-2003 §4.4). Returns false, and leaves the set as it was,
+/// where an added id is in the set already, a removed one is not in it, or a list is not ascending: then the
+/// sender and the receiver do not agree on the set.
 bool apply_delta(const VisibleDelta& delta, VisibleSet& set);
 
 }  // namespace triptych

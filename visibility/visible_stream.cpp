@@ -13,8 +13,8 @@ VisibleStream::VisibleStream(const Skeleton& skeleton, const glm::ivec3& cell, c
 
 std::vector<DrawableId> VisibleStream::take(const CullPacket& packet) {
   VisibleDelta known;
-  std::set_intersection(packet.delta.removed.begin(), packet.delta.removed.end(), visible_.begin(), visible_.end(),
-                        std::back_inserter(known.removed));
+  std::set_intersection(packet.delta.removed.begin(), packet.delta.removed.end(), visible_.begin(),
+                        visible_.end(), std::back_inserter(known.removed));
   for (const DrawableId id : packet.delta.added) {
     if (id < skeleton_.drawables.size() && !std::binary_search(visible_.begin(), visible_.end(), id)) {
       known.added.push_back(id);

@@ -1,11 +1,12 @@
-// A receiver's view of one frame: V(i) grows out of V(i−1) as packets come, and may be drawn as far as it is decided.
+// A receiver's view of one frame: V(i) grows out of V(i−1) as packets come, and may be drawn as far as it is
+// decided.
 #pragma once
-
-#include <string>
 
 #include "lod/cut.hpp"
 #include "visibility/hardware_cull.hpp"
 #include "visibility/visible_set.hpp"
+
+#include <string>
 
 namespace triptych {
 
@@ -15,9 +16,9 @@ class VisibleStream {
   /// cell: the eye's cell of frame i; previous: V(i−1).
   VisibleStream(const Skeleton& skeleton, const glm::ivec3& cell, const VisibleSet& previous);
 
-  /// The drawables of V(i) that this packet decided, after those of earlier packets in draw rank order. Ids that the
-  /// sender cannot mean (removed but not there, added twice, beyond the skeleton) are counted as faults and left out:
-  /// the digest tells.
+  /// The drawables of V(i) that this packet decided, after those of earlier packets in draw rank order. Ids
+  /// that the sender cannot mean (removed but not there, added twice, beyond the skeleton) are counted as
+  /// faults and left out: the digest tells.
   std::vector<DrawableId> take(const CullPacket& packet);
 
   /// V(i), as far as the packets said.
@@ -28,7 +29,8 @@ class VisibleStream {
   const Skeleton& skeleton_;
   glm::ivec3 cell_;
   VisibleSet visible_;
-  std::vector<DrawRank> undecided_;  ///< of visible_, ascending; those below the watermark have been given out
+  std::vector<DrawRank>
+      undecided_;  ///< of visible_, ascending; those below the watermark have been given out
   uint64_t faults_ = 0;
 };
 

@@ -1,13 +1,12 @@
 // Cut selection: every leaf in the frustum once, each as coarse as the pixel error lets it be and no coarser.
 #include "lod/cut.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/support/scenes.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 #include <limits>
-
-#include "tests/support/scenes.hpp"
 
 namespace triptych {
 namespace {
@@ -64,7 +63,8 @@ TEST_P(CutOf, keeps_the_pixel_error_and_is_no_finer_than_it_must_be) {
       if (node.parent == no_id) continue;
       const SceneNode& parent = skeleton.scene_nodes[node.parent];
       for (uint32_t level = 0; level < parent.drawable_count; ++level) {
-        EXPECT_GT(error_on_screen(views[frame], parent.first_drawable + level), pixel_error) << "its parent would have done";
+        EXPECT_GT(error_on_screen(views[frame], parent.first_drawable + level), pixel_error)
+            << "its parent would have done";
       }
     }
   }
@@ -80,7 +80,8 @@ TEST_P(CutOf, is_in_draw_rank_order_and_a_child_never_ranks_before_its_parent) {
     for (DrawableId id = 0; id < skeleton.drawables.size(); ++id) {
       const SceneNodeId parent = skeleton.scene_nodes[skeleton.drawables[id].scene_node].parent;
       if (parent == no_id || skeleton.scene_nodes[parent].drawable_count == 0) continue;
-      EXPECT_LT(draw_rank(skeleton, cell, skeleton.scene_nodes[parent].first_drawable), draw_rank(skeleton, cell, id));
+      EXPECT_LT(draw_rank(skeleton, cell, skeleton.scene_nodes[parent].first_drawable),
+                draw_rank(skeleton, cell, id));
     }
   }
 }
@@ -92,7 +93,8 @@ TEST_P(CutOf, only_moves_up_the_hierarchy_as_the_pixel_error_grows) {
       Cut coarser = select_cut(skeleton, view, pixel_error);
       for (const DrawableId id : finer.drawables) {
         SceneNodeId node = skeleton.drawables[id].scene_node;
-        while (node != no_id && !(coarser.choice[node] < Cut::inner)) node = skeleton.scene_nodes[node].parent;
+        while (node != no_id && !(coarser.choice[node] < Cut::inner))
+          node = skeleton.scene_nodes[node].parent;
         ASSERT_NE(node, no_id) << "nothing stands for drawable " << id << " at " << pixel_error << " pixels";
         if (node == skeleton.drawables[id].scene_node) {
           EXPECT_GE(coarser.choice[node], id) << "a finer level at a larger pixel error";

@@ -1,13 +1,13 @@
 // One frame's visible set taken in from HC: whole, in order, checked, and asked for again where it differs.
 #include "nodes/frame_intake.hpp"
 
-#include <asio/connect.hpp>
-#include <gtest/gtest.h>
-
 #include "base/inject.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 #include "tests/support/scenes.hpp"
+
+#include <asio/connect.hpp>
+#include <gtest/gtest.h>
 
 namespace triptych {
 namespace {

@@ -1,8 +1,8 @@
 // Where depths are equal the lower draw rank wins, whoever was drawn when.
-#include <gtest/gtest.h>
-
 #include "tests/render/rig.hpp"
 #include "tests/support/small_pack.hpp"
+
+#include <gtest/gtest.h>
 
 namespace triptych {
 namespace {
@@ -14,7 +14,11 @@ test::SmallPack two_coplanar_squares() {
   pack.chunks = {test::grid_chunk({0, 0, 0}, 1, 64, 0, 0), test::grid_chunk({0, 0, 0}, 1, 64, 0, 1)};
   pack.chunk_lattices = {0, 0};
   skeleton.scene_nodes = {
-      {.box = {{0, 0, 0}, {64, 64, 0}}, .first_child = 1, .child_count = 2, .first_drawable = 0, .drawable_count = 0},
+      {.box = {{0, 0, 0}, {64, 64, 0}},
+       .first_child = 1,
+       .child_count = 2,
+       .first_drawable = 0,
+       .drawable_count = 0},
       {.box = {{0, 0, 0}, {64, 64, 0}}, .parent = 0, .first_drawable = 0, .drawable_count = 1},
       {.box = {{0, 0, 0}, {64, 64, 0}}, .parent = 0, .first_drawable = 1, .drawable_count = 1}};
   skeleton.placements = {{0, 0}, {1, 0}};
@@ -25,7 +29,8 @@ test::SmallPack two_coplanar_squares() {
 }
 
 View view_of_the_squares() {
-  View view{.camera = {.eye = {3, 3.5, 12}, .target = {4, 4, 0}, .up = {0, 1, 0}}, .width = 200, .height = 160};
+  View view{
+      .camera = {.eye = {3, 3.5, 12}, .target = {4, 4, 0}, .up = {0, 1, 0}}, .width = 200, .height = 160};
   set_field_of_view(view.camera, 60, 200.0 / 160);
   return view;
 }

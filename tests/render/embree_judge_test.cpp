@@ -1,17 +1,17 @@
-// An independent judge: whatever a ray through a pixel's centre hits first, in the cut's geometry, is in the visible set.
-#include <embree3/rtcore.h>
-#include <fmt/core.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <limits>
-
+// An independent judge: whatever a ray through a pixel's centre hits first, in the cut's geometry, is in the
+// visible set.
 #include "base/inject.hpp"
 #include "tests/render/rig.hpp"
 #include "tests/support/scenes.hpp"
+
+#include <array>
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <gtest/gtest.h>
+#include <limits>
 
 namespace triptych {
 namespace {
@@ -33,7 +33,8 @@ class RayScene {
         const Chunk chunk = pack.read_chunk(placement.chunk);
         std::vector<glm::dvec3> points;
         for (const ChunkVertex& vertex : chunk.vertices) {
-          points.push_back(rotation * (transform * glm::dvec4(lattice.position(vertex.point), 1) - view.camera.eye));
+          points.push_back(rotation *
+                           (transform * glm::dvec4(lattice.position(vertex.point), 1) - view.camera.eye));
         }
         add(id, std::move(points), chunk.indices);
       }
@@ -50,13 +51,15 @@ class RayScene {
   struct Hit {
     DrawableId drawable = no_id;
     double depth = std::numeric_limits<double>::infinity();
-    double edge_pixels = std::numeric_limits<double>::infinity();  ///< from the ray to the nearest edge of what it hit
+    double edge_pixels =
+        std::numeric_limits<double>::infinity();  ///< from the ray to the nearest edge of what it hit
   };
 
   /// pixel: window coordinates; a pixel's centre ends in a half.
   Hit shoot(const glm::dvec2& pixel) const {
     const Camera& camera = view_.camera;
-    const glm::dvec3 direction(camera.left + pixel.x / view_.focal_x(), camera.bottom + pixel.y / view_.focal_y(), -1);
+    const glm::dvec3 direction(camera.left + pixel.x / view_.focal_x(),
+                               camera.bottom + pixel.y / view_.focal_y(), -1);
     RTCRayHit ray{};
     ray.ray.dir_x = static_cast<float>(direction.x);
     ray.ray.dir_y = static_cast<float>(direction.y);
@@ -82,12 +85,13 @@ class RayScene {
     return hit;
   }
 
-  /// Whether the pixel's centre lies so near to an edge, of what it hit or of something before it, that a rasterizer's
-  /// snapping may decide otherwise.
+  /// Whether the pixel's centre lies so near to an edge, of what it hit or of something before it, that a
+  /// rasterizer's snapping may decide otherwise.
   bool on_an_edge(const glm::dvec2& pixel, const Hit& hit) const {
     constexpr double snapping = 1.0 / 128;
     if (hit.edge_pixels < snapping) return true;
-    for (const glm::dvec2& step : {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}}) {
+    for (const glm::dvec2& step :
+         {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}}) {
       const Hit beside = shoot(pixel + step * snapping);
       if (beside.drawable != hit.drawable && beside.depth < hit.depth) return true;
     }
@@ -103,8 +107,8 @@ class RayScene {
 
   void add(DrawableId id, std::vector<glm::dvec3> points, const std::vector<uint32_t>& indices) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                 3 * sizeof(float), points.size()));
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), points.size()));
     for (const glm::dvec3& point : points) {
       for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(point[axis]);
     }
@@ -140,7 +144,8 @@ Verdict judge(const std::string& scene_name) {
   Verdict verdict;
   for (size_t i = 0; i < views.size(); ++i) {
     const FrameRecord record = fallback.draw({static_cast<uint32_t>(i), views[i], scenes::pixel_error(i)});
-    const RayScene scene(pack, views[i], select_cut(pack.skeleton(), views[i], scenes::pixel_error(i)).drawables);
+    const RayScene scene(pack, views[i],
+                         select_cut(pack.skeleton(), views[i], scenes::pixel_error(i)).drawables);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         ++verdict.rays;
@@ -152,8 +157,9 @@ Verdict judge(const std::string& scene_name) {
         if (scene.on_an_edge(pixel, hit)) {
           ++verdict.on_edges;
         } else if (verdict.culled++ == 0) {
-          verdict.first = fmt::format("frame {}, pixel {}, {}: drawable {} at depth {}, {} pixels from its triangle's edge", i, x,
-                                      y, hit.drawable, hit.depth, hit.edge_pixels);
+          verdict.first = fmt::format(
+              "frame {}, pixel {}, {}: drawable {} at depth {}, {} pixels from its triangle's edge", i, x, y,
+              hit.drawable, hit.depth, hit.edge_pixels);
         }
       }
     }
@@ -165,8 +171,8 @@ class EmbreeJudge : public testing::TestWithParam<std::string> {};
 
 TEST_P(EmbreeJudge, finds_everything_that_rays_hit_in_the_visible_set) {
   const Verdict verdict = judge(GetParam());
-  fmt::print("{}: {} rays, {} hits; not in the visible set: {} within 1/128 pixel of an edge, {} others\n", GetParam(),
-             verdict.rays, verdict.hits, verdict.on_edges, verdict.culled);
+  fmt::print("{}: {} rays, {} hits; not in the visible set: {} within 1/128 pixel of an edge, {} others\n",
+             GetParam(), verdict.rays, verdict.hits, verdict.on_edges, verdict.culled);
   EXPECT_EQ(verdict.culled, 0u) << verdict.first;
   EXPECT_GT(verdict.hits, 1000u);
   EXPECT_LT(verdict.on_edges, verdict.hits / 1000) << "so many cannot be edges";

@@ -1,13 +1,13 @@
 // One scene drawn every way there is: culled by both kinds of test, un-culled, and as an item buffer.
 #pragma once
 
+#include "nodes/fallback.hpp"
+#include "render/context.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
-
-#include "nodes/fallback.hpp"
-#include "render/context.hpp"
 
 namespace triptych {
 

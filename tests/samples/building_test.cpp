@@ -162,7 +162,7 @@ TEST(Walk, keeps_clear_of_walls_and_furniture_and_moves_and_turns_as_people_do) 
     EXPECT_NEAR(glm::distance(walk[i].eye, walk[i - 1].eye), walking_step, 0.01);
     const glm::dvec3 before = glm::normalize(walk[i - 1].target - walk[i - 1].eye),
                      now = glm::normalize(walk[i].target - walk[i].eye);
-    EXPECT_LT(std::acos(std::min(1.0, glm::dot(before, now))), glm::radians(1.4)) << "frame " << i;
+    EXPECT_LT(std::acos(std::min(1.0, glm::dot(before, now))), glm::radians(1.0)) << "frame " << i;
   }
 }
 

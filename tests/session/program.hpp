@@ -1,21 +1,20 @@
 // The program `triptych` as a user starts it: runs to its end, or in the background.
 #pragma once
 
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <signal.h>
 #include <sstream>
 #include <string>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace triptych::test {
@@ -50,7 +49,9 @@ inline std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-inline nlohmann::json json_of(const std::filesystem::path& file) { return nlohmann::json::parse(text_of(file)); }
+inline nlohmann::json json_of(const std::filesystem::path& file) {
+  return nlohmann::json::parse(text_of(file));
+}
 
 /// One run of the program. Its process group goes with it, so that nothing outlives a failed test.
 class Program {
@@ -117,7 +118,8 @@ class Program {
     return lines;
   }
 
-  /// The process that plays the role, as it is said at the start ("role switch 0 is process 123"); waits for that line.
+  /// The process that plays the role, as it is said at the start ("role switch 0 is process 123"); waits for
+  /// that line.
   pid_t role(const std::string& name) const {
     const std::string start = "role " + name + " is process ";
     for (int tries = 0; tries < 4000; ++tries) {

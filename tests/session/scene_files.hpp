@@ -1,10 +1,10 @@
 // A scene's pack and a path through it as files, for the program to read.
 #pragma once
 
-#include <fstream>
-
 #include "tests/session/program.hpp"
 #include "tests/support/scenes.hpp"
+
+#include <fstream>
 
 namespace triptych::test {
 
@@ -28,8 +28,10 @@ class SceneFiles : public testing::Test {
   }
 
   /// measure session, at a small size, with more arguments.
-  std::vector<std::string> measure(std::vector<std::string> more = {}, const std::string& size = "160x120") const {
-    return with({"measure", "session", pack, "--path", path, "--size", size, "--json", json}, std::move(more));
+  std::vector<std::string> measure(std::vector<std::string> more = {},
+                                   const std::string& size = "160x120") const {
+    return with({"measure", "session", pack, "--path", path, "--size", size, "--json", json},
+                std::move(more));
   }
   std::vector<std::string> session(std::vector<std::string> more = {}) const {
     return with({"session", pack, "--path", path, "--size", "160x120"}, std::move(more));
@@ -40,7 +42,8 @@ class SceneFiles : public testing::Test {
   }
 
   Folder folder;
-  const std::string pack = folder.file("room.tpk"), path = folder.file("path.json"), json = folder.file("out.json");
+  const std::string pack = folder.file("room.tpk"), path = folder.file("path.json"),
+                    json = folder.file("out.json");
   size_t frame_count = 0;
 };
 

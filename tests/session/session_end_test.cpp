@@ -1,9 +1,10 @@
-// How sessions end: bad input, busy ports, killed roles, signals. One clear line, exit 1, nobody and nothing left.
+// How sessions end: bad input, busy ports, killed roles, signals. One clear line, exit 1, nobody and nothing
+// left.
+#include "tests/session/scene_files.hpp"
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-
-#include "tests/session/scene_files.hpp"
 
 namespace triptych::test {
 namespace {
@@ -45,7 +46,8 @@ TEST_F(SessionEnd, a_pack_that_is_cut_in_half) {
 }
 
 TEST_F(SessionEnd, a_path_that_is_missing_or_without_frames) {
-  EXPECT_NE(failure({"session", pack, "--path", folder.file("none.json")}).find("none.json"), std::string::npos);
+  EXPECT_NE(failure({"session", pack, "--path", folder.file("none.json")}).find("none.json"),
+            std::string::npos);
   std::ofstream(path) << R"({"triptych_path": 1, "frames": []})";
   EXPECT_NE(failure(session()).find("no frames"), std::string::npos);
 }
@@ -106,16 +108,19 @@ TEST_F(SessionEnd, a_signal_ends_every_role_in_good_order) {
 TEST_F(SessionEnd, a_starter_that_is_killed_takes_its_roles_along) {
   Program program(endless({"-o", folder.file("pictures")}));
   wait_for_pictures(program);
-  const std::vector<pid_t> roles = {program.role("render"), program.role("switch 0"), program.role("switch 1")};
+  const std::vector<pid_t> roles = {program.role("render"), program.role("switch 0"),
+                                    program.role("switch 1")};
   program.signal(SIGKILL);
   EXPECT_EQ(program.wait(std::chrono::seconds(30)), -SIGKILL);
-  for (int tries = 0; tries < 600 && program.anybody_left(); ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int tries = 0; tries < 600 && program.anybody_left(); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_FALSE(program.anybody_left());
 }
 
 TEST_F(SessionEnd, a_role_that_nobody_meets) {
   const std::string address = "127.0.0.1:" + std::to_string(12000 + 2 * (::getpid() % 8000));
-  const std::string line = failure({"role", "render", pack, "--path", path, "--listen", address, "--connect-timeout", "0.3"});
+  const std::string line =
+      failure({"role", "render", pack, "--path", path, "--listen", address, "--connect-timeout", "0.3"});
   EXPECT_FALSE(line.empty());
 }
 
@@ -123,10 +128,13 @@ TEST_F(SessionEnd, roles_with_different_packs_do_not_play_together) {
   const std::string other_pack = folder.file("flat.tpk");
   scenes::write_pack("flat", other_pack);
   const int port = 12000 + 2 * (::getpid() % 8000);
-  const std::string render = "127.0.0.1:" + std::to_string(port), other = "127.0.0.1:" + std::to_string(port + 1);
-  Program render_node({"role", "render", pack, "--path", path, "--listen", render, "--connect-timeout", "8"});
-  Program switch_0({"role", "switch", other_pack, "--index", "0", "--listen", other, "--render", render, "--connect-timeout", "8"});
-  Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other, "--connect-timeout", "8"});
+  const std::string render = "127.0.0.1:" + std::to_string(port),
+                    other = "127.0.0.1:" + std::to_string(port + 1);
+  Program render_node({"role", "render", pack, "--path", path, "--listen", render, "--connect-timeout", "4"});
+  Program switch_0({"role", "switch", other_pack, "--index", "0", "--listen", other, "--render", render,
+                    "--connect-timeout", "4"});
+  Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other,
+                    "--connect-timeout", "4"});
   EXPECT_EQ(render_node.wait(), 1) << render_node.errors();
   EXPECT_EQ(switch_0.wait(), 1) << switch_0.errors();
   EXPECT_EQ(switch_1.wait(), 1) << switch_1.errors();

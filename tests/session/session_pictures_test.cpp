@@ -1,7 +1,7 @@
 // Three processes, one picture: the one that a single process draws without culling anything.
-#include <cstdlib>
-
 #include "tests/session/scene_files.hpp"
+
+#include <cstdlib>
 
 namespace triptych::test {
 namespace {
@@ -34,13 +34,15 @@ TEST_F(SessionPictures, and_visible_sets_are_the_same_every_time) {
   const nlohmann::json once = json_of(json);
   run(measure({"--frames", "20", "--rate", "30"}));
   const nlohmann::json again = json_of(json);
-  for (const char* key : {"visible", "tests", "drawn_triangles", "identical_frames"}) EXPECT_EQ(once[key], again[key]) << key;
+  for (const char* key : {"visible", "tests", "drawn_triangles", "identical_frames"})
+    EXPECT_EQ(once[key], again[key]) << key;
 }
 
 TEST_F(SessionPictures, are_the_files_that_one_process_writes) {
   run(session({"--frames", "6", "-o", folder.file("session")}));
   run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "-o", folder.file("render")});
-  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--context", "osmesa", "-o", folder.file("osmesa")});
+  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--context", "osmesa", "-o",
+       folder.file("osmesa")});
   for (int frame = 0; frame < 6; ++frame) {
     const std::string name = "/00000" + std::to_string(frame) + ".png";
     const std::string picture = text_of(folder.file("session") + name);
@@ -53,18 +55,21 @@ TEST_F(SessionPictures, are_the_files_that_one_process_writes) {
 TEST_F(SessionPictures, are_the_same_of_roles_that_are_started_by_hand) {
   // Ports of this process's own choice, below those that the kernel hands out.
   const int port = 12000 + 2 * (::getpid() % 8000);
-  const std::string render = "127.0.0.1:" + std::to_string(port), other = "127.0.0.1:" + std::to_string(port + 1);
+  const std::string render = "127.0.0.1:" + std::to_string(port),
+                    other = "127.0.0.1:" + std::to_string(port + 1);
   Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other});
   Program switch_0({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render});
-  Program render_node({"role", "render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--listen", render, "-o",
-                       folder.file("roles")});
+  Program render_node({"role", "render", pack, "--path", path, "--size", "160x120", "--frames", "6",
+                       "--listen", render, "-o", folder.file("roles")});
   EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
   EXPECT_EQ(switch_0.wait(), 0) << switch_0.errors();
   EXPECT_EQ(switch_1.wait(), 0) << switch_1.errors();
-  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--cull", "frustum", "-o", folder.file("render")});
+  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--cull", "frustum", "-o",
+       folder.file("render")});
   for (int frame = 0; frame < 6; ++frame) {
     const std::string name = "/00000" + std::to_string(frame) + ".png";
-    EXPECT_EQ(text_of(folder.file("roles") + name), text_of(folder.file("render") + name)) << "frame " << frame;
+    EXPECT_EQ(text_of(folder.file("roles") + name), text_of(folder.file("render") + name))
+        << "frame " << frame;
   }
 }
 

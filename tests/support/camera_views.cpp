@@ -1,10 +1,10 @@
+#include "tests/support/scenes.hpp"
+
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
-
-#include "tests/support/scenes.hpp"
 
 namespace triptych::scenes {
 
@@ -117,12 +117,6 @@ std::vector<View> path(const Skeleton& skeleton, int width, int height, uint32_t
 std::vector<View> random_views(const Skeleton& skeleton, int width, int height, size_t count, uint32_t seed) {
   PathMaker maker(skeleton, width, height, seed);
   maker.jumps(count);
-  return maker.take();
-}
-
-std::vector<View> telescope_views(const Skeleton& skeleton, int width, int height, size_t count, uint32_t seed) {
-  PathMaker maker(skeleton, width, height, seed);
-  maker.telescopes(count);
   return maker.take();
 }
 

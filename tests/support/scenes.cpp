@@ -1,17 +1,16 @@
 #include "tests/support/scenes.hpp"
 
-#include <unistd.h>
+#include "lod/build.hpp"
+#include "tests/support/awkward_meshes.hpp"
 
 #include <array>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 #include <map>
 #include <stdexcept>
-
-#include "lod/build.hpp"
-#include "tests/support/awkward_meshes.hpp"
+#include <unistd.h>
 
 namespace triptych::scenes {
 
@@ -22,7 +21,8 @@ class Scene {
  public:
   Scene() {
     for (int i = 0; i < colors; ++i) {
-      model_.materials.push_back({glm::vec4(0.1 + 0.12 * i, 0.9 - 0.13 * ((3 * i) % colors), 0.2 + 0.1 * ((5 * i) % colors), 1)});
+      model_.materials.push_back(
+          {glm::vec4(0.1 + 0.12 * i, 0.9 - 0.13 * ((3 * i) % colors), 0.2 + 0.1 * ((5 * i) % colors), 1)});
     }
   }
   static constexpr int colors = 7;
@@ -49,16 +49,16 @@ Model room(const glm::dvec3& origin) {
   Scene scene;
   Random random(11);
   const auto box = [&](const glm::dvec3& lo, const glm::dvec3& hi) { scene.box(origin + lo, origin + hi); };
-  box({0, 0, -0.25}, {24, 12, 0});      // floor
-  box({0, 0, 3}, {24, 12, 3.25});       // ceiling
-  box({0, 0, 0}, {0.25, 12, 3});        // outer walls
+  box({0, 0, -0.25}, {24, 12, 0});  // floor
+  box({0, 0, 3}, {24, 12, 3.25});   // ceiling
+  box({0, 0, 0}, {0.25, 12, 3});    // outer walls
   box({23.75, 0, 0}, {24, 12, 3});
   box({0, 0, 0}, {24, 0.25, 3});
   box({0, 11.75, 0}, {24, 12, 3});
-  box({8, 0, 0}, {8.25, 5, 3});         // a wall with a door
+  box({8, 0, 0}, {8.25, 5, 3});  // a wall with a door
   box({8, 6, 0}, {8.25, 12, 3});
   box({8, 5, 2}, {8.25, 6, 3});
-  box({16, 0, 0}, {16.25, 12, 3});      // a wall without one
+  box({16, 0, 0}, {16.25, 12, 3});  // a wall without one
   for (int i = 0; i < 260; ++i) {
     const glm::dvec3 lo = random.vector() * glm::dvec3(22, 10.5, 2) + glm::dvec3(0.5, 0.5, 0);
     box(lo, lo + random.vector(0.05, 0.6));
@@ -109,7 +109,8 @@ Model slivers() {
       const glm::dvec3 start = center + random.vector(-0.3, 0.3);
       mesh.positions.push_back(start);
       mesh.positions.push_back(start + along * random.number(0.3, 2.5));
-      mesh.positions.push_back(start + along * random.number(0.3, 2.5) + random.vector(-1, 1) * std::exp2(-random.number(4, 18)));
+      mesh.positions.push_back(start + along * random.number(0.3, 2.5) +
+                               random.vector(-1, 1) * std::exp2(-random.number(4, 18)));
       mesh.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, 0});
     }
     scene.add(std::move(mesh));
@@ -144,7 +145,9 @@ glm::dmat3 rotation(Random& random) {
   return glm::dmat3(glm::rotate(glm::dmat4(1), random.number(0, 6.28), axis));
 }
 
-Affine placed(const glm::dmat3& linear, const glm::dvec3& at) { return Affine(linear[0], linear[1], linear[2], at); }
+Affine placed(const glm::dmat3& linear, const glm::dvec3& at) {
+  return Affine(linear[0], linear[1], linear[2], at);
+}
 
 Model instances() {
   Scene scene;
@@ -157,7 +160,8 @@ Model instances() {
     scene.place(placed(linear, random.vector(-5, 5)));
   }
   scene.add(awkward::box({-1, -1, 0}, {1, 1, 0}), placed(rotation(random), random.vector(-5, 5)));
-  for (int i = 0; i < 60; ++i) scene.place(placed(rotation(random) * random.number(0.2, 2), random.vector(-5, 5)));
+  for (int i = 0; i < 60; ++i)
+    scene.place(placed(rotation(random) * random.number(0.2, 2), random.vector(-5, 5)));
   return scene.take();
 }
 
@@ -190,7 +194,10 @@ struct Entry {
 };
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = {{"room", [] { return room({0, 0, 0}); }},
+  static const std::vector<Entry> all = {{"room",
+                                          [] {
+                                            return room({0, 0, 0});
+                                          }},
                                          {"flat", flat},
                                          {"coplanar", coplanar},
                                          {"slivers", slivers},
@@ -198,7 +205,10 @@ const std::vector<Entry>& entries() {
                                          {"world", world},
                                          {"instances", instances},
                                          {"sheared", sheared},
-                                         {"far", [] { return room({1e6, -1e6, 1e6}); }},
+                                         {"far",
+                                          [] {
+                                            return room({1e6, -1e6, 1e6});
+                                          }},
                                          {"triangle", triangle}};
   return all;
 }
@@ -223,15 +233,16 @@ Model make(const std::string& name) {
 
 void write_pack(const std::string& name, const std::filesystem::path& file) {
   const uint32_t triangles = name == "dust" ? 12 : 128;
-  build_pack(make(name), {.part_triangles = triangles, .leaf_triangles = triangles, .hlod_triangles = 96}, file);
+  build_pack(make(name), {.part_triangles = triangles, .leaf_triangles = triangles, .hlod_triangles = 96},
+             file);
 }
 
 const Pack& pack(const std::string& name) {
   static std::map<std::string, std::unique_ptr<Pack>> packs;
   std::unique_ptr<Pack>& pack = packs[name];
   if (!pack) {
-    const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / ("triptych_" + std::to_string(::getpid()) + "_" + name + ".tpk");
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
+                                       ("triptych_" + std::to_string(::getpid()) + "_" + name + ".tpk");
     write_pack(name, file);
     pack = std::make_unique<Pack>(file);
     std::filesystem::remove(file);  // the pack keeps it open

@@ -1,14 +1,14 @@
 // Awkward little scenes with their packs, and camera paths through them: what culling and cuts are tried on.
 #pragma once
 
+#include "scene/camera.hpp"
+#include "scene/model.hpp"
+#include "scene/pack.hpp"
+
 #include <memory>
 #include <random>
 #include <string>
 #include <vector>
-
-#include "scene/camera.hpp"
-#include "scene/model.hpp"
-#include "scene/pack.hpp"
 
 namespace triptych::scenes {
 
@@ -17,7 +17,9 @@ class Random {
  public:
   explicit Random(uint32_t seed) : generator_(seed) {}
   /// At least lo, below hi.
-  double number(double lo = 0, double hi = 1) { return lo + (hi - lo) * (static_cast<double>(generator_()) * 0x1p-32); }
+  double number(double lo = 0, double hi = 1) {
+    return lo + (hi - lo) * (static_cast<double>(generator_()) * 0x1p-32);
+  }
   uint32_t index(size_t count) { return static_cast<uint32_t>(generator_() % count); }
   glm::dvec3 vector(double lo = 0, double hi = 1) {
     const double x = number(lo, hi), y = number(lo, hi);
@@ -42,20 +44,17 @@ class Random {
 const std::vector<std::string>& names();
 Model make(const std::string& name);
 
-/// The scene's pack, built with small leaves (dust: a box each) so that there is a hierarchy of some depth. The same pack each time in one
-/// process; no file of it is left.
+/// The scene's pack, built with small leaves (dust: a box each) so that there is a hierarchy of some depth.
+/// The same pack each time in one process; no file of it is left.
 const Pack& pack(const std::string& name);
 /// Writes the scene's pack to a file.
 void write_pack(const std::string& name, const std::filesystem::path& file);
 
-/// A path that tries hard: small steps, turns, jumps, eyes inside boxes and on their faces, near planes that cut boxes,
-/// wide, narrow and lopsided frustums, long lenses from far away.
+/// A path that tries hard: small steps, turns, jumps, eyes inside boxes and on their faces, near planes that
+/// cut boxes, wide, narrow and lopsided frustums, long lenses from far away.
 std::vector<View> path(const Skeleton& skeleton, int width, int height, uint32_t seed = 1);
 /// The path's views at random alone, for tests that want many.
 std::vector<View> random_views(const Skeleton& skeleton, int width, int height, size_t count, uint32_t seed);
-/// The scene from far away through long lenses alone.
-std::vector<View> telescope_views(const Skeleton& skeleton, int width, int height, size_t count, uint32_t seed);
-
 /// Pixel errors for a path's frames, from half a pixel to eight.
 double pixel_error(size_t frame);
 

@@ -1,15 +1,14 @@
 // The hardware cull against testers that need no graphics card.
 #include "visibility/hardware_cull.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <set>
-
 #include "tests/support/scenes.hpp"
 #include "visibility/map_to_cut.hpp"
 #include "visibility/visible_stream.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <gtest/gtest.h>
+#include <set>
 
 namespace triptych {
 namespace {
@@ -18,7 +17,9 @@ namespace {
 class FakeTester : public OcclusionTester {
  public:
   explicit FakeTester(std::function<bool(const ScreenRectangle&)> answer) : answer_(std::move(answer)) {}
-  void draw(std::span<const DrawableId> drawables) override { drawn.insert(drawn.end(), drawables.begin(), drawables.end()); }
+  void draw(std::span<const DrawableId> drawables) override {
+    drawn.insert(drawn.end(), drawables.begin(), drawables.end());
+  }
   void test(std::span<const ScreenRectangle> rectangles, std::span<uint8_t> visible) override {
     largest_batch = std::max(largest_batch, rectangles.size());
     for (size_t i = 0; i < rectangles.size(); ++i) visible[i] = answer_(rectangles[i]);

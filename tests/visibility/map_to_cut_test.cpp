@@ -1,12 +1,11 @@
 // A visible set in terms of another cut: kept, an ancestor, descendants, or nothing.
 #include "visibility/map_to_cut.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "tests/support/scenes.hpp"
 #include "tests/support/small_pack.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
 
 namespace triptych {
 namespace {

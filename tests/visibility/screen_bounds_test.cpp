@@ -1,11 +1,11 @@
-// Where boxes may appear on the screen: never too small, never too far, and unbounded where it cannot be known.
+// Where boxes may appear on the screen: never too small, never too far, and unbounded where it cannot be
+// known.
 #include "visibility/screen_bounds.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/support/scenes.hpp"
 
 #include <cmath>
-
-#include "tests/support/scenes.hpp"
+#include <gtest/gtest.h>
 
 namespace triptych {
 namespace {
@@ -47,7 +47,8 @@ TEST_F(ScreenBoundsOf, a_box_cut_by_the_near_plane_are_unknown) {
 TEST_F(ScreenBoundsOf, a_box_around_the_eye_are_unknown) {
   EXPECT_EQ(bounds({-1, -1, -1}, {1, 1, 1}).kind, Kind::unbounded);
   EXPECT_EQ(bounds({0, 0, -1}, {1, 1, 0}).kind, Kind::unbounded) << "the eye is its corner";
-  EXPECT_EQ(bounds({-1, -1, 0}, {1, 1, 0}).kind, Kind::off_screen) << "the eye is on it, all of it is too near";
+  EXPECT_EQ(bounds({-1, -1, 0}, {1, 1, 0}).kind, Kind::off_screen)
+      << "the eye is on it, all of it is too near";
 }
 
 TEST_F(ScreenBoundsOf, a_box_behind_or_beside_the_view_are_off_the_screen) {
@@ -105,13 +106,16 @@ TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
         EXPECT_EQ(found.kind, Kind::off_screen) << "a rectangle for a box that the near plane cuts";
         continue;
       }
-      const auto device = [&](long double tangent, double low, double high) { return 2 * (tangent - low) / (high - low) - 1; };
+      const auto device = [&](long double tangent, double low, double high) {
+        return 2 * (tangent - low) / (high - low) - 1;
+      };
       const long double x = device(eye_point.x / depth, view.camera.left, view.camera.right);
       const long double y = device(eye_point.y / depth, view.camera.bottom, view.camera.top);
       if (std::abs(x) > 1 || std::abs(y) > 1) continue;
       ASSERT_EQ(found.kind, Kind::rectangle) << "a point of it is on the screen";
       const ScreenRectangle& r = found.rectangle;
-      // Sub-pixel snapping and the vertex stage may move it by half a pixel; the edges of the screen are clipped.
+      // Sub-pixel snapping and the vertex stage may move it by half a pixel; the edges of the screen are
+      // clipped.
       const long double pixel_x = 1.0L / view.width, pixel_y = 1.0L / view.height;
       EXPECT_TRUE(r.left <= std::max(x - pixel_x, -1.0L) && r.right >= std::min(x + pixel_x, 1.0L));
       EXPECT_TRUE(r.bottom <= std::max(y - pixel_y, -1.0L) && r.top >= std::min(y + pixel_y, 1.0L));

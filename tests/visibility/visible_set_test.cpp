@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
-
 #include <set>
 
 namespace triptych {
@@ -28,10 +27,12 @@ TEST(VisibleSet, the_difference_names_only_what_changed) {
     const VisibleSet before = some_set(), after = some_set();
     const VisibleDelta delta = difference(before, after);
     for (const DrawableId id : delta.added) {
-      RC_ASSERT(std::binary_search(after.begin(), after.end(), id) && !std::binary_search(before.begin(), before.end(), id));
+      RC_ASSERT(std::binary_search(after.begin(), after.end(), id) &&
+                !std::binary_search(before.begin(), before.end(), id));
     }
     for (const DrawableId id : delta.removed) {
-      RC_ASSERT(std::binary_search(before.begin(), before.end(), id) && !std::binary_search(after.begin(), after.end(), id));
+      RC_ASSERT(std::binary_search(before.begin(), before.end(), id) &&
+                !std::binary_search(after.begin(), after.end(), id));
     }
     RC_ASSERT(difference(before, before).size() == 0u);
     RC_ASSERT(difference(after, before) == (VisibleDelta{delta.removed, delta.added}));

@@ -1,11 +1,10 @@
 // A receiver's view of a frame: each drawable of V(i) once, in draw rank order, as soon as it is decided.
 #include "visibility/visible_stream.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/support/scenes.hpp"
 
 #include <algorithm>
-
-#include "tests/support/scenes.hpp"
+#include <gtest/gtest.h>
 
 namespace triptych {
 namespace {
@@ -42,10 +41,12 @@ class Stream : public testing::Test {
     packets.assign(watermarks.size(), {});
     for (size_t i = 0; i < packets.size(); ++i) packets[i].watermark = watermarks[i];
     const auto decided_in = [&](DrawableId id) {
-      return static_cast<size_t>(std::upper_bound(watermarks.begin(), watermarks.end(), draw_rank(skeleton, cell, id)) -
-                                 watermarks.begin());
+      return static_cast<size_t>(
+          std::upper_bound(watermarks.begin(), watermarks.end(), draw_rank(skeleton, cell, id)) -
+          watermarks.begin());
     };
-    for (const DrawableId id : delta.added) packets[random.index(decided_in(id) + 1)].delta.added.push_back(id);
+    for (const DrawableId id : delta.added)
+      packets[random.index(decided_in(id) + 1)].delta.added.push_back(id);
     for (const DrawableId id : delta.removed) packets[decided_in(id)].delta.removed.push_back(id);
   }
 };
@@ -60,8 +61,9 @@ TEST_F(Stream, gives_each_drawable_once_in_draw_rank_order) {
         EXPECT_LT(draw_rank(skeleton, cell, id), packet.watermark);
         decided.push_back(id);
       }
-      const auto below = std::count_if(next.begin(), next.end(),
-                                       [&](DrawableId id) { return draw_rank(skeleton, cell, id) < packet.watermark; });
+      const auto below = std::count_if(next.begin(), next.end(), [&](DrawableId id) {
+        return draw_rank(skeleton, cell, id) < packet.watermark;
+      });
       EXPECT_EQ(static_cast<size_t>(below), decided.size()) << "all that is decided, at once";
     }
     std::vector<DrawableId> expected = next;
@@ -75,7 +77,8 @@ TEST_F(Stream, gives_each_drawable_once_in_draw_rank_order) {
 TEST_F(Stream, counts_ids_that_the_sender_cannot_mean) {
   const VisibleSet before = {2, 4, 6};
   const auto beyond = static_cast<DrawableId>(skeleton.drawables.size());
-  const std::vector<VisibleDelta> wrong = {{{4}, {}}, {{}, {5}}, {{beyond}, {}}, {{no_id}, {}}, {{}, {beyond}}, {{5, 3}, {}}};
+  const std::vector<VisibleDelta> wrong = {{{4}, {}},     {{}, {5}},      {{beyond}, {}},
+                                           {{no_id}, {}}, {{}, {beyond}}, {{5, 3}, {}}};
   for (const VisibleDelta& delta : wrong) {
     VisibleStream stream(skeleton, cell, before);
     const std::vector<DrawableId> decided = stream.take({{~uint64_t{0}, no_id}, delta});
