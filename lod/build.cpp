@@ -122,7 +122,7 @@ class Builder {
 
   /// Drawables of fewer triangles than this cost more to handle than to draw: a leaf has none beyond its
   /// first.
-  size_t exit_triangles() const { return std::max<size_t>(options_.hlod_triangles / 8, 16); }
+  size_t exit_triangles() const { return std::max<size_t>(options_.hlod_triangles / 32, 16); }
 
   void make_leaf(size_t node) {
     NodeContent& content = contents_[node];

@@ -1,6 +1,7 @@
 #include "nodes/occlusion_stage.hpp"
 
 #include "base/error.hpp"
+#include "base/inject.hpp"
 #include "visibility/map_to_cut.hpp"
 
 #include <algorithm>
@@ -19,10 +20,12 @@ void OcclusionStage::begin(const FrameRequest& frame) {
          frame.view.width, frame.view.height, tester_.target().width(), tester_.target().height());
   }
   frame_ = frame;
-  cut_ = select_cut(skeleton_, frame.view, frame.pixel_error);
+  if (injected(Fault::stale_camera) && last_view_) frame_.view = *last_view_;
+  last_view_ = frame.view;
+  cut_ = select_cut(skeleton_, frame_.view, frame.pixel_error);
   for (const DrawableId id : represented_) is_represented_[id] = false;
   represented_.clear();
-  tester_.begin(frame.view);
+  tester_.begin(frame_.view);
 }
 
 void OcclusionStage::represent(const VisibleSet& visible) {

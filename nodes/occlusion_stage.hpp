@@ -5,6 +5,8 @@
 #include "render/gl_occlusion_tester.hpp"
 #include "visibility/hardware_cull.hpp"
 
+#include <optional>
+
 namespace triptych {
 
 /// A frame as the render node asks for it.
@@ -42,6 +44,7 @@ class OcclusionStage {
   const Skeleton& skeleton_;
   GlOcclusionTester tester_;
   FrameRequest frame_;
+  std::optional<View> last_view_;  ///< of the frame before, for the fault of a stale camera
   Cut cut_;
   std::vector<DrawableId> represented_;
   std::vector<bool> is_represented_;

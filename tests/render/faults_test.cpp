@@ -1,10 +1,11 @@
-// Each fault that is put in on purpose shows in the comparison with the un-culled picture: the comparison can fail.
-#include <gtest/gtest.h>
-
+// Each fault that is put in on purpose shows in the comparison with the un-culled picture: the comparison can
+// fail.
 #include "base/inject.hpp"
 #include "tests/render/rig.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/small_pack.hpp"
+
+#include <gtest/gtest.h>
 
 namespace triptych {
 namespace {
@@ -23,16 +24,18 @@ size_t wrong_frames(const std::string& scene) {
   return wrong;
 }
 
-/// Squares smaller than a pixel, each a drawable of its own, whose right edges pass a pixel's centre by half a step of
-/// the rasterizer (1/256 pixel), more or less: whether one shows, and whether its box does, hangs on the last bits of
-/// their roundings.
+/// Squares smaller than a pixel, each a drawable of its own, whose right edges pass a pixel's centre by half
+/// a step of the rasterizer (1/256 pixel) and next to nothing: whether one shows, and whether its box does,
+/// hangs on the last bits of their roundings.
 class Specks {
  public:
   Specks() : pack_(write()) {}
 
   /// How many pixels the culled picture lacks.
   size_t differing_pixels() {
-    View view{.camera = {.eye = eye, .target = eye - glm::dvec3(0, 0, 1), .up = {0, 1, 0}}, .width = side, .height = side};
+    View view{.camera = {.eye = eye, .target = eye - glm::dvec3(0, 0, 1), .up = {0, 1, 0}},
+              .width = side,
+              .height = side};
     view.camera.left = view.camera.bottom = -0.5;
     view.camera.right = view.camera.top = 0.5;
     return Rig(pack_, side, side).draw({0, view, 1}).differing_pixels;
@@ -53,17 +56,20 @@ class Specks {
     skeleton.drawables.clear();
     pack.chunks.clear();
     for (uint32_t i = 0; i < rows * rows; ++i) {
-      const glm::dvec3 center = eye + pixel * glm::dvec3(12.0 * (i % rows) - 119.5, 12.0 * (i / rows) - 119.5, -side);
-      const double past = 0.5 / 256 + ((i % 41) - 20.0) * 0x1p-18;
+      const glm::dvec3 center =
+          eye + pixel * glm::dvec3(12.0 * (i % rows) - 119.5, 12.0 * (i / rows) - 119.5, -side);
+      const double past = 0.5 / 256 + (i % 41) * 0x1p-20;
       const glm::ivec3 lo = skeleton.lattice().nearest(center - pixel * glm::dvec3(0.3, 0.3, 0));
       const glm::ivec3 hi = skeleton.lattice().nearest(center + pixel * glm::dvec3(past, 0.3, 0));
       Chunk chunk;
       chunk.vertices = {{lo, 0}, {{hi.x, lo.y, lo.z}, 0}, {hi, 0}, {{lo.x, hi.y, lo.z}, 0}};
       chunk.indices = {0, 1, 2, 0, 2, 3};
-      skeleton.scene_nodes.push_back({.box = chunk.box(), .parent = 0, .first_drawable = i, .drawable_count = 1});
+      skeleton.scene_nodes.push_back(
+          {.box = chunk.box(), .parent = 0, .first_drawable = i, .drawable_count = 1});
       skeleton.scene_nodes[0].box.extend(chunk.box());
       skeleton.placements.push_back({i, 0});
-      skeleton.drawables.push_back({.error = 0, .scene_node = i + 1, .first_placement = i, .placement_count = 1, .triangles = 2});
+      skeleton.drawables.push_back(
+          {.error = 0, .scene_node = i + 1, .first_placement = i, .placement_count = 1, .triangles = 2});
       pack.chunks.push_back(std::move(chunk));
     }
     pack.chunk_lattices.assign(pack.chunks.size(), 0);
@@ -102,14 +108,16 @@ TEST(NoDilation, loses_specks_whose_box_covers_no_pixel) {
   RecordProperty("lost_pixels", std::to_string(lost));
 }
 
-// A strict test alone changes nothing, because the margin of depth keeps a box before its own content; without that
-// margin it does.
+// A strict test alone changes nothing, because the margin of depth keeps a box before its own content;
+// without that margin it does.
 INSTANTIATE_TEST_SUITE_P(Injected, Faults,
-                         testing::Values(Trial{{"withheld-id"}, "room"}, Trial{{"wrong-ancestor"}, "world"},
+                         testing::Values(Trial{{"withheld-id"}, "room"}, Trial{{"stale-camera"}, "room"},
+                                         Trial{{"wrong-ancestor"}, "world"},
                                          Trial{{"strict-depth-test", "no-dilation"}, "coplanar"}),
                          [](const auto& parameter) {
                            std::string name;
-                           for (const std::string& fault : parameter.param.faults) name += (name.empty() ? "" : "_and_") + fault;
+                           for (const std::string& fault : parameter.param.faults)
+                             name += (name.empty() ? "" : "_and_") + fault;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

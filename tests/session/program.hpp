@@ -1,6 +1,7 @@
 // The program `triptych` as a user starts it: runs to its end, or in the background.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <fcntl.h>
 #include <filesystem>
@@ -24,8 +25,10 @@ class Folder {
  public:
   Folder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(testing::TempDir()) /
-            ("triptych_" + std::to_string(::getpid()) + "_" + test->test_suite_name() + "_" + test->name());
+    std::string name =
+        "triptych_" + std::to_string(::getpid()) + "_" + test->test_suite_name() + "_" + test->name();
+    std::replace(name.begin(), name.end(), '/', '_');
+    path_ = std::filesystem::path(testing::TempDir()) / name;
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -73,23 +73,36 @@ TEST_F(SessionPictures, are_the_same_of_roles_that_are_started_by_hand) {
   }
 }
 
-TEST_F(SessionPictures, of_a_furnished_building_are_the_un_culled_ones_on_every_frame_of_every_path) {
+/// A picture's size and where OpenGL comes from.
+class BuildingPictures : public SessionPictures,
+                         public testing::WithParamInterface<std::pair<const char*, const char*>> {};
+
+TEST_P(BuildingPictures, are_the_un_culled_ones_on_every_frame_of_every_path) {
   if (!std::filesystem::exists("/usr/share/sweethome3d")) {
     GTEST_SKIP() << "the furniture is not installed";
   }
+  const auto [size, context] = GetParam();
   const std::string building = folder.file("building"), building_pack = folder.file("building.tpk");
   run({"sample", "building", "--floors", "1", "--furniture", "200", "-o", building});
   run({"build", building + "/scene.gltf", "-o", building_pack});
   for (const std::string name : {"walk", "fly", "spin", "jump"}) {
     SCOPED_TRACE(name);
     const std::string file = building + "/" + name + ".json";
-    run({"measure", "session", building_pack, "--path", file, "--size", "160x120", "--json", json});
+    run({"measure", "session", building_pack, "--path", file, "--size", size, "--context", context, "--json",
+         json});
+    const nlohmann::json report = json_of(json);
     expect_identical(json_of(file)["frames"].size());
+    EXPECT_EQ(report["one_process"]["identical_frames"], report["frames"]);
     if (name == "walk") {
-      EXPECT_GE(json_of(json)["delta"]["saved_percent"].get<double>(), 93);
+      EXPECT_GE(report["delta"]["saved_percent"].get<double>(), 93);
+      EXPECT_LE(report["culling_efficiency"].get<double>(), 3);
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Contexts, BuildingPictures,
+                         testing::Values(std::pair("512x512", "egl"), std::pair("641x479", "osmesa")),
+                         [](const auto& parameter) { return std::string(parameter.param.second); });
 
 }  // namespace
 }  // namespace triptych::test

@@ -3,6 +3,7 @@
 
 #include "scene/pack.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
@@ -77,11 +78,14 @@ inline SmallPack small_pack() {
   return pack;
 }
 
-/// Writes the pack under the running test's own name.
+/// Writes the pack under the running test's own name; tests that run in two OpenGL contexts side by side have
+/// two.
 inline std::filesystem::path write_pack(const SmallPack& pack) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto file = std::filesystem::path(testing::TempDir()) /
-                    (std::string("triptych_") + test->test_suite_name() + "_" + test->name() + ".tpk");
+  const char* context = std::getenv("TRIPTYCH_TEST_CONTEXT");
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / (std::string("triptych_") + (context ? context : "") +
+                                                   test->test_suite_name() + "_" + test->name() + ".tpk");
   PackWriter writer(file);
   for (size_t i = 0; i < pack.chunks.size(); ++i) writer.add_chunk(pack.chunks[i], pack.chunk_lattices[i]);
   writer.finish(pack.skeleton);
