@@ -108,7 +108,7 @@ double TriangleTree::squared_distance(std::span<const glm::dvec3> points, uint32
 }
 
 /// Looks for what is nearer than `best`: for the nearest, or for any.
-template <bool Any>
+template <bool any>
 TriangleTree::Nearest TriangleTree::search(std::span<const glm::dvec3> points, Nearest best) const {
   struct Waiting {
     uint32_t node;
@@ -126,7 +126,7 @@ TriangleTree::Nearest TriangleTree::search(std::span<const glm::dvec3> points, N
         const double distance = furthest(points, triangles_[order_[i]], best.squared_distance);
         if (distance < best.squared_distance) {
           best = {distance, order_[i]};
-          if (Any) return best;
+          if (any) return best;
         }
       }
     } else {

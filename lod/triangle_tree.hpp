@@ -45,7 +45,7 @@ class TriangleTree {
              count = 0;  ///< of a leaf: triangles in order_; of an inner node: count 0 and its right child
   };
 
-  template <bool Any>
+  template <bool any>
   Nearest search(std::span<const glm::dvec3> points, Nearest best) const;
   void build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& centers);
 
