@@ -64,32 +64,32 @@ json walk_figures() {
 class ReportFiles : public testing::Test {
  protected:
   ReportFiles()
-      : folder_(std::filesystem::temp_directory_path() /
-                (std::string("triptych_report_") +
-                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::remove_all(folder_);
+      : folder(std::filesystem::temp_directory_path() /
+               (std::string("triptych_report_") +
+                testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::remove_all(folder);
     add("walk", walk_figures());
     add("one_process", run_figures(40, 30000));
     add("coarse", run_figures(20, 9000));
     add("full_detail", run_figures(2000, 11000000));
-    write_file(folder_ / "000000.png", "a picture");
-    manifest_["pictures"] = {
+    write_file(folder / "000000.png", "a picture");
+    manifest["pictures"] = {
         {{"file", "000000.png"}, {"caption", "frame 0"}, {"command", "triptych draw --it"}}};
   }
-  ~ReportFiles() override { std::filesystem::remove_all(folder_); }
+  ~ReportFiles() override { std::filesystem::remove_all(folder); }
 
   void add(const std::string& name, const json& figures) {
-    make_folder(folder_);
-    write_file(folder_ / (name + ".json"), figures.dump());
-    manifest_["entries"].push_back(
+    make_folder(folder);
+    write_file(folder / (name + ".json"), figures.dump());
+    manifest["entries"].push_back(
         {{"name", name}, {"command", "triptych " + name + " <scene> & more"}, {"json", name + ".json"}});
   }
   void change(const std::string& name, const json& figures) {
-    write_file(folder_ / (name + ".json"), figures.dump());
+    write_file(folder / (name + ".json"), figures.dump());
   }
   Report load() {
-    write_file(folder_ / "manifest.json", manifest_.dump());
-    return load_report(folder_ / "manifest.json");
+    write_file(folder / "manifest.json", manifest.dump());
+    return load_report(folder / "manifest.json");
   }
   /// What is said about a report that cannot be made; empty where it can.
   std::string complaint() {
@@ -101,8 +101,8 @@ class ReportFiles : public testing::Test {
     return "";
   }
 
-  std::filesystem::path folder_;
-  json manifest_ = {{"title", "A run"}, {"entries", json::array()}};
+  std::filesystem::path folder;
+  json manifest = {{"title", "A run"}, {"entries", json::array()}};
 };
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -118,7 +118,7 @@ TEST_F(ReportFiles, the_page_holds_every_command_and_picture) {
 }
 
 TEST_F(ReportFiles, the_note_stands_on_the_page_where_there_is_one) {
-  manifest_["note"] = "one < two";
+  manifest["note"] = "one < two";
   EXPECT_TRUE(holds(report_page(load()), "<p>one &lt; two</p>"));
 }
 
@@ -170,7 +170,7 @@ TEST_F(ReportFiles, the_merged_json_holds_every_figure_beside_its_command) {
 }
 
 TEST_F(ReportFiles, a_report_of_fewer_runs_leaves_out_what_it_cannot_know) {
-  manifest_["entries"].erase(0);
+  manifest["entries"].erase(0);
   const Report report = load();
   EXPECT_EQ(judge(report).size(), 2u);
   EXPECT_FALSE(holds(report_page(report), "Stages"));
@@ -178,29 +178,29 @@ TEST_F(ReportFiles, a_report_of_fewer_runs_leaves_out_what_it_cannot_know) {
 
 TEST_F(ReportFiles, what_is_missing_or_broken_is_named_once) {
   change("coarse", {{"frames", 3}});
-  EXPECT_EQ(complaint(), (folder_ / "coarse.json").string() + ": has no number at /drawn_triangles/mean");
-  write_file(folder_ / "coarse.json", "{\"frames\": ");
-  EXPECT_TRUE(holds(complaint(), (folder_ / "coarse.json").string() + ": is no JSON"));
-  write_file(folder_ / "coarse.json", "[1, 2]");
-  EXPECT_EQ(complaint(), (folder_ / "coarse.json").string() + ": holds no JSON object");
-  std::filesystem::remove(folder_ / "coarse.json");
+  EXPECT_EQ(complaint(), (folder / "coarse.json").string() + ": has no number at /drawn_triangles/mean");
+  write_file(folder / "coarse.json", "{\"frames\": ");
+  EXPECT_TRUE(holds(complaint(), (folder / "coarse.json").string() + ": is no JSON"));
+  write_file(folder / "coarse.json", "[1, 2]");
+  EXPECT_EQ(complaint(), (folder / "coarse.json").string() + ": holds no JSON object");
+  std::filesystem::remove(folder / "coarse.json");
   EXPECT_TRUE(holds(complaint(), "coarse.json"));
 }
 
 TEST_F(ReportFiles, a_picture_that_is_not_there_is_named) {
-  std::filesystem::remove(folder_ / "000000.png");
-  EXPECT_EQ(complaint(), (folder_ / "000000.png").string() + ": is not there");
+  std::filesystem::remove(folder / "000000.png");
+  EXPECT_EQ(complaint(), (folder / "000000.png").string() + ": is not there");
 }
 
 TEST_F(ReportFiles, a_manifest_that_makes_no_sense_is_refused) {
-  const std::string place = (folder_ / "manifest.json").string();
-  manifest_["entries"].push_back(manifest_["entries"][0]);
+  const std::string place = (folder / "manifest.json").string();
+  manifest["entries"].push_back(manifest["entries"][0]);
   EXPECT_EQ(complaint(), place + ": names \"walk\" twice");
-  manifest_["entries"] = "walk";
+  manifest["entries"] = "walk";
   EXPECT_EQ(complaint(), place + ": \"entries\" is no list");
-  manifest_["entries"] = json::array({3});
+  manifest["entries"] = json::array({3});
   EXPECT_EQ(complaint(), place + ": lacks the text \"name\"");
-  manifest_["entries"] = json::array();
+  manifest["entries"] = json::array();
   EXPECT_EQ(complaint(), place + ": names no entries");
 }
 
