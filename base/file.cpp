@@ -54,6 +54,22 @@ AtomicFile::~AtomicFile() {
   if (!partial_.empty()) ::unlink(partial_.c_str());
 }
 
+AtomicFile::AtomicFile(std::filesystem::path path, std::filesystem::path partial, uint64_t keep)
+    : path_(std::move(path)), partial_(std::move(partial)), size_(keep) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path_, error)) fail(path_.string(), "is a folder, not a file");
+  error.clear();  // a pack that is not there yet is none
+  if (keep > 0) std::filesystem::resize_file(partial_, keep, error);
+  if (!error) file_ = std::fopen(partial_.c_str(), keep > 0 ? "r+b" : "wb");
+  if (!file_ || std::fseek(file_, 0, SEEK_END) != 0) {
+    fail(path_.string(), "cannot be written: {}", error ? error.message() : std::strerror(errno));
+  }
+}
+
+void AtomicFile::flush() {
+  if (std::fflush(file_) != 0) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+}
+
 void AtomicFile::write(std::span<const std::byte> bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
     fail(path_.string(), "cannot be written: {}", std::strerror(errno));

@@ -23,6 +23,8 @@ void make_folder(const std::filesystem::path& folder);
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
+  /// Written under the given name until commit(); the first `keep` bytes that already stand there stay.
+  AtomicFile(std::filesystem::path path, std::filesystem::path partial, uint64_t keep);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -33,6 +35,8 @@ class AtomicFile {
   /// to write.
   void write_at(uint64_t offset, std::span<const std::byte> bytes);
   uint64_t size() const { return size_; }
+  /// Hands what was written to the system: it survives the end of the process. Error if the disk is full.
+  void flush();
   /// Flushes to the disk and renames. Error if either fails; then nothing is left.
   void commit();
 

@@ -11,10 +11,14 @@ std::unique_ptr<tbb::global_control>& limit() {
   static std::unique_ptr<tbb::global_control> control;
   return control;
 }
+unsigned limited_to = 0;
 }  // namespace
+
+unsigned thread_count_limit() { return limited_to; }
 
 void set_thread_count(unsigned count) {
   limit().reset();
+  limited_to = count;
   if (count > 0)
     limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
 }

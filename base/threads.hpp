@@ -8,6 +8,8 @@ namespace triptych {
 
 /// Limits parallel_for for the rest of the process; 0 is all cores.
 void set_thread_count(unsigned count);
+/// The limit that was set last; 0 is all cores.
+unsigned thread_count_limit();
 
 /// Calls body(0) … body(count − 1), in any order, side by side; the first exception is thrown again here.
 void parallel_for(size_t count, const std::function<void(size_t)>& body);

@@ -17,7 +17,7 @@ target_include_directories(glad SYSTEM PUBLIC $<INSTALL_INTERFACE:${header_dir}/
 install(TARGETS glad EXPORT triptych ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/triptych)
 install(DIRECTORY ${GLAD_DIR}/include/ DESTINATION ${header_dir}/loader)
 
-install(TARGETS triptych RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS triptych triptych-import RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT triptych NAMESPACE triptych:: FILE triptych-targets.cmake DESTINATION ${package_dir})
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/triptych-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/triptych-config.cmake ${CMAKE_BINARY_DIR}/triptych-config-version.cmake

@@ -1,7 +1,10 @@
 #include "lod/build.hpp"
 
+#include "base/clock.hpp"
 #include "base/memory.hpp"
+#include "launch/build_flags.hpp"
 #include "launch/command.hpp"
+#include "launch/import_flags.hpp"
 #include "measure/json.hpp"
 #include "scene/import.hpp"
 
@@ -12,28 +15,48 @@ namespace triptych {
 namespace {
 
 struct BuildCommand {
-  std::vector<std::filesystem::path> inputs;
+  BuildFlags flags;
   std::filesystem::path output, json;
 };
 
-int run(const BuildCommand& command) {
-  const BuildReport report = build_pack(import_model(command.inputs), {}, command.output);
+void print(const BuildReport& report, const std::filesystem::path& output) {
+  for (const std::string& warning : report.import.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  fmt::print("{}: {} drawables on {} levels, {} source and {} placed triangles, {:.1f} MB\n", output.string(),
+             report.drawables, report.levels, report.source_triangles, report.placed_triangles,
+             static_cast<double>(report.pack_bytes) / 1e6);
+  fmt::print("dropped triangles {}, welded vertices {}, repaired edges {}, stuck groups {}, warnings {}\n",
+             report.import.dropped_triangles, report.import.welded_vertices, report.import.repaired_edges,
+             report.import.stuck_groups, report.import.warnings.size());
+}
+
+nlohmann::json report_json(const BuildReport& report, double seconds) {
   nlohmann::json stages = nlohmann::json::array();
   for (const BuildStage& stage : report.stages)
     stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
-  for (const std::string& warning : report.import.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  fmt::print("{}: {} drawables, {} source and {} placed triangles, {:.1f} MB\n", command.output.string(),
-             report.drawables, report.source_triangles, report.placed_triangles,
-             static_cast<double>(report.pack_bytes) / 1e6);
-  fmt::print("dropped triangles {}, welded vertices {}, repaired edges {}, stuck groups {}\n",
-             report.import.dropped_triangles, report.import.welded_vertices, report.import.repaired_edges,
-             report.import.stuck_groups);
-  write_json(command.json, {{"source_triangles", report.source_triangles},
-                            {"placed_triangles", report.placed_triangles},
-                            {"drawables", report.drawables},
-                            {"pack_bytes", report.pack_bytes},
-                            {"peak_rss_bytes", peak_resident_bytes()},
-                            {"stages", stages}});
+  return {{"source_triangles", report.source_triangles},
+          {"placed_triangles", report.placed_triangles},
+          {"drawables", report.drawables},
+          {"levels", report.levels},
+          {"pack_bytes", report.pack_bytes},
+          {"peak_rss_bytes", peak_resident_bytes()},
+          {"resumed_units", report.resumed_units},
+          {"seconds", seconds},
+          {"stages", stages},
+          {"import", to_json(report.import)}};
+}
+
+int run(const BuildCommand& command) {
+  const Stopwatch stopwatch;
+  ImportOptions import = command.flags.import;
+  import.temporary_folder = std::filesystem::absolute(command.output).parent_path();
+  Model model = import_model(command.flags.inputs, import);
+  const double import_seconds = stopwatch.seconds();
+  BuildOptions options = command.flags.options();
+  options.fingerprint = build_fingerprint(command.flags, model.files);
+  BuildReport report = build_pack(std::move(model), options, command.output);
+  report.stages.insert(report.stages.begin(), {"import", import_seconds});
+  print(report, command.output);
+  write_json(command.json, report_json(report, stopwatch.seconds()));
   return 0;
 }
 
@@ -41,12 +64,11 @@ int run(const BuildCommand& command) {
 
 void add_build(CLI::App& app, Action& action) {
   auto command = std::make_shared<BuildCommand>();
-  CLI::App* sub = app.add_subcommand("build", "Model files to a pack: glTF, GLB, OBJ, PLY, STL");
-  sub->footer("Example: triptych build scene.gltf -o scene.tpk");
+  CLI::App* sub = app.add_subcommand("build", "Model files to a pack: glTF, GLB, OBJ, PLY, STL and more");
+  sub->footer(format_help() + "\nExample: triptych build scene.gltf -o scene.tpk");
   add_common_flags(*sub, command->json);
-  sub->add_option("input", command->inputs, "Model files; several become one model")
-      ->required()
-      ->type_name("INPUT");
+  add_build_flags(*sub, command->flags);
+  add_hierarchy_flag(*sub, command->flags);
   sub->add_option("-o,--output", command->output, "The pack to write")->required()->type_name("FILE.tpk");
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }

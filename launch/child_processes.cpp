@@ -27,7 +27,8 @@ ChildProcesses::~ChildProcesses() {
   }
 }
 
-pid_t ChildProcesses::start(const std::string& name, const std::vector<std::string>& arguments) {
+pid_t ChildProcesses::start(const std::string& name, const std::vector<std::string>& arguments,
+                            Output output) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail(name, "cannot be started: {}", std::strerror(errno));
   std::vector<char*> words;
@@ -47,6 +48,7 @@ pid_t ChildProcesses::start(const std::string& name, const std::vector<std::stri
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
     ::dup2(pipe[1], STDERR_FILENO);
+    if (output == Output::as_error) ::dup2(pipe[1], STDOUT_FILENO);
     ::execv("/proc/self/exe", words.data());
     ::_exit(127);
   }

@@ -17,9 +17,16 @@ class ChildProcesses {
   ChildProcesses(const ChildProcesses&) = delete;
   ChildProcesses& operator=(const ChildProcesses&) = delete;
 
+  /// Where a child's standard output goes.
+  enum class Output {
+    shared,    ///< where this process's goes
+    as_error,  ///< with its standard error: what it prints is progress here
+  };
+
   /// Starts this program again with other arguments. Its standard error comes through here, lines that start
   /// with "triptych: " excepted: they are kept as its complaint. Error if it cannot be started.
-  pid_t start(const std::string& name, const std::vector<std::string>& arguments);
+  pid_t start(const std::string& name, const std::vector<std::string>& arguments,
+              Output output = Output::shared);
 
   /// Waits until all have ended. As soon as one fails the others get a moment to leave by themselves and are
   /// ended then; the Error names the first that failed and its complaint. stop: asked a few times a second;

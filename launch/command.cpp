@@ -55,8 +55,7 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
       ->check(CLI::Range(1, 1024));
 }
 
-void add_drawing_flags(CLI::App& command, RunOptions& options) {
-  command.add_option("pack", options.pack, "The pack to draw")->required()->type_name("FILE.tpk");
+void add_context_flags(CLI::App& command, RunOptions& options) {
   command.add_option("--context", options.context, "Where OpenGL comes from")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ContextKind>{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}}))
@@ -69,9 +68,12 @@ void add_drawing_flags(CLI::App& command, RunOptions& options) {
       ->default_str("storage");
 }
 
-void add_run_flags(CLI::App& command, RunOptions& options) {
-  add_common_flags(command, options.json);
-  add_drawing_flags(command, options);
+void add_drawing_flags(CLI::App& command, RunOptions& options) {
+  command.add_option("pack", options.pack, "The pack to draw")->required()->type_name("FILE.tpk");
+  add_context_flags(command, options);
+}
+
+void add_path_flags(CLI::App& command, RunOptions& options) {
   command.add_option("--path", options.path, "The camera path")->required()->type_name("FILE");
   command
       .add_option_function<std::string>(
@@ -85,6 +87,12 @@ void add_run_flags(CLI::App& command, RunOptions& options) {
       ->default_str("1");
   command.add_option("--frames", options.frames, "Only the first frames of the path")
       ->check(CLI::PositiveNumber);
+}
+
+void add_run_flags(CLI::App& command, RunOptions& options) {
+  add_common_flags(command, options.json);
+  add_drawing_flags(command, options);
+  add_path_flags(command, options);
 }
 
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {

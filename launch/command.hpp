@@ -35,9 +35,13 @@ struct RunOptions {
 
 /// --json, --inject and --threads, which every subcommand takes.
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
-/// The pack, --context and --test: what every process that draws needs.
+/// --context and --test.
+void add_context_flags(CLI::App& command, RunOptions& options);
+/// The pack and add_context_flags: what every process that draws needs.
 void add_drawing_flags(CLI::App& command, RunOptions& options);
-/// add_common_flags, add_drawing_flags, and --path, --size, --pixel-error, --frames.
+/// --path, --size, --pixel-error, --frames.
+void add_path_flags(CLI::App& command, RunOptions& options);
+/// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
 
 /// The frames that the options ask for, in order. Error for a path that cannot be used.

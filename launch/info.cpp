@@ -1,4 +1,6 @@
 #include "launch/command.hpp"
+#include "launch/text_table.hpp"
+#include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
 
 #include <fmt/core.h>
@@ -12,7 +14,6 @@ nlohmann::json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 nlohmann::json describe(const Pack& pack) {
   const Skeleton& skeleton = pack.skeleton();
   const Box box = skeleton.lattice().box(skeleton.scene_nodes[0].box);
-  const ImportReport& import = skeleton.import;
   return {{"format_version", pack_format_version},
           {"content_hash", fmt::format("{:016x}", pack.content_hash())},
           {"source_triangles", skeleton.source_triangles},
@@ -30,18 +31,46 @@ nlohmann::json describe(const Pack& pack) {
             {"clusters", skeleton.objects.clusters},
             {"partition2", skeleton.objects.partition2}}},
           {"effects", skeleton.effects},
-          {"import",
-           {{"dropped_triangles", import.dropped_triangles},
-            {"welded_vertices", import.welded_vertices},
-            {"repaired_edges", import.repaired_edges},
-            {"stuck_groups", import.stuck_groups},
-            {"warnings", import.warnings}}}};
+          {"import", to_json(skeleton.import)},
+          {"hierarchy", to_json(hierarchy_quality(skeleton))}};
+}
+
+void print_objects(const Skeleton& skeleton) {
+  std::vector<std::string> row;
+  for (const uint64_t count :
+       {skeleton.placed_triangles, skeleton.objects.initial, skeleton.objects.partition1,
+        skeleton.objects.clusters, skeleton.objects.partition2})
+    row.push_back(in_threes(static_cast<double>(count)));
+  fmt::print("\n{}",
+             text_table({"polygons", "initial objects", "partition 1", "clusters", "partition 2"}, {row}));
+}
+
+void print_hierarchy(const Skeleton& skeleton) {
+  const HierarchyQuality quality = hierarchy_quality(skeleton);
+  std::vector<std::vector<std::string>> rows;
+  for (size_t i = 0; i < quality.levels.size(); ++i) {
+    const HierarchyLevel& level = quality.levels[i];
+    rows.push_back({std::to_string(i + 1), in_threes(static_cast<double>(level.scene_nodes)),
+                    in_threes(static_cast<double>(level.leaves)),
+                    in_threes(static_cast<double>(level.drawables)),
+                    in_threes(static_cast<double>(level.triangles))});
+  }
+  fmt::print("\n{}", text_table({"level", "scene nodes", "leaves", "drawables", "triangles"}, rows));
+  fmt::print(
+      "\ndepth of leaves: mean {:.1f}, largest {:.0f}; balance (lightest child over heaviest): mean "
+      "{:.2f}; overlap of siblings: mean {:.1f} % of their parent, 95th percentile {:.1f} %\n",
+      quality.depth.mean, quality.depth.max, quality.balance.mean, 100 * quality.overlap.mean,
+      100 * quality.overlap.p95);
 }
 
 int run(const std::filesystem::path& file, const std::filesystem::path& json) {
   const Pack pack(file);
   const nlohmann::json description = describe(pack);
-  for (const auto& [key, value] : description.items()) fmt::print("{:<17} {}\n", key, value.dump());
+  for (const auto& [key, value] : description.items()) {
+    if (key != "hierarchy" && key != "objects") fmt::print("{:<17} {}\n", key, value.dump());
+  }
+  print_objects(pack.skeleton());
+  print_hierarchy(pack.skeleton());
   write_json(json, description);
   return 0;
 }

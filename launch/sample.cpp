@@ -2,6 +2,9 @@
 #include "launch/command.hpp"
 #include "measure/json.hpp"
 #include "samples/building.hpp"
+#include "samples/isosurface.hpp"
+#include "samples/plant.hpp"
+#include "samples/statue.hpp"
 
 #include <fmt/core.h>
 
@@ -11,11 +14,13 @@ namespace {
 
 struct SampleCommand {
   BuildingOptions building;
+  PlantOptions plant;
+  SurfaceOptions surface;
   int furniture = 0;
   std::filesystem::path output, json;
 };
 
-int run(SampleCommand command) {
+int run_building(SampleCommand command) {
   if (command.furniture > 0) command.building.furniture = command.furniture;
   const SampleReport report = make_building(command.building, command.output);
   for (const auto& [reason, count] : report.skipped_models)
@@ -36,6 +41,41 @@ int run(SampleCommand command) {
                             {"undefined_materials", report.undefined_materials},
                             {"transparent_materials", report.transparent_materials}});
   return 0;
+}
+
+int run_plant(const SampleCommand& command) {
+  const PlantReport report = make_plant(command.plant, command.output);
+  fmt::print("{}: {} objects of {} to {} triangles, {} in all\n", (command.output / "scene.gltf").string(),
+             report.objects, report.smallest_object, report.largest_object, report.triangles);
+  write_json(command.json, {{"objects", report.objects},
+                            {"triangles", report.triangles},
+                            {"smallest_object", report.smallest_object},
+                            {"largest_object", report.largest_object}});
+  return 0;
+}
+
+using MakeSurface = SurfaceReport (*)(const SurfaceOptions&, const std::filesystem::path&);
+
+int run_surface(const SampleCommand& command, MakeSurface make) {
+  const SurfaceReport report = make(command.surface, command.output);
+  fmt::print("{}: {} triangles, {} vertices\n", (command.output / "scene.ply").string(), report.triangles,
+             report.vertices);
+  write_json(command.json, {{"triangles", report.triangles}, {"vertices", report.vertices}});
+  return 0;
+}
+
+/// --json, --output, --triangles and --seed of a sample.
+template <typename Options>
+void add_sample_flags(CLI::App& app, SampleCommand& command, Options& options, uint64_t least,
+                      uint64_t most) {
+  add_common_flags(app, command.json);
+  app.add_option("-o,--output", command.output, "Folder for the scene and the paths")
+      ->required()
+      ->type_name("DIR");
+  app.add_option("--triangles", options.triangles, "About how many triangles in all")
+      ->check(CLI::Range(least, most))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "Decides everything that is random")->capture_default_str();
 }
 
 }  // namespace
@@ -59,7 +99,22 @@ void add_sample(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 1000000));
   building->add_option("--seed", command->building.seed, "Decides everything that is random")
       ->capture_default_str();
-  building->callback([command, &action] { action = [command] { return run(*command); }; });
+  building->callback([command, &action] { action = [command] { return run_building(*command); }; });
+
+  CLI::App* plant = sample->add_subcommand(
+      "plant", "A coal-fired power plant: some 1,200 objects, among them one network of pipes");
+  plant->footer("Example: triptych sample plant -o plant --triangles 1000000");
+  add_sample_flags(*plant, *command, command->plant, least_plant_triangles, most_plant_triangles);
+  plant->callback([command, &action] { action = [command] { return run_plant(*command); }; });
+
+  const auto add_surface = [&](const char* name, const char* does, MakeSurface make) {
+    CLI::App* surface = sample->add_subcommand(name, does);
+    surface->footer(fmt::format("Example: triptych sample {} -o {} --triangles 1000000", name, name));
+    add_sample_flags(*surface, *command, command->surface, least_surface_triangles, most_surface_triangles);
+    surface->callback([command, make, &action] { action = [=] { return run_surface(*command, make); }; });
+  };
+  add_surface("isosurface", "The surface between two gases that mix, with holes and depth", make_isosurface);
+  add_surface("statue", "A robed figure: one closed, finely folded surface", make_statue);
 }
 
 }  // namespace triptych

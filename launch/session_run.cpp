@@ -3,36 +3,16 @@
 #include "base/file.hpp"
 #include "base/inject.hpp"
 #include "launch/child_processes.hpp"
+#include "launch/temporary_folder.hpp"
 #include "nodes/inbox.hpp"
 #include "protocol/listener.hpp"
 
 #include <fmt/core.h>
 #include <random>
-#include <unistd.h>
 
 namespace triptych {
 
 namespace {
-
-/// A folder that goes when this goes.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "triptych-session-XXXXXX").string();
-    if (!::mkdtemp(pattern.data())) fail(pattern, "cannot be made");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;  // what is left of it hurts nobody
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_t session) {
   std::vector<std::string> arguments = {options.run.pack.string(),

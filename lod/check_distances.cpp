@@ -9,6 +9,7 @@
 #include <functional>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <numeric>
 
 namespace triptych {
 
@@ -92,7 +93,7 @@ double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t p
 }
 
 /// The points that a full measurement of each drawable takes: small ones are done with few.
-std::vector<uint64_t> wanted_points(const Skeleton& skeleton) {
+std::vector<uint64_t> wanted_points(const Skeleton& skeleton, std::span<const DrawableId> drawables) {
   std::vector<uint64_t> source(skeleton.scene_nodes.size());  // triangles of the finest leaf drawables below
   for (size_t i = source.size(); i-- > 0;) {
     const SceneNode& node = skeleton.scene_nodes[i];
@@ -100,8 +101,9 @@ std::vector<uint64_t> wanted_points(const Skeleton& skeleton) {
     if (i > 0) source[node.parent] += source[i];
   }
   std::vector<uint64_t> wanted;
-  for (const Drawable& drawable : skeleton.drawables) {
-    const bool exact = is_source(skeleton, static_cast<DrawableId>(wanted.size()));
+  for (const DrawableId id : drawables) {
+    const Drawable& drawable = skeleton.drawables[id];
+    const bool exact = is_source(skeleton, id);
     const uint64_t triangles = std::max<uint64_t>(source[drawable.scene_node], drawable.triangles);
     wanted.push_back(exact ? 0 : 4 * points_a_triangle * triangles);
   }
@@ -127,15 +129,23 @@ bool is_source(const Skeleton& skeleton, DrawableId id) {
 }
 
 std::vector<double> measured_distances(const Pack& pack, uint64_t points) {
+  std::vector<DrawableId> all(pack.skeleton().drawables.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return measured_distances(pack, all, points);
+}
+
+std::vector<double> measured_distances(const Pack& pack, std::span<const DrawableId> drawables,
+                                       uint64_t points) {
   const Skeleton& skeleton = pack.skeleton();
   const PackSurfaces surfaces(pack);
-  std::vector<double> measured(skeleton.drawables.size(), std::numeric_limits<double>::quiet_NaN());
-  const uint64_t share = largest_share(wanted_points(skeleton), points);
+  std::vector<double> measured(drawables.size(), std::numeric_limits<double>::quiet_NaN());
+  const uint64_t share = largest_share(wanted_points(skeleton, drawables), points);
   Progress progress("check: distances", measured.size());
   parallel_for(measured.size(), [&](size_t i) {
-    const auto id = static_cast<DrawableId>(measured.size() - 1 - i);  // siblings together, leaves first
+    const size_t place = measured.size() - 1 - i;  // siblings together, leaves first
+    const DrawableId id = drawables[place];
     try {
-      measured[id] = is_source(skeleton, id) ? 0 : measured_distance(surfaces, id, share);
+      measured[place] = is_source(skeleton, id) ? 0 : measured_distance(surfaces, id, share);
     } catch (const Error&) {  // a damaged chunk; whoever asks reads every chunk besides
     }
     progress.advance();

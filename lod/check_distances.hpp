@@ -3,6 +3,7 @@
 
 #include "scene/pack.hpp"
 
+#include <span>
 #include <vector>
 
 namespace triptych {
@@ -14,5 +15,9 @@ bool is_source(const Skeleton& skeleton, DrawableId id);
 /// over all; 0 for the source itself, NaN where a chunk is damaged. A lower bound of the true distance, the
 /// same for the same pack.
 std::vector<double> measured_distances(const Pack& pack, uint64_t points);
+
+/// The same for the given drawables alone, in their order. NaN as above.
+std::vector<double> measured_distances(const Pack& pack, std::span<const DrawableId> drawables,
+                                       uint64_t points);
 
 }  // namespace triptych

@@ -1,6 +1,5 @@
 #include "lod/distance.hpp"
 
-#include "base/hashing.hpp"
 #include "lod/triangle_tree.hpp"
 
 #include <algorithm>
@@ -12,8 +11,9 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace triptych {
 
@@ -26,13 +26,22 @@ constexpr double floor_distance = 0.25;
 constexpr double rounding_allowance = 1e-5;
 /// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
 constexpr size_t cuts_a_triangle = 6;
-/// How close to the truth the bound is to come.
-constexpr double tight = 1.25;
 
-struct ArrayHash {
-  template <typename Values>
-  size_t operator()(const Values& values) const {
-    return static_cast<size_t>(hash_values(std::span<const Values>(&values, 1)));
+struct NumberHash {
+  size_t operator()(uint64_t value) const {
+    value *= 0x9e3779b97f4a7c15u;
+    return value ^ value >> 32;
+  }
+};
+struct TriangleHash {
+  size_t operator()(const std::array<uint32_t, 3>& key) const {
+    return NumberHash{}(NumberHash{}(uint64_t{key[0]} << 32 | key[1]) ^ key[2]);
+  }
+};
+struct PointHash {
+  size_t operator()(const glm::ivec3& point) const {
+    return TriangleHash{}(
+        {static_cast<uint32_t>(point.x), static_cast<uint32_t>(point.y), static_cast<uint32_t>(point.z)});
   }
 };
 
@@ -54,7 +63,7 @@ class Polygon {
   std::array<glm::dvec3, most_corners + 2> corners_;
   size_t size_ = 0;
 };
-using TriangleSet = std::unordered_set<std::array<uint32_t, 3>, ArrayHash>;
+using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, TriangleHash>;
 
 glm::dvec3 middle_of(const Polygon& polygon) {
   glm::dvec3 sum{0};
@@ -98,7 +107,18 @@ Polygon cut(Polygon& polygon, const glm::dvec3& normal, double limit, double nar
 class OneSided {
  public:
   /// `lower` is a distance that is known to be reached elsewhere: below it nothing needs to be known exactly.
-  OneSided(const TriangleTree& tree, double lower) : tree_(tree), lower_(lower) {}
+  OneSided(const TriangleTree& tree, double lower, const DistanceEffort& effort)
+      : tree_(tree), effort_(effort), lower_(lower) {}
+
+  /// Whether what is known beforehand is tight enough: then nothing more needs to be known.
+  bool settled() const { return effort_.known <= enough(); }
+
+  /// Raises what is known to be reached if the point is further off.
+  void reach(const glm::dvec3& point) {
+    const auto nearest = tree_.nearest(point, hint_, lower_ * lower_);
+    hint_ = nearest.triangle;
+    lower_ = std::max(lower_, std::sqrt(nearest.squared_distance));
+  }
 
   /// The exact distance of a point; raises what is known to be reached.
   double touch(const glm::dvec3& point) {
@@ -116,7 +136,8 @@ class OneSided {
 
   /// The bound of all that was added.
   double finish(size_t most_cuts) {
-    for (size_t i = 0; i < most_cuts && !waiting_.empty() && waiting_.front().bound > enough(); ++i) {
+    for (size_t i = 0; i < most_cuts && !waiting_.empty() && waiting_.front().bound > enough() && !settled();
+         ++i) {
       std::pop_heap(waiting_.begin(), waiting_.end());
       const Waiting waiting = waiting_.back();
       waiting_.pop_back();
@@ -137,17 +158,21 @@ class OneSided {
     bool operator<(const Waiting& other) const { return bound < other.bound; }
   };
 
-  /// A bound up to here needs no cut: within a quarter of a distance that is really reached somewhere.
-  double enough() const { return std::max(floor_distance, lower_ * tight); }
+  /// A bound up to here needs no cut: it is within the tightness of a distance that is reached somewhere.
+  double enough() const { return std::max(floor_distance, lower_ * effort_.tightness); }
 
   void add(const Polygon& polygon) {
     if (polygon.size() < 3) return;
-    const glm::dvec3 middle = middle_of(polygon);
-    double reach = 0;
-    for (const glm::dvec3& corner : polygon) reach = std::max(reach, glm::distance(corner, middle));
-    // From the cheapest to the dearest: no point is further off than its way to the middle and on from there;
-    // one triangle may be near all corners, first of all the one near the middle.
-    double bound = touch(middle) + reach;
+    // From the cheapest to the dearest: one triangle may be near all corners, first of all the one that was
+    // near the last polygon, then the one near the middle; no point is further off than its way to the middle
+    // and on from there.
+    double bound = std::sqrt(tree_.squared_distance(polygon, hint_));
+    if (bound > enough()) {
+      const glm::dvec3 middle = middle_of(polygon);
+      double radius = 0;
+      for (const glm::dvec3& corner : polygon) radius = std::max(radius, glm::distance(corner, middle));
+      bound = std::min(bound, touch(middle) + radius);
+    }
     if (bound > enough()) bound = std::min(bound, std::sqrt(tree_.squared_distance(polygon, hint_)));
     if (bound > enough()) {
       const auto found = tree_.within(polygon, enough() * enough());
@@ -205,6 +230,7 @@ class OneSided {
   }
 
   const TriangleTree& tree_;
+  const DistanceEffort effort_;
   double lower_, bound_ = 0;
   uint32_t hint_ = 0;
   std::vector<Waiting> waiting_;
@@ -215,20 +241,7 @@ Corners corners_of(const Surface& surface, const Triangle& triangle) {
           glm::dvec3(surface.points[triangle.vertices[2]])};
 }
 
-/// Numbers that are the same for equal points of two surfaces.
-struct CommonPoints {
-  CommonPoints(const Surface& a, const Surface& b) {
-    numbers.reserve(std::max(a.points.size(), b.points.size()));
-    for (const glm::ivec3& point : b.points)
-      numbers.try_emplace(point, static_cast<uint32_t>(numbers.size()));
-    for (const glm::ivec3& point : a.points) {
-      of_a.push_back(numbers.try_emplace(point, static_cast<uint32_t>(numbers.size())).first->second);
-    }
-    for (const glm::ivec3& point : b.points) of_b.push_back(numbers.at(point));
-  }
-  std::unordered_map<glm::ivec3, uint32_t, ArrayHash> numbers;
-  std::vector<uint32_t> of_a, of_b;
-};
+using Numbers = tsl::robin_map<glm::ivec3, uint32_t, PointHash>;
 
 std::array<uint32_t, 3> numbered(const Triangle& triangle, const std::vector<uint32_t>& numbers) {
   std::array<uint32_t, 3> key = {numbers[triangle.vertices[0]], numbers[triangle.vertices[1]],
@@ -252,20 +265,28 @@ class Target {
 
   /// The one-sided distance of the triangles; raises `lower` to what is reached.
   double distance_from(const Surface& surface, std::span<const Triangle> triangles,
-                       const std::vector<uint32_t>& numbers, double& lower) const {
+                       const std::vector<uint32_t>& numbers, const DistanceEffort& effort,
+                       double& lower) const {
+    OneSided side(tree_, lower, effort);
+    if (side.settled()) return effort.known;
     std::vector<Triangle> changed;
     for (const Triangle& triangle : triangles) {
       if (!triangles_.contains(numbered(triangle, numbers))) changed.push_back(triangle);
     }
-    OneSided side(tree_, lower);
-    // Corners first: the sooner a large distance is known, the fewer cuts.
-    for (const Triangle& triangle : changed) {
-      for (const uint32_t vertex : triangle.vertices) {
-        if (!points_.contains(numbers[vertex])) side.touch(glm::dvec3(surface.points[vertex]));
+    // Corners first: the sooner a large distance is known, the fewer cuts. A few from everywhere to begin
+    // with.
+    for (const size_t stride : {changed.size() / 61 + 1, size_t{1}}) {
+      for (size_t i = 0; i < changed.size() && !side.settled(); i += stride) {
+        for (const uint32_t vertex : changed[i].vertices) {
+          if (!points_.contains(numbers[vertex])) side.reach(glm::dvec3(surface.points[vertex]));
+        }
       }
     }
-    for (const Triangle& triangle : changed) side.add(corners_of(surface, triangle));
-    const double bound = side.finish(cuts_a_triangle * changed.size() + 2000);
+    double bound = effort.known;
+    if (!side.settled()) {
+      for (const Triangle& triangle : changed) side.add(corners_of(surface, triangle));
+      bound = std::min(bound, side.finish(cuts_a_triangle * changed.size() + 2000));
+    }
     lower = side.lower();
     return bound;
   }
@@ -280,7 +301,7 @@ class Target {
 
   TriangleTree tree_;
   TriangleSet triangles_;
-  std::unordered_set<uint32_t> points_;
+  tsl::robin_set<uint32_t, NumberHash> points_;
 };
 
 double diagonal(const Surface& surface, std::span<const Triangle> triangles) {
@@ -316,47 +337,108 @@ std::vector<std::vector<Triangle>> patches(const Surface& surface) {
   return result;
 }
 
-/// Each patch of `from` against its own colour, or against everything and the patch's own size.
-double one_sided_by_color(const Surface& from, const std::vector<uint32_t>& from_numbers, const Surface& to,
-                          const std::vector<uint32_t>& to_numbers, double& lower) {
-  std::map<uint32_t, std::vector<Triangle>> by_color;
-  for (const Triangle& triangle : to.triangles) by_color[triangle.material].push_back(triangle);
-  std::map<uint32_t, Target> targets;
-  for (const auto& [color, triangles] : by_color) targets.try_emplace(color, to, triangles, to_numbers);
-  std::optional<Target> everything;
-  double bound = 0;
-  for (const auto& patch : patches(from)) {
-    const double size = diagonal(from, patch);
-    double own = std::numeric_limits<double>::infinity(), own_lower = lower;
-    if (const auto target = targets.find(patch[0].material); target != targets.end()) {
-      own = target->second.distance_from(from, patch, from_numbers, own_lower);
+/// One of the surfaces that are compared; what it takes to measure from it and to it is made when it is
+/// needed.
+class Side {
+ public:
+  /// `numbers`: for each point one that equal points of both surfaces share.
+  Side(const Surface& surface, std::vector<uint32_t> numbers, Colors colors)
+      : surface_(surface), numbers_(std::move(numbers)), colors_(colors) {}
+
+  /// Each patch against its own colour, or against everything and the patch's own size.
+  double distance_to(Side& to, const DistanceEffort& effort, double& lower) {
+    if (colors_ == Colors::ignore) {
+      return to.everything().distance_from(surface_, surface_.triangles, numbers_, effort, lower);
     }
-    if (own <= std::max(size, lower)) {
-      lower = std::max(lower, own_lower);
-    } else {
-      if (!everything) everything.emplace(to, to.triangles, to_numbers);
-      own = std::min(own, std::max(size, everything->distance_from(from, patch, from_numbers, lower)));
-      lower = std::max(lower, std::min(size, own));
+    if (!patches_) patches_ = patches(surface_);
+    double bound = 0;
+    for (const auto& patch : *patches_) {
+      const double size = diagonal(surface_, patch);
+      double own = std::numeric_limits<double>::infinity(), own_lower = lower;
+      if (const Target* target = to.of_color(patch[0].material)) {
+        own = target->distance_from(surface_, patch, numbers_, effort, own_lower);
+      }
+      if (own <= std::max(size, lower)) {
+        lower = std::max(lower, own_lower);
+      } else {
+        own = std::min(
+            own, std::max(size, to.everything().distance_from(surface_, patch, numbers_, effort, lower)));
+        lower = std::max(lower, std::min(size, own));
+      }
+      bound = std::max(bound, own);
     }
-    bound = std::max(bound, own);
+    return bound;
   }
-  return bound;
-}
+
+ private:
+  Target& everything() {
+    if (!everything_) everything_.emplace(surface_, surface_.triangles, numbers_);
+    return *everything_;
+  }
+
+  const Target* of_color(uint32_t color) {
+    if (by_color_.empty()) {
+      std::map<uint32_t, std::vector<Triangle>> triangles;
+      for (const Triangle& triangle : surface_.triangles) triangles[triangle.material].push_back(triangle);
+      for (const auto& [own, list] : triangles) by_color_.try_emplace(own, surface_, list, numbers_);
+    }
+    const auto found = by_color_.find(color);
+    return found == by_color_.end() ? nullptr : &found->second;
+  }
+
+  const Surface& surface_;
+  std::vector<uint32_t> numbers_;
+  Colors colors_;
+  std::map<uint32_t, Target> by_color_;
+  std::optional<Target> everything_;
+  std::optional<std::vector<std::vector<Triangle>>> patches_;
+};
 
 }  // namespace
 
-double distance_bound(const Surface& a, const Surface& b, Colors colors) {
-  const CommonPoints common(a, b);
-  double bound = 0, lower = 0;
-  if (colors == Colors::ignore) {
-    bound = Target(b, b.triangles, common.of_b).distance_from(a, a.triangles, common.of_a, lower);
-    bound = std::max(bound,
-                     Target(a, a.triangles, common.of_a).distance_from(b, b.triangles, common.of_b, lower));
-  } else {
-    bound = one_sided_by_color(a, common.of_a, b, common.of_b, lower);
-    bound = std::max(bound, one_sided_by_color(b, common.of_b, a, common.of_a, lower));
+struct DistanceMeter::State {
+  State(const Surface& surface, Colors kind) : colors(kind), source(surface, number_all(surface), kind) {}
+
+  std::vector<uint32_t> number_all(const Surface& surface) {
+    std::vector<uint32_t> result;
+    result.reserve(surface.points.size());
+    numbers.reserve(surface.points.size());
+    for (const glm::ivec3& point : surface.points) {
+      result.push_back(numbers.try_emplace(point, static_cast<uint32_t>(numbers.size())).first->second);
+    }
+    return result;
   }
-  return bound > 0 ? bound + rounding_allowance : 0;
+
+  std::vector<uint32_t> number_other(const Surface& surface) const {
+    std::vector<uint32_t> result;
+    result.reserve(surface.points.size());
+    auto next = static_cast<uint32_t>(numbers.size());
+    for (const glm::ivec3& point : surface.points) {
+      const auto found = numbers.find(point);
+      result.push_back(found != numbers.end() ? found->second : next++);
+    }
+    return result;
+  }
+
+  Numbers numbers;
+  Colors colors;
+  Side source;
+};
+
+DistanceMeter::DistanceMeter(const Surface& source, Colors colors)
+    : state_(std::make_unique<State>(source, colors)) {}
+DistanceMeter::~DistanceMeter() = default;
+
+double DistanceMeter::bound(const Surface& other, const DistanceEffort& effort) {
+  Side side(other, state_->number_other(other), state_->colors);
+  double lower = 0;
+  double bound = side.distance_to(state_->source, effort, lower);
+  bound = std::max(bound, state_->source.distance_to(side, effort, lower));
+  return std::min(effort.known, bound > 0 ? bound + rounding_allowance : 0);
+}
+
+double distance_bound(const Surface& a, const Surface& b, Colors colors, const DistanceEffort& effort) {
+  return DistanceMeter(a, colors).bound(b, effort);
 }
 
 }  // namespace triptych

@@ -1,5 +1,6 @@
 #include "lod/hlod.hpp"
 
+#include "base/bytes.hpp"
 #include "base/hashing.hpp"
 #include "lod/simplify.hpp"
 
@@ -86,22 +87,40 @@ Baked Baker::finish(double error) {
   return std::move(baked_);
 }
 
+SpoolPlace store(SpoolFile& file, const Baked& baked) {
+  ByteWriter writer;
+  writer.write(baked.error);
+  writer.write(uint64_t{baked.surface.points.size()});
+  writer.write(uint64_t{baked.surface.triangles.size()});
+  writer.write_all(std::span<const glm::ivec3>(baked.surface.points));
+  writer.write_all(std::span<const Triangle>(baked.surface.triangles));
+  writer.write_all(std::span<const LeafSpan>(baked.spans));
+  return file.append(writer.bytes());
+}
+
+Baked load_baked(const SpoolFile& file, const SpoolPlace& place) {
+  const std::vector<std::byte> bytes = file.read(place);
+  ByteReader reader(bytes, file.path().string());
+  Baked baked;
+  baked.error = reader.read<double>();
+  const auto points = reader.read<uint64_t>();
+  const auto triangles = reader.read<uint64_t>();
+  baked.surface.points = reader.read_all<glm::ivec3>(points);
+  baked.surface.triangles = reader.read_all<Triangle>(triangles);
+  baked.spans = reader.read_all<LeafSpan>(points);
+  return baked;
+}
+
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
-               uint32_t triangles) {
+               uint32_t triangles, const SimplifyLimits& how) {
   std::vector<uint8_t> locked;
   size_t locked_count = 0;
   for (const LeafSpan& span : children.spans) {
     locked.push_back(span.first < first_place || span.last >= end_place);
     locked_count += locked.back();
   }
-  // A border as large as this leaves nothing to simplify: it opens, within the bound.
-  if (locked_count > 2 * size_t{triangles}) {
-    locked.clear();
-    locked_count = 0;
-  }
-
   Hlod hlod;
-  SimplifyLimits limits;
+  SimplifyLimits limits = how;
   limits.triangles = triangles + locked_count;  // what lies between the borders gets its full share
   limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
   Chain chain = simplify(children.surface, locked, limits);

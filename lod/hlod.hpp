@@ -2,8 +2,10 @@
 // HLODs for faster display of large static and dynamic environments, 2001).
 #pragma once
 
+#include "base/spool_file.hpp"
 #include "lod/encoded.hpp"
-#include "lod/parts.hpp"
+#include "lod/simplify.hpp"
+#include "scene/lattice.hpp"
 #include "scene/surface.hpp"
 
 #include <cstdint>
@@ -18,7 +20,7 @@ namespace triptych {
 /// is on no border. Objects that only touch are no borders of each other: they may part, as far as the bound
 /// lets them.
 struct LeafSpan {
-  uint32_t first = no_border, last = 0;
+  uint32_t first = 0xffffffffu, last = 0;
   void extend(const LeafSpan& other) {
     first = first < other.first ? first : other.first;
     last = last > other.last ? last : other.last;
@@ -31,6 +33,9 @@ struct Baked {
   std::vector<LeafSpan> spans;  ///< for each point
   double error = 0;             ///< proven bound of the two-sided distance to the source, model units
 };
+
+SpoolPlace store(SpoolFile& file, const Baked& baked);
+Baked load_baked(const SpoolFile& file, const SpoolPlace& place);
 
 /// Collects surfaces into one: equal points meet, equal triangles are one.
 class Baker {
@@ -72,9 +77,9 @@ struct Hlod {
 };
 
 /// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.
-/// Points of borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of
-/// levels.
+/// `how`: simplifier and kind of bound. Points of borders towards other subtrees stay, so that surfaces that
+/// go on there stay closed at any mix of levels.
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
-               uint32_t triangles);
+               uint32_t triangles, const SimplifyLimits& how);
 
 }  // namespace triptych

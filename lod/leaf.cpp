@@ -17,72 +17,116 @@ constexpr size_t coarsest_triangles = 24;
 constexpr double coarsest_bound = 0.25;
 constexpr double worth_it = 0.7;
 
+constexpr size_t unit_parts = 4096;
+
+/// A part's levels before they have their places in the files.
 struct Prepared {
   std::vector<EncodedChunk> chunks;
   std::vector<double> bounds;  ///< lattice steps
-  std::vector<Part> surfaces;
-  size_t detached_triangles = 0;
+  std::vector<Part> kept;      ///< for each level its geometry, or nothing
+  uint64_t detached_triangles = 0;
   bool stuck = false;
 };
 
-Prepared prepare(Part& part, size_t kept_triangles) {
+Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) {
   Prepared prepared;
   prepared.chunks.push_back(encode(part.surface));
   prepared.bounds.push_back(0);
+  constexpr uint32_t none = 0xffffffffu;
   std::vector<uint8_t> locked;
-  for (const uint32_t border : part.borders) locked.push_back(border != no_border);
+  std::vector<uint32_t> ordinals;
+  if (!part.borders.empty()) {
+    locked.resize(part.surface.points.size(), 0);
+    ordinals.resize(part.surface.points.size(), none);
+  }
+  for (const BorderPoint& border : part.borders) {
+    locked[border.point] = 1;
+    ordinals[border.point] = border.ordinal;
+  }
   const LatticeBox box = part.surface.box();
-  SimplifyLimits limits;
-  limits.triangles = coarsest_triangles + static_cast<size_t>(std::count(locked.begin(), locked.end(), 1));
+  SimplifyLimits limits = options.simplify;
+  limits.triangles = coarsest_triangles + part.borders.size();
   limits.largest_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
   prepared.detached_triangles = chain.detached_triangles;
   prepared.stuck = chain.stuck && chain.levels.empty();
-  std::vector<uint32_t> borders = part.borders;
-  prepared.surfaces.push_back(std::move(part));
+  const auto keep = [&](Part& level, bool last) {
+    const bool small = level.surface.triangles.size() <= kept_triangles;
+    prepared.kept.push_back(small || last ? std::move(level) : Part{});
+  };
+  keep(part, chain.levels.empty());
   for (Level& level : chain.levels) {
     prepared.chunks.push_back(encode(level.piece.surface));
     prepared.bounds.push_back(level.bound);
-    Part& coarser = prepared.surfaces.emplace_back();
-    coarser.lattice = prepared.surfaces[0].lattice;
-    if (!borders.empty()) {
-      for (const uint32_t source : level.piece.sources) coarser.borders.push_back(borders[source]);
+    Part coarser;
+    if (!ordinals.empty()) {
+      for (uint32_t point = 0; point < level.piece.sources.size(); ++point) {
+        const uint32_t ordinal = ordinals[level.piece.sources[point]];
+        if (ordinal != none) coarser.borders.push_back({point, ordinal});
+      }
     }
     coarser.surface = std::move(level.piece.surface);
+    keep(coarser, &level == &chain.levels.back());
   }
-  for (size_t i = 0; i + 1 < prepared.surfaces.size(); ++i) {
-    if (prepared.surfaces[i].surface.triangles.size() > kept_triangles) prepared.surfaces[i] = {};
-  }
-  part = {{}, {}, prepared.surfaces.back().lattice};
   return prepared;
+}
+
+void put(ByteWriter& record, const Prepared& prepared, const Lattice& lattice, uint32_t lattice_index,
+         BuildWork& work) {
+  record.write(prepared.detached_triangles);
+  record.write(uint64_t{prepared.stuck});
+  record.write(uint64_t{prepared.chunks.size()});
+  for (size_t level = 0; level < prepared.chunks.size(); ++level) {
+    const EncodedChunk& chunk = prepared.chunks[level];
+    const double bound = prepared.bounds[level] * lattice.step + lattice.rounding();
+    record.write(PartLevel{append(work.pack(), chunk, lattice_index), chunk.triangles, bound});
+    const Part& kept = prepared.kept[level];
+    record.write(kept.surface.triangles.empty() ? SpoolPlace{} : store(work.surfaces(), kept));
+  }
+}
+
+PartLevels take(ByteReader& record, ImportReport& report) {
+  PartLevels levels;
+  report.repaired_edges += record.read<uint64_t>();
+  report.stuck_groups += record.read<uint64_t>();
+  for (auto count = record.read<uint64_t>(); count > 0; --count) {
+    levels.levels.push_back(record.read<PartLevel>());
+    levels.surfaces.push_back(record.read<SpoolPlace>());
+  }
+  return levels;
 }
 
 }  // namespace
 
-std::vector<PartLevels> make_part_levels(Parts& parts, size_t kept_triangles, PackWriter& writer,
-                                         ImportReport& report) {
-  constexpr size_t batch = 512;  // encoded chunks wait in memory for their turn
+std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions& options,
+                                         size_t kept_triangles, BuildWork& work, ImportReport& report) {
   Progress progress("simplifying parts", parts.parts.size());
-  std::vector<PartLevels> result(parts.parts.size());
-  for (size_t first = 0; first < result.size(); first += batch) {
-    std::vector<Prepared> prepared(std::min(batch, result.size() - first));
-    parallel_for(prepared.size(), [&](size_t i) {
-      prepared[i] = prepare(parts.parts[first + i], kept_triangles);
-      progress.advance();
-    });
-    for (size_t i = 0; i < prepared.size(); ++i) {
-      const uint32_t lattice = parts.parts[first + i].lattice;
-      PartLevels& levels = result[first + i];
-      for (size_t level = 0; level < prepared[i].chunks.size(); ++level) {
-        const EncodedChunk& chunk = prepared[i].chunks[level];
-        const double bound =
-            prepared[i].bounds[level] * parts.lattices[lattice].step + parts.lattices[lattice].rounding();
-        levels.levels.push_back({append(writer, chunk, lattice), chunk.triangles, bound});
-      }
-      levels.surfaces = std::move(prepared[i].surfaces);
-      report.repaired_edges += prepared[i].detached_triangles;
-      report.stuck_groups += prepared[i].stuck;
+  const uint64_t most = unit_triangles(options);
+  std::vector<PartLevels> result;
+  for (size_t first = 0; first < parts.parts.size();) {
+    size_t end = first;
+    uint64_t triangles = 0;
+    for (; end < parts.parts.size() && end - first < unit_parts; ++end) {
+      if (end > first && triangles + parts.parts[end].triangles > most) break;
+      triangles += parts.parts[end].triangles;
     }
+    work.unit(
+        [&](ByteWriter& record) {
+          std::vector<Prepared> prepared(end - first);
+          parallel_for(prepared.size(), [&](size_t i) {
+            const SpoolPlace& place = parts.parts[first + i].place;
+            prepared[i] = prepare(load_part(work.parts(), place), options, kept_triangles);
+            progress.advance();
+          });
+          for (size_t i = 0; i < prepared.size(); ++i) {
+            const uint32_t lattice = parts.parts[first + i].lattice;
+            put(record, prepared[i], parts.lattices[lattice], lattice, work);
+          }
+        },
+        [&](ByteReader& record) {
+          for (size_t i = first; i < end; ++i) result.push_back(take(record, report));
+        });
+    first = end;
   }
   return result;
 }

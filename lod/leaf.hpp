@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lod/parts.hpp"
-#include "scene/pack.hpp"
 
 #include <cstdint>
 #include <span>
@@ -18,14 +17,14 @@ struct PartLevel {
 
 struct PartLevels {
   std::vector<PartLevel> levels;  ///< finest first: the part itself
-  /// For each level its geometry, with Part::borders, if HLODs may begin with it; empty otherwise.
-  std::vector<Part> surfaces;
+  /// For each level where its geometry lies, a Part, if HLODs may begin with it; of no size otherwise.
+  std::vector<SpoolPlace> surfaces;
 };
 
-/// Simplifies every part and writes its levels to the pack; takes the parts' surfaces with it, part by part.
-/// Kept for HLODs are the coarsest level of each part and those with at most `kept_triangles`.
-std::vector<PartLevels> make_part_levels(Parts& parts, size_t kept_triangles, PackWriter& writer,
-                                         ImportReport& report);
+/// Simplifies every part and writes its levels to the pack, in units of `work`. Kept for HLODs are the
+/// coarsest level of each part and those with at most `kept_triangles`.
+std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions& options,
+                                         size_t kept_triangles, BuildWork& work, ImportReport& report);
 
 /// A drawable before it has its place in the skeleton.
 struct LeafDrawable {

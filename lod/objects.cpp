@@ -48,14 +48,31 @@ double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triang
   return std::max(weighted_median(std::move(places)), 2 * weighted_median(std::move(parts)));
 }
 
+/// Placed parts come instance by instance.
+Objects original_objects(const Parts& parts, std::span<const ObjectExtent> extents) {
+  Objects objects;
+  for (uint32_t i = 0; i < extents.size(); ++i) {
+    if (i == 0 || parts.placed[i].instance != parts.placed[i - 1].instance) {
+      objects.members.emplace_back();
+      objects.boxes.emplace_back();
+    }
+    objects.members.back().push_back(i);
+    objects.boxes.back().extend(extents[i].box);
+  }
+  const uint64_t count = objects.members.size();
+  objects.counts = {count, count, count, count};
+  return objects;
+}
+
 }  // namespace
 
-Objects make_objects(const Parts& parts, std::span<const LatticeBox> boxes, const BuildOptions& options) {
+Objects make_objects(const Parts& parts, const BuildOptions& options) {
   std::vector<ObjectExtent> extents(parts.placed.size());
   for (size_t i = 0; i < extents.size(); ++i) {
-    extents[i].box = parts.lattices[0].box(boxes[i]);
-    extents[i].triangles = parts.parts[parts.placed[i].part].surface.triangles.size();
+    extents[i].box = parts.lattices[0].box(parts.boxes[i]);
+    extents[i].triangles = parts.parts[parts.placed[i].part].triangles;
   }
+  if (options.hierarchy == HierarchyKind::median_split) return original_objects(parts, extents);
   const double even = even_diagonal(extents, options.leaf_triangles);
 
   std::vector<uint32_t> small;

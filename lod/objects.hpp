@@ -16,8 +16,9 @@ struct Objects {
   ObjectCounts counts;
 };
 
-/// `boxes`: of each placed part, on the model's lattice. Only parts that are small, by triangles and by
-/// extent, are grouped; a wall or a slab stays an object of its own, with a box as tight as it is.
-Objects make_objects(const Parts& parts, std::span<const LatticeBox> boxes, const BuildOptions& options);
+/// Only parts that are small, by triangles and by extent, are grouped; a wall or a slab stays an object of
+/// its own, with a box as tight as it is. With HierarchyKind::median_split each placement of a mesh is an
+/// object, all its parts together.
+Objects make_objects(const Parts& parts, const BuildOptions& options);
 
 }  // namespace triptych

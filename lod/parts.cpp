@@ -1,259 +1,287 @@
 #include "lod/parts.hpp"
 
 #include "base/error.hpp"
+#include "base/progress.hpp"
 #include "base/threads.hpp"
-#include "scene/partition.hpp"
+#include "lod/buckets.hpp"
+#include "lod/divide.hpp"
 #include "scene/weld.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/glm.hpp>
-#include <map>
+#include <optional>
 
 namespace triptych {
 
 namespace {
 
-constexpr int model_bits = 26, mesh_bits = 21;
-/// Beyond it squares of lengths would not be finite.
-constexpr double largest_coordinate = 1e100;
-
-bool usable(const Affine& transform) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      if (!(std::abs(transform[column][row]) < largest_coordinate)) return false;
-    }
-  }
-  const double stretch = largest_stretch(transform);
-  return std::abs(glm::determinant(glm::dmat3(transform))) > 1e-12 * stretch * stretch * stretch;
-}
-
-/// The box of the positions that triangles use, transformed.
-Box box_of(const Mesh& mesh, const Affine& transform) {
-  std::vector<uint8_t> used(mesh.positions.size(), 0);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const uint32_t vertex : triangle.vertices) used[vertex] = 1;
-  }
+/// A lattice box, on the model's lattice, that holds the surface under the transform.
+LatticeBox placed_box(const Surface& surface, const Lattice& lattice, const Affine& transform,
+                      const Lattice& model) {
   Box box;
-  for (size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) box.extend(transform * glm::dvec4(mesh.positions[i], 1));
-  }
-  return box;
-}
-
-bool finite(const Box& box) {
-  const glm::dvec3 furthest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  return std::max({furthest.x, furthest.y, furthest.z}) < largest_coordinate;
-}
-
-uint8_t to_srgb(float linear) {
-  const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-  const double srgb = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
-  return static_cast<uint8_t>(std::lround(srgb * 255));
-}
-
-/// The palette index of each material.
-std::vector<uint32_t> make_palette(const std::vector<Material>& materials, Parts& parts) {
-  std::map<std::array<uint8_t, 4>, uint32_t> indices;
-  std::vector<uint32_t> colors;
-  for (const Material& material : materials) {
-    const glm::vec4& factor = material.base_color;
-    const std::array<uint8_t, 4> color = {
-        to_srgb(factor.r), to_srgb(factor.g), to_srgb(factor.b),
-        static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
-    const auto [found, inserted] = indices.try_emplace(color, static_cast<uint32_t>(parts.palette.size()));
-    if (inserted) parts.palette.push_back(color);
-    colors.push_back(found->second);
-  }
-  return colors;
-}
-
-double diagonal(const LatticeBox& box) { return glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo)); }
-
-struct MeshParts {
-  std::vector<Part> parts;
-  uint32_t borders = 0;
-};
-
-MeshParts divide(Surface surface, uint32_t lattice, const PartitionLimits& limits) {
-  MeshParts result;
-  const auto groups = partition_triangles(surface, limits);
-  if (groups.size() <= 1) {
-    if (!surface.triangles.empty()) result.parts.push_back({std::move(surface), {}, lattice});
-    return result;
-  }
-  std::vector<uint32_t> uses(surface.points.size(), 0), numbers(surface.points.size(), no_border);
-  std::vector<std::vector<uint32_t>> sources;
-  for (const auto& group : groups) {
-    std::vector<Triangle> triangles;
-    for (const uint32_t index : group) triangles.push_back(surface.triangles[index]);
-    Piece piece = extract(surface.points, triangles);
-    for (const uint32_t source : piece.sources) ++uses[source];
-    result.parts.push_back({std::move(piece.surface), {}, lattice});
-    sources.push_back(std::move(piece.sources));
-  }
-  for (size_t i = 0; i < uses.size(); ++i) {
-    if (uses[i] > 1) numbers[i] = result.borders++;
-  }
-  for (size_t i = 0; i < sources.size(); ++i) {
-    for (const uint32_t source : sources[i]) result.parts[i].borders.push_back(numbers[source]);
-  }
-  return result;
-}
-
-}  // namespace
-
-double largest_stretch(const Affine& transform) {
-  // The largest eigenvalue of MᵀM, by Jacobi rotations.
-  const glm::dmat3 matrix(transform);
-  glm::dmat3 gram = glm::transpose(matrix) * matrix;
-  for (int sweep = 0; sweep < 30; ++sweep) {
-    for (int p = 0; p < 2; ++p) {
-      for (int q = p + 1; q < 3; ++q) {
-        if (gram[p][q] == 0) continue;
-        const double angle = 0.5 * std::atan2(2 * gram[p][q], gram[q][q] - gram[p][p]);
-        glm::dmat3 rotation(1);
-        rotation[p][p] = rotation[q][q] = std::cos(angle);
-        rotation[q][p] = std::sin(angle);
-        rotation[p][q] = -std::sin(angle);
-        gram = glm::transpose(rotation) * gram * rotation;
-      }
-    }
-  }
-  return std::sqrt(std::max({gram[0][0], gram[1][1], gram[2][2], 0.0})) * (1 + 1e-12);
-}
-
-LatticeBox placed_box(const Parts& parts, const PlacedPart& placed) {
-  const Part& part = parts.parts[placed.part];
-  if (placed.transform == 0) return part.surface.box();
-  const Lattice& lattice = parts.lattices[part.lattice];
-  const Affine& transform = parts.transforms[placed.transform];
-  Box box;
-  for (const glm::ivec3& point : part.surface.points)
+  for (const glm::ivec3& point : surface.points) {
     box.extend(transform * glm::dvec4(lattice.position(point), 1));
-  LatticeBox enclosing = parts.lattices[0].enclosing(box);
+  }
+  LatticeBox enclosing = model.enclosing(box);
   enclosing.lo -= 1;  // rounding in the transform
   enclosing.hi += 1;
   return enclosing;
 }
 
-Parts make_parts(Model& model, const BuildOptions& options, ImportReport& report) {
-  Parts parts;
-  const std::vector<uint32_t> colors = make_palette(model.materials, parts);
-  const Affine identity(1);
+/// What one mesh, or one bucket of it, came to.
+struct Divided {
+  std::vector<Part> parts;
+  std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
+  uint64_t dropped_triangles = 0, welded_vertices = 0;
+};
 
-  // Which instances count, and how often each mesh is placed by them.
-  std::vector<Box> mesh_boxes(model.meshes.size()), instance_boxes(model.instances.size());
-  parallel_for(model.meshes.size(), [&](size_t i) { mesh_boxes[i] = box_of(model.meshes[i], identity); });
-  std::vector<uint32_t> uses(model.meshes.size(), 0);
-  std::vector<uint32_t> placed;
-  uint64_t bad_transforms = 0;
-  for (uint32_t i = 0; i < model.instances.size(); ++i) {
-    const Instance& instance = model.instances[i];
-    if (mesh_boxes[instance.mesh].empty()) continue;
-    if (!usable(instance.transform) || !finite(mesh_boxes[instance.mesh])) {
-      ++bad_transforms;
-    } else {
-      ++uses[instance.mesh];
-      placed.push_back(i);
+class PartMaker {
+ public:
+  PartMaker(const Model& model, const BuildPlan& plan, const BuildOptions& options, BuildWork& work)
+      : model_(model), plan_(plan), options_(options), work_(work), unit_triangles_(unit_triangles(options)) {
+    // Borders between parts stay as they are in all levels, and that costs triangles: a mesh that is small in
+    // the model, such as a piece of furniture, is parted only if it has a great many.
+    const double diagonal = glm::length(plan.box.hi - plan.box.lo);
+    small_ = diagonal / 32;
+    large_ = diagonal / 6;
+  }
+
+  void run() {
+    uint64_t total = 0;
+    for (const PlannedMesh& mesh : plan_.meshes) total += mesh.triangles;
+    Progress progress("partitioning", total);
+    const auto count = static_cast<uint32_t>(plan_.meshes.size());
+    for (uint32_t first = 0; first < count;) {
+      if (plan_.meshes[first].triangles > options_.bucket_triangles) {
+        divide_in_buckets(first++, progress);
+        continue;
+      }
+      uint64_t triangles = 0;
+      uint32_t end = first;
+      for (; end < count && plan_.meshes[end].triangles <= options_.bucket_triangles; ++end) {
+        if (end > first && triangles + plan_.meshes[end].triangles > unit_triangles_) break;
+        triangles += plan_.meshes[end].triangles;
+      }
+      unit(
+          end - first, [] {}, [&](uint32_t i) { return divide_whole(first + i); },
+          [&](uint32_t i) { return first + i; });
+      progress.advance(triangles);
+      first = end;
     }
   }
-  if (bad_transforms > 0) {
-    report.warnings.push_back(std::to_string(bad_transforms) +
-                              " placements left out: their transforms are singular or beyond all bounds");
-  }
-  if (placed.empty()) fail("model", "holds no triangles");
 
-  // Meshes that are placed more than once: a lattice each, welded in mesh space.
-  parts.lattices.resize(1);
-  std::vector<uint32_t> lattice_of(model.meshes.size(), 0);
-  for (size_t i = 0; i < model.meshes.size(); ++i) {
-    if (uses[i] < 2) continue;
-    lattice_of[i] = static_cast<uint32_t>(parts.lattices.size());
-    parts.lattices.push_back(make_lattice(mesh_boxes[i], mesh_bits));
-  }
-  std::vector<Welded> welded(model.meshes.size());
-  parallel_for(model.meshes.size(), [&](size_t i) {
-    if (uses[i] < 2) return;
-    welded[i] = weld(model.meshes[i], identity, parts.lattices[lattice_of[i]], colors);
-    model.meshes[i] = {};
-  });
+  std::vector<PartInfo> infos;
+  std::vector<uint32_t> meshes;                  ///< for each part its planned mesh
+  std::vector<std::vector<glm::ivec3>> borders;  ///< for each part its border points
+  std::vector<std::vector<LatticeBox>> boxes;
+  uint64_t dropped_triangles = 0, welded_vertices = 0;
 
-  // The model's box and lattice; then the meshes that are placed once, baked.
-  parallel_for(placed.size(), [&](size_t i) {
-    const Instance& instance = model.instances[placed[i]];
-    Box& box = instance_boxes[placed[i]];
-    if (uses[instance.mesh] < 2) {
-      box = box_of(model.meshes[instance.mesh], instance.transform);
-    } else {
-      const Lattice& lattice = parts.lattices[lattice_of[instance.mesh]];
-      for (const glm::ivec3& point : welded[instance.mesh].surface.points) {
-        box.extend(instance.transform * glm::dvec4(lattice.position(point), 1));
+ private:
+  /// Meshes or buckets side by side; their parts go to the spool file in order.
+  template <typename Prepare, typename Divide, typename MeshOf>
+  void unit(uint32_t count, const Prepare& prepare, const Divide& divide_one, const MeshOf& mesh_of) {
+    work_.unit(
+        [&](ByteWriter& record) {
+          prepare();
+          std::vector<Divided> results(count);
+          parallel_for(count, [&](size_t i) { results[i] = divide_one(static_cast<uint32_t>(i)); });
+          for (uint32_t i = 0; i < count; ++i) put(record, mesh_of(i), results[i]);
+        },
+        [&](ByteReader& record) {
+          for (uint32_t i = 0; i < count; ++i) take(record);
+        });
+  }
+
+  void put(ByteWriter& record, uint32_t mesh, const Divided& divided) {
+    record.write(mesh);
+    record.write(divided.dropped_triangles);
+    record.write(divided.welded_vertices);
+    record.write(uint64_t{divided.parts.size()});
+    std::vector<glm::ivec3> points;
+    for (size_t i = 0; i < divided.parts.size(); ++i) {
+      const Part& part = divided.parts[i];
+      record.write(PartInfo{store(work_.parts(), part), plan_.meshes[mesh].lattice,
+                            static_cast<uint32_t>(part.surface.triangles.size())});
+      points.clear();
+      for (const BorderPoint& border : part.borders) points.push_back(part.surface.points[border.point]);
+      record.write(uint64_t{points.size()});
+      record.write_all(std::span<const glm::ivec3>(points));
+      record.write(uint64_t{divided.boxes[i].size()});
+      record.write_all(std::span<const LatticeBox>(divided.boxes[i]));
+    }
+  }
+
+  void take(ByteReader& record) {
+    const auto mesh = record.read<uint32_t>();
+    dropped_triangles += record.read<uint64_t>();
+    welded_vertices += record.read<uint64_t>();
+    for (auto count = record.read<uint64_t>(); count > 0; --count) {
+      meshes.push_back(mesh);
+      infos.push_back(record.read<PartInfo>());
+      borders.push_back(record.read_all<glm::ivec3>(record.read<uint64_t>()));
+      boxes.push_back(record.read_all<LatticeBox>(record.read<uint64_t>()));
+    }
+  }
+
+  PartitionLimits limits(const PlannedMesh& mesh, uint64_t triangles) const {
+    PartitionLimits limits;
+    const Lattice& lattice = plan_.lattices[mesh.lattice];
+    limits.triangles = options_.part_triangles;
+    if (glm::length(mesh.box.hi - mesh.box.lo) * mesh.stretch < small_ &&
+        triangles <= uint64_t{options_.part_triangles} * 8) {
+      limits.triangles = triangles;
+    }
+    limits.diagonal = large_ / (mesh.stretch * lattice.step);
+    return limits;
+  }
+
+  Divided finish(const PlannedMesh& mesh, Welded welded, const PartitionLimits& limits,
+                 std::span<const glm::ivec3> shared) const {
+    Divided divided;
+    divided.dropped_triangles = welded.dropped_triangles;
+    divided.welded_vertices = welded.welded_vertices;
+    divided.parts = divide(std::move(welded.surface), limits, shared);
+    const Lattice& lattice = plan_.lattices[mesh.lattice];
+    for (const Part& part : divided.parts) {
+      auto& part_boxes = divided.boxes.emplace_back();
+      for (const uint32_t instance : mesh.instances) {
+        const uint32_t transform = plan_.instances[instance].transform;
+        part_boxes.push_back(mesh.lattice == 0 ? part.surface.box()
+                                               : placed_box(part.surface, lattice,
+                                                            plan_.transforms[transform], plan_.lattices[0]));
       }
     }
-  });
-  Box model_box;
-  for (const uint32_t i : placed) model_box.extend(instance_boxes[i]);
-  if (model_box.empty()) fail("model", "holds no triangles");
-  parts.lattices[0] = make_lattice(model_box, model_bits);
-  parallel_for(placed.size(), [&](size_t i) {
-    const Instance& instance = model.instances[placed[i]];
-    if (uses[instance.mesh] != 1) return;
-    welded[instance.mesh] = weld(model.meshes[instance.mesh], instance.transform, parts.lattices[0], colors);
-    model.meshes[instance.mesh] = {};
-  });
+    return divided;
+  }
 
-  // The first partition, once a mesh. Borders between parts stay as they are in all levels, and that costs
-  // triangles: a mesh that is small in the model, such as a piece of furniture, is parted only if it has a
-  // great many.
-  const double model_diagonal = glm::length(model_box.hi - model_box.lo);
-  const double small = model_diagonal / 32, large = model_diagonal / 6;
-  std::vector<double> stretches(model.meshes.size(), 0);
-  for (const uint32_t i : placed) {
-    const Instance& instance = model.instances[i];
-    const double stretch = uses[instance.mesh] < 2 ? 1 : largest_stretch(instance.transform);
-    stretches[instance.mesh] = std::max(stretches[instance.mesh], stretch);
+  Divided divide_whole(uint32_t index) const {
+    const PlannedMesh& mesh = plan_.meshes[index];
+    if (mesh.triangles == 0) return {};
+    Welded welded =
+        weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
+    const uint64_t triangles = welded.surface.triangles.size();
+    return finish(mesh, std::move(welded), limits(mesh, triangles), {});
   }
-  std::vector<MeshParts> divided(model.meshes.size());
-  parallel_for(model.meshes.size(), [&](size_t i) {
-    if (uses[i] == 0) return;
-    PartitionLimits limits;
-    const double scale = stretches[i] * parts.lattices[lattice_of[i]].step;
-    limits.triangles = options.part_triangles;
-    if (diagonal(welded[i].surface.box()) * scale < small &&
-        welded[i].surface.triangles.size() <= size_t{options.part_triangles} * 8) {
-      limits.triangles = welded[i].surface.triangles.size();
-    }
-    limits.diagonal = large / scale;
-    divided[i] = divide(std::move(welded[i].surface), lattice_of[i], limits);
-  });
 
-  std::vector<uint32_t> first_part(model.meshes.size(), 0), part_count(model.meshes.size(), 0);
-  for (size_t i = 0; i < model.meshes.size(); ++i) {
-    report.dropped_triangles += welded[i].dropped_triangles;
-    report.welded_vertices += welded[i].welded_vertices;
-    first_part[i] = static_cast<uint32_t>(parts.parts.size());
-    part_count[i] = static_cast<uint32_t>(divided[i].parts.size());
-    std::move(divided[i].parts.begin(), divided[i].parts.end(), std::back_inserter(parts.parts));
-  }
-  parts.transforms.push_back(identity);
-  parts.stretches.push_back(1);
-  for (const uint32_t i : placed) {
-    const Instance& instance = model.instances[i];
-    uint32_t transform = 0;
-    if (uses[instance.mesh] > 1) {
-      transform = static_cast<uint32_t>(parts.transforms.size());
-      parts.transforms.push_back(instance.transform);
-      parts.stretches.push_back(largest_stretch(instance.transform));
+  void divide_in_buckets(uint32_t index, Progress& progress) {
+    const PlannedMesh& mesh = plan_.meshes[index];
+    const ToLattice to_lattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
+    SpoolFile spool(work_.file("buckets"));
+    std::optional<Buckets> buckets;
+    std::vector<uint64_t> sizes;
+    uint64_t not_finite = 0;
+    const auto fill_buckets = [&] {
+      if (buckets) return;
+      std::vector<LatticeTriangle> batch;
+      buckets.emplace(
+          [&](const std::function<void(std::span<const LatticeTriangle>)>& take) {
+            not_finite = read_mesh(model_.meshes[mesh.mesh], [&](std::span<const CornerTriangle> triangles) {
+              batch.clear();
+              for (const CornerTriangle& triangle : triangles) batch.push_back(to_lattice(triangle));
+              take(batch);
+            });
+          },
+          mesh.triangles, options_.bucket_triangles, spool);
+    };
+    // A unit of its own: where an earlier run finished all of the mesh, nothing is read again.
+    work_.unit(
+        [&](ByteWriter& record) {
+          fill_buckets();
+          record.write(not_finite);
+          record.write(uint64_t{buckets->count()});
+          for (size_t i = 0; i < buckets->count(); ++i) record.write(buckets->triangles(i));
+        },
+        [&](ByteReader& record) {
+          dropped_triangles += record.read<uint64_t>();
+          sizes = record.read_all<uint64_t>(record.read<uint64_t>());
+        });
+    const PartitionLimits part_limits = limits(mesh, mesh.triangles);
+    for (uint32_t first = 0; first < sizes.size();) {
+      uint32_t end = first;
+      uint64_t triangles = 0;
+      for (; end < sizes.size(); ++end) {
+        if (end > first && triangles + sizes[end] > unit_triangles_) break;
+        triangles += sizes[end];
+      }
+      unit(
+          end - first, fill_buckets,
+          [&](uint32_t i) {
+            Bucket bucket = buckets->load(first + i);
+            Welded welded = weld(bucket.triangles);
+            bucket.triangles = {};
+            return finish(mesh, std::move(welded), part_limits, bucket.shared);
+          },
+          [&](uint32_t) { return index; });
+      progress.advance(triangles);
+      first = end;
     }
-    const auto number = static_cast<uint32_t>(parts.border_counts.size());
-    parts.border_counts.push_back(divided[instance.mesh].borders);
-    for (uint32_t part = 0; part < part_count[instance.mesh]; ++part) {
-      parts.placed.push_back({first_part[instance.mesh] + part, transform, number});
-    }
+    std::error_code ignored;  // at the latest it goes with its folder
+    std::filesystem::remove(spool.path(), ignored);
   }
-  parts.instances = placed.size();
+
+  const Model& model_;
+  const BuildPlan& plan_;
+  const BuildOptions& options_;
+  BuildWork& work_;
+  const uint64_t unit_triangles_;
+  double small_ = 0, large_ = 0;
+};
+
+/// Numbers for the border points of one mesh, whose parts are `first` up to, not including, `end`. Returns
+/// how many.
+uint32_t number_borders(std::vector<std::vector<glm::ivec3>>& points, size_t first, size_t end,
+                        std::vector<std::vector<uint32_t>>& numbers) {
+  std::vector<glm::ivec3> all;
+  for (size_t part = first; part < end; ++part) {
+    all.insert(all.end(), points[part].begin(), points[part].end());
+  }
+  std::sort(all.begin(), all.end(), before);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (size_t part = first; part < end; ++part) {
+    for (const glm::ivec3& point : points[part]) {
+      const auto found = std::lower_bound(all.begin(), all.end(), point, before);
+      numbers[part].push_back(static_cast<uint32_t>(found - all.begin()));
+    }
+    points[part] = {};
+  }
+  return static_cast<uint32_t>(all.size());
+}
+
+}  // namespace
+
+Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options, BuildWork& work,
+                 ImportReport& report) {
+  PartMaker maker(model, plan, options, work);
+  maker.run();
+  report.dropped_triangles += maker.dropped_triangles;
+  report.welded_vertices += maker.welded_vertices;
+
+  // The parts of one mesh came one after the other.
+  Parts parts;
+  parts.borders.resize(maker.infos.size());
+  std::vector<uint32_t> first(plan.meshes.size() + 1, 0), border_counts(plan.meshes.size(), 0);
+  for (const uint32_t mesh : maker.meshes) ++first[mesh + 1];
+  for (size_t mesh = 0; mesh < plan.meshes.size(); ++mesh) {
+    first[mesh + 1] += first[mesh];
+    border_counts[mesh] = number_borders(maker.borders, first[mesh], first[mesh + 1], parts.borders);
+  }
+  std::vector<uint32_t> ordinals(plan.meshes.size(), 0);  // of the next instance of each mesh
+  for (uint32_t i = 0; i < plan.instances.size(); ++i) {
+    const PlannedInstance& instance = plan.instances[i];
+    const uint32_t ordinal = ordinals[instance.mesh]++;
+    parts.border_counts.push_back(border_counts[instance.mesh]);
+    for (uint32_t part = first[instance.mesh]; part < first[instance.mesh + 1]; ++part) {
+      parts.placed.push_back({part, instance.transform, i});
+      parts.boxes.push_back(maker.boxes[part][ordinal]);
+    }
+    if (first[instance.mesh + 1] > first[instance.mesh]) ++parts.instances;
+  }
   if (parts.placed.empty()) fail("model", "holds no triangle that has an area");
+  parts.parts = std::move(maker.infos);
+  parts.transforms = std::move(plan.transforms);
+  parts.stretches = std::move(plan.stretches);
+  parts.lattices = std::move(plan.lattices);
+  parts.palette = std::move(plan.palette);
   return parts;
 }
 

@@ -1,10 +1,12 @@
 #include "lod/simplify.hpp"
 
-#include "lod/decimate.hpp"
+#include "lod/reducer.hpp"
 #include "lod/vertex_clustering.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 namespace triptych {
@@ -13,91 +15,119 @@ namespace {
 
 /// A level must have at most this share of the triangles of the one before it, or it is not worth its place.
 constexpr double worth_it = 0.75;
+/// Halving a surface about doubles its distance; where it takes so many times more, clustering may be nearer.
+constexpr double steep = 16;
+/// Where levels are measured in a hurry the bound may be so many times the truth.
+constexpr double hurried = 2;
+/// And so many where they are measured against the source.
+constexpr double tight = 1.6;
 
-/// What the chain has arrived at, and the decimation that goes on from there.
-class Simplifier {
+/// What the chain has arrived at, and the reducer that goes on from there.
+class ChainMaker {
  public:
-  Simplifier(const Surface& source, std::span<const uint8_t> locked, Colors colors)
-      : source_(source), locked_(locked), colors_(colors) {
-    current_.surface = source;
-    for (uint32_t i = 0; i < source.points.size(); ++i) current_.sources.push_back(i);
-    start_decimation();
-    detached_triangles_ = decimation_->detached_triangles();
+  ChainMaker(const Surface& source, std::span<const uint8_t> locked, const SimplifyLimits& limits)
+      : source_(source), limits_(limits), locked_(locked.begin(), locked.end()) {
+    current_.piece.surface = source;
+    current_.piece.sources.resize(source.points.size());
+    std::iota(current_.piece.sources.begin(), current_.piece.sources.end(), 0u);
+    const LatticeBox box = source.box();
+    small_ = glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo)) / 1024;
+    start();
+    detached_triangles_ = reducer_->detached_triangles();
   }
 
-  size_t triangles() const { return current_.surface.triangles.size(); }
+  size_t triangles() const { return current_.piece.surface.triangles.size(); }
   size_t detached_triangles() const { return detached_triangles_; }
+  /// The last `next` gave nothing because of the largest bound.
+  bool at_limit() const { return at_limit_; }
 
-  /// Goes on to about `goal` triangles; nothing if neither way gets far enough.
+  /// Goes on to about `goal` triangles; nothing if that is not possible.
   std::optional<Level> next(size_t goal) {
     const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
-    auto collapsed = collapse(goal, enough);
-    // Clustering moves points by about a cell: where cells as large as the collapses' bound leave too many
-    // triangles, it is no better.
-    auto clustered =
-        collapsed && !clusters_well(goal, collapsed->bound) ? std::nullopt : cluster(goal, enough);
-    if (clustered && (!collapsed || clustered->bound < collapsed->bound)) {
-      current_ = clustered->piece;
-      bound_ = clustered->bound;
-      start_decimation();
-      return clustered;
+    Level reduced = reduce(goal);
+    const bool got_there = reduced.piece.surface.triangles.size() <= enough;
+    at_limit_ = !got_there && reduced_further_;
+    if (!got_there || (is_steep(reduced) && clusters_better(goal, reduced.bound))) {
+      // From where the reducer got stuck, or, where it went too far, from before.
+      Level clustered = cluster(got_there ? current_ : reduced, goal);
+      const size_t count = clustered.piece.surface.triangles.size();
+      if (count <= enough && (!got_there || clustered.bound < reduced.bound)) {
+        current_ = std::move(clustered);
+        start();
+        return measured();
+      }
     }
-    if (collapsed) {
-      current_ = collapsed->piece;
-      bound_ = collapsed->bound;
-    }
-    return collapsed;
+    if (!got_there) return std::nullopt;
+    current_ = std::move(reduced);
+    return measured();
   }
 
  private:
-  void start_decimation() {
-    decimation_ = std::make_unique<Decimation>(current_.surface, locked_now());
-    decimated_from_ = current_.sources;
+  void start() {
+    start_ = current_;
+    start_locked_ = locked_of(start_.piece);
+    reducer_ = make_reducer(limits_.simplifier, start_.piece.surface, start_locked_);
   }
 
-  std::optional<Level> collapse(size_t goal, size_t enough) {
-    if (!decimation_) return std::nullopt;
-    Piece piece = decimation_->reduce_to(goal);
-    if (piece.surface.triangles.empty() || piece.surface.triangles.size() > enough) {
-      decimation_.reset();
-      return std::nullopt;
-    }
-    for (uint32_t& source : piece.sources) source = decimated_from_[source];
-    const double bound = distance_bound(source_, piece.surface, colors_);
-    return Level{std::move(piece), std::max(bound, bound_)};
+  /// The reducer's next surface, with its fast bound.
+  Level reduce(size_t goal) {
+    // The tight bound may be that much smaller.
+    const double largest = limits_.largest_bound * (limits_.bound == Bound::tight ? 4 : 1);
+    Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
+    reduced_further_ = reduced.further;
+    Level level{std::move(reduced.piece), 0};
+    level.bound = reduced.bound ? start_.bound + *reduced.bound
+                                : current_.bound + distance_bound(current_.piece.surface, level.piece.surface,
+                                                                  limits_.colors, {hurried});
+    for (uint32_t& source : level.piece.sources) source = start_.piece.sources[source];
+    return level;
   }
 
-  bool clusters_well(size_t goal, double cell) const {
-    if (!(cell > 1)) return false;
-    return cluster_vertices(current_.surface, locked_now(), cell).piece.surface.triangles.size() <= goal;
-  }
-
-  std::optional<Level> cluster(size_t goal, size_t enough) const {
-    Clustered clustered = cluster_to(current_.surface, locked_now(), goal);
-    if (clustered.piece.surface.triangles.size() > enough) return std::nullopt;
-    for (uint32_t& source : clustered.piece.sources) source = current_.sources[source];
-    double bound = distance_bound(source_, clustered.piece.surface, colors_);
-    // By construction, where colours do not count.
-    if (colors_ == Colors::ignore) bound = std::min(bound, bound_ + clustered.bound);
-    return Level{std::move(clustered.piece), std::max(bound, bound_)};
-  }
-
-  std::vector<uint8_t> locked_now() const {
+  std::vector<uint8_t> locked_of(const Piece& piece) const {
     std::vector<uint8_t> locked;
     if (!locked_.empty()) {
-      for (const uint32_t source : current_.sources) locked.push_back(locked_[source]);
+      for (const uint32_t source : piece.sources) locked.push_back(locked_[source]);
     }
     return locked;
   }
 
+  Level cluster(const Level& from, size_t goal) const {
+    Clustered clustered = cluster_to(from.piece.surface, locked_of(from.piece), goal, limits_.colors);
+    Level level{std::move(clustered.piece), from.bound + clustered.bound};
+    for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
+    return level;
+  }
+
+  bool is_steep(const Level& next) const { return next.bound > steep * std::max(current_.bound, 1.0); }
+
+  /// Clustering moves points by about a cell: one clustering says whether it is worth to look for the best.
+  bool clusters_better(size_t goal, double bound) const {
+    const double cell = bound - current_.bound;
+    return cluster_vertices(current_.piece.surface, locked_of(current_.piece), cell, limits_.colors)
+               .piece.surface.triangles.size() <= goal;
+  }
+
+  Level measured() {
+    Level level = current_;
+    if (limits_.bound == Bound::tight) {
+      if (!meter_) meter_.emplace(source_, limits_.colors);
+      level.bound = meter_->bound(level.piece.surface, {tight, level.bound});
+    }
+    level.bound = last_bound_ = std::max(level.bound, last_bound_);
+    return level;
+  }
+
   const Surface& source_;
-  std::span<const uint8_t> locked_;  ///< for each point of the source
-  Colors colors_;
-  Piece current_;     ///< sources: in the source
-  double bound_ = 0;  ///< of its distance to the source
-  std::unique_ptr<Decimation> decimation_;
-  std::vector<uint32_t> decimated_from_;  ///< sources of the surface that decimation_ began with
+  const SimplifyLimits& limits_;
+  std::vector<uint8_t> locked_;  ///< for each point of the source
+  Level start_, current_;        ///< where the reducer began, where it is; sources in the source; fast bounds
+  std::vector<uint8_t> start_locked_;
+  std::unique_ptr<Reducer> reducer_;
+  std::optional<DistanceMeter> meter_;
+  double small_ = 0;       ///< bounds below it are never steep
+  double last_bound_ = 0;  ///< of the levels given
   size_t detached_triangles_ = 0;
+  bool reduced_further_ = false, at_limit_ = false;
 };
 
 }  // namespace
@@ -105,14 +135,14 @@ class Simplifier {
 Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits) {
   Chain chain;
   if (surface.triangles.size() <= limits.triangles) return chain;
-  Simplifier simplifier(surface, locked, limits.colors);
-  while (simplifier.triangles() > limits.triangles) {
-    auto level = simplifier.next(std::max(simplifier.triangles() / 2, limits.triangles * 2 / 3));
-    chain.stuck = !level;
+  ChainMaker maker(surface, locked, limits);
+  while (maker.triangles() > limits.triangles) {
+    auto level = maker.next(std::max(maker.triangles() / 2, limits.triangles * 2 / 3));
+    chain.stuck = !level && !maker.at_limit();
     if (!level || level->bound > limits.largest_bound) break;
     chain.levels.push_back(std::move(*level));
   }
-  chain.detached_triangles = simplifier.detached_triangles();
+  chain.detached_triangles = maker.detached_triangles();
   return chain;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
-double squared_distance(const glm::dvec3& point, const Box& box) {
+inline double squared_distance(const glm::dvec3& point, const Box& box) {
   return squared(glm::max(glm::max(box.lo - point, point - box.hi), glm::dvec3(0)));
 }
 
@@ -93,41 +93,58 @@ void TriangleTree::build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& 
   build(middle, end, centers);
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, uint32_t hint) const {
-  const std::span<const glm::dvec3> points(&point, 1);
-  return search<false>(points, {squared_distance(points, hint), hint});
-}
+namespace {
 
-TriangleTree::Nearest TriangleTree::within(std::span<const glm::dvec3> points,
-                                           double squared_distance) const {
-  return search<true>(points, {squared_distance, no_triangle});
-}
+/// A node that waits for its turn; medians: the depth is at most 32.
+struct Waiting {
+  uint32_t node;
+  double squared_distance;
+};
+using Stack = std::array<Waiting, 64>;
 
-double TriangleTree::squared_distance(std::span<const glm::dvec3> points, uint32_t triangle) const {
-  return furthest(points, triangles_[triangle], std::numeric_limits<double>::infinity());
-}
+}  // namespace
 
-/// Looks for what is nearer than `best`: for the nearest, or for any.
-template <bool any>
-TriangleTree::Nearest TriangleTree::search(std::span<const glm::dvec3> points, Nearest best) const {
-  struct Waiting {
-    uint32_t node;
-    double squared_distance;
-  };
-  std::array<Waiting, 64> stack;  // medians: the depth is at most 32
+TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, uint32_t hint,
+                                            double squared_enough) const {
+  Nearest best{squared(point - closest_point(point, triangles_[hint])), hint};
+  if (best.squared_distance <= squared_enough) return best;
+  Stack stack;
   size_t height = 0;
-  stack[height++] = {0, furthest(points, nodes_[0].box)};
+  stack[height++] = {0, triptych::squared_distance(point, nodes_[0].box)};
   while (height > 0) {
     const Waiting waiting = stack[--height];
     if (waiting.squared_distance >= best.squared_distance) continue;
     const Node& node = nodes_[waiting.node];
     if (node.count > 0) {
       for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-        const double distance = furthest(points, triangles_[order_[i]], best.squared_distance);
-        if (distance < best.squared_distance) {
-          best = {distance, order_[i]};
-          if (any) return best;
-        }
+        const double distance = squared(point - closest_point(point, triangles_[order_[i]]));
+        if (distance < best.squared_distance) best = {distance, order_[i]};
+      }
+      if (best.squared_distance <= squared_enough) return best;
+    } else {
+      const Waiting left{waiting.node + 1, triptych::squared_distance(point, nodes_[waiting.node + 1].box)};
+      const Waiting right{node.first, triptych::squared_distance(point, nodes_[node.first].box)};
+      const bool left_first = left.squared_distance <= right.squared_distance;
+      stack[height++] = left_first ? right : left;
+      stack[height++] = left_first ? left : right;
+    }
+  }
+  return best;
+}
+
+TriangleTree::Nearest TriangleTree::within(std::span<const glm::dvec3> points,
+                                           double squared_distance) const {
+  Stack stack;
+  size_t height = 0;
+  stack[height++] = {0, furthest(points, nodes_[0].box)};
+  while (height > 0) {
+    const Waiting waiting = stack[--height];
+    if (waiting.squared_distance >= squared_distance) continue;
+    const Node& node = nodes_[waiting.node];
+    if (node.count > 0) {
+      for (uint32_t i = node.first; i < node.first + node.count; ++i) {
+        const double distance = furthest(points, triangles_[order_[i]], squared_distance);
+        if (distance < squared_distance) return {distance, order_[i]};
       }
     } else {
       const Waiting left{waiting.node + 1, furthest(points, nodes_[waiting.node + 1].box)};
@@ -137,7 +154,11 @@ TriangleTree::Nearest TriangleTree::search(std::span<const glm::dvec3> points, N
       stack[height++] = left_first ? left : right;
     }
   }
-  return best;
+  return {squared_distance, no_triangle};
+}
+
+double TriangleTree::squared_distance(std::span<const glm::dvec3> points, uint32_t triangle) const {
+  return furthest(points, triangles_[triangle], std::numeric_limits<double>::infinity());
 }
 
 }  // namespace triptych

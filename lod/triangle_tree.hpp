@@ -28,8 +28,8 @@ class TriangleTree {
   explicit TriangleTree(std::vector<Corners> triangles);
 
   const Corners& triangle(uint32_t index) const { return triangles_[index]; }
-  /// The triangle closest to the point. `hint` is where to look first.
-  Nearest nearest(const glm::dvec3& point, uint32_t hint = 0) const;
+  /// The triangle closest to the point. `hint` is where to look first; any triangle within `enough` will do.
+  Nearest nearest(const glm::dvec3& point, uint32_t hint = 0, double squared_enough = 0) const;
   /// A triangle that has all points within the distance (and so, since it is convex, all their convex
   /// combinations), or no_triangle; gives the largest of their squared distances from it.
   Nearest within(std::span<const glm::dvec3> points, double squared_distance) const;
@@ -45,8 +45,6 @@ class TriangleTree {
              count = 0;  ///< of a leaf: triangles in order_; of an inner node: count 0 and its right child
   };
 
-  template <bool any>
-  Nearest search(std::span<const glm::dvec3> points, Nearest best) const;
   void build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& centers);
 
   std::vector<Corners> triangles_;

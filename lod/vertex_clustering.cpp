@@ -1,22 +1,27 @@
 #include "lod/vertex_clustering.hpp"
 
-#include "base/hashing.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <unordered_map>
-#include <unordered_set>
+#include <optional>
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
 
 namespace triptych {
 
 namespace {
 
-struct ArrayHash {
-  template <typename Values>
-  size_t operator()(const Values& values) const {
-    return static_cast<size_t>(hash_values(std::span<const Values>(&values, 1)));
+/// Point indices or cells, as a key; materials where colours count.
+template <size_t count>
+using Key = std::array<uint32_t, count>;
+
+struct KeyHash {
+  template <size_t count>
+  size_t operator()(const Key<count>& key) const {
+    uint64_t hash = 0;
+    for (const uint32_t value : key) hash = (hash ^ value ^ hash >> 29) * 0x9e3779b97f4a7c15u;
+    return hash ^ hash >> 32;
   }
 };
 
@@ -51,8 +56,8 @@ double area_of(const Surface& surface, uint32_t a, uint32_t b, uint32_t c) {
 
 class Clustering {
  public:
-  Clustering(const Surface& surface, std::span<const uint8_t> locked, double cell)
-      : surface_(surface), locked_(locked), cell_(cell) {
+  Clustering(const Surface& surface, std::span<const uint8_t> locked, double cell, Colors colors)
+      : surface_(surface), locked_(locked), cell_(cell), colors_(colors) {
     choose_representatives();
     map_triangles();
     keep_lines();
@@ -70,11 +75,13 @@ class Clustering {
   void choose_representatives() {
     const LatticeBox box = surface_.box();
     const glm::dvec3 lo(box.lo);
-    std::unordered_map<glm::ivec3, uint32_t, ArrayHash> cells;
+    tsl::robin_map<Key<3>, uint32_t, KeyHash> cells;
     std::vector<uint32_t> cell_of;
+    cell_of.reserve(surface_.points.size());
     for (const glm::ivec3& point : surface_.points) {
-      const glm::ivec3 at(glm::floor((glm::dvec3(point) - lo) / cell_));
-      cell_of.push_back(cells.try_emplace(at, static_cast<uint32_t>(cells.size())).first->second);
+      const glm::uvec3 at((glm::dvec3(point) - lo) / cell_);
+      cell_of.push_back(
+          cells.try_emplace({at.x, at.y, at.z}, static_cast<uint32_t>(cells.size())).first->second);
     }
     std::vector<Quadric> quadrics(cells.size());
     for (const Triangle& triangle : surface_.triangles) {
@@ -112,20 +119,21 @@ class Clustering {
       double area;
       uint32_t index;
     };
-    std::unordered_map<std::array<uint32_t, 3>, Source, ArrayHash> images;
-    std::vector<std::array<uint32_t, 3>> order;
+    tsl::robin_map<Key<4>, Source, KeyHash> images;
+    std::vector<Key<4>> order;
     for (uint32_t i = 0; i < surface_.triangles.size(); ++i) {
       const auto& vertices = surface_.triangles[i].vertices;
-      std::array<uint32_t, 3> corners = {image_[vertices[0]], image_[vertices[1]], image_[vertices[2]]};
+      Key<4> corners = {image_[vertices[0]], image_[vertices[1]], image_[vertices[2]],
+                        color(surface_.triangles[i])};
       if (degenerate(surface_.points[corners[0]], surface_.points[corners[1]], surface_.points[corners[2]]))
         continue;
-      std::sort(corners.begin(), corners.end());
+      std::sort(corners.begin(), corners.begin() + 3);
       const double area = area_of(surface_, vertices[0], vertices[1], vertices[2]);
       const auto [found, inserted] = images.try_emplace(corners, Source{area, i});
       if (inserted) {
         order.push_back(corners);
       } else if (area > found->second.area) {
-        found->second = {area, i};
+        found.value() = {area, i};
       }
     }
     for (const auto& corners : order) {
@@ -142,8 +150,8 @@ class Clustering {
       Triangle triangle{};
       bool moved = false;  ///< its corners are not those of a triangle of the surface
     };
-    std::unordered_map<uint64_t, Candidate> lines;
-    std::vector<uint64_t> order;
+    tsl::robin_map<Key<3>, Candidate, KeyHash> lines;
+    std::vector<Key<3>> order;
     for (const Triangle& triangle : surface_.triangles) {
       const auto& [a, b, c] = triangle.vertices;
       const std::array<uint32_t, 3> corners = {image_[a], image_[b], image_[c]};
@@ -164,7 +172,7 @@ class Clustering {
       size_t single = 0;
       while (corners[(single + 1) % 3] != corners[(single + 2) % 3]) ++single;
       const uint32_t q = corners[single], p = corners[(single + 1) % 3];
-      const uint64_t key = side(p, q);
+      const Key<3> key = side(p, q, color(triangle));
       if (sides_.contains(key)) continue;
       const auto [found, inserted] = lines.try_emplace(key);
       if (inserted) order.push_back(key);
@@ -181,14 +189,14 @@ class Clustering {
           thin.vertices[single] = q;
           thin.vertices[(single + i) % 3] = r;
           thin.vertices[(single + 3 - i) % 3] = p;
-          found->second = {area, thin, true};
+          found.value() = {area, thin, true};
         }
       }
       if (const double area = area_of(surface_, a, b, c); !found->second.moved && area > found->second.area) {
-        found->second = {area, triangle, false};
+        found.value() = {area, triangle, false};
       }
     }
-    for (const uint64_t key : order) {
+    for (const Key<3>& key : order) {
       if (sides_.contains(key)) continue;
       const Candidate& candidate = lines.at(key);
       if (!candidate.moved) bound_ = std::max(bound_, 2 * moved_);
@@ -199,32 +207,37 @@ class Clustering {
   /// Triangles that became points: where no kept triangle has the point for a corner, the largest of them
   /// stays.
   void keep_points() {
-    std::unordered_map<uint32_t, std::pair<double, Triangle>> points;
-    std::vector<uint32_t> order;
+    tsl::robin_map<Key<2>, std::pair<double, Triangle>, KeyHash> points;
+    std::vector<Key<2>> order;
     for (const Triangle& triangle : surface_.triangles) {
       const auto& [a, b, c] = triangle.vertices;
-      if (image_[a] != image_[b] || image_[b] != image_[c] || corners_.contains(image_[a])) continue;
+      const Key<2> key = {image_[a], color(triangle)};
+      if (image_[a] != image_[b] || image_[b] != image_[c] || corners_.contains(key)) continue;
       const double area = area_of(surface_, a, b, c);
-      const auto [found, inserted] = points.try_emplace(image_[a], area, triangle);
+      const auto [found, inserted] = points.try_emplace(key, area, triangle);
       if (inserted) {
-        order.push_back(image_[a]);
+        order.push_back(key);
       } else if (area > found->second.first) {
-        found->second = {area, triangle};
+        found.value() = {area, triangle};
       }
     }
-    for (const uint32_t point : order) {
+    for (const Key<2>& point : order) {
       bound_ = std::max(bound_, std::min(2 * moved_, std::sqrt(3.0) * cell_));
       keep(points.at(point).second);
     }
   }
 
-  static uint64_t side(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+  static Key<3> side(uint32_t a, uint32_t b, uint32_t color) {
+    return {std::min(a, b), std::max(a, b), color};
+  }
+  uint32_t color(const Triangle& triangle) const { return colors_ == Colors::keep ? triangle.material : 0; }
 
   void keep(const Triangle& triangle) {
     kept_.push_back(triangle);
     const auto& [a, b, c] = triangle.vertices;
-    corners_.insert({a, b, c});
-    sides_.insert({side(a, b), side(b, c), side(c, a)});
+    const uint32_t own = color(triangle);
+    for (const uint32_t corner : {a, b, c}) corners_.insert({corner, own});
+    for (const Key<3>& line : {side(a, b, own), side(b, c, own), side(c, a, own)}) sides_.insert(line);
   }
 
   const Surface& surface_;
@@ -232,35 +245,41 @@ class Clustering {
   double cell_, moved_ = 0, bound_ = 0;
   std::vector<uint32_t> image_;
   std::vector<Triangle> kept_;
-  std::unordered_set<uint32_t> corners_;
-  std::unordered_set<uint64_t> sides_;
+  Colors colors_;
+  tsl::robin_set<Key<2>, KeyHash> corners_;
+  tsl::robin_set<Key<3>, KeyHash> sides_;
 };
 
 }  // namespace
 
-Clustered cluster_vertices(const Surface& surface, std::span<const uint8_t> locked, double cell) {
-  return Clustering(surface, locked, cell).result();
+Clustered cluster_vertices(const Surface& surface, std::span<const uint8_t> locked, double cell,
+                           Colors colors) {
+  return Clustering(surface, locked, cell, colors).result();
 }
 
-Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, size_t triangles) {
+Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, size_t triangles,
+                     Colors colors) {
   const LatticeBox box = surface.box();
   const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
   const double longest = std::max({size.x, size.y, size.z, 1.0});
   // One cell holds all at the coarse end; at the fine end hardly any two points meet.
   double coarse = longest * 1.001,
          fine = std::max(1.0, longest / (8 * std::sqrt(static_cast<double>(triangles)) + 8));
-  Clustered best = cluster_vertices(surface, locked, coarse);
+  std::optional<Clustered> best;
   for (int i = 0; i < 9 && coarse > 1.05 * fine; ++i) {
     const double cell = std::sqrt(coarse * fine);
-    Clustered clustered = cluster_vertices(surface, locked, cell);
-    if (clustered.piece.surface.triangles.size() <= triangles) {
+    Clustered clustered = cluster_vertices(surface, locked, cell, colors);
+    const size_t count = clustered.piece.surface.triangles.size();
+    if (count <= triangles) {
       best = std::move(clustered);
       coarse = cell;
+      // Near enough to what was asked for.
+      if (count * 10 >= triangles * 9) break;
     } else {
       fine = cell;
     }
   }
-  return best;
+  return best ? std::move(*best) : cluster_vertices(surface, locked, coarse, colors);
 }
 
 }  // namespace triptych

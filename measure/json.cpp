@@ -12,6 +12,14 @@ nlohmann::json to_json(const Distribution& distribution) {
           {"max", distribution.max}};
 }
 
+nlohmann::json to_json(const ImportReport& report) {
+  return {{"dropped_triangles", report.dropped_triangles},
+          {"welded_vertices", report.welded_vertices},
+          {"repaired_edges", report.repaired_edges},
+          {"stuck_groups", report.stuck_groups},
+          {"warnings", report.warnings}};
+}
+
 void write_json(const std::filesystem::path& file, const nlohmann::json& object) {
   if (!file.empty()) write_file(file, object.dump(2) + "\n");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/distribution.hpp"
+#include "scene/model.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,9 @@ namespace triptych {
 
 /// {"mean", "p50", "p95", "p99", "max"}.
 nlohmann::json to_json(const Distribution& distribution);
+
+/// {"dropped_triangles", "welded_vertices", "repaired_edges", "stuck_groups", "warnings"}.
+nlohmann::json to_json(const ImportReport& report);
 
 /// The distribution of what `value` gives for each record.
 template <typename Record, typename Value>

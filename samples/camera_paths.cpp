@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "samples/free_space.hpp"
+#include "samples/polyline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,32 +14,6 @@ namespace {
 
 using Line = std::vector<glm::dvec2>;
 constexpr int walk_frames = 300, fly_frames = 300, spin_frames = 120, jump_frames = 60;
-
-template <typename Point>
-double length_of(const std::vector<Point>& line) {
-  double length = 0;
-  for (size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
-  return length;
-}
-
-/// Points at equal distances along the line, from its start; at most `count`.
-template <typename Point>
-std::vector<Point> resampled(const std::vector<Point>& line, double step, size_t count) {
-  std::vector<Point> result{line.front()};
-  double left = step;
-  for (size_t i = 1; i < line.size() && result.size() < count; ++i) {
-    Point from = line[i - 1];
-    double distance = glm::distance(from, line[i]);
-    while (distance >= left && result.size() < count) {
-      from += (line[i] - from) * (left / distance);
-      distance -= left;
-      left = step;
-      result.push_back(from);
-    }
-    left -= distance;
-  }
-  return result;
-}
 
 /// Rounds corners off, as far as the way stays free.
 Line smoothed(Line line, const FreeSpace& space) {
@@ -203,18 +178,7 @@ CameraFrames make_fly(const FloorPlan& plan) {
                                         {-14, eye, 40},
                                         {8, eye + 1, 52},
                                         {34, eye + 1, 50}};
-  // A uniform Catmull-Rom spline, then equal steps along it.
-  std::vector<glm::dvec3> spline;
-  for (size_t i = 0; i + 1 < corners.size(); ++i) {
-    const glm::dvec3 &a = corners[i == 0 ? 0 : i - 1], &b = corners[i], &c = corners[i + 1],
-                     &d = corners[std::min(i + 2, corners.size() - 1)];
-    for (int k = 0; k < 64; ++k) {
-      const double t = k / 64.0;
-      spline.push_back(0.5 * (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * t * t +
-                              (3.0 * b - a - 3.0 * c + d) * t * t * t));
-    }
-  }
-  spline.push_back(corners.back());
+  const std::vector<glm::dvec3> spline = spline_through(corners);
   constexpr size_t ahead = 7;
   const auto line = resampled(spline, length_of(spline) / (fly_frames + ahead + 0.5), fly_frames + ahead);
   std::vector<glm::dvec3> directions;

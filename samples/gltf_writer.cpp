@@ -53,24 +53,33 @@ size_t GltfWriter::material(const glm::dvec3& colour) {
   return found->second;
 }
 
+Json GltfWriter::add_primitive(const MeshPart& part) {
+  glm::vec3 low(part.positions.at(0)), high(low);
+  for (const auto& position : part.positions) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  const size_t positions =
+      add_accessor(std::as_bytes(std::span<const glm::vec3>(part.positions)), part.positions.size(), false);
+  gltf_["accessors"].back()["min"] = {low.x, low.y, low.z};
+  gltf_["accessors"].back()["max"] = {high.x, high.y, high.z};
+  const size_t indices =
+      add_accessor(std::as_bytes(std::span<const uint32_t>(part.indices)), part.indices.size(), true);
+  return {
+      {"attributes", {{"POSITION", positions}}}, {"indices", indices}, {"material", material(part.colour)}};
+}
+
 size_t GltfWriter::add_mesh(const std::string& name, const std::vector<MeshPart>& parts) {
   Json primitives = Json::array();
-  for (const MeshPart& part : parts) {
-    glm::vec3 low(part.positions.at(0)), high(low);
-    for (const auto& position : part.positions) {
-      low = glm::min(low, position);
-      high = glm::max(high, position);
-    }
-    const size_t positions =
-        add_accessor(std::as_bytes(std::span<const glm::vec3>(part.positions)), part.positions.size(), false);
-    gltf_["accessors"].back()["min"] = {low.x, low.y, low.z};
-    gltf_["accessors"].back()["max"] = {high.x, high.y, high.z};
-    const size_t indices =
-        add_accessor(std::as_bytes(std::span<const uint32_t>(part.indices)), part.indices.size(), true);
-    primitives.push_back({{"attributes", {{"POSITION", positions}}},
-                          {"indices", indices},
-                          {"material", material(part.colour)}});
-  }
+  for (const MeshPart& part : parts) primitives.push_back(add_primitive(part));
+  gltf_["meshes"].push_back({{"name", name}, {"primitives", std::move(primitives)}});
+  return gltf_["meshes"].size() - 1;
+}
+
+size_t GltfWriter::add_mesh(const std::string& name, size_t count,
+                            const std::function<MeshPart(size_t)>& make_part) {
+  Json primitives = Json::array();
+  for (size_t i = 0; i < count; ++i) primitives.push_back(add_primitive(make_part(i)));
   gltf_["meshes"].push_back({{"name", name}, {"primitives", std::move(primitives)}});
   return gltf_["meshes"].size() - 1;
 }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,8 @@ class GltfWriter {
 
   /// One primitive for each part. Returns the mesh's number.
   size_t add_mesh(const std::string& name, const std::vector<MeshPart>& parts);
+  /// The same with parts that are made when they are written: only one is in memory at a time.
+  size_t add_mesh(const std::string& name, size_t count, const std::function<MeshPart(size_t)>& make_part);
   /// Places a mesh: a node at the scene's top.
   void add_node(const std::string& name, size_t mesh, const glm::dmat4& transform);
   /// Goes into `asset`: `copyright` and `extras`.
@@ -31,6 +34,7 @@ class GltfWriter {
 
  private:
   size_t add_accessor(std::span<const std::byte> bytes, size_t count, bool indices);
+  nlohmann::ordered_json add_primitive(const MeshPart& part);
   size_t material(const glm::dvec3& colour);
 
   std::filesystem::path folder_;

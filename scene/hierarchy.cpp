@@ -56,6 +56,15 @@ class Splitter {
     return best_split;
   }
 
+  /// At the median along the longest axis of the centres.
+  std::vector<Range> halves(Range range) const {
+    Box centers;
+    for (const uint32_t object : range) centers.extend(centers_[object]);
+    const glm::dvec3 size = centers.hi - centers.lo;
+    sort(range, size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2);
+    return {range.first(range.size() / 2), range.subspan(range.size() / 2)};
+  }
+
   double area(Range range) const {
     Box box;
     for (const uint32_t object : range) box.extend(boxes_[object]);
@@ -99,7 +108,7 @@ std::vector<Range> children_of(const Splitter& splitter, Range range) {
 
 }  // namespace
 
-std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects) {
+std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects, HierarchyKind kind) {
   const Splitter splitter(objects);
   std::vector<uint32_t> order(objects.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -114,7 +123,9 @@ std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects) {
       continue;
     }
     nodes[i].first_child = static_cast<uint32_t>(nodes.size());
-    for (const Range child : children_of(splitter, range)) {
+    const std::vector<Range> children =
+        kind == HierarchyKind::median_split ? splitter.halves(range) : children_of(splitter, range);
+    for (const Range child : children) {
       HierarchyNode& node = nodes.emplace_back();
       node.parent = static_cast<uint32_t>(i);
       ranges.push_back(child);

@@ -10,6 +10,12 @@
 
 namespace triptych {
 
+/// How objects become leaves, and leaves a tree.
+enum class HierarchyKind {
+  partition_cluster_partition,
+  median_split,  ///< the original objects, cut at the median along the longest axis: for comparison
+};
+
 struct HierarchyNode {
   SceneNodeId parent = no_id;
   SceneNodeId first_child = 0;
@@ -23,7 +29,9 @@ struct HierarchyNode {
 /// Nodes breadth first: a parent before its children, the children of one parent side by side. Binary splits
 /// by the surface area heuristic over the boxes' centres (MacDonald and Booth 1990), median splits where that
 /// would be lopsided, joined into nodes of up to four children; so the depth stays within a few levels of
-/// balanced, even for equal boxes. At least one box must be given; one box gives a root that is a leaf.
-std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects);
+/// balanced, even for equal boxes; with HierarchyKind::median_split, binary nodes by medians alone. At least
+/// one box must be given; one box gives a root that is a leaf.
+std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects,
+                                           HierarchyKind kind = HierarchyKind::partition_cluster_partition);
 
 }  // namespace triptych

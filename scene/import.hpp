@@ -1,16 +1,45 @@
-// Model files in: glTF and GLB, OBJ, PLY, STL, by their extension.
+// Model files in: glTF and GLB, OBJ, PLY, STL, by their extension, and what Assimp knows besides.
 #pragma once
 
 #include "scene/model.hpp"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace triptych {
 
-/// Reads every file into one model. What is dropped, merged or not understood stands in the model's report.
-/// Error (file and place in it) for a file that is missing, damaged, empty of triangles or of an unknown
-/// format.
-Model import_model(const std::vector<std::filesystem::path>& files);
+enum class UpAxis : uint8_t { y, z };
+enum class LengthUnit : uint8_t { metre, centimetre, millimetre, inch, foot };
+
+struct ImportOptions {
+  /// What files mean that do not say it themselves (OBJ, PLY, STL); metres and y up where nothing is given.
+  /// Where a format says otherwise, the report has a warning, and the format is right.
+  std::optional<UpAxis> up = std::nullopt;
+  std::optional<LengthUnit> unit = std::nullopt;
+  /// Where large text files are put in binary while they are imported, in files without a name; empty: TMPDIR
+  /// or /tmp.
+  std::filesystem::path temporary_folder = {};
+  /// Meshes of more triangles stay in their file (Mesh::stream) ...
+  uint64_t stream_above = 4096;
+  /// ... and so do all further ones when those in memory would have more than these together.
+  uint64_t most_in_memory = 2'000'000;
+  /// The program that reads further formats; empty: triptych-import beside the program that runs.
+  std::filesystem::path converter = {};
+  /// It is ended where it takes more address space or longer.
+  uint64_t converter_bytes = uint64_t{4} << 30;
+  double converter_seconds = 600;
+};
+
+/// Reads every file into one model in metres, y up. What is dropped, merged or not understood stands in the
+/// model's report; of streams, what they find when they are read. Error (file and place in it) for a file
+/// that is missing, damaged, empty of triangles or of an unknown format.
+Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options = {});
+
+/// The extensions that import_model knows, with their dots: those of our own readers, then those that
+/// triptych-import reads.
+std::vector<std::string> known_extensions();
 
 }  // namespace triptych

@@ -54,7 +54,7 @@ bool is_finite(const Affine& transform) {
 }
 
 /// The transforms of EXT_mesh_gpu_instancing, relative to their node.
-std::vector<Affine> instance_transforms(const tinygltf::Model& gltf, const tinygltf::Value& extension,
+std::vector<Affine> instance_transforms(const GltfFile& gltf, const tinygltf::Value& extension,
                                         const std::string& place) {
   static constexpr std::array names = {"TRANSLATION", "ROTATION", "SCALE"};
   const tinygltf::Value& attributes = extension.Get("attributes");
@@ -64,6 +64,7 @@ std::vector<Affine> instance_transforms(const tinygltf::Model& gltf, const tinyg
     if (!attributes.IsObject() || !attributes.Has(names[i])) continue;
     if (!attributes.Get(names[i]).IsInt()) fail(place, "{} names no accessor", names[i]);
     parts[i].emplace(gltf, attributes.Get(names[i]).GetNumberAsInt(), place);
+    parts[i]->load();
     if (parts[i]->components() != (i == 1 ? 4 : 3))
       fail(place, "{} of {} components", names[i], parts[i]->components());
     if (count && *count != parts[i]->count()) fail(place, "instance attributes of different lengths");
@@ -148,9 +149,9 @@ std::vector<int> scene_roots(const tinygltf::Model& gltf, const std::vector<int>
   return roots;
 }
 
-void place_node(const tinygltf::Model& gltf, size_t index, const Affine& transform, FileImport& target,
+void place_node(const GltfFile& gltf, size_t index, const Affine& transform, FileImport& target,
                 GltfMeshes& meshes) {
-  const auto& node = gltf.nodes[index];
+  const auto& node = gltf.model.nodes[index];
   if (node.mesh == -1) return;
   const std::string place = node_place(target, index);
   const auto mesh = meshes.mesh(node.mesh, place);
@@ -170,12 +171,12 @@ void place_node(const tinygltf::Model& gltf, size_t index, const Affine& transfo
 
 }  // namespace
 
-void place_gltf_nodes(const tinygltf::Model& gltf, FileImport& target, GltfMeshes& meshes) {
+void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes) {
   struct Open {
     int node;
     Affine transform;
   };
-  const std::vector<int> roots = scene_roots(gltf, check_tree(gltf, target), target);
+  const std::vector<int> roots = scene_roots(gltf.model, check_tree(gltf.model, target), target);
   std::vector<Open> open;
   for (size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], Affine(1)});
   while (!open.empty()) {  // depth first, in the file's order
@@ -183,19 +184,28 @@ void place_gltf_nodes(const tinygltf::Model& gltf, FileImport& target, GltfMeshe
     open.pop_back();
     const auto index = static_cast<size_t>(next.node);
     const Affine transform =
-        compose(next.transform, local_transform(gltf.nodes[index], node_place(target, index)));
+        compose(next.transform, local_transform(gltf.model.nodes[index], node_place(target, index)));
     place_node(gltf, index, transform, target, meshes);
-    const auto& children = gltf.nodes[index].children;
+    const auto& children = gltf.model.nodes[index].children;
     for (size_t i = children.size(); i-- > 0;) open.push_back({children[i], transform});
   }
 }
 
 void import_gltf(FileImport& target) {
-  const tinygltf::Model gltf = load_gltf(target);
+  target.says_up(UpAxis::y);
+  target.says_unit(LengthUnit::metre);
+  import_gltf(target, std::make_shared<StreamSource>(target.file()));
+}
+
+void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source) {
+  const GltfFile gltf = load_gltf(target, source);
+  for (const GltfBuffer& buffer : gltf.buffers) {
+    if (buffer.source != source && buffer.source->has_file()) target.also_reads(buffer.source->name());
+  }
   GltfMeshes meshes(gltf, target);
   place_gltf_nodes(gltf, target, meshes);
   target.warn("meshes are placed nowhere in the scene and were not imported", meshes.unused_count());
-  target.warn("animations are not played", gltf.animations.size());
+  target.warn("animations are not played", gltf.model.animations.size());
 }
 
 }  // namespace triptych

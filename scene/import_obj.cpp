@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "scene/import_file.hpp"
 #include "scene/import_reader.hpp"
+#include "scene/mesh_spool.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +14,7 @@ namespace {
 
 class ObjImport {
  public:
-  explicit ObjImport(FileImport& target) : target_(target), reader_(target.file()) { parts_.emplace_back(); }
+  explicit ObjImport(FileImport& target) : target_(target), reader_(target.file()), spool_(target) {}
 
   void run() {
     std::string_view line;
@@ -27,19 +28,14 @@ class ObjImport {
       }
       read_statement(line);
     }
-    if (vertices_named_ > positions_.size()) {
-      fail(target_.line_place(furthest_line_), "names vertex {} of {}", vertices_named_, positions_.size());
+    if (vertices_named_ > spool_.vertex_count()) {
+      fail(target_.line_place(furthest_line_), "names vertex {} of {}", vertices_named_,
+           spool_.vertex_count());
     }
-    place_parts();
+    spool_.finish();
   }
 
  private:
-  /// The faces between one `o` or `g` statement and the next.
-  struct Part {
-    std::string name;
-    std::vector<Triangle> triangles;
-  };
-
   void read_statement(std::string_view line) {
     if (const size_t comment = line.find('#'); comment != std::string_view::npos)
       line = line.substr(0, comment);
@@ -50,8 +46,7 @@ class ObjImport {
     } else if (word == "f" || word == "fo") {
       read_face(line);
     } else if (word == "o" || word == "g") {
-      if (!parts_.back().triangles.empty()) parts_.emplace_back();
-      parts_.back().name = std::string(trimmed(line));
+      spool_.begin_mesh(std::string(trimmed(line)));
     } else if (word == "usemtl") {
       use_material(std::string(trimmed(line)));
     } else if (word == "mtllib") {
@@ -73,9 +68,7 @@ class ObjImport {
     int further = 0;
     while (!take_word(line).empty()) ++further;
     if (further >= 3) target_.warn("vertices with a colour, which is not drawn yet");
-    if (positions_.size() == std::numeric_limits<uint32_t>::max())
-      fail(reader_.line_place(), "more vertices than 32 bits can index");
-    positions_.push_back(position);
+    spool_.add_vertex(position);
   }
 
   void read_face(std::string_view line) {
@@ -83,17 +76,14 @@ class ObjImport {
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
       corners_.push_back(vertex_index(word));
     }
-    if (corners_.size() < 3) return target_.warn("faces with fewer than three corners were skipped");
-    for (size_t i = 2; i < corners_.size(); ++i) {
-      parts_.back().triangles.push_back({{corners_[0], corners_[i - 1], corners_[i]}, material_});
-    }
+    spool_.add_face(corners_, material_);
   }
 
   /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0.
   uint32_t vertex_index(std::string_view word) {
     const auto number = to_integer(word.substr(0, word.find('/')));
     if (!number) fail(reader_.line_place(), "\"{}\" is no corner of a face", word.substr(0, 40));
-    const auto known = static_cast<int64_t>(positions_.size());
+    const auto known = static_cast<int64_t>(spool_.vertex_count());
     const int64_t index = *number < 0 ? known + *number : *number - 1;
     if (*number == 0 || index < 0 || index >= std::numeric_limits<uint32_t>::max()) {
       fail(reader_.line_place(), "names vertex {} of {}", *number, known);
@@ -133,6 +123,7 @@ class ObjImport {
 
   void read_library(const std::filesystem::path& file) {
     ImportReader library(file);
+    target_.also_reads(file);
     Material material;
     std::string name;
     const auto finish = [&] {
@@ -177,32 +168,9 @@ class ObjImport {
     for (int i = 0; i < 3; ++i) material.base_color[i] = static_cast<float>(color[static_cast<size_t>(i)]);
   }
 
-  /// Each part becomes a mesh of the vertices that it uses.
-  void place_parts() {
-    std::vector<uint32_t> local(positions_.size()), owner(positions_.size(), 0);
-    uint32_t number = 0;
-    for (Part& part : parts_) {
-      if (part.triangles.empty()) continue;
-      ++number;
-      Mesh mesh{.name = std::move(part.name), .positions = {}, .triangles = std::move(part.triangles)};
-      for (Triangle& triangle : mesh.triangles) {
-        for (uint32_t& vertex : triangle.vertices) {
-          if (owner[vertex] != number) {
-            owner[vertex] = number;
-            local[vertex] = static_cast<uint32_t>(mesh.positions.size());
-            mesh.positions.push_back(positions_[vertex]);
-          }
-          vertex = local[vertex];
-        }
-      }
-      if (const auto added = target_.add_mesh(std::move(mesh))) target_.add_instance(*added, Affine(1));
-    }
-  }
-
   FileImport& target_;
   ImportReader reader_;
-  std::vector<glm::dvec3> positions_;
-  std::vector<Part> parts_;
+  MeshSpool spool_;
   std::unordered_map<std::string, uint32_t> materials_;
   std::vector<uint32_t> corners_;
   uint32_t material_ = 0;

@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "scene/import_file.hpp"
 #include "scene/import_ply_header.hpp"
+#include "scene/mesh_spool.hpp"
+#include "scene/mesh_stream_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +13,6 @@
 namespace triptych {
 
 namespace {
-
-template <typename Value>
-double read_as(ImportReader& reader, bool swap) {
-  auto bytes = reader.read(sizeof(Value));
-  std::array<std::byte, sizeof(Value)> copy;
-  std::copy(bytes.begin(), bytes.end(), copy.begin());
-  if (swap) std::reverse(copy.begin(), copy.end());
-  Value value;
-  std::memcpy(&value, copy.data(), sizeof(value));
-  return static_cast<double>(value);
-}
 
 /// Reads the values of records one after the other, whichever way they are written. Every type fits a double
 /// exactly.
@@ -50,26 +41,7 @@ class PlyValues {
       if (!number) fail(place(), "a number is missing");
       return *number;
     }
-    const bool swap = encoding_ == PlyEncoding::big_endian;
-    switch (type) {
-      case PlyType::int8:
-        return read_as<int8_t>(reader_, swap);
-      case PlyType::uint8:
-        return read_as<uint8_t>(reader_, swap);
-      case PlyType::int16:
-        return read_as<int16_t>(reader_, swap);
-      case PlyType::uint16:
-        return read_as<uint16_t>(reader_, swap);
-      case PlyType::int32:
-        return read_as<int32_t>(reader_, swap);
-      case PlyType::uint32:
-        return read_as<uint32_t>(reader_, swap);
-      case PlyType::float32:
-        return read_as<float>(reader_, swap);
-      case PlyType::float64:
-        return read_as<double>(reader_, swap);
-    }
-    fail(place(), "a value of an unknown type");
+    return load_scalar(reader_.read(scalar_bytes(type)).data(), type, encoding_ == PlyEncoding::big_endian);
   }
 
   /// A whole number from 0 to `limit`; anything else is an Error.
@@ -83,7 +55,7 @@ class PlyValues {
 
   /// The length of a list, checked against what the file can still hold.
   uint64_t read_length(const PlyProperty& property) {
-    const uint64_t smallest = encoding_ == PlyEncoding::ascii ? 1 : ply_size(property.type);
+    const uint64_t smallest = encoding_ == PlyEncoding::ascii ? 1 : scalar_bytes(property.type);
     const uint64_t left = encoding_ == PlyEncoding::ascii ? line_.size() : reader_.left();
     return read_index(*property.count_type, left / smallest, "a list's length");
   }
@@ -105,7 +77,8 @@ class PlyValues {
   std::string_view line_;
 };
 
-void read_vertices(const PlyElement& element, PlyValues& values, FileImport& target, Mesh& mesh) {
+/// Which properties of a vertex hold x, y and z.
+std::array<size_t, 3> coordinates_of(const PlyElement& element, FileImport& target) {
   std::array<size_t, 3> at;
   for (size_t i = 0; i < 3; ++i) {
     static constexpr std::array names = {"x", "y", "z"};
@@ -119,7 +92,19 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
   if (element.find({"red", "green", "blue", "diffuse_red", "r"})) {
     target.warn("vertices with a colour, which is not drawn yet", element.count);
   }
-  mesh.positions.reserve(element.count);
+  return at;
+}
+
+size_t corner_list_of(const PlyElement& element, uint64_t vertex_count, const FileImport& target) {
+  const auto list = element.find({"vertex_indices", "vertex_index"});
+  if (!list || !element.properties[*list].count_type)
+    fail(target.place(), "element \"face\" has no list \"vertex_indices\"");
+  if (vertex_count == 0) fail(target.place(), "faces without vertices");
+  return *list;
+}
+
+void read_vertices(const PlyElement& element, PlyValues& values, FileImport& target, MeshSpool& spool) {
+  const std::array<size_t, 3> at = coordinates_of(element, target);
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin_record();
     glm::dvec3 position{0};
@@ -135,23 +120,20 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
       }
     }
     values.end_record();
-    mesh.positions.push_back(position);
+    spool.add_vertex(position);
   }
 }
 
 void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
-                Mesh& mesh) {
-  const auto list = element.find({"vertex_indices", "vertex_index"});
+                MeshSpool& spool) {
   if (element.count == 0) return;
-  if (!list || !element.properties[*list].count_type)
-    fail(target.place(), "element \"face\" has no list \"vertex_indices\"");
-  if (vertex_count == 0) fail(target.place(), "faces without vertices");
+  const size_t list = corner_list_of(element, vertex_count, target);
   std::vector<uint32_t> corners;
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin_record();
     for (size_t k = 0; k < element.properties.size(); ++k) {
       const PlyProperty& property = element.properties[k];
-      if (k != *list) {
+      if (k != list) {
         values.skip(property);
         continue;
       }
@@ -161,9 +143,82 @@ void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& val
       }
     }
     values.end_record();
-    if (corners.size() < 3) target.warn("faces with fewer than three corners were skipped");
-    for (size_t k = 2; k < corners.size(); ++k)
-      mesh.triangles.push_back({{corners[0], corners[k - 1], corners[k]}, 0});
+    spool.add_face(corners, 0);
+  }
+}
+
+PositionTable vertex_table(const PlyElement& element, FileImport& target) {
+  PositionTable table{.source = nullptr, .fields = {}};
+  const std::array<size_t, 3> at = coordinates_of(element, target);
+  for (size_t k = 0; k < element.properties.size(); ++k) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      if (k == at[axis]) table.fields[axis] = {table.stride, element.properties[k].type};
+    }
+    table.stride += scalar_bytes(element.properties[k].type);
+  }
+  table.count = element.count;
+  return table;
+}
+
+/// Whether the file can be read in place: binary vertices of one length, whose offset is known, and faces
+/// whose offset is known.
+bool can_stream(const PlyHeader& header) {
+  if (header.encoding == PlyEncoding::ascii) return false;
+  bool offset_known = true, faces = false;
+  for (const PlyElement& element : header.elements) {
+    const auto record = element.record_bytes();
+    if (element.name == "vertex" && (!record || !offset_known || *record > PositionTable::longest_stride))
+      return false;
+    if (element.name == "face" && !offset_known) return false;
+    faces = faces || element.name == "face";
+    offset_known = offset_known && record;
+  }
+  return faces;
+}
+
+void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count, FileImport& target) {
+  const auto source = std::make_shared<StreamSource>(target.file());
+  PositionTable vertices;
+  FaceTable faces{.source = source, .element = {}, .material = {}, .end = source->size()};
+  for (const PlyElement& element : header.elements) {
+    const auto record = element.record_bytes();
+    if (element.name == "vertex") {
+      vertices = vertex_table(element, target);
+      vertices.offset = offset;
+    } else if (element.name == "face") {
+      faces.element = element;
+      faces.begin = offset;
+      faces.end_known = true;
+    } else {
+      target.warn(fmt::format("records of the element \"{}\" were skipped", element.name), element.count);
+      faces.end_known = faces.end_known && record;
+      if (faces.end_known) faces.end -= *record * element.count;
+    }
+    if (record) offset += *record * element.count;
+  }
+  faces.list = corner_list_of(faces.element, vertex_count, target);
+  vertices.source = source;
+  vertices.swapped = faces.swapped = header.encoding == PlyEncoding::big_endian;
+  vertices.check();
+  const auto stream = std::make_shared<FaceStream>(std::move(vertices), std::move(faces));
+  target.add_instance(target.add_stream(target.file().stem().string(), stream), Affine(1));
+}
+
+/// Normals, confidences and the like, which the model has no place for.
+void warn_of_unused(const PlyHeader& header, FileImport& target) {
+  static constexpr std::array used = {"x", "y", "z", "vertex_indices", "vertex_index"};
+  static constexpr std::array colours = {"red",   "green",       "blue",
+                                         "alpha", "diffuse_red", "r"};  // have a warning
+  for (const PlyElement& element : header.elements) {
+    if (element.name != "vertex" && element.name != "face") continue;
+    std::string names;
+    for (const PlyProperty& property : element.properties) {
+      const bool known = std::count(used.begin(), used.end(), property.name) > 0 ||
+                         std::count(colours.begin(), colours.end(), property.name) > 0;
+      if (!known && names.size() < 120) names += " " + property.name.substr(0, 40);
+    }
+    if (!names.empty())
+      target.remark(fmt::format("properties of \"{}\" are not used:{}", element.name, names));
   }
 }
 
@@ -187,14 +242,19 @@ void import_ply(FileImport& target) {
   if (count_of(header, "tristrips", target) > 0)
     fail(target.place(), "holds triangle strips, which are not supported");
   const uint64_t vertex_count = count_of(header, "vertex", target);
-  if (count_of(header, "face", target) == 0) fail(target.place(), "holds no triangles");
+  const uint64_t face_count = count_of(header, "face", target);
+  if (face_count == 0) fail(target.place(), "holds no triangles");
+  warn_of_unused(header, target);
+  if (can_stream(header) && target.should_stream(face_count))
+    return add_stream(header, reader.offset(), vertex_count, target);
   PlyValues values(reader, header.encoding, target.place());
-  Mesh mesh{.name = target.file().stem().string(), .positions = {}, .triangles = {}};
+  MeshSpool spool(target);
+  spool.begin_mesh(target.file().stem().string());
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
-      read_vertices(element, values, target, mesh);
+      read_vertices(element, values, target, spool);
     } else if (element.name == "face") {
-      read_faces(element, vertex_count, values, target, mesh);
+      read_faces(element, vertex_count, values, target, spool);
     } else {
       target.warn(fmt::format("records of the element \"{}\" were skipped", element.name), element.count);
       for (uint64_t i = 0; i < element.count; ++i) {
@@ -206,7 +266,7 @@ void import_ply(FileImport& target) {
   }
   if (header.encoding != PlyEncoding::ascii)
     target.warn("bytes after the last element were skipped", reader.left());
-  if (const auto added = target.add_mesh(std::move(mesh))) target.add_instance(*added, Affine(1));
+  spool.finish();
 }
 
 }  // namespace triptych

@@ -59,7 +59,7 @@ PlyEncoding read_encoding(std::string_view line, const ImportReader& reader) {
 uint64_t least_record_bytes(const PlyElement& element, PlyEncoding encoding) {
   uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
-    bytes += encoding == PlyEncoding::ascii ? 2 : ply_size(property.count_type.value_or(property.type));
+    bytes += encoding == PlyEncoding::ascii ? 2 : scalar_bytes(property.count_type.value_or(property.type));
   }
   return bytes;
 }
@@ -81,16 +81,20 @@ void check_promises(const PlyHeader& header, const ImportReader& reader) {
 
 }  // namespace
 
-size_t ply_size(PlyType type) {
-  static constexpr std::array<size_t, 8> sizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<size_t>(type)];
-}
-
 std::optional<size_t> PlyElement::find(std::initializer_list<const char*> names) const {
   for (size_t i = 0; i < properties.size(); ++i) {
     if (std::find(names.begin(), names.end(), properties[i].name) != names.end()) return i;
   }
   return std::nullopt;
+}
+
+std::optional<uint64_t> PlyElement::record_bytes() const {
+  uint64_t bytes = 0;
+  for (const PlyProperty& property : properties) {
+    if (property.count_type) return std::nullopt;
+    bytes += scalar_bytes(property.type);
+  }
+  return bytes;
 }
 
 PlyHeader read_ply_header(ImportReader& reader) {

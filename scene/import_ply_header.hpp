@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/import_reader.hpp"
+#include "scene/mesh_stream_positions.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -10,8 +11,7 @@
 
 namespace triptych {
 
-enum class PlyType : uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-size_t ply_size(PlyType type);
+using PlyType = ScalarType;
 
 struct PlyProperty {
   std::string name;
@@ -26,6 +26,8 @@ struct PlyElement {
 
   /// The index of the property of one of these names, if there is one.
   std::optional<size_t> find(std::initializer_list<const char*> names) const;
+  /// The length of a record in binary; nothing if it holds lists.
+  std::optional<uint64_t> record_bytes() const;
 };
 
 enum class PlyEncoding { ascii, little_endian, big_endian };

@@ -2,6 +2,8 @@
 #include "base/error.hpp"
 #include "scene/import_file.hpp"
 #include "scene/import_reader.hpp"
+#include "scene/mesh_spool.hpp"
+#include "scene/mesh_stream_stl.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +12,7 @@ namespace triptych {
 
 namespace {
 
-constexpr uint64_t header_bytes = 84, facet_bytes = 50;
+constexpr uint64_t header_bytes = StlStream::header_bytes, facet_bytes = StlStream::facet_bytes;
 
 void add_triangle(Mesh& mesh, const std::array<glm::dvec3, 3>& corners) {
   const auto first = static_cast<uint32_t>(mesh.positions.size());
@@ -18,29 +20,16 @@ void add_triangle(Mesh& mesh, const std::array<glm::dvec3, 3>& corners) {
   mesh.triangles.push_back({{first, first + 1, first + 2}, 0});
 }
 
-void place_mesh(FileImport& target, Mesh& mesh) {
+void import_binary(FileImport& target, uint64_t facets) {
+  const std::string name = target.file().stem().string();
+  const auto stream = std::make_shared<StlStream>(std::make_shared<StreamSource>(target.file()), facets);
+  if (target.should_stream(facets)) return target.add_instance(target.add_stream(name, stream), Affine(1));
+  Mesh mesh{.name = name, .positions = {}, .triangles = {}};
+  target.drop(stream->read([&](std::span<const CornerTriangle> batch) {
+    for (const CornerTriangle& triangle : batch) add_triangle(mesh, triangle.corners);
+  }));
+  target.take_warnings(*stream);
   if (const auto added = target.add_mesh(std::move(mesh))) target.add_instance(*added, Affine(1));
-  mesh = {};
-}
-
-void import_binary(FileImport& target, ImportReader& reader, uint32_t facets) {
-  if (facets > std::numeric_limits<uint32_t>::max() / 3)
-    fail(target.place(), "holds {} triangles, more than 32 bits can index", facets);
-  Mesh mesh{.name = target.file().stem().string(), .positions = {}, .triangles = {}};
-  mesh.positions.reserve(size_t{facets} * 3);
-  mesh.triangles.reserve(facets);
-  uint64_t attributes = 0;
-  for (uint32_t i = 0; i < facets; ++i) {
-    const auto bytes = reader.read(facet_bytes);
-    std::array<float, 12> values;  // the normal, then three corners
-    std::memcpy(values.data(), bytes.data(), sizeof(values));
-    add_triangle(mesh,
-                 {glm::dvec3(values[3], values[4], values[5]), glm::dvec3(values[6], values[7], values[8]),
-                  glm::dvec3(values[9], values[10], values[11])});
-    attributes += bytes[48] != std::byte{0} || bytes[49] != std::byte{0};
-  }
-  target.warn("facets with an attribute (a colour, in some dialects), which is not drawn", attributes);
-  place_mesh(target, mesh);
 }
 
 bool is_keyword(std::string_view word, std::string_view keyword) {
@@ -61,8 +50,7 @@ glm::dvec3 read_vertex(std::string_view rest, const ImportReader& reader) {
 
 void import_ascii(FileImport& target, ImportReader& reader) {
   enum class Inside { nothing, solid, facet, loop } inside = Inside::nothing;
-  Mesh mesh;
-  std::array<glm::dvec3, 3> corners;
+  MeshSpool spool(target);
   size_t corner_count = 0;
   const auto step = [&](bool right_place, Inside next) {
     if (!right_place) fail(reader.line_place(), "a statement out of its place");
@@ -74,7 +62,8 @@ void import_ascii(FileImport& target, ImportReader& reader) {
     if (word.empty()) continue;
     if (is_keyword(word, "vertex")) {
       step(inside == Inside::loop && corner_count < 3, Inside::loop);
-      corners[corner_count++] = read_vertex(line, reader);
+      spool.add_vertex(read_vertex(line, reader));
+      ++corner_count;
     } else if (is_keyword(word, "facet")) {
       step(inside == Inside::solid, Inside::facet);
     } else if (is_keyword(word, "outer")) {
@@ -82,22 +71,21 @@ void import_ascii(FileImport& target, ImportReader& reader) {
       corner_count = 0;
     } else if (is_keyword(word, "endloop")) {
       step(inside == Inside::loop && corner_count == 3, Inside::facet);
-      if (mesh.positions.size() > std::numeric_limits<uint32_t>::max() - 3)
-        fail(reader.line_place(), "more vertices than 32 bits can index");
-      add_triangle(mesh, corners);
+      const auto last = static_cast<uint32_t>(spool.vertex_count() - 1);
+      spool.add_face(std::array<uint32_t, 3>{last - 2, last - 1, last}, 0);
     } else if (is_keyword(word, "endfacet")) {
       step(inside == Inside::facet, Inside::solid);
     } else if (is_keyword(word, "solid")) {
       step(inside == Inside::nothing, Inside::solid);
-      mesh.name = std::string(trimmed(line));
+      spool.begin_mesh(std::string(trimmed(line)));
     } else if (is_keyword(word, "endsolid")) {
       step(inside == Inside::solid, Inside::nothing);
-      place_mesh(target, mesh);
     } else {
       fail(reader.line_place(), "is no statement of an ASCII STL file");
     }
   }
   if (inside != Inside::nothing) fail(reader.line_place(), "the file ends within a solid");
+  spool.finish();
 }
 
 }  // namespace
@@ -109,7 +97,7 @@ void import_stl(FileImport& target) {
     const auto header = reader.read(header_bytes);
     uint32_t facets = 0;
     std::memcpy(&facets, header.data() + 80, sizeof(facets));
-    if (reader.size() == header_bytes + facet_bytes * facets) return import_binary(target, reader, facets);
+    if (reader.size() == header_bytes + facet_bytes * facets) return import_binary(target, facets);
   }
   ImportReader text(target.file());
   std::string_view line;

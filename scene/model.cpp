@@ -2,15 +2,17 @@
 
 namespace triptych {
 
+uint64_t Mesh::triangle_count() const { return stream ? stream->triangle_count() : triangles.size(); }
+
 uint64_t Model::source_triangles() const {
   uint64_t count = 0;
-  for (const Mesh& mesh : meshes) count += mesh.triangles.size();
+  for (const Mesh& mesh : meshes) count += mesh.triangle_count();
   return count;
 }
 
 uint64_t Model::placed_triangles() const {
   uint64_t count = 0;
-  for (const Instance& instance : instances) count += meshes[instance.mesh].triangles.size();
+  for (const Instance& instance : instances) count += meshes[instance.mesh].triangle_count();
   return count;
 }
 

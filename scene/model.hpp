@@ -1,11 +1,15 @@
 // What the user gave us: meshes, instances of them, materials. Positions and transforms keep their doubles.
 #pragma once
 
+#include "scene/mesh_stream.hpp"
+
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,11 +32,15 @@ struct Triangle {
 };
 
 /// Triangles in mesh space; any triangles: soups, non-manifold, degenerate. Coordinates are finite, indices
-/// in range.
+/// in range. The geometry is in memory (positions and triangles), or in its file (stream, and both empty).
 struct Mesh {
   std::string name;
   std::vector<glm::dvec3> positions;
   std::vector<Triangle> triangles;
+  std::shared_ptr<const MeshStream> stream = nullptr;  ///< null: in memory
+
+  /// Of a stream: as MeshStream::triangle_count.
+  uint64_t triangle_count() const;
 };
 
 /// One placement of a mesh in the model.
@@ -54,6 +62,9 @@ struct Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;  ///< at least one
   std::vector<Instance> instances;
+  /// What was or will be read: the model files, and the buffers and material libraries that they name. What
+  /// triptych-import opens beside a file is not among them.
+  std::vector<std::filesystem::path> files;
   ImportReport report;
 
   uint64_t source_triangles() const;  ///< unique: each mesh once

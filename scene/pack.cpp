@@ -51,6 +51,18 @@ PackWriter::PackWriter(const std::filesystem::path& file) : file_(file) {
   file_.write(std::as_bytes(std::span(&unfinished, 1)));
 }
 
+PackWriter::PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, uint64_t keep)
+    : file_(file, partial, keep) {
+  if (keep > 0) return;
+  const Header unfinished{.signature = {}};
+  file_.write(std::as_bytes(std::span(&unfinished, 1)));
+}
+
+uint64_t PackWriter::flush() {
+  file_.flush();
+  return file_.size();
+}
+
 uint32_t PackWriter::add_chunk(const Chunk& chunk, uint32_t lattice) {
   return add_encoded_chunk(encode_chunk(chunk), static_cast<uint32_t>(chunk.vertices.size()),
                            static_cast<uint32_t>(chunk.triangle_count()), chunk.box(), lattice);

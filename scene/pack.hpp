@@ -20,12 +20,19 @@ inline constexpr uint32_t pack_format_version = 1;
 class PackWriter {
  public:
   explicit PackWriter(const std::filesystem::path& file);
+  /// Writes under the name `partial` until then. Its first `keep` bytes were written by an earlier process,
+  /// whose chunks are taken over with adopt(); 0 for a new file.
+  PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, uint64_t keep);
   /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are
   /// taken down.
   uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
   /// Appends a chunk that encode_chunk already encoded; for builds on many threads.
   uint32_t add_encoded_chunk(std::span<const std::byte> encoded, uint32_t vertex_count,
                              uint32_t triangle_count, const LatticeBox& box, uint32_t lattice);
+  void adopt(const ChunkInfo& chunk) { chunks_.push_back(chunk); }
+  const std::vector<ChunkInfo>& chunks() const { return chunks_; }
+  /// What was added survives the end of the process. Returns how many bytes that are.
+  uint64_t flush();
   /// Writes the skeleton (its chunk table is the writer's own) and puts the file in place.
   void finish(Skeleton skeleton);
 

@@ -1,8 +1,17 @@
 #include "scene/surface.hpp"
 
-#include <unordered_map>
+#include <tsl/robin_map.h>
 
 namespace triptych {
+
+namespace {
+
+/// Neighbouring indices go to distant slots (Fibonacci hashing).
+struct SpreadHash {
+  size_t operator()(uint64_t key) const { return static_cast<size_t>(key * 0x9e3779b97f4a7c15u >> 20); }
+};
+
+}  // namespace
 
 LatticeBox Surface::box() const {
   LatticeBox box;
@@ -12,8 +21,8 @@ LatticeBox Surface::box() const {
 
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles) {
   Piece piece;
-  std::unordered_map<uint32_t, uint32_t> local;
-  local.reserve(triangles.size());
+  tsl::robin_map<uint32_t, uint32_t, SpreadHash> local;
+  local.reserve(triangles.size() / 2 + 16);
   piece.surface.triangles.assign(triangles.begin(), triangles.end());
   for (Triangle& triangle : piece.surface.triangles) {
     for (uint32_t& vertex : triangle.vertices) {
@@ -30,7 +39,7 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
 
 Chunk make_chunk(const Surface& surface) {
   Chunk chunk;
-  std::unordered_map<uint64_t, uint32_t> vertices;
+  tsl::robin_map<uint64_t, uint32_t, SpreadHash> vertices;
   vertices.reserve(surface.points.size());
   chunk.indices.reserve(surface.triangles.size() * 3);
   for (const Triangle& triangle : surface.triangles) {

@@ -3,9 +3,9 @@
 #include "base/hashing.hpp"
 
 #include <algorithm>
-#include <glm/glm.hpp>
-#include <unordered_map>
-#include <unordered_set>
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
+#include <vector>
 
 namespace triptych {
 
@@ -25,45 +25,57 @@ struct CornersHash {
 
 }  // namespace
 
-Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
-            std::span<const uint32_t> colors) {
+Welded weld(std::span<const LatticeTriangle> triangles) {
   Welded welded;
   Surface& surface = welded.surface;
-  std::unordered_map<glm::ivec3, uint32_t, PointHash> places;
-  places.reserve(mesh.positions.size());
-  constexpr uint32_t unseen = 0xffffffffu;
-  std::vector<uint32_t> place_of(mesh.positions.size(), unseen);
-  const auto place = [&](uint32_t vertex) {
-    if (place_of[vertex] != unseen) return place_of[vertex];
-    const glm::ivec3 point = lattice.nearest(transform * glm::dvec4(mesh.positions[vertex], 1));
-    const auto [found, inserted] = places.try_emplace(point, static_cast<uint32_t>(surface.points.size()));
-    if (inserted) {
-      surface.points.push_back(point);
-    } else {
-      ++welded.welded_vertices;
+  tsl::robin_map<glm::ivec3, uint32_t, PointHash> places;
+  tsl::robin_set<std::array<uint32_t, 3>, CornersHash> seen;
+  places.reserve(triangles.size() / 2 + 4);
+  seen.reserve(triangles.size());
+  surface.triangles.reserve(triangles.size());
+  for (const LatticeTriangle& triangle : triangles) {
+    const auto& [a, b, c] = triangle.corners;
+    if (degenerate(a, b, c)) {
+      ++welded.dropped_triangles;
+      continue;
     }
-    return place_of[vertex] = found->second;
-  };
-
-  const bool mirrors = glm::determinant(glm::dmat3(transform)) < 0;
-  std::unordered_set<std::array<uint32_t, 3>, CornersHash> seen;
-  seen.reserve(mesh.triangles.size());
-  surface.triangles.reserve(mesh.triangles.size());
-  for (const Triangle& triangle : mesh.triangles) {
-    std::array<uint32_t, 3> corners = {place(triangle.vertices[0]), place(triangle.vertices[1]),
-                                       place(triangle.vertices[2])};
-    if (mirrors) std::swap(corners[1], corners[2]);
+    std::array<uint32_t, 3> corners;
+    for (size_t i = 0; i < 3; ++i) {
+      const auto [found, inserted] =
+          places.try_emplace(triangle.corners[i], static_cast<uint32_t>(surface.points.size()));
+      if (inserted) surface.points.push_back(triangle.corners[i]);
+      corners[i] = found->second;
+    }
     std::array<uint32_t, 3> turned = corners;
     std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-    if (degenerate(surface.points[corners[0]], surface.points[corners[1]], surface.points[corners[2]]) ||
-        !seen.insert(turned).second) {
-      ++welded.dropped_triangles;
+    if (seen.insert(turned).second) {
+      surface.triangles.push_back({corners, triangle.color});
     } else {
-      surface.triangles.push_back({corners, colors[triangle.material]});
+      ++welded.dropped_triangles;
     }
   }
-  // Points that only dropped triangles used are left out.
-  surface = extract(surface.points, surface.triangles).surface;
+  return welded;
+}
+
+Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
+            std::span<const uint32_t> colors) {
+  const ToLattice to_lattice(transform, lattice, colors);
+  std::vector<LatticeTriangle> triangles;
+  triangles.reserve(mesh.triangle_count());
+  uint64_t not_finite = read_mesh(mesh, [&](std::span<const CornerTriangle> batch) {
+    for (const CornerTriangle& triangle : batch) triangles.push_back(to_lattice(triangle));
+  });
+  Welded welded = weld(triangles);
+  welded.dropped_triangles += not_finite;
+  if (!mesh.stream) {
+    std::vector<uint8_t> used(mesh.positions.size(), 0);
+    for (const Triangle& triangle : mesh.triangles) {
+      for (const uint32_t vertex : triangle.vertices) used[vertex] = 1;
+    }
+    const auto vertices = static_cast<uint64_t>(std::count(used.begin(), used.end(), 1));
+    // Vertices of dropped triangles may have left no point behind.
+    welded.welded_vertices = vertices - std::min<uint64_t>(vertices, welded.surface.points.size());
+  }
   return welded;
 }
 

@@ -1,8 +1,7 @@
-// From a mesh in doubles to a surface on a lattice: equal points merge, triangles without area go.
+// From triangles on a lattice to a surface: equal points merge, triangles without area go.
 #pragma once
 
-#include "scene/lattice.hpp"
-#include "scene/model.hpp"
+#include "scene/read_mesh.hpp"
 #include "scene/surface.hpp"
 
 #include <cstdint>
@@ -16,9 +15,12 @@ struct Welded {
   uint64_t welded_vertices = 0;    ///< vertices that took the place of another one
 };
 
-/// Rounds the mesh, transformed, to the lattice. `colors` gives the palette index of each material. A
-/// transform that mirrors turns the triangles round, so that they keep their outside. Two triangles with the
-/// same corners in the same turn are one, whatever their colour: the first stays. Deterministic.
+/// Corners at the same point become one point. Two triangles with the same corners in the same turn are one,
+/// whatever their colour: the first stays. Deterministic. Welded vertices are not counted: corners are not
+/// the file's vertices.
+Welded weld(std::span<const LatticeTriangle> triangles);
+
+/// A whole mesh, transformed and rounded to the lattice. `colors` gives the palette index of each material.
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
             std::span<const uint32_t> colors);
 

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/threads.hpp"
-#include "lod/parts.hpp"
+#include "lod/plan.hpp"
 #include "scene/pack.hpp"
 #include "tests/support/awkward_meshes.hpp"
 
@@ -89,6 +89,61 @@ void expect_sound(const std::filesystem::path& file, uint64_t finest_triangles) 
   EXPECT_EQ(finest, finest_triangles);
 }
 
+using Edge = std::array<std::array<int, 3>, 2>;
+
+/// Edges of the chunks of these drawables (all on the model's lattice), with the number of triangles at each.
+std::map<Edge, int> edges_of(const Pack& pack, const std::vector<DrawableId>& drawables) {
+  std::map<Edge, int> edges;
+  for (const DrawableId id : drawables) {
+    const Drawable& drawable = pack.skeleton().drawables[id];
+    for (uint32_t k = drawable.first_placement; k < drawable.first_placement + drawable.placement_count;
+         ++k) {
+      const Chunk chunk = pack.read_chunk(pack.skeleton().placements[k].chunk);
+      for (size_t i = 0; i < chunk.indices.size(); ++i) {
+        const size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        const glm::ivec3 a = chunk.vertices[chunk.indices[i]].point,
+                         b = chunk.vertices[chunk.indices[next]].point;
+        Edge edge = {{{a.x, a.y, a.z}, {b.x, b.y, b.z}}};
+        std::sort(edge.begin(), edge.end());
+        ++edges[edge];
+      }
+    }
+  }
+  return edges;
+}
+
+/// Where the surface below a node meets the rest, it stays as it is at every level of the node. Returns for
+/// how many nodes it does.
+size_t expect_borders_kept(const std::filesystem::path& file) {
+  size_t with_border = 0;
+  const Pack pack(file);
+  const Skeleton& skeleton = pack.skeleton();
+  for (SceneNodeId id = 0; id < skeleton.scene_nodes.size(); ++id) {
+    // The border of what is below, at full detail: where it meets the rest of the sphere.
+    std::vector<DrawableId> finest;
+    std::vector<SceneNodeId> below = {id};
+    for (size_t i = 0; i < below.size(); ++i) {
+      const SceneNode& node = skeleton.scene_nodes[below[i]];
+      if (node.child_count == 0) finest.push_back(node.first_drawable);
+      for (uint32_t k = 0; k < node.child_count; ++k) below.push_back(node.first_child + k);
+    }
+    const auto source = edges_of(pack, finest);
+    const SceneNode& node = skeleton.scene_nodes[id];
+    for (DrawableId level = node.first_drawable; level < node.first_drawable + node.drawable_count; ++level) {
+      const auto edges = edges_of(pack, {level});
+      size_t border = 0, missing = 0;
+      for (const auto& [edge, count] : source) {
+        if (count != 1) continue;
+        ++border;
+        missing += !edges.contains(edge);
+      }
+      EXPECT_EQ(missing, 0u) << "node " << id << " drawable " << level;
+      with_border += border > 0 && level == node.first_drawable;
+    }
+  }
+  return with_border;
+}
+
 TEST(Build, a_small_building_makes_a_sound_pack) {
   const Model model = small_building();
   const auto file = file_of("small_building");
@@ -116,6 +171,53 @@ TEST(Build, one_and_two_threads_write_the_same_bytes) {
   build_pack(model, small_parts(), file_of("two_threads"));
   set_thread_count(0);
   EXPECT_EQ(read_file(file_of("one_thread")), read_file(file_of("two_threads")));
+}
+
+TEST(Build, a_mesh_that_goes_through_buckets_stays_closed_and_loses_nothing) {
+  // The finest drawables hold the same triangles as those of a build in memory, and where the two share a
+  // border, both keep it at every level.
+  const Model model = awkward::model_of({awkward::sphere(40)});
+  BuildOptions options = small_parts();
+  build_pack(model, options, file_of("in_memory"));
+  options.bucket_triangles = 700;
+  build_pack(model, options, file_of("in_buckets"));
+  std::array<std::map<Edge, int>, 2> finest;
+  for (const bool buckets : {false, true}) {
+    const Pack pack(file_of(buckets ? "in_buckets" : "in_memory"));
+    std::vector<DrawableId> drawables;
+    for (const SceneNode& node : pack.skeleton().scene_nodes) {
+      if (node.child_count == 0) drawables.push_back(node.first_drawable);
+    }
+    finest[buckets] = edges_of(pack, drawables);
+  }
+  EXPECT_EQ(finest[0], finest[1]);
+  expect_borders_kept(file_of("in_buckets"));
+}
+
+TEST(Build, baking_the_instances_draws_the_same_triangles) {
+  const Model model = small_building();
+  BuildOptions options = small_parts();
+  build_pack(model, options, file_of("shared"));
+  options.share_instances = false;
+  const BuildReport baked = build_pack(model, options, file_of("baked"));
+  expect_sound(file_of("baked"), model.placed_triangles() - 40u * 40u);
+  EXPECT_EQ(Pack(file_of("baked")).skeleton().transforms.size(), 1u);
+  EXPECT_EQ(baked.source_triangles, model.source_triangles());
+}
+
+TEST(Build, a_median_split_has_the_original_objects_as_leaves) {
+  const Model model = small_building();
+  BuildOptions options = small_parts();
+  options.hierarchy = HierarchyKind::median_split;
+  build_pack(model, options, file_of("median"));
+  expect_sound(file_of("median"), model.placed_triangles() - 40u * 40u);
+  const Pack pack(file_of("median"));
+  size_t leaves = 0;
+  for (const SceneNode& node : pack.skeleton().scene_nodes) {
+    leaves += node.child_count == 0;
+    EXPECT_TRUE(node.child_count == 0 || node.child_count == 2);
+  }
+  EXPECT_EQ(leaves, model.instances.size());
 }
 
 TEST(Build, a_single_triangle_makes_a_pack_of_one_drawable) {
@@ -148,60 +250,14 @@ TEST(Build, the_root_of_many_scattered_objects_has_few_triangles) {
             2 * options.hlod_triangles);
 }
 
-using Edge = std::array<std::array<int, 3>, 2>;
-
-/// Edges of the chunks of these drawables (all on the model's lattice), with the number of triangles at each.
-std::map<Edge, int> edges_of(const Pack& pack, const std::vector<DrawableId>& drawables) {
-  std::map<Edge, int> edges;
-  for (const DrawableId id : drawables) {
-    const Drawable& drawable = pack.skeleton().drawables[id];
-    for (uint32_t k = drawable.first_placement; k < drawable.first_placement + drawable.placement_count;
-         ++k) {
-      const Chunk chunk = pack.read_chunk(pack.skeleton().placements[k].chunk);
-      for (size_t i = 0; i < chunk.indices.size(); ++i) {
-        const size_t next = i % 3 == 2 ? i - 2 : i + 1;
-        const glm::ivec3 a = chunk.vertices[chunk.indices[i]].point,
-                         b = chunk.vertices[chunk.indices[next]].point;
-        Edge edge = {{{a.x, a.y, a.z}, {b.x, b.y, b.z}}};
-        std::sort(edge.begin(), edge.end());
-        ++edges[edge];
-      }
-    }
-  }
-  return edges;
-}
-
 TEST(Build, the_borders_of_a_parted_surface_stay_as_they_are_at_every_level) {
   const Model model = awkward::model_of({awkward::sphere(40)});
   BuildOptions options = small_parts();
   options.part_triangles = 500;
   build_pack(model, options, file_of("parted"));
-  const Pack pack(file_of("parted"));
-  const Skeleton& skeleton = pack.skeleton();
-  ASSERT_GT(skeleton.scene_nodes.size(), 4u);
-  for (SceneNodeId id = 0; id < skeleton.scene_nodes.size(); ++id) {
-    // The border of what is below, at full detail: where it meets the rest of the sphere.
-    std::vector<DrawableId> finest;
-    std::vector<SceneNodeId> below = {id};
-    for (size_t i = 0; i < below.size(); ++i) {
-      const SceneNode& node = skeleton.scene_nodes[below[i]];
-      if (node.child_count == 0) finest.push_back(node.first_drawable);
-      for (uint32_t k = 0; k < node.child_count; ++k) below.push_back(node.first_child + k);
-    }
-    const auto source = edges_of(pack, finest);
-    const SceneNode& node = skeleton.scene_nodes[id];
-    for (DrawableId level = node.first_drawable; level < node.first_drawable + node.drawable_count; ++level) {
-      const auto edges = edges_of(pack, {level});
-      size_t border = 0, missing = 0;
-      for (const auto& [edge, count] : source) {
-        if (count != 1) continue;
-        ++border;
-        missing += !edges.contains(edge);
-      }
-      EXPECT_EQ(border == 0, id == 0);
-      EXPECT_EQ(missing, 0u) << "node " << id << " drawable " << level;
-    }
-  }
+  const size_t nodes = Pack(file_of("parted")).skeleton().scene_nodes.size();
+  ASSERT_GT(nodes, 4u);
+  EXPECT_EQ(expect_borders_kept(file_of("parted")), nodes - 1);  // all but the root
 }
 
 TEST(Build, a_model_without_triangles_is_refused_and_leaves_no_file) {

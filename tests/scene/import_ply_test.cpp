@@ -43,6 +43,8 @@ TEST(ImportPly, an_ascii_file_is_read_with_its_doubles_and_what_is_not_drawn_is_
   EXPECT_EQ(model.meshes[0].positions[3], glm::dvec3(0, 1, 0));
   EXPECT_TRUE(warns(model, "4 vertices with a colour"));
   EXPECT_TRUE(warns(model, "1 records of the element \"extra\""));
+  EXPECT_TRUE(warns(model, "properties of \"vertex\" are not used: weights"));
+  EXPECT_TRUE(warns(model, "properties of \"face\" are not used: flags"));
 }
 
 TEST(ImportPly, both_byte_orders_give_the_same_doubles) {

@@ -21,8 +21,18 @@ inline std::filesystem::path write_model(const std::string& name, std::string_vi
   const auto folder = std::filesystem::path(testing::TempDir()) / "triptych_import" /
                       (std::string(test->test_suite_name()) + "_" + test->name());
   make_folder(folder);
-  std::ofstream(folder / name, std::ios::binary) << contents;  // write_file() waits for the disk
+  // Neither write_file() nor an overwritten file: both wait for the disk.
+  std::filesystem::remove(folder / name);
+  std::ofstream(folder / name, std::ios::binary) << contents;
   return folder / name;
+}
+
+/// A folder of the running test's own with nothing in it.
+inline std::filesystem::path empty_folder(const std::string& name) {
+  const auto folder = write_model("beside", "").parent_path() / name;
+  std::filesystem::remove_all(folder);
+  make_folder(folder);
+  return folder;
 }
 
 inline Model import_text(const std::string& name, std::string_view contents) {
@@ -42,6 +52,26 @@ inline std::string import_error(const std::string& name, std::string_view conten
     return message.substr(std::min(message.size(), file.string().size() + 2));
   }
   return "";
+}
+
+inline const ImportOptions streamed = {.stream_above = 0};
+inline const ImportOptions in_memory = {.stream_above = 1u << 30, .most_in_memory = 1u << 30};
+
+/// Of either kind of mesh.
+inline std::vector<CornerTriangle> triangles_of(const Mesh& mesh) {
+  std::vector<CornerTriangle> triangles;
+  if (mesh.stream) {
+    mesh.stream->read([&](std::span<const CornerTriangle> batch) {
+      triangles.insert(triangles.end(), batch.begin(), batch.end());
+    });
+    return triangles;
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    triangles.push_back({{mesh.positions[triangle.vertices[0]], mesh.positions[triangle.vertices[1]],
+                          mesh.positions[triangle.vertices[2]]},
+                         triangle.material});
+  }
+  return triangles;
 }
 
 /// Whether a warning of the model says this.

@@ -1,0 +1,42 @@
+// A file for work in progress that does not fit in memory: append, and read anywhere.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// Where bytes lie in a spool file.
+struct SpoolPlace {
+  uint64_t offset = 0, size = 0;
+  bool operator==(const SpoolPlace&) const = default;
+};
+
+/// Unbuffered: what append() returned from survives the end of the process, however it ends. Several threads
+/// may read while one appends.
+class SpoolFile {
+ public:
+  /// Opens or makes the file and cuts it to its first `keep` bytes. Error (path) if that fails, or if it
+  /// holds less.
+  explicit SpoolFile(std::filesystem::path path, uint64_t keep = 0);
+  ~SpoolFile();
+  SpoolFile(const SpoolFile&) = delete;
+  SpoolFile& operator=(const SpoolFile&) = delete;
+
+  /// Error (path) where the disk is full.
+  SpoolPlace append(std::span<const std::byte> bytes);
+  /// Error (path, byte) where the file ends before.
+  std::vector<std::byte> read(const SpoolPlace& place) const;
+  uint64_t size() const { return size_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  int file_ = -1;
+  uint64_t size_ = 0;
+};
+
+}  // namespace triptych

@@ -1,0 +1,138 @@
+#include "launch/build_flags.hpp"
+
+#include "base/error.hpp"
+#include "launch/choice_flag.hpp"
+#include "launch/import_flags.hpp"
+
+#include <fmt/core.h>
+#include <map>
+
+namespace triptych {
+
+namespace {
+
+constexpr uint64_t least_memory = uint64_t{128} << 20;
+constexpr uint32_t least_triangles = 16, most_triangles = 1u << 24;
+
+const std::map<std::string, Simplifier>& simplifiers() {
+  static const std::map<std::string, Simplifier> names = {{"collapse", Simplifier::collapse},
+                                                          {"openmesh", Simplifier::openmesh},
+                                                          {"meshopt", Simplifier::meshopt}};
+  return names;
+}
+
+const std::map<std::string, Bound>& bounds() {
+  static const std::map<std::string, Bound> names = {{"fast", Bound::fast}, {"tight", Bound::tight}};
+  return names;
+}
+
+const std::map<std::string, HierarchyKind>& hierarchies() {
+  static const std::map<std::string, HierarchyKind> names = {
+      {"pcp", HierarchyKind::partition_cluster_partition}, {"median_split", HierarchyKind::median_split}};
+  return names;
+}
+
+template <typename Value>
+std::string name_in(const std::map<std::string, Value>& names, Value wanted) {
+  for (const auto& [name, value] : names) {
+    if (value == wanted) return name;
+  }
+  fail("build", "an option {} has no name", static_cast<int>(wanted));
+}
+
+const CLI::Validator enough_memory(
+    [](std::string& text) {
+      uint64_t bytes = 0;
+      return CLI::detail::lexical_cast(text, bytes) && bytes >= least_memory
+                 ? std::string()
+                 : fmt::format("{} bytes are too few; it takes at least 128M", text);
+    },
+    "");
+
+/// Path, size and time of change.
+std::string identity(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::canonical(file, error);
+  const uint64_t size = error ? 0 : std::filesystem::file_size(path, error);
+  const auto changed =
+      error ? std::filesystem::file_time_type() : std::filesystem::last_write_time(path, error);
+  if (error) fail(file.string(), "cannot be read: {}", error.message());
+  return fmt::format("{}\n{} bytes, {}\n", path.string(), size, changed.time_since_epoch().count());
+}
+
+}  // namespace
+
+std::string name_of(Simplifier simplifier) { return name_in(simplifiers(), simplifier); }
+std::string name_of(Bound bound) { return name_in(bounds(), bound); }
+std::string name_of(HierarchyKind hierarchy) { return name_in(hierarchies(), hierarchy); }
+
+BuildOptions BuildFlags::options() const {
+  BuildOptions options = defaults;
+  if (simplifier) options.simplify.simplifier = *simplifier;
+  if (bound) options.simplify.bound = *bound;
+  options.share_instances = !bake_instances;
+  return options;
+}
+
+void add_build_flags(CLI::App& command, BuildFlags& flags) {
+  command.add_option("input", flags.inputs, "Model files; several become one model")
+      ->required()
+      ->type_name("INPUT");
+  add_import_flags(command, flags.import);
+  const BuildOptions options = flags.options();
+  add_choice_flag(command, "--simplifier", flags.simplifier, simplifiers(),
+                  "Who makes levels of detail coarser")
+      ->default_str(name_of(options.simplify.simplifier));
+  add_choice_flag(command, "--bound", flags.bound, bounds(),
+                  "Where error bounds come from: the construction (fast), or a measurement (tight)")
+      ->default_str(name_of(options.simplify.bound));
+  command
+      .add_option("--memory", flags.defaults.memory,
+                  "The resident size that the build stays below, at least 128M")
+      ->transform(CLI::AsSizeValue(false).description(""))
+      ->check(enough_memory)
+      ->type_name("BYTES")
+      ->default_str("1G");
+  command.add_flag("--bake-instances", flags.bake_instances,
+                   "Make every placement geometry of its own, instead of sharing meshes");
+  command
+      .add_option("--part-triangles", flags.defaults.part_triangles, "Triangles of a part of a mesh, at most")
+      ->check(CLI::Range(least_triangles, most_triangles))
+      ->capture_default_str();
+  command
+      .add_option("--leaf-triangles", flags.defaults.leaf_triangles,
+                  "Triangles of a leaf of the hierarchy, roughly")
+      ->check(CLI::Range(least_triangles, most_triangles))
+      ->capture_default_str();
+}
+
+void add_hierarchy_flag(CLI::App& command, BuildFlags& flags) {
+  add_choice_flag(command, "--hierarchy", flags.defaults.hierarchy, hierarchies(),
+                  "Partition, cluster, partition (pcp), or the original objects split at medians")
+      ->default_str(name_of(flags.defaults.hierarchy));
+}
+
+std::vector<std::string> build_arguments(const BuildFlags& flags) {
+  const BuildOptions options = flags.options();
+  std::vector<std::string> arguments;
+  for (const auto& input : flags.inputs) arguments.push_back(std::filesystem::absolute(input).string());
+  for (const std::string& argument : import_arguments(flags.import)) arguments.push_back(argument);
+  arguments.insert(arguments.end(), {"--simplifier", name_of(options.simplify.simplifier), "--bound",
+                                     name_of(options.simplify.bound), "--hierarchy",
+                                     name_of(options.hierarchy), "--memory", std::to_string(options.memory),
+                                     "--part-triangles", std::to_string(options.part_triangles),
+                                     "--leaf-triangles", std::to_string(options.leaf_triangles)});
+  if (flags.bake_instances) arguments.emplace_back("--bake-instances");
+  return arguments;
+}
+
+std::string build_fingerprint(const BuildFlags& flags, const std::vector<std::filesystem::path>& files) {
+  std::string fingerprint = "program " + identity("/proc/self/exe");
+  for (const auto& file : files) fingerprint += "input " + identity(file);
+  // Inputs stand among the arguments too: the same files in another order are another model. The memory is no
+  // part of the result, but decides into which units the work is cut.
+  for (const std::string& argument : build_arguments(flags)) fingerprint += argument + "\n";
+  return fingerprint;
+}
+
+}  // namespace triptych

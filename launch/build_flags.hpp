@@ -1,0 +1,44 @@
+// The flags of every command that builds a pack.
+#pragma once
+
+#include "lod/build.hpp"
+#include "scene/import.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// What to build, and how, as the command line says it.
+struct BuildFlags {
+  std::vector<std::filesystem::path> inputs;
+  ImportOptions import;
+  std::optional<Simplifier> simplifier;
+  std::optional<Bound> bound;
+  BuildOptions defaults;  ///< the other options; simplifier and bound where none is given
+  bool bake_instances = false;
+
+  BuildOptions options() const;
+};
+
+/// The inputs, --up, --unit, --simplifier, --bound, --memory, --bake-instances, --part-triangles and
+/// --leaf-triangles.
+void add_build_flags(CLI::App& command, BuildFlags& flags);
+/// --hierarchy.
+void add_hierarchy_flag(CLI::App& command, BuildFlags& flags);
+
+/// The arguments that give the same flags to `triptych build` in another process, --hierarchy included.
+std::vector<std::string> build_arguments(const BuildFlags& flags);
+
+std::string name_of(Simplifier simplifier);
+std::string name_of(Bound bound);
+std::string name_of(HierarchyKind hierarchy);
+
+/// For BuildOptions::fingerprint: the program, the files by path, size and time of change, and every flag
+/// that changes the pack. Error for a file that is gone.
+std::string build_fingerprint(const BuildFlags& flags, const std::vector<std::filesystem::path>& files);
+
+}  // namespace triptych

@@ -1,0 +1,24 @@
+// Flags whose value is one of a few words.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// A flag that sets `target` to what the word on the command line names; any other word is a usage error that
+/// lists them. `names` and `target` must live as long as the command.
+template <typename Target, typename Value>
+CLI::Option* add_choice_flag(CLI::App& command, const std::string& flag, Target& target,
+                             const std::map<std::string, Value>& names, const std::string& help) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : names) words.push_back(word);
+  return command
+      .add_option_function<std::string>(
+          flag, [&target, &names](const std::string& word) { target = names.at(word); }, help)
+      ->check(CLI::IsMember(words));
+}
+
+}  // namespace triptych

@@ -1,0 +1,62 @@
+#include "launch/import_flags.hpp"
+
+#include "launch/choice_flag.hpp"
+
+#include <map>
+#include <string>
+
+namespace triptych {
+
+namespace {
+
+const std::map<std::string, UpAxis>& axes() {
+  static const std::map<std::string, UpAxis> names = {{"y", UpAxis::y}, {"z", UpAxis::z}};
+  return names;
+}
+
+const std::map<std::string, LengthUnit>& units() {
+  static const std::map<std::string, LengthUnit> names = {{"m", LengthUnit::metre},
+                                                          {"cm", LengthUnit::centimetre},
+                                                          {"mm", LengthUnit::millimetre},
+                                                          {"in", LengthUnit::inch},
+                                                          {"ft", LengthUnit::foot}};
+  return names;
+}
+
+}  // namespace
+
+void add_import_flags(CLI::App& command, ImportOptions& options) {
+  add_choice_flag(command, "--up", options.up, axes(),
+                  "The axis that is up, for files that do not say it (OBJ, PLY, STL, OFF ...)")
+      ->default_str("y");
+  add_choice_flag(command, "--unit", options.unit, units(),
+                  "The unit of length, for files that do not say it")
+      ->default_str("m");
+}
+
+std::vector<std::string> import_arguments(const ImportOptions& options) {
+  std::vector<std::string> arguments;
+  for (const auto& [name, axis] : axes()) {
+    if (options.up == axis) arguments.insert(arguments.end(), {"--up", name});
+  }
+  for (const auto& [name, unit] : units()) {
+    if (options.unit == unit) arguments.insert(arguments.end(), {"--unit", name});
+  }
+  return arguments;
+}
+
+std::string format_help() {
+  std::string help = "Formats:";
+  size_t width = help.size();
+  for (const std::string& extension : known_extensions()) {
+    if (width + extension.size() > 100) {
+      help += "\n        ";
+      width = 8;
+    }
+    help += " " + extension;
+    width += extension.size() + 1;
+  }
+  return help;
+}
+
+}  // namespace triptych

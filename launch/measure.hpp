@@ -1,0 +1,14 @@
+// The subcommands of `measure`: one file each.
+#pragma once
+
+#include "launch/command.hpp"
+
+namespace triptych {
+
+void add_measure_session(CLI::App& measure, Action& action);
+void add_measure_build(CLI::App& measure, Action& action);
+void add_measure_yardstick(CLI::App& measure, Action& action);
+void add_measure_hierarchy(CLI::App& measure, Action& action);
+void add_measure_simplifiers(CLI::App& measure, Action& action);
+
+}  // namespace triptych

@@ -1,0 +1,61 @@
+// Triangles of a mesh that is too large for memory, sorted by place into buckets that fit (external
+// partitioning as in Cignoni, Montani, Rocchini and Scopigno, External memory management and simplification
+// of huge meshes, 2003).
+#pragma once
+
+#include "base/spool_file.hpp"
+#include "scene/read_mesh.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// A bucket, read back: its triangles in the order in which they came, and which points it may share with
+/// others.
+struct Bucket {
+  std::vector<LatticeTriangle> triangles;
+  std::vector<glm::ivec3> shared;  ///< sorted; every point that another bucket has too, and perhaps more
+};
+
+/// The order in which shared points are sorted.
+bool before(const glm::ivec3& a, const glm::ivec3& b);
+
+/// Space cut in half, and each half again, where the triangles are.
+class Buckets {
+ public:
+  /// Calls the function that it is given with batches of triangles, the same ones each time.
+  using Read = std::function<void(const std::function<void(std::span<const LatticeTriangle>)>&)>;
+
+  /// Reads twice (a sample, then all) and writes all triangles to the spool file, which must outlive this.
+  /// `total`: how many triangles there are; `limit`: how many go into a bucket, about; more only where they
+  /// all have one centre. Deterministic. Memory: 12 MB for the sample, 30 KB for each bucket, 12 bytes for
+  /// each shared point.
+  Buckets(const Read& read, uint64_t total, uint64_t limit, SpoolFile& spool);
+
+  size_t count() const { return places_.size(); }
+  uint64_t triangles(size_t bucket) const;
+  /// Safe on several threads.
+  Bucket load(size_t bucket) const;
+
+ private:
+  struct Cut {
+    int axis = -1;                   ///< -1: a bucket
+    int at = 0;                      ///< points below it are on the first side
+    uint32_t first = 0, second = 0;  ///< cuts; of a bucket: its number, and nothing
+  };
+
+  uint32_t cut(std::span<glm::ivec3> sample, uint64_t limit);
+  uint32_t bucket_of(const glm::ivec3& point) const;
+  void distribute(const Read& read);
+
+  std::vector<Cut> cuts_;  ///< a tree; 0 is its root
+  SpoolFile& spool_;
+  std::vector<std::vector<SpoolPlace>> places_;   ///< for each bucket where its triangles lie
+  std::vector<std::vector<glm::ivec3>> foreign_;  ///< for each bucket the points of its place that others use
+};
+
+}  // namespace triptych

@@ -1,0 +1,60 @@
+// Where a build keeps what does not fit in memory, and what it has done so far: a build that was killed goes
+// on where it was.
+#pragma once
+
+#include "base/spool_file.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// The folder `FILE.work` beside the pack FILE. It is gone when the build ends, well or with an error; only a
+/// process that was killed leaves it behind.
+class WorkFolder {
+ public:
+  /// Makes the folder. If an earlier build left one with the same fingerprint (of its input and options), its
+  /// journal is kept; anything else in it goes. An empty fingerprint keeps nothing. Error (path) if another
+  /// process is building the same pack.
+  WorkFolder(const std::filesystem::path& pack, const std::string& fingerprint);
+  ~WorkFolder();
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+
+ private:
+  std::filesystem::path folder_;
+  int lock_ = -1;
+};
+
+/// What a build has done, unit after unit. A unit's record stands in the journal when all that the unit wrote
+/// elsewhere is written; the sizes that those files had then stand beside it.
+class BuildJournal {
+ public:
+  /// Opens the journal and passes over a last record that was not written whole.
+  explicit BuildJournal(const WorkFolder& folder);
+
+  /// Sizes of the files after the last whole record: the order is the caller's own; empty for a new build.
+  const std::vector<uint64_t>& sizes() const { return sizes_; }
+  /// Units that an earlier run did.
+  uint64_t replayable() const { return records_.size(); }
+  /// The next of them, or nothing when from here on the work has to be done.
+  std::optional<std::vector<std::byte>> replay();
+  void append(std::span<const std::byte> record, std::span<const uint64_t> sizes);
+
+ private:
+  void read_records();
+
+  SpoolFile file_;
+  std::vector<SpoolPlace> records_;
+  std::vector<uint64_t> sizes_;
+  size_t next_ = 0;
+};
+
+}  // namespace triptych

@@ -1,0 +1,33 @@
+// How good a hierarchy is, from its skeleton alone.
+#pragma once
+
+#include "base/distribution.hpp"
+#include "scene/skeleton.hpp"
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace triptych {
+
+/// Scene nodes equally far from the root.
+struct HierarchyLevel {
+  uint64_t scene_nodes = 0, leaves = 0;
+  uint64_t drawables = 0;
+  uint64_t triangles = 0;  ///< of all those drawables, each placement counted
+};
+
+struct HierarchyQuality {
+  Distribution depth;  ///< of leaves, in scene nodes from the root, which has depth 1
+  Distribution
+      balance;  ///< of inner nodes: the leaves below the lightest child over those below the heaviest
+  Distribution overlap;  ///< of inner nodes: volume that pairs of children share, over the node's own
+  std::vector<HierarchyLevel> levels;  ///< the root's first
+};
+
+/// Volumes are counted in cells of the model lattice, so that flat boxes have some too.
+HierarchyQuality hierarchy_quality(const Skeleton& skeleton);
+
+nlohmann::json to_json(const HierarchyQuality& quality);
+
+}  // namespace triptych

@@ -1,0 +1,47 @@
+#include "measure/side_by_side.hpp"
+
+#include "base/hashing.hpp"
+#include "base/progress.hpp"
+
+#include <memory>
+
+namespace triptych {
+
+std::vector<SideBySideRun> run_side_by_side(std::span<const Pack* const> packs,
+                                            const std::vector<FrameRequest>& requests, TestKind test,
+                                            size_t rounds) {
+  std::vector<SideBySideRun> runs(packs.size());
+  if (requests.empty()) return runs;
+  {
+    const View& first = requests.front().view;
+    std::vector<std::unique_ptr<Fallback>> fallbacks;
+    for (const Pack* pack : packs) {
+      fallbacks.push_back(std::make_unique<Fallback>(
+          *pack, FallbackOptions{.width = first.width, .height = first.height, .test = test, .batches = {}}));
+    }
+    Progress progress("side by side", rounds * requests.size());
+    for (size_t round = 0; round < rounds; ++round) {
+      for (const auto& fallback : fallbacks) fallback->forget();
+      for (size_t frame = 0; frame < requests.size(); ++frame) {
+        for (size_t turn = 0; turn < packs.size(); ++turn) {
+          const size_t which = (turn + frame + round) % packs.size();
+          FrameRecord record = fallbacks[which]->draw(requests[frame]);
+          if (round == 0) {
+            const std::vector<uint8_t> colors = fallbacks[which]->target().read_colors();
+            record.picture_hash = hash_values(std::span<const uint8_t>(colors));
+          }
+          runs[which].frames.push_back(std::move(record));
+        }
+        progress.advance();
+      }
+    }
+  }
+  for (size_t i = 0; i < packs.size(); ++i) {
+    const std::vector<FrameRecord> first_round(
+        runs[i].frames.begin(), runs[i].frames.begin() + static_cast<std::ptrdiff_t>(requests.size()));
+    runs[i].comparison = compare(*packs[i], requests, {&first_round}).front();
+  }
+  return runs;
+}
+
+}  // namespace triptych

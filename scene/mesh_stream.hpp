@@ -1,0 +1,43 @@
+// Geometry that is too large to hold: it stays in its file and is read batch by batch, as often as it is
+// wanted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// A triangle by its corners, mesh space; finite. The material is an index into the model's.
+struct CornerTriangle {
+  std::array<glm::dvec3, 3> corners;
+  uint32_t material;
+  bool operator==(const CornerTriangle&) const = default;
+};
+
+/// Takes a batch; the span is valid during the call only.
+using TakeTriangles = std::function<void(std::span<const CornerTriangle>)>;
+
+/// The triangles of one mesh, in their file. Reading takes memory that does not depend on the file's size.
+class MeshStream {
+ public:
+  virtual ~MeshStream() = default;
+
+  /// After triangulation of n-gons, before anything is dropped: exact, or as the file promises it.
+  virtual uint64_t triangle_count() const = 0;
+
+  /// Calls take with batches of some thousands of triangles in the file's order; the same triangles in the
+  /// same order each time. Returns how many were dropped: their coordinates are not finite. Several threads
+  /// may read at once. Error (file and place in it) for damage: an index out of range, a file cut or changed
+  /// since it was opened. What take throws passes through.
+  virtual uint64_t read(const TakeTriangles& take) const = 0;
+
+  /// What else the last whole read found and left out, "<file>: <count> <what>" each; nothing before one.
+  virtual std::vector<std::string> warnings() const { return {}; }
+};
+
+}  // namespace triptych

@@ -1,0 +1,89 @@
+// Bytes that stay where they are until somebody reads them: in a file, in an unlinked file, in memory.
+#pragma once
+
+#include "base/error.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// Where bytes are. Keeps no descriptor of a named file open, so that a model may have any number of files.
+class StreamSource {
+ public:
+  /// Notes the file's size and time of change. Error (the path) if it cannot be opened or is no regular file.
+  explicit StreamSource(const std::filesystem::path& file);
+  /// Takes over a file that is open; it has all its bytes already.
+  StreamSource(std::string name, int descriptor);
+  StreamSource(std::string name, std::vector<std::byte> bytes);
+  ~StreamSource();
+  StreamSource(const StreamSource&) = delete;
+  StreamSource& operator=(const StreamSource&) = delete;
+
+  const std::string& name() const { return name_; }
+  uint64_t size() const { return size_; }
+  /// Whether the name is that of a file with these bytes.
+  bool has_file() const { return !in_memory_ && descriptor_ < 0; }
+
+ private:
+  friend class SourceReader;
+  std::string name_;
+  uint64_t size_ = 0;
+  int64_t changed_ns_ = 0;
+  int descriptor_ = -1;  ///< -1: opened by name, or in memory
+  bool in_memory_ = false;
+  std::vector<std::byte> bytes_;
+};
+
+/// Reads a source at any place, for as long as it lives. One a thread, and one for each sequential run: the
+/// kernel reads ahead for each.
+class SourceReader {
+ public:
+  /// Error (name) if the file cannot be opened again or has changed since.
+  explicit SourceReader(std::shared_ptr<const StreamSource> source);
+  ~SourceReader();
+  SourceReader(const SourceReader&) = delete;
+  SourceReader& operator=(const SourceReader&) = delete;
+
+  /// Fills `into`. Error (name, byte) if the source ends before.
+  void read(uint64_t offset, std::span<std::byte> into) const;
+  const StreamSource& source() const { return *source_; }
+
+ private:
+  std::shared_ptr<const StreamSource> source_;
+  int descriptor_ = -1;
+  bool owned_ = false;
+};
+
+/// A range of a source from front to back, through a buffer.
+class SourceWindow {
+ public:
+  SourceWindow(std::shared_ptr<const StreamSource> source, uint64_t begin, uint64_t end);
+
+  /// The next `count` bytes in one piece, valid until the next call. Error (name, byte) beyond the end.
+  const std::byte* take(size_t count) {
+    if (filled_ - used_ < count) refill(count);
+    const std::byte* taken = buffer_.data() + used_;
+    used_ += count;
+    return taken;
+  }
+  void skip(uint64_t count);
+  uint64_t offset() const { return buffer_offset_ + used_; }
+  uint64_t left() const { return end_ - offset(); }
+  std::string place() const { return fmt::format("{}: byte {}", reader_.source().name(), offset()); }
+
+ private:
+  void refill(size_t count);
+
+  SourceReader reader_;
+  uint64_t end_, buffer_offset_;
+  std::vector<std::byte> buffer_;
+  size_t used_ = 0, filled_ = 0;
+};
+
+}  // namespace triptych

@@ -1,0 +1,43 @@
+#include "scene/read_mesh.hpp"
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+#include <utility>
+#include <vector>
+
+namespace triptych {
+
+uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take) {
+  if (mesh.stream) return mesh.stream->read(take);
+  constexpr size_t batch = 4096;
+  std::vector<CornerTriangle> triangles;
+  triangles.reserve(std::min(batch, mesh.triangles.size()));
+  for (const Triangle& triangle : mesh.triangles) {
+    triangles.push_back({{mesh.positions[triangle.vertices[0]], mesh.positions[triangle.vertices[1]],
+                          mesh.positions[triangle.vertices[2]]},
+                         triangle.material});
+    if (triangles.size() == batch) {
+      take(triangles);
+      triangles.clear();
+    }
+  }
+  if (!triangles.empty()) take(triangles);
+  return 0;
+}
+
+ToLattice::ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors)
+    : transform_(transform),
+      lattice_(lattice),
+      colors_(colors),
+      mirrors_(glm::determinant(glm::dmat3(transform)) < 0) {}
+
+LatticeTriangle ToLattice::operator()(const CornerTriangle& triangle) const {
+  LatticeTriangle result;
+  for (size_t i = 0; i < 3; ++i)
+    result.corners[i] = lattice_.nearest(transform_ * glm::dvec4(triangle.corners[i], 1));
+  if (mirrors_) std::swap(result.corners[1], result.corners[2]);
+  result.color = colors_[triangle.material];
+  return result;
+}
+
+}  // namespace triptych

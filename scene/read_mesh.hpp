@@ -1,0 +1,40 @@
+// The triangles of a mesh by their corners, from memory or from its file, and on a lattice.
+#pragma once
+
+#include "scene/lattice.hpp"
+#include "scene/mesh_stream.hpp"
+#include "scene/model.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+
+namespace triptych {
+
+/// As MeshStream::read, for any mesh.
+uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take);
+
+/// A triangle by its corners on a lattice. The colour is an index into the palette.
+struct LatticeTriangle {
+  std::array<glm::ivec3, 3> corners;
+  uint32_t color;
+  bool operator==(const LatticeTriangle&) const = default;
+};
+
+/// How triangles come to a lattice: transformed, rounded, turned round where the transform mirrors.
+class ToLattice {
+ public:
+  /// `colors` gives the palette index of each material; it must outlive this.
+  ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors);
+  LatticeTriangle operator()(const CornerTriangle& triangle) const;
+
+ private:
+  Affine transform_;
+  Lattice lattice_;
+  std::span<const uint32_t> colors_;
+  bool mirrors_;
+};
+
+}  // namespace triptych

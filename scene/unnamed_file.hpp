@@ -1,0 +1,13 @@
+// Temporary files without a name: nothing is left of them however the program ends.
+#pragma once
+
+#include <filesystem>
+
+namespace triptych {
+
+/// Opens a new file in the folder, to read and write, and takes its name away; empty: TMPDIR or /tmp. The
+/// caller closes the descriptor, which programs that are started do not inherit. Error (folder) if that
+/// fails.
+int open_unnamed_file(const std::filesystem::path& folder);
+
+}  // namespace triptych

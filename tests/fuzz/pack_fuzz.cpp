@@ -1,0 +1,53 @@
+// The pack reader behind its checksums, which a fuzzer cannot guess: first byte 0, then the length of a
+// skeleton, the skeleton, and the geometry that its chunks are in. First byte 1: a pack file as it stands.
+#include "base/error.hpp"
+#include "fuzz_target.hpp"
+#include "scene/pack.hpp"
+#include "scene/pack_skeleton.hpp"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace triptych {
+
+namespace {
+
+void read_parts(std::span<const std::byte> bytes) {
+  uint32_t length = 0;
+  if (bytes.size() < sizeof(length)) return;
+  std::memcpy(&length, bytes.data(), sizeof(length));
+  bytes = bytes.subspan(sizeof(length));
+  if (length > bytes.size()) return;
+  const auto geometry = bytes.subspan(length);
+  const Skeleton skeleton = decode_skeleton(bytes.first(length), geometry.size(), "skeleton");
+  for (const ChunkInfo& info : skeleton.chunks) {
+    const Chunk chunk =
+        decode_chunk(geometry.subspan(info.offset, info.size), info, skeleton.palette.size(), "chunk");
+    for (const uint32_t index : chunk.indices) {
+      if (index >= chunk.vertices.size()) std::abort();
+    }
+    for (const ChunkVertex& vertex : chunk.vertices) {
+      if (vertex.color >= skeleton.palette.size()) std::abort();
+    }
+  }
+}
+
+void read_file_of(std::span<const uint8_t> bytes) {
+  const Pack pack(fuzz::file_of(bytes));
+  for (uint32_t i = 0; i < pack.skeleton().chunks.size(); ++i) pack.read_chunk(i);
+}
+
+}  // namespace
+
+}  // namespace triptych
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  if (size == 0) return 0;
+  const std::span<const uint8_t> rest(data + 1, size - 1);
+  try {
+    if (data[0] == 0) triptych::read_parts(std::as_bytes(rest));
+    if (data[0] == 1) triptych::read_file_of(rest);
+  } catch (const triptych::Error&) {
+  }
+  return 0;
+}

@@ -1,0 +1,149 @@
+// Writes a few small, whole files for each fuzz target: seeds FOLDER makes FOLDER/gltf, FOLDER/obj and so on.
+#include "base/bytes.hpp"
+#include "base/file.hpp"
+#include "scene/chunk.hpp"
+#include "scene/pack.hpp"
+#include "scene/pack_skeleton.hpp"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+
+namespace triptych {
+
+namespace {
+
+std::filesystem::path folder;
+
+void write(const std::string& name, std::span<const std::byte> bytes) {
+  make_folder((folder / name).parent_path());
+  std::ofstream(folder / name, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+void write(const std::string& name, std::string_view text) { write(name, std::as_bytes(std::span(text))); }
+
+void write_gltf() {
+  const std::string rest =
+      R"("bufferViews":[{"buffer":0,"byteLength":48,"byteStride":12},{"buffer":0,"byteOffset":48,"byteLength":12}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,
+"componentType":5121},"values":{"bufferView":0}}},{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},
+{"bufferView":0,"componentType":5122,"count":4,"type":"VEC3","normalized":true},
+{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}],
+"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,0.75]},"alphaMode":"BLEND"}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]},
+{"primitives":[{"attributes":{"POSITION":2},"mode":5},{"attributes":{"POSITION":3},"indices":1,"mode":6}]}],
+"nodes":[{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],"children":[1]},{"mesh":1,"rotation":[0,0,0,1],
+"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":3}}}}],"scenes":[{"nodes":[0]}],"scene":0})";
+  const std::string data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAAAAABAAIAAgABAAMA";
+  write(
+      "gltf/embedded.gltf",
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,)" +
+          data + "\"}]," + rest);
+  std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":60}],)" + rest;
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  ByteWriter glb;
+  glb.write_all(std::span<const char>(std::string("glTF")));
+  glb.write(2u);
+  glb.write(static_cast<uint32_t>(28 + json.size() + 60));
+  glb.write(static_cast<uint32_t>(json.size()));
+  glb.write_all(std::span<const char>(std::string("JSON") + json));
+  glb.write(60u);
+  glb.write(0x004e4942u);
+  for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 1.f, 0.f}) glb.write(value);
+  for (const uint16_t value : std::to_array<uint16_t>({0, 1, 2, 2, 1, 3})) glb.write(value);
+  write("gltf/binary.glb", glb.bytes());
+}
+
+void write_text_formats() {
+  write("obj/square.obj",
+        "mtllib 0\no a\nv 0 0 0\nv 4 0 0 1 0 0\nv 1 1 0\nv 0 4 1e3\nvt 0 0\nusemtl red\nf 1/1/1 2//1 3/1 "
+        "4\ng b\nf -1 -2 "
+        "-3\nf 1 2 \\\n 3\nl 1 2\nnewmtl red\nKd 1 0 0\nd 0.5\n");
+  const std::string header =
+      " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face "
+      "2\nproperty list "
+      "uchar int vertex_indices\nend_header\n";
+  write("ply/ascii.ply", "ply\nformat ascii" + header + "0 0 0\n4 0 0\n1 1 0\n0 4 0\n4 0 1 2 3\n3 0 1 2\n");
+  ByteWriter ply;
+  ply.write_all(std::span<const char>("ply\nformat binary_little_endian" + header));
+  for (const float value : {0.f, 0.f, 0.f, 4.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 4.f, 0.f}) ply.write(value);
+  ply.write(uint8_t{4});
+  for (const int32_t value : {0, 1, 2, 3}) ply.write(value);
+  ply.write(uint8_t{3});
+  for (const int32_t value : {0, 1, 2}) ply.write(value);
+  write("ply/binary.ply", ply.bytes());
+  ByteWriter mixed;
+  mixed.write_all(
+      std::span<const char>(std::string("ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list "
+                                        "uchar uchar vertex_index\nproperty list char "
+                                        "double w\nelement vertex 3\nproperty list uchar uchar l\nproperty "
+                                        "char x\nproperty uchar y\nproperty short z\n"
+                                        "end_header\n")));
+  for (const uint8_t value :
+       std::to_array<uint8_t>({3, 0, 1, 2, 0, 0, 1, 2, 0, 3, 0, 4, 5, 0, 6, 1, 9, 7, 8, 0, 9}))
+    mixed.write(value);
+  write("ply/mixed.ply", mixed.bytes());
+  write("stl/ascii.stl",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+        "1e9\nendloop\nendfacet\n"
+        "endsolid a\n");
+  ByteWriter stl;
+  stl.write_all(std::span<const char>(std::string(80, 's')));
+  stl.write(1u);
+  for (int i = 0; i < 12; ++i) stl.write(static_cast<float>(i));
+  stl.write(uint16_t{1});
+  write("stl/binary.stl", stl.bytes());
+}
+
+void write_pack() {
+  Chunk chunk;
+  for (int i = 0; i < 9; ++i) chunk.vertices.push_back({{i % 3, i / 3, i % 2}, static_cast<uint32_t>(i % 2)});
+  chunk.indices = {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 3, 4, 6, 4, 7, 6, 4, 5, 7, 5, 8, 7};
+  Skeleton skeleton;
+  skeleton.lattices = {Lattice{{0, 0, 0}, 0.125}};
+  skeleton.palette = {{200, 10, 10, 255}, {10, 200, 10, 255}};
+  skeleton.transforms = {Affine(1)};
+  skeleton.scene_nodes = {{.box = {{0, 0, 0}, {2, 2, 1}}, .first_drawable = 0, .drawable_count = 1}};
+  skeleton.placements = {{0, 0}};
+  skeleton.drawables = {
+      {.error = 0, .scene_node = 0, .first_placement = 0, .placement_count = 1, .triangles = 8}};
+  skeleton.source_triangles = skeleton.placed_triangles = 8;
+  skeleton.import.warnings = {"a warning"};
+
+  const auto file = folder / "whole.tpk";
+  PackWriter writer(file);
+  writer.add_chunk(chunk, 0);
+  writer.finish(skeleton);
+  ByteWriter whole;
+  whole.write(uint8_t{1});
+  whole.write_all(std::span<const std::byte>(read_file(file)));
+  write("pack/whole", whole.bytes());
+  skeleton.chunks = Pack(file).skeleton().chunks;
+  std::filesystem::remove(file);
+
+  const auto encoded = encode_chunk(chunk);
+  const auto bytes = encode_skeleton(skeleton);
+  ByteWriter parts;
+  parts.write(uint8_t{0});
+  parts.write(static_cast<uint32_t>(bytes.size()));
+  parts.write_all(std::span<const std::byte>(bytes));
+  parts.write_all(std::span<const std::byte>(encoded));
+  write("pack/parts", parts.bytes());
+}
+
+}  // namespace
+
+}  // namespace triptych
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fprintf(stderr, "usage: fuzz_seeds FOLDER\n");
+    return 2;
+  }
+  triptych::folder = arguments[1];
+  triptych::make_folder(triptych::folder);
+  triptych::write_gltf();
+  triptych::write_text_formats();
+  triptych::write_pack();
+  return 0;
+}

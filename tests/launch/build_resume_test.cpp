@@ -1,0 +1,107 @@
+// Builds that are killed, starved of disk, or raced.
+#include "tests/session/program.hpp"
+
+#include <random>
+#include <sys/resource.h>
+
+namespace triptych {
+namespace {
+
+using test::Folder;
+using test::Program;
+
+/// Several hundred objects and one of half a million triangles' share: enough work to be killed in.
+std::string make_plant(const Folder& folder) {
+  test::run({"sample", "plant", "-o", folder.file("plant"), "--triangles", "600000"});
+  return folder.file("plant") + "/scene.gltf";
+}
+
+std::vector<std::string> build_arguments(const std::string& model, const std::string& pack) {
+  return {"build", model, "-o", pack, "--memory", "128M"};
+}
+
+TEST(BuildResume, twenty_kills_leave_the_same_bytes_and_the_work_done_before_counts) {
+  const Folder folder;
+  const std::string model = make_plant(folder);
+  const std::string whole = folder.file("whole.tpk"), killed = folder.file("killed.tpk");
+  test::run(build_arguments(model, whole));
+
+  std::mt19937 random(7);
+  int kills = 0, resumed = 0, finished = 0;
+  while (kills < 20) {
+    Program build(build_arguments(model, killed));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 400));
+    build.signal(SIGKILL);
+    const int code = build.wait();
+    resumed += build.errors().find("resuming") != std::string::npos;
+    if (code == -SIGKILL) {
+      ++kills;
+      EXPECT_FALSE(std::filesystem::exists(killed)) << "a pack that looks finished";
+      continue;
+    }
+    // It was done before the signal came: the same bytes, and again from the start.
+    ASSERT_EQ(code, 0) << build.errors();
+    ASSERT_EQ(test::text_of(killed), test::text_of(whole));
+    std::filesystem::remove(killed);
+    ++finished;
+  }
+  Program last(build_arguments(model, killed));
+  ASSERT_EQ(last.wait(), 0) << last.errors();
+  EXPECT_EQ(test::text_of(killed), test::text_of(whole));
+  EXPECT_GT(resumed, 5);
+  EXPECT_FALSE(std::filesystem::exists(killed + ".work"));
+}
+
+TEST(BuildResume, another_model_of_the_same_name_is_built_from_the_start) {
+  const Folder folder;
+  const std::string model = make_plant(folder);
+  const std::string pack = folder.file("a.tpk");
+  {
+    Program build(build_arguments(model, pack));
+    while (!std::filesystem::exists(pack + ".work/journal") ||
+           std::filesystem::file_size(pack + ".work/journal") == 0) {
+      ASSERT_FALSE(std::filesystem::exists(pack));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    build.signal(SIGKILL);
+    build.wait();
+  }
+  test::run({"sample", "plant", "-o", folder.file("plant"), "--triangles", "600000", "--seed", "5"});
+  Program build(build_arguments(model, pack));
+  ASSERT_EQ(build.wait(), 0) << build.errors();
+  EXPECT_EQ(build.errors().find("resuming"), std::string::npos);
+  test::run(build_arguments(model, folder.file("b.tpk")));
+  EXPECT_EQ(test::text_of(pack), test::text_of(folder.file("b.tpk")));
+}
+
+TEST(BuildResume, a_disk_that_is_full_ends_with_one_line_and_leaves_nothing) {
+  const Folder folder;
+  const std::string model = make_plant(folder);
+  const size_t before = folder.files();
+  // A limit of the size of files stands for the disk: writes beyond it fail in the same way.
+  struct rlimit old {};
+  ::getrlimit(RLIMIT_FSIZE, &old);
+  ::signal(SIGXFSZ, SIG_IGN);  // inherited: the write fails instead
+  const struct rlimit small { 4 << 20, old.rlim_max };
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const std::string complaint = test::failure(build_arguments(model, folder.file("a.tpk")));
+  ::setrlimit(RLIMIT_FSIZE, &old);
+  ::signal(SIGXFSZ, SIG_DFL);
+  EXPECT_NE(complaint.find("cannot be written"), std::string::npos) << complaint;
+  EXPECT_EQ(folder.files(), before);
+}
+
+TEST(BuildResume, two_builds_of_one_pack_do_not_meet) {
+  const Folder folder;
+  const std::string model = make_plant(folder);
+  const std::string pack = folder.file("a.tpk");
+  Program first(build_arguments(model, pack));
+  while (!std::filesystem::exists(pack + ".work/lock"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const std::string complaint = test::failure(build_arguments(model, pack));
+  EXPECT_NE(complaint.find("another process"), std::string::npos) << complaint;
+  EXPECT_EQ(first.wait(), 0) << first.errors();
+}
+
+}  // namespace
+}  // namespace triptych

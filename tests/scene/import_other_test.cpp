@@ -1,0 +1,250 @@
+// Formats that triptych-import reads with Assimp, and what happens to us when it crashes, hangs or eats
+// memory.
+#include "import_support.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+namespace triptych {
+namespace {
+
+using test::import_error;
+using test::import_text;
+using test::warns;
+using test::write_model;
+
+const std::string dxf =
+    "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n5\n11\n1\n21\n0\n31\n5\n12\n1\n22\n2\n32\n5"
+    "\n13\n1\n23\n"
+    "2\n33\n5\n0\nENDSEC\n0\nEOF\n";
+const std::string x_file =
+    "xof 0303txt 0032\nMesh m { 3; 0.0;0.0;0.0;, 1.0;0.0;0.0;, 0.0;2.0;3.0;; 1; 3;0,1,2;; }\n";
+/// A concave face of four corners, and a coordinate that a float cannot hold.
+const std::string off = "OFF\n5 1 0\n0 0 0\n4 0 0\n1 1 0\n0 4 0\n1000000.1 0 0\n4 0 1 2 3\n";
+const std::string collada =
+    "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<COLLADA "
+    "xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+    "version=\"1.4.1\">\n<asset><unit name=\"inch\" meter=\"0.0254\"/><up_axis>Z_UP</up_axis></asset>\n"
+    "<library_geometries><geometry id=\"g\" name=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" "
+    "count=\"9\">0 0 0 1 "
+    "0 0 0 2 3</float_array><technique_common><accessor source=\"#pa\" count=\"3\" stride=\"3\"><param "
+    "name=\"X\" "
+    "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+    "type=\"float\"/></accessor></technique_common>"
+    "</source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles "
+    "count=\"1\"><input "
+    "semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 "
+    "2</p></triangles></mesh></geometry></library_geometries>\n"
+    "<library_visual_scenes><visual_scene id=\"s\"><node id=\"n\"><instance_geometry "
+    "url=\"#g\"/></node><node id=\"k\">"
+    "<translate>10 0 0</translate><instance_geometry "
+    "url=\"#g\"/></node></visual_scene></library_visual_scenes>"
+    "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>\n";
+const std::string fbx =
+    "; FBX 7.3.0 project file\nFBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7300\n}\n"
+    "GlobalSettings:  {\n\tVersion: 1000\n\tProperties70:  {\n\t\tP: \"UpAxis\", \"int\", \"Integer\", "
+    "\"\",2\n"
+    "\t\tP: \"UnitScaleFactor\", \"double\", \"Number\", \"\",2.54\n\t}\n}\nObjects:  {\n\tGeometry: 1, "
+    "\"Geometry::g\", "
+    "\"Mesh\" {\n\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,2,3\n\t\t}\n\t\tPolygonVertexIndex: *3 "
+    "{\n\t\t\ta: 0,1,-3\n\t\t}\n"
+    "\t\tGeometryVersion: 124\n\t}\n\tModel: 2, \"Model::m\", \"Mesh\" {\n\t\tVersion: "
+    "232\n\t}\n}\nConnections:  {\n\tC: "
+    "\"OO\",2,0\n\tC: \"OO\",1,2\n}\n";
+const std::string ifc =
+    "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('ViewDefinition [CoordinationView]'),'2;1');\n"
+    "FILE_NAME('t.ifc','2020-01-01T00:00:00',('a'),('b'),'c','d','e');\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;"
+    "\nDATA;\n"
+    "#1=IFCPERSON($,$,'a',$,$,$,$,$);\n#2=IFCORGANIZATION($,'b',$,$,$);\n#3=IFCPERSONANDORGANIZATION(#1,#2,$)"
+    ";\n"
+    "#4=IFCAPPLICATION(#2,'1','c','d');\n#5=IFCOWNERHISTORY(#3,#4,$,.ADDED.,$,$,$,0);\n"
+    "#6=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);\n#7=IFCUNITASSIGNMENT((#6));\n#8=IFCCARTESIANPOINT((0.,0.,"
+    "0.));\n"
+    "#9=IFCDIRECTION((0.,0.,1.));\n#10=IFCDIRECTION((1.,0.,0.));\n#11=IFCAXIS2PLACEMENT3D(#8,#9,#10);\n"
+    "#12=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-05,#11,$);\n"
+    "#13=IFCPROJECT('0YvctVUKr0kugbFTf53O9L',#5,'p',$,$,$,$,(#12),#7);\n#14=IFCLOCALPLACEMENT($,#11);\n"
+    "#15=IFCBUILDING('0YvctVUKr0kugbFTf53O9M',#5,'b',$,$,#14,$,$,.ELEMENT.,$,$,$);\n"
+    "#16=IFCRELAGGREGATES('0YvctVUKr0kugbFTf53O9N',#5,$,$,#13,(#15));\n#20=IFCCARTESIANPOINT((0.,0.));\n"
+    "#21=IFCDIRECTION((1.,0.));\n#22=IFCAXIS2PLACEMENT2D(#20,#21);\n"
+    "#23=IFCRECTANGLEPROFILEDEF(.AREA.,$,#22,4000.,200.);\n#24=IFCEXTRUDEDAREASOLID(#23,#11,#9,3000.);\n"
+    "#25=IFCSHAPEREPRESENTATION(#12,'Body','SweptSolid',(#24));\n#26=IFCPRODUCTDEFINITIONSHAPE($,$,(#25));\n"
+    "#27=IFCWALLSTANDARDCASE('0YvctVUKr0kugbFTf53O9P',#5,'w',$,$,#14,#26,$);\n"
+    "#28=IFCRELCONTAINEDINSPATIALSTRUCTURE('0YvctVUKr0kugbFTf53O9Q',#5,$,$,(#27),#15);\nENDSEC;\nEND-ISO-"
+    "10303-21;\n";
+
+/// The corners of every placed triangle, in the model's space.
+std::vector<glm::dvec3> placed_corners(const Model& model) {
+  std::vector<glm::dvec3> corners;
+  for (const Instance& instance : model.instances) {
+    const Mesh& mesh = model.meshes[instance.mesh];
+    for (const Triangle& triangle : mesh.triangles) {
+      for (const uint32_t vertex : triangle.vertices)
+        corners.push_back(instance.transform * glm::dvec4(mesh.positions[vertex], 1));
+    }
+  }
+  return corners;
+}
+
+void expect_near(const glm::dvec3& found, const glm::dvec3& expected) {
+  EXPECT_LT(glm::length(found - expected), 1e-6) << found.x << " " << found.y << " " << found.z;
+}
+
+TEST(ImportOther, a_dxf_file_is_read_its_z_is_up_and_its_unit_is_asked_for) {
+  const auto file = write_model("a.dxf", dxf);
+  expect_near(placed_corners(import_model({file})).at(1), {1, 5, 0});
+  ImportOptions options;
+  options.unit = LengthUnit::foot;
+  options.up = UpAxis::z;
+  const Model feet = import_model({file}, options);
+  expect_near(placed_corners(feet).at(1), {0.3048, 5 * 0.3048, 0});
+  EXPECT_FALSE(warns(feet, "--up"));
+  options.up = UpAxis::y;
+  EXPECT_TRUE(warns(import_model({file}, options), "the format says which axis is up; --up was not applied"));
+}
+
+TEST(ImportOther, an_ifc_wall_stands_in_metres_y_up) {
+  const Model model = import_text("a.ifc", ifc);
+  glm::dvec3 low{1e9}, high{-1e9};
+  for (const glm::dvec3& corner : placed_corners(model))
+    low = glm::min(low, corner), high = glm::max(high, corner);
+  expect_near(low, {-2, 0, -0.1});
+  expect_near(high, {2, 3, 0.1});
+  EXPECT_TRUE(warns(model, "single precision: the largest is 3000, where a step is 0.000244"));
+}
+
+TEST(ImportOther, collada_and_fbx_files_say_their_unit_and_axes_and_share_their_meshes) {
+  ImportOptions options;
+  options.unit = LengthUnit::millimetre;
+  for (const auto& file : {write_model("a.dae", collada), write_model("a.fbx", fbx)}) {
+    const Model model = import_model({file}, options);
+    expect_near(placed_corners(model).at(2), {0, 3 * 0.0254, -2 * 0.0254});
+    EXPECT_TRUE(warns(model, "the format says its unit; --unit was not applied"));
+  }
+  const Model twice = import_text("a.dae", collada);
+  EXPECT_EQ(twice.meshes.size(), 1u);
+  ASSERT_EQ(twice.instances.size(), 2u);
+  expect_near(placed_corners(twice).at(4), {11 * 0.0254, 0, 0});
+}
+
+TEST(ImportOther, x_and_off_files_are_read_and_concave_faces_cut_properly) {
+  EXPECT_EQ(import_text("a.x", x_file).source_triangles(), 1u);
+  const Model model = import_text("a.off", off);
+  const auto corners = placed_corners(model);
+  ASSERT_EQ(corners.size(), 6u);
+  for (size_t i = 0; i < 6; i += 3) {
+    const glm::dvec3 normal = glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]);
+    EXPECT_GT(normal.z, 0);
+  }
+  EXPECT_TRUE(warns(model, "the largest is 1000000.12, where a step is 0.0625"));
+}
+
+TEST(ImportOther, large_meshes_stream_from_a_file_without_a_name) {
+  ImportOptions options;
+  options.stream_above = 0;
+  options.temporary_folder = test::empty_folder("temporary");
+  const Model model = import_model({write_model("a.off", off)}, options);
+  ASSERT_TRUE(model.meshes[0].stream);
+  uint64_t count = 0;
+  model.meshes[0].stream->read([&](auto batch) { count += batch.size(); });
+  EXPECT_EQ(count, 2u);
+  EXPECT_TRUE(std::filesystem::is_empty(options.temporary_folder));
+}
+
+TEST(ImportOther, damaged_and_empty_files_are_one_line) {
+  EXPECT_NE(import_error("a.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n"), "");
+  for (const char* name : {"a.dae", "a.fbx", "a.ifc", "a.3ds", "a.off", "a.x", "a.blend", "a.step"}) {
+    EXPECT_NE(import_error(name, ""), "") << name;
+    EXPECT_NE(import_error(name, std::string(3000, '\xff')), "") << name;
+  }
+  EXPECT_NE(import_error("half.ifc", ifc.substr(0, 900)), "");
+  EXPECT_THROW(import_model({"/nonexistent/a.dxf"}), Error);
+}
+
+TEST(ImportOther, every_format_that_is_listed_is_one_that_assimp_claims) {
+  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "triptych-import";
+  std::FILE* pipe = ::popen((program.string() + " --formats").c_str(), "r");
+  ASSERT_TRUE(pipe);
+  std::string claimed = ";";
+  for (int letter; (letter = std::fgetc(pipe)) != EOF;)
+    claimed += static_cast<char>(letter == '\n' ? ';' : letter);
+  EXPECT_EQ(::pclose(pipe), 0);
+  for (const std::string& extension : known_extensions())
+    EXPECT_NE(claimed.find(";*" + extension + ";"), std::string::npos) << extension;
+}
+
+/// A program in place of triptych-import, which writes something first.
+ImportOptions converter(const std::string& script) {
+  ImportOptions options;
+  options.converter = write_model("converter", "#!/bin/sh\n" + script + "\n");
+  std::filesystem::permissions(options.converter, std::filesystem::perms::owner_all);
+  options.temporary_folder = test::empty_folder("temporary");
+  options.converter_seconds = 0.5;
+  return options;
+}
+
+std::string converter_error(const std::string& script) {
+  const ImportOptions options = converter(script);
+  const auto file = write_model("a.dxf", dxf);
+  std::string message;
+  try {
+    import_model({file}, options);
+  } catch (const Error& error) {
+    message = error.what();
+    EXPECT_EQ(message.find(file.string() + ": "), 0u) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(options.temporary_folder));
+  return message;
+}
+
+TEST(ImportOther, a_reader_that_crashes_hangs_or_gives_up_is_one_line_and_leaves_no_file) {
+  EXPECT_NE(converter_error("kill -SEGV $$").find("makes its reader crash (signal 11"), std::string::npos);
+  EXPECT_NE(converter_error("echo half >&3; exec sleep 60").find("takes more than 0.5 s"), std::string::npos);
+  EXPECT_NE(converter_error("exec 2>&-; exec sleep 60").find("takes more than 0.5 s"), std::string::npos);
+  EXPECT_NE(converter_error("exit 7").find("exit code 7"), std::string::npos);
+  EXPECT_NE(
+      converter_error("echo noise >&2; echo 'triptych: no such thing' >&2; exit 1").find(": no such thing"),
+      std::string::npos);
+  EXPECT_NE(converter_error("head -c 3000000 /dev/zero >&2; kill -ABRT $$").find("signal 6"),
+            std::string::npos);
+}
+
+TEST(ImportOther, what_a_reader_claims_to_have_read_is_checked) {
+  EXPECT_NE(converter_error("exit 0"), "");
+  EXPECT_NE(converter_error("printf 'glTF\\2\\0\\0\\0\\377\\377\\377\\377aaaabbbbcccc' >&3")
+                .find("says that it holds"),
+            std::string::npos);
+}
+
+TEST(ImportOther, a_reader_that_takes_too_much_memory_is_one_line) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the address sanitizer reserves terabytes, and the limit is off";
+#endif
+  ImportOptions options;
+  options.converter_bytes = 512 << 20;
+  try {
+    import_model({write_model("large.off", "OFF\n200000000 1 0\n0 0 0\n")}, options);
+    FAIL() << "2.4 GB were at hand";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("memory"), std::string::npos) << error.what();
+  }
+}
+
+TEST(ImportOther, a_program_that_is_not_there_is_named) {
+  ImportOptions options;
+  options.converter = "/nonexistent/triptych-import";
+  try {
+    import_model({write_model("a.dxf", dxf)}, options);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("/nonexistent/triptych-import"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace triptych
