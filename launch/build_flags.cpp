@@ -104,6 +104,11 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
                   "Triangles of a leaf of the hierarchy, roughly")
       ->check(CLI::Range(least_triangles, most_triangles))
       ->capture_default_str();
+  command
+      .add_option("--hlod-triangles", flags.defaults.hlod_triangles,
+                  "Triangles of an inner scene node's coarsest level, roughly")
+      ->check(CLI::Range(least_triangles, most_triangles))
+      ->capture_default_str();
 }
 
 void add_hierarchy_flag(CLI::App& command, BuildFlags& flags) {
@@ -117,11 +122,12 @@ std::vector<std::string> build_arguments(const BuildFlags& flags) {
   std::vector<std::string> arguments;
   for (const auto& input : flags.inputs) arguments.push_back(std::filesystem::absolute(input).string());
   for (const std::string& argument : import_arguments(flags.import)) arguments.push_back(argument);
-  arguments.insert(arguments.end(), {"--simplifier", name_of(options.simplify.simplifier), "--bound",
-                                     name_of(options.simplify.bound), "--hierarchy",
-                                     name_of(options.hierarchy), "--memory", std::to_string(options.memory),
-                                     "--part-triangles", std::to_string(options.part_triangles),
-                                     "--leaf-triangles", std::to_string(options.leaf_triangles)});
+  arguments.insert(
+      arguments.end(),
+      {"--simplifier", name_of(options.simplify.simplifier), "--bound", name_of(options.simplify.bound),
+       "--hierarchy", name_of(options.hierarchy), "--memory", std::to_string(options.memory),
+       "--part-triangles", std::to_string(options.part_triangles), "--leaf-triangles",
+       std::to_string(options.leaf_triangles), "--hlod-triangles", std::to_string(options.hlod_triangles)});
   if (flags.bake_instances) arguments.emplace_back("--bake-instances");
   return arguments;
 }

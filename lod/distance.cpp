@@ -1,5 +1,6 @@
 #include "lod/distance.hpp"
 
+#include "lod/convex_polygon.hpp"
 #include "lod/triangle_tree.hpp"
 
 #include <algorithm>
@@ -45,62 +46,7 @@ struct PointHash {
   }
 };
 
-/// A convex polygon. Each cut adds one corner at most, and each path of cuts is short; what grows beyond is
-/// not cut.
-class Polygon {
- public:
-  static constexpr size_t most_corners = 15;
-  void push_back(const glm::dvec3& corner) { corners_[size_++] = corner; }
-  size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
-  void clear() { size_ = 0; }
-  const glm::dvec3& operator[](size_t i) const { return corners_[i]; }
-  const glm::dvec3* begin() const { return corners_.data(); }
-  const glm::dvec3* end() const { return corners_.data() + size_; }
-  operator std::span<const glm::dvec3>() const { return {corners_.data(), size_}; }
-
- private:
-  std::array<glm::dvec3, most_corners + 2> corners_;
-  size_t size_ = 0;
-};
 using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, TriangleHash>;
-
-glm::dvec3 middle_of(const Polygon& polygon) {
-  glm::dvec3 sum{0};
-  for (const glm::dvec3& corner : polygon) sum += corner;
-  return sum / static_cast<double>(polygon.size());
-}
-
-/// Cuts off what lies beyond the plane dot(normal, x) = limit and returns it; both stay convex, either may be
-/// empty. A strip that is narrower than `narrow` is not worth a cut of its own: it stays with the rest.
-Polygon cut(Polygon& polygon, const glm::dvec3& normal, double limit, double narrow) {
-  std::array<double, Polygon::most_corners + 2> beyond;
-  double furthest = -1, deepest = -1;
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    beyond[i] = glm::dot(normal, polygon[i]) - limit;
-    furthest = std::max(furthest, beyond[i]);
-    deepest = std::max(deepest, -beyond[i]);
-  }
-  if (furthest <= narrow) return {};
-  Polygon inside, outside;
-  if (deepest <= narrow) {
-    std::swap(polygon, outside);
-    return outside;
-  }
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const size_t next = (i + 1) % polygon.size();
-    if (beyond[i] <= 0) inside.push_back(polygon[i]);
-    if (beyond[i] >= 0) outside.push_back(polygon[i]);
-    if ((beyond[i] < 0 && beyond[next] > 0) || (beyond[i] > 0 && beyond[next] < 0)) {
-      const glm::dvec3 crossing =
-          polygon[i] + (polygon[next] - polygon[i]) * (beyond[i] / (beyond[i] - beyond[next]));
-      inside.push_back(crossing);
-      outside.push_back(crossing);
-    }
-  }
-  polygon = inside;
-  return outside;
-}
 
 /// The largest distance of polygons from the triangles of a tree, by branch and bound: the polygon with the
 /// largest bound is cut until that bound is nearly reached by some point, or the work is no longer worth it.
@@ -129,7 +75,7 @@ class OneSided {
   }
 
   void add(const Corners& triangle) {
-    Polygon polygon;
+    ConvexPolygon polygon;
     for (const glm::dvec3& corner : triangle) polygon.push_back(corner);
     add(polygon);
   }
@@ -154,14 +100,14 @@ class OneSided {
   struct Waiting {
     double bound;
     uint32_t near;  ///< the triangle near its middle
-    Polygon polygon;
+    ConvexPolygon polygon;
     bool operator<(const Waiting& other) const { return bound < other.bound; }
   };
 
   /// A bound up to here needs no cut: it is within the tightness of a distance that is reached somewhere.
   double enough() const { return std::max(floor_distance, lower_ * effort_.tightness); }
 
-  void add(const Polygon& polygon) {
+  void add(const ConvexPolygon& polygon) {
     if (polygon.size() < 3) return;
     // From the cheapest to the dearest: one triangle may be near all corners, first of all the one that was
     // near the last polygon, then the one near the middle; no point is further off than its way to the middle
@@ -188,14 +134,14 @@ class OneSided {
 
   /// Cuts out what lies over the triangle nearest to the polygon's middle; halves the polygon where that
   /// leads nowhere.
-  void divide(const Polygon& polygon) {
+  void divide(const ConvexPolygon& polygon) {
     const Corners& near = tree_.triangle(hint_);
     const glm::dvec3 normal = glm::cross(near[1] - near[0], near[2] - near[0]);
     const double slack = enough() * 0.3;
-    std::array<Polygon, 3> beyond;
-    Polygon rest = polygon;
+    std::array<ConvexPolygon, 3> beyond;
+    ConvexPolygon rest = polygon;
     bool was_cut = false;
-    for (size_t i = 0; i < 3 && !rest.empty() && rest.size() < Polygon::most_corners; ++i) {
+    for (size_t i = 0; i < 3 && !rest.empty() && rest.size() < ConvexPolygon::most_corners; ++i) {
       const glm::dvec3 outwards = glm::cross(near[(i + 1) % 3] - near[i], normal);
       const double length = glm::length(outwards);
       if (!(length > 0)) continue;
@@ -207,11 +153,11 @@ class OneSided {
       halve(polygon);
     } else {
       add(rest);
-      for (const Polygon& piece : beyond) add(piece);
+      for (const ConvexPolygon& piece : beyond) add(piece);
     }
   }
 
-  void halve(Polygon polygon) {
+  void halve(ConvexPolygon polygon) {
     size_t from = 0;
     double longest = -1;
     glm::dvec3 direction{0};
@@ -224,7 +170,8 @@ class OneSided {
         from = i;
       }
     }
-    const Polygon other = cut(polygon, direction, glm::dot(direction, polygon[from] + direction * 0.5), 0);
+    const ConvexPolygon other =
+        cut(polygon, direction, glm::dot(direction, polygon[from] + direction * 0.5), 0);
     add(polygon);
     add(other);
   }

@@ -115,7 +115,8 @@ TEST(NoDilation, loses_specks_whose_box_covers_no_pixel) {
 INSTANTIATE_TEST_SUITE_P(Injected, Faults,
                          testing::Values(Trial{{"withheld-id"}, {"room"}}, Trial{{"stale-camera"}, {"room"}},
                                          Trial{{"wrong-ancestor"}, {"world", "room", "instances", "far"}},
-                                         Trial{{"strict-depth-test", "no-dilation"}, {"coplanar"}}),
+                                         Trial{{"strict-depth-test", "no-dilation"},
+                                               {"coplanar", "flat", "room", "world"}}),
                          [](const auto& parameter) {
                            std::string name;
                            for (const std::string& fault : parameter.param.faults)
