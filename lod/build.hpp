@@ -17,9 +17,9 @@ namespace triptych {
 struct BuildOptions {
   /// Triangles of a part of a mesh after the first partition, at most; smaller parts cull better and cost
   /// more draws.
-  uint32_t part_triangles = 1280;
+  uint32_t part_triangles = 4096;
   /// Placed triangles of a leaf of the hierarchy, roughly.
-  uint32_t leaf_triangles = 2048;
+  uint32_t leaf_triangles = 8192;
   /// A mesh of more triangles is not held in memory: its triangles are sorted by place into files of about so
   /// many.
   uint32_t bucket_triangles = 1u << 18;

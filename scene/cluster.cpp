@@ -19,11 +19,6 @@ struct Edge {
   }
 };
 
-double half_area(const Box& box) {
-  const glm::dvec3 size = box.hi - box.lo;
-  return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 /// Disjoint sets of objects, each with what the criterion wants to know.
 class Forest {
  public:
@@ -48,7 +43,6 @@ class Forest {
     joined.triangles += extents_[b].triangles;
     if (joined.triangles > limits_.triangles || glm::length(joined.box.hi - joined.box.lo) > limits_.diagonal)
       return;
-    if (cost(joined) > cost(extents_[a]) + cost(extents_[b])) return;
     parents_[b] = a;
     extents_[a] = joined;
     internal_[a] = edge.weight;  // edges come in ascending order
@@ -59,11 +53,6 @@ class Forest {
     const double share =
         static_cast<double>(extents_[cluster].triangles) / static_cast<double>(limits_.triangles);
     return internal_[cluster] + limits_.scale / std::max(share, 1.0 / 64);
-  }
-
-  /// How often it is seen, as its surface says, times what it then costs.
-  double cost(const ObjectExtent& cluster) const {
-    return half_area(cluster.box) * (limits_.drawable_cost + static_cast<double>(cluster.triangles));
   }
 
   const ClusterLimits& limits_;

@@ -18,10 +18,6 @@ struct ClusterLimits {
   /// w <= min(Int(C1) + k / |C1|, Int(C2) + k / |C2|); |C| counts triangles in shares of `triangles`, at
   /// least 1/64.
   double scale = 1;
-  /// Clusters merge only where that is no dearer to draw than to draw each of them when its box is seen (the
-  /// argument of the surface area heuristic, MacDonald and Booth 1990): what a test and a draw cost beside
-  /// the triangles, in triangles. Infinite: they merge wherever the other limits let them.
-  double drawable_cost = 1024;
   uint32_t neighbours = 12;  ///< edges of each object, to those with the nearest centres
 };
 
