@@ -13,14 +13,14 @@ namespace {
 class WorkTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / ("triptych_work_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    make_folder(folder_);
+    folder = std::filesystem::path(testing::TempDir()) / ("triptych_work_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder);
+    make_folder(folder);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
 
-  std::filesystem::path pack() const { return folder_ / "a.tpk"; }
-  std::filesystem::path journal() const { return folder_ / "a.tpk.work" / "journal"; }
+  std::filesystem::path pack() const { return folder / "a.tpk"; }
+  std::filesystem::path journal() const { return folder / "a.tpk.work" / "journal"; }
 
   /// Does units first up to, not including, end in a process that then dies on the spot.
   void work_and_die(int end, const std::string& fingerprint) const {
@@ -45,7 +45,7 @@ class WorkTest : public testing::Test {
     return taken;
   }
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder;
 };
 
 TEST_F(WorkTest, a_killed_process_leaves_its_finished_units_and_the_next_one_goes_on) {
@@ -91,7 +91,7 @@ TEST_F(WorkTest, an_end_that_is_no_kill_leaves_nothing) {
     do_unit(work, 0);
     EXPECT_TRUE(std::filesystem::exists(journal()));
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 TEST_F(WorkTest, two_processes_cannot_build_the_same_pack) {
@@ -102,7 +102,7 @@ TEST_F(WorkTest, two_processes_cannot_build_the_same_pack) {
 
 TEST_F(WorkTest, a_place_that_cannot_be_written_is_an_error_with_its_name) {
   try {
-    BuildWork work(folder_ / "missing" / "a.tpk", "");
+    BuildWork work(folder / "missing" / "a.tpk", "");
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("missing/a.tpk"), std::string::npos) << error.what();

@@ -24,7 +24,7 @@ Mesh wavy_sphere(uint32_t rings) {
 
 class ClosedBorders : public testing::Test {
  protected:
-  ClosedBorders() : context_(test_context()) {
+  ClosedBorders() : context(test_context()) {
     const auto file = std::filesystem::path(testing::TempDir()) /
                       ("triptych_closed_" + std::to_string(::getpid()) + ".tpk");
     BuildOptions options;
@@ -33,7 +33,7 @@ class ClosedBorders : public testing::Test {
     options.hlod_triangles = 120;
     options.bucket_triangles = 9000;  // borders between buckets and borders within them
     build_pack(awkward::model_of({wavy_sphere(120)}), options, file);
-    pack_ = std::make_unique<Pack>(file);
+    pack = std::make_unique<Pack>(file);
     std::filesystem::remove(file);
   }
 
@@ -41,20 +41,20 @@ class ClosedBorders : public testing::Test {
   size_t mixed_levels(const Cut& cut) const {
     std::set<std::pair<uint32_t, uint32_t>> levels;
     for (const DrawableId id : cut.drawables) {
-      const Skeleton& skeleton = pack_->skeleton();
+      const Skeleton& skeleton = pack->skeleton();
       const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[id].scene_node];
       levels.insert({node.child_count == 0, id - node.first_drawable});
     }
     return levels.size();
   }
 
-  Context& context_;
-  std::unique_ptr<Pack> pack_;
+  Context& context;
+  std::unique_ptr<Pack> pack;
 };
 
 TEST_F(ClosedBorders, no_pixel_shows_what_is_behind_a_closed_surface_at_any_mix_of_levels) {
   Fallback fallback(
-      *pack_, {.width = 320, .height = 240, .cull = CullMode::frustum, .batches = {}, .item_buffer = true});
+      *pack, {.width = 320, .height = 240, .cull = CullMode::frustum, .batches = {}, .item_buffer = true});
   size_t holes = 0, mixed = 0, frames = 0;
   for (const double pixel_error : {0.5, 2.0, 8.0, 24.0}) {
     for (int i = 0; i < 24; ++i) {
@@ -66,7 +66,7 @@ TEST_F(ClosedBorders, no_pixel_shows_what_is_behind_a_closed_surface_at_any_mix_
       set_field_of_view(view.camera, 90, 320.0 / 240);
       const FrameRequest frame{
           .number = static_cast<uint32_t>(frames++), .view = view, .pixel_error = pixel_error};
-      mixed += mixed_levels(select_cut(pack_->skeleton(), frame.view, pixel_error)) > 1;
+      mixed += mixed_levels(select_cut(pack->skeleton(), frame.view, pixel_error)) > 1;
       fallback.draw(frame);
       for (const uint32_t item : fallback.target().read_items()) holes += item == 0;
     }
