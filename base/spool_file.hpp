@@ -30,6 +30,8 @@ class SpoolFile {
   SpoolPlace append(std::span<const std::byte> bytes);
   /// Error (path, byte) where the file ends before.
   std::vector<std::byte> read(const SpoolPlace& place) const;
+  /// Cuts the file to its first `size` bytes. Error (path) if that fails, or if it holds less.
+  void truncate(uint64_t size);
   uint64_t size() const { return size_; }
   const std::filesystem::path& path() const { return path_; }
 

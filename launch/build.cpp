@@ -55,6 +55,11 @@ int run(const BuildCommand& command) {
   options.fingerprint = build_fingerprint(command.flags, model.files);
   BuildReport report = build_pack(std::move(model), options, command.output);
   report.stages.insert(report.stages.begin(), {"import", import_seconds});
+  const uint64_t peak = peak_resident_bytes();
+  if (peak > options.memory) {
+    report.import.warnings.push_back(
+        fmt::format("the build took {} MiB, more than --memory's {}", peak >> 20, options.memory >> 20));
+  }
   print(report, command.output);
   write_json(command.json, report_json(report, stopwatch.seconds()));
   return 0;

@@ -88,7 +88,7 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
       ->default_str(name_of(options.simplify.bound));
   command
       .add_option("--memory", flags.defaults.memory,
-                  "The resident size that the build stays below, at least 128M")
+                  "The resident size that the build aims to stay below, at least 128M")
       ->transform(CLI::AsSizeValue(false).description(""))
       ->check(enough_memory)
       ->type_name("BYTES")
@@ -136,8 +136,10 @@ std::string build_fingerprint(const BuildFlags& flags, const std::vector<std::fi
   std::string fingerprint = "program " + identity("/proc/self/exe");
   for (const auto& file : files) fingerprint += "input " + identity(file);
   // Inputs stand among the arguments too: the same files in another order are another model. The memory is no
-  // part of the result, but decides into which units the work is cut.
-  for (const std::string& argument : build_arguments(flags)) fingerprint += argument + "\n";
+  // part of the result.
+  BuildFlags deciding = flags;
+  deciding.defaults.memory = BuildOptions().memory;
+  for (const std::string& argument : build_arguments(deciding)) fingerprint += argument + "\n";
   return fingerprint;
 }
 

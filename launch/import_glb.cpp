@@ -1,5 +1,6 @@
 #include "launch/import_glb.hpp"
 
+#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "scene/triangulate.hpp"
 
@@ -36,12 +37,7 @@ class Output {
     if (buffer_.size() >= size_t{1} << 20) flush();
   }
   void flush() {
-    for (size_t done = 0; done < buffer_.size();) {
-      const ssize_t count = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) fail(place_, "its temporary file cannot be written: {}", std::strerror(errno));
-      done += static_cast<size_t>(count);
-    }
+    write_all(descriptor_, buffer_, place_ + ": its temporary file");
     buffer_.clear();
   }
 

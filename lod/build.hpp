@@ -30,14 +30,15 @@ struct BuildOptions {
   SimplifyLimits simplify = {};
   /// Off: every placement is geometry of its own.
   bool share_instances = true;
-  /// The build keeps its resident size below so many bytes; its result does not depend on them.
+  /// The resident size to aim at, bytes: it sets how much geometry is worked on at a time. What is known
+  /// about the parts comes on top for large models. The result does not depend on it.
   uint64_t memory = uint64_t{1} << 30;
   /// Of the input and of all options that change the result: a build that was killed goes on where it was if
   /// this is the same. Empty: it starts again.
   std::string fingerprint = {};
 };
 
-/// Triangles of one unit of work, all threads together: a unit takes less than 300 bytes for each.
+/// Triangles of one unit of work, all threads together.
 inline uint64_t unit_triangles(const BuildOptions& options) {
   return std::clamp<uint64_t>(options.memory >> 10, 1u << 16, 1u << 20);
 }

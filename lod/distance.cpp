@@ -2,6 +2,7 @@
 
 #include "lod/convex_polygon.hpp"
 #include "lod/triangle_tree.hpp"
+#include "scene/key_hash.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,25 +29,7 @@ constexpr double rounding_allowance = 1e-5;
 /// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
 constexpr size_t cuts_a_triangle = 6;
 
-struct NumberHash {
-  size_t operator()(uint64_t value) const {
-    value *= 0x9e3779b97f4a7c15u;
-    return value ^ value >> 32;
-  }
-};
-struct TriangleHash {
-  size_t operator()(const std::array<uint32_t, 3>& key) const {
-    return NumberHash{}(NumberHash{}(uint64_t{key[0]} << 32 | key[1]) ^ key[2]);
-  }
-};
-struct PointHash {
-  size_t operator()(const glm::ivec3& point) const {
-    return TriangleHash{}(
-        {static_cast<uint32_t>(point.x), static_cast<uint32_t>(point.y), static_cast<uint32_t>(point.z)});
-  }
-};
-
-using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, TriangleHash>;
+using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, KeyHash>;
 
 /// The largest distance of polygons from the triangles of a tree, by branch and bound: the polygon with the
 /// largest bound is cut until that bound is nearly reached by some point, or the work is no longer worth it.
@@ -188,7 +171,7 @@ Corners corners_of(const Surface& surface, const Triangle& triangle) {
           glm::dvec3(surface.points[triangle.vertices[2]])};
 }
 
-using Numbers = tsl::robin_map<glm::ivec3, uint32_t, PointHash>;
+using Numbers = tsl::robin_map<glm::ivec3, uint32_t, KeyHash>;
 
 std::array<uint32_t, 3> numbered(const Triangle& triangle, const std::vector<uint32_t>& numbers) {
   std::array<uint32_t, 3> key = {numbers[triangle.vertices[0]], numbers[triangle.vertices[1]],
@@ -248,7 +231,7 @@ class Target {
 
   TriangleTree tree_;
   TriangleSet triangles_;
-  tsl::robin_set<uint32_t, NumberHash> points_;
+  tsl::robin_set<uint32_t, KeyHash> points_;
 };
 
 double diagonal(const Surface& surface, std::span<const Triangle> triangles) {

@@ -1,7 +1,6 @@
 #include "lod/hlod.hpp"
 
-#include "base/bytes.hpp"
-#include "base/hashing.hpp"
+#include "lod/part.hpp"
 #include "lod/simplify.hpp"
 
 #include <algorithm>
@@ -9,14 +8,6 @@
 #include <glm/glm.hpp>
 
 namespace triptych {
-
-size_t Baker::Hash::operator()(const glm::ivec3& point) const {
-  return static_cast<size_t>(hash_values(std::span<const glm::ivec3>(&point, 1)));
-}
-
-size_t Baker::Hash::operator()(const std::array<uint32_t, 3>& corners) const {
-  return static_cast<size_t>(hash_values(std::span<const uint32_t>(corners)));
-}
 
 namespace {
 
@@ -90,10 +81,7 @@ Baked Baker::finish(double error) {
 SpoolPlace store(SpoolFile& file, const Baked& baked) {
   ByteWriter writer;
   writer.write(baked.error);
-  writer.write(uint64_t{baked.surface.points.size()});
-  writer.write(uint64_t{baked.surface.triangles.size()});
-  writer.write_all(std::span<const glm::ivec3>(baked.surface.points));
-  writer.write_all(std::span<const Triangle>(baked.surface.triangles));
+  write_surface(writer, baked.surface);
   writer.write_all(std::span<const LeafSpan>(baked.spans));
   return file.append(writer.bytes());
 }
@@ -103,11 +91,8 @@ Baked load_baked(const SpoolFile& file, const SpoolPlace& place) {
   ByteReader reader(bytes, file.path().string());
   Baked baked;
   baked.error = reader.read<double>();
-  const auto points = reader.read<uint64_t>();
-  const auto triangles = reader.read<uint64_t>();
-  baked.surface.points = reader.read_all<glm::ivec3>(points);
-  baked.surface.triangles = reader.read_all<Triangle>(triangles);
-  baked.spans = reader.read_all<LeafSpan>(points);
+  baked.surface = read_surface(reader);
+  baked.spans = reader.read_all<LeafSpan>(baked.surface.points.size());
   return baked;
 }
 

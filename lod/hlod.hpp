@@ -5,13 +5,14 @@
 #include "base/spool_file.hpp"
 #include "lod/encoded.hpp"
 #include "lod/simplify.hpp"
+#include "scene/key_hash.hpp"
 #include "scene/lattice.hpp"
 #include "scene/surface.hpp"
 
 #include <cstdint>
 #include <span>
-#include <unordered_map>
-#include <unordered_set>
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
 #include <vector>
 
 namespace triptych {
@@ -54,14 +55,10 @@ class Baker {
   uint32_t place(const glm::ivec3& point, const LeafSpan& span);
   void add_triangle(const Triangle& triangle);
 
-  struct Hash {
-    size_t operator()(const glm::ivec3& point) const;
-    size_t operator()(const std::array<uint32_t, 3>& corners) const;
-  };
   const Lattice& lattice_;
   Baked baked_;
-  std::unordered_map<glm::ivec3, uint32_t, Hash> points_;
-  std::unordered_set<std::array<uint32_t, 3>, Hash> triangles_;
+  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> points_;
+  tsl::robin_set<std::array<uint32_t, 3>, KeyHash> triangles_;
   double moved_ = 0;  ///< lattice steps
 };
 

@@ -1,5 +1,7 @@
 #include "lod/meshopt_simplify.hpp"
 
+#include "scene/key_hash.hpp"
+
 #include <algorithm>
 #include <glm/vec3.hpp>
 #include <meshoptimizer.h>
@@ -8,10 +10,6 @@
 namespace triptych {
 
 namespace {
-
-struct SpreadHash {
-  size_t operator()(uint64_t key) const { return (key ^ key >> 32) * 0x9e3779b97f4a7c15u >> 16; }
-};
 
 /// The surface as meshoptimizer takes it: a vertex for each point and colour, so that colours are not lost,
 /// and lines where they meet are seams.
@@ -26,7 +24,7 @@ struct Input {
 
 Input make_input(const Surface& surface, std::span<const uint8_t> locked) {
   Input input;
-  tsl::robin_map<uint64_t, uint32_t, SpreadHash> places;
+  tsl::robin_map<uint64_t, uint32_t, KeyHash> places;
   for (const Triangle& triangle : surface.triangles) {
     for (const uint32_t point : triangle.vertices) {
       const auto [found, inserted] = places.try_emplace(uint64_t{triangle.material} << 32 | point,

@@ -1,6 +1,7 @@
 // A part: a piece of a mesh after the first partition, small enough to be simplified and drawn as one.
 #pragma once
 
+#include "base/bytes.hpp"
 #include "base/spool_file.hpp"
 #include "scene/surface.hpp"
 
@@ -19,6 +20,9 @@ struct Part {
   Surface surface;
   std::vector<BorderPoint> borders;
 };
+
+void write_surface(ByteWriter& writer, const Surface& surface);
+Surface read_surface(ByteReader& reader);
 
 /// Into a spool file and back.
 SpoolPlace store(SpoolFile& file, const Part& part);

@@ -1,5 +1,7 @@
 #include "lod/vertex_clustering.hpp"
 
+#include "scene/key_hash.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -15,15 +17,6 @@ namespace {
 /// Point indices or cells, as a key; materials where colours count.
 template <size_t count>
 using Key = std::array<uint32_t, count>;
-
-struct KeyHash {
-  template <size_t count>
-  size_t operator()(const Key<count>& key) const {
-    uint64_t hash = 0;
-    for (const uint32_t value : key) hash = (hash ^ value ^ hash >> 29) * 0x9e3779b97f4a7c15u;
-    return hash ^ hash >> 32;
-  }
-};
 
 /// The sum of squared distances from planes, weighted, and from a point.
 struct Quadric {

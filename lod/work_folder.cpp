@@ -59,22 +59,25 @@ BuildJournal::BuildJournal(const WorkFolder& folder)
         const uint64_t size = std::filesystem::file_size(folder.file(journal_name), error);
         return error ? 0 : size;
       }()) {
-  read_records();
+  // What comes next goes right behind the last whole record, or nobody would find it again.
+  file_.truncate(read_records());
 }
 
-void BuildJournal::read_records() {
-  for (uint64_t at = 0; at + sizeof(RecordHeader) <= file_.size();) {
+uint64_t BuildJournal::read_records() {
+  uint64_t at = 0;
+  while (at + sizeof(RecordHeader) <= file_.size()) {
     const auto header =
         ByteReader(file_.read({at, sizeof(RecordHeader)}), file_.path().string()).read<RecordHeader>();
     const uint64_t first = at + sizeof(RecordHeader);
-    if (header.bytes > file_.size() - first || header.size_count > header.bytes / sizeof(uint64_t)) return;
+    if (header.bytes > file_.size() - first || header.size_count > header.bytes / sizeof(uint64_t)) break;
     const std::vector<std::byte> bytes = file_.read({first, header.bytes});
-    if (hash_bytes(bytes) != header.checksum) return;
+    if (hash_bytes(bytes) != header.checksum) break;
     sizes_ = ByteReader(bytes, file_.path().string()).read_all<uint64_t>(header.size_count);
     const uint64_t skipped = header.size_count * sizeof(uint64_t);
     records_.push_back({first + skipped, header.bytes - skipped});
     at = first + header.bytes;
   }
+  return at;
 }
 
 std::optional<std::vector<std::byte>> BuildJournal::replay() {

@@ -49,7 +49,8 @@ class BuildJournal {
   void append(std::span<const std::byte> record, std::span<const uint64_t> sizes);
 
  private:
-  void read_records();
+  /// Returns where the last whole record ends.
+  uint64_t read_records();
 
   SpoolFile file_;
   std::vector<SpoolPlace> records_;

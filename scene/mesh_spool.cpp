@@ -1,5 +1,6 @@
 #include "scene/mesh_spool.hpp"
 
+#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "scene/mesh_stream_faces.hpp"
 #include "scene/triangulate.hpp"
@@ -33,12 +34,7 @@ void ByteSpool::move_to_file(const std::filesystem::path& folder) {
 }
 
 void ByteSpool::flush() {
-  for (size_t done = 0; done < buffer_.size();) {
-    const ssize_t count = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(name_, "a temporary file cannot be written: {}", std::strerror(errno));
-    done += static_cast<size_t>(count);
-  }
+  write_all(descriptor_, buffer_, name_ + ": a temporary file");
   written_ += buffer_.size();
   buffer_.clear();
   if (buffer_.capacity() > 4 * block_bytes) buffer_.shrink_to_fit();

@@ -1,5 +1,7 @@
 #include "scene/mesh_stream_source.hpp"
 
+#include "base/descriptor.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -70,14 +72,7 @@ void SourceReader::read(uint64_t offset, std::span<std::byte> into) const {
     std::memcpy(into.data(), source_->bytes_.data() + offset, into.size());
     return;
   }
-  while (!into.empty()) {
-    const ssize_t count = ::pread(descriptor_, into.data(), into.size(), static_cast<off_t>(offset));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(source_->name(), "byte {} cannot be read: {}", offset, std::strerror(errno));
-    if (count == 0) fail(fmt::format("{}: byte {}", source_->name(), offset), "the file ends too soon");
-    into = into.subspan(static_cast<size_t>(count));
-    offset += static_cast<uint64_t>(count);
-  }
+  read_at(descriptor_, offset, into, source_->name());
 }
 
 SourceWindow::SourceWindow(std::shared_ptr<const StreamSource> source, uint64_t begin, uint64_t end)

@@ -1,6 +1,7 @@
 #include "scene/pack.hpp"
 
 #include "base/bytes.hpp"
+#include "base/descriptor.hpp"
 #include "base/hashing.hpp"
 #include "scene/pack_skeleton.hpp"
 
@@ -126,15 +127,7 @@ std::vector<std::byte> Pack::read_bytes(uint64_t offset, uint64_t count, const s
     fail(place, "byte {}: the file ends at byte {}, {} bytes were wanted", offset, size_, count);
   }
   std::vector<std::byte> bytes(static_cast<size_t>(count));
-  for (size_t done = 0; done < bytes.size();) {
-    const ssize_t got =
-        ::pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0)
-      fail(place, "byte {}: cannot be read: {}", offset + done,
-           got == 0 ? "the file ends" : std::strerror(errno));
-    done += static_cast<size_t>(got);
-  }
+  read_at(file_, offset, bytes, place);
   return bytes;
 }
 

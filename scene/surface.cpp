@@ -1,17 +1,10 @@
 #include "scene/surface.hpp"
 
+#include "scene/key_hash.hpp"
+
 #include <tsl/robin_map.h>
 
 namespace triptych {
-
-namespace {
-
-/// Neighbouring indices go to distant slots (Fibonacci hashing).
-struct SpreadHash {
-  size_t operator()(uint64_t key) const { return static_cast<size_t>(key * 0x9e3779b97f4a7c15u >> 20); }
-};
-
-}  // namespace
 
 LatticeBox Surface::box() const {
   LatticeBox box;
@@ -21,7 +14,7 @@ LatticeBox Surface::box() const {
 
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles) {
   Piece piece;
-  tsl::robin_map<uint32_t, uint32_t, SpreadHash> local;
+  tsl::robin_map<uint32_t, uint32_t, KeyHash> local;
   local.reserve(triangles.size() / 2 + 16);
   piece.surface.triangles.assign(triangles.begin(), triangles.end());
   for (Triangle& triangle : piece.surface.triangles) {
@@ -39,7 +32,7 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
 
 Chunk make_chunk(const Surface& surface) {
   Chunk chunk;
-  tsl::robin_map<uint64_t, uint32_t, SpreadHash> vertices;
+  tsl::robin_map<uint64_t, uint32_t, KeyHash> vertices;
   vertices.reserve(surface.points.size());
   chunk.indices.reserve(surface.triangles.size() * 3);
   for (const Triangle& triangle : surface.triangles) {

@@ -1,6 +1,6 @@
 #include "scene/weld.hpp"
 
-#include "base/hashing.hpp"
+#include "scene/key_hash.hpp"
 
 #include <algorithm>
 #include <tsl/robin_map.h>
@@ -9,27 +9,11 @@
 
 namespace triptych {
 
-namespace {
-
-struct PointHash {
-  size_t operator()(const glm::ivec3& point) const {
-    return static_cast<size_t>(hash_values(std::span<const glm::ivec3>(&point, 1)));
-  }
-};
-
-struct CornersHash {
-  size_t operator()(const std::array<uint32_t, 3>& corners) const {
-    return static_cast<size_t>(hash_values(std::span<const uint32_t>(corners)));
-  }
-};
-
-}  // namespace
-
 Welded weld(std::span<const LatticeTriangle> triangles) {
   Welded welded;
   Surface& surface = welded.surface;
-  tsl::robin_map<glm::ivec3, uint32_t, PointHash> places;
-  tsl::robin_set<std::array<uint32_t, 3>, CornersHash> seen;
+  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places;
+  tsl::robin_set<std::array<uint32_t, 3>, KeyHash> seen;
   places.reserve(triangles.size() / 2 + 4);
   seen.reserve(triangles.size());
   surface.triangles.reserve(triangles.size());

@@ -75,6 +75,15 @@ TEST_F(WorkTest, a_record_that_was_not_written_whole_is_done_again) {
   EXPECT_EQ(work.parts().size(), 4 * sizeof(int));
 }
 
+TEST_F(WorkTest, what_is_done_after_a_torn_record_is_found_again_by_a_third_run) {
+  work_and_die(3, "same");
+  std::filesystem::resize_file(journal(), std::filesystem::file_size(journal()) - 1);
+  work_and_die(6, "same");
+  BuildWork work(pack(), "same");
+  EXPECT_EQ(work.left_to_replay(), 6u);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(do_unit(work, i), i * 10);
+}
+
 TEST_F(WorkTest, a_damaged_record_and_what_came_after_it_is_done_again) {
   work_and_die(3, "same");
   std::string bytes = read_text_file(journal());

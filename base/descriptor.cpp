@@ -1,0 +1,31 @@
+#include "base/descriptor.hpp"
+
+#include "base/error.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+namespace triptych {
+
+void read_at(int descriptor, uint64_t offset, std::span<std::byte> into, const std::string& place) {
+  while (!into.empty()) {
+    const ssize_t count = ::pread(descriptor, into.data(), into.size(), static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(place, "byte {}: cannot be read: {}", offset, std::strerror(errno));
+    if (count == 0) fail(place, "byte {}: the file ends too soon", offset);
+    into = into.subspan(static_cast<size_t>(count));
+    offset += static_cast<uint64_t>(count);
+  }
+}
+
+void write_all(int descriptor, std::span<const std::byte> bytes, const std::string& place) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail(place, "cannot be written: {}", std::strerror(count == 0 ? ENOSPC : errno));
+    bytes = bytes.subspan(static_cast<size_t>(count));
+  }
+}
+
+}  // namespace triptych

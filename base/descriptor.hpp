@@ -1,0 +1,17 @@
+// Whole reads and writes of open files, whatever the system does at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace triptych {
+
+/// Fills `into` from the file's offset on. Error (place, byte) if it cannot be read or ends before.
+void read_at(int descriptor, uint64_t offset, std::span<std::byte> into, const std::string& place);
+
+/// Writes all bytes where the file stands. Error (place) if the disk is full.
+void write_all(int descriptor, std::span<const std::byte> bytes, const std::string& place);
+
+}  // namespace triptych
