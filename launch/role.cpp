@@ -19,6 +19,7 @@ struct RoleCommand {
   RunOptions run;
   std::string listen, render_address, switch_0_address;
   int listen_descriptor = -1;
+  CullOptions cull;  ///< of switch nodes alone
   uint64_t session = 0;
   double connect_timeout_s = 20;
   // of the render node alone
@@ -54,7 +55,7 @@ int run_switch(const RoleCommand& command) {
   const Pack pack(command.run.pack);
   const auto context = make_context(command.run.context);
   const auto mailbox = connect(command, pack, context->names());
-  run_switch_node(pack, *mailbox, command.self, {.test = command.run.test, .batches = {}});
+  run_switch_node(pack, *mailbox, command.self, {.test = command.run.test, .cull = command.cull});
   write_json(command.run.json, to_json(RoleRecord{sockets_of(command.self, *mailbox), {}, context->names()}));
   return 0;
 }
@@ -131,6 +132,7 @@ void add_role(CLI::App& app, Action& action) {
       ->type_name("HOST:PORT");
   switch_node->add_option("--switch-0", switch_command->switch_0_address, "Switch node 0, for switch node 1")
       ->type_name("HOST:PORT");
+  add_batch_flag(*switch_node, switch_command->cull.packet_ids);
   switch_node->callback([switch_command, index, &action] {
     RoleCommand& command = *switch_command;
     command.self = *index == 0 ? Role::switch_0 : Role::switch_1;

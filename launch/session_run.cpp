@@ -45,6 +45,7 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
       ->check(CLI::PositiveNumber);
+  add_batch_flag(command, options.batches);
   command
       .add_option("--port", options.port,
                   "The render node's port; switch node 0 takes the next one (default: free ones)")
@@ -94,8 +95,8 @@ SessionOutcome run_session(const SessionOptions& options) {
   for (const int index : {0, 1}) {
     std::vector<std::string> arguments = {"role", "switch"};
     for (const std::string& argument : shared_arguments(options, session)) arguments.push_back(argument);
-    append(arguments, {"--index", std::to_string(index), "--json",
-                       files[static_cast<size_t>(index) + 1].string(), "--render", render_address});
+    append(arguments, {"--index", std::to_string(index), "--batch", std::to_string(options.batches.front()),
+                       "--json", files[static_cast<size_t>(index) + 1].string(), "--render", render_address});
     if (index == 0) {
       append(arguments, {"--listen-descriptor", std::to_string(switch_listener.descriptor())});
       switch_listener.set_inherited(true);

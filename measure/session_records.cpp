@@ -6,7 +6,7 @@ namespace triptych {
 
 using nlohmann::json;
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, delta_body_bytes, delta_ids)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
                                    cut_drawables, drawn_triangles, tests, added, removed, digest_mismatch,
@@ -23,6 +23,7 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
           {.name = fmt::format("{} to {}, {}", role_name(self), role_name(peer), channel_name(channel)),
            .bytes = figures.bytes_sent,
            .messages = figures.messages_sent,
+           .deltas = figures.deltas_sent,
            .delta_body_bytes = figures.delta_body_bytes_sent,
            .delta_ids = figures.delta_ids_sent});
     }

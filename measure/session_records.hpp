@@ -15,7 +15,7 @@ namespace triptych {
 struct SocketRecord {
   std::string name;  ///< "switch node 0 to render node, nodes"
   uint64_t bytes = 0, messages = 0;
-  uint64_t delta_body_bytes = 0, delta_ids = 0;
+  uint64_t deltas = 0, delta_body_bytes = 0, delta_ids = 0;
 };
 
 struct RoleRecord {

@@ -66,11 +66,7 @@ double predicted_fps(const std::vector<FrameRecord>& one_process) {
   return cycle > 0 ? 1000 / cycle : 0;
 }
 
-}  // namespace
-
-json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles) {
-  const std::vector<FrameRecord>& frames = roles.front().frames;
-  const Delta sum = sum_deltas(frames);
+double delta_body_bytes_per_id(const std::vector<RoleRecord>& roles) {
   uint64_t bytes = 0, ids = 0;
   for (const RoleRecord& role : roles) {
     for (const SocketRecord& socket : role.sockets) {
@@ -78,12 +74,40 @@ json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles) 
       ids += socket.delta_ids;
     }
   }
+  return ids ? static_cast<double>(bytes) / static_cast<double>(ids) : 0.0;
+}
+
+}  // namespace
+
+json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles) {
+  const std::vector<FrameRecord>& frames = roles.front().frames;
+  const Delta sum = sum_deltas(frames);
   const double count = std::max<double>(1, static_cast<double>(frames.size()));
   return {{"added_mean", sum.added / count},
           {"removed_mean", sum.removed / count},
           {"level_changes_mean", level_changes(skeleton, frames) / count},
           {"saved_percent", sum.set > 0 ? 100 * (1 - (sum.added + sum.removed) / sum.set) : 0.0},
-          {"body_bytes_per_id", ids ? static_cast<double>(bytes) / static_cast<double>(ids) : 0.0}};
+          {"body_bytes_per_id", delta_body_bytes_per_id(roles)}};
+}
+
+json batch_json(size_t packet_ids, const std::vector<RoleRecord>& roles) {
+  const std::vector<FrameRecord>& frames = roles.front().frames;
+  uint64_t bytes = 0, packets = 0;
+  for (const RoleRecord& role : roles) {
+    for (const SocketRecord& socket : role.sockets) {
+      bytes += socket.bytes;
+      packets += socket.deltas;
+    }
+  }
+  const double count = std::max<double>(1, static_cast<double>(frames.size()));
+  constexpr double receivers = 2;
+  return {
+      {"batch", packet_ids},
+      {"bytes_per_frame", static_cast<double>(bytes) / count},
+      {"packets_per_frame", static_cast<double>(packets) / receivers / count},
+      {"delta_body_bytes_per_id", delta_body_bytes_per_id(roles)},
+      {"camera_to_image_ms", distribution_json(frames, [](const auto& r) { return r.camera_to_image_ms; })},
+      {"frame_ms", distribution_json(frames, [](const auto& r) { return r.frame_ms; })}};
 }
 
 json session_report(const Pack& pack, const SessionMeasurement& measurement) {

@@ -18,6 +18,9 @@ struct SessionMeasurement {
 /// Every key that docs/using.md lists for `measure session`.
 nlohmann::json session_report(const Pack& pack, const SessionMeasurement& measurement);
 
+/// A row of `batches`: what packets of so many ids cost and how soon pictures stand.
+nlohmann::json batch_json(size_t packet_ids, const std::vector<RoleRecord>& roles);
+
 /// The key `delta`: what sending changes saves. roles[0] is the render node, whose frames count.
 nlohmann::json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles);
 

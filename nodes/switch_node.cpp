@@ -6,9 +6,7 @@
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 
-#include <algorithm>
 #include <optional>
-#include <utility>
 
 namespace triptych {
 
@@ -55,26 +53,12 @@ class SwitchNode {
     stage_->begin(request(camera));
   }
 
-  /// Joins a part of the delta to what waits to be sent.
-  static void gather(CullPacket& packet, const CullPacket& part) {
-    packet.watermark = part.watermark;
-    for (const auto list : {&VisibleDelta::added, &VisibleDelta::removed}) {
-      auto& ids = packet.delta.*list;
-      const auto middle = ids.insert(ids.end(), (part.delta.*list).begin(), (part.delta.*list).end());
-      std::inplace_merge(ids.begin(), middle, ids.end());
-    }
-  }
-
   /// HC in frame i: R(i) stands, V(i−1) is known.
   void cull(uint32_t frame) {
     if (frame == 0) begin(camera_);
     const Stopwatch stopwatch;
     Sentinel sentinel{.frame = frame, .visible = 0, .added = 0, .removed = 0, .digest = 0, .times = {}};
-    CullPacket gathered;
-    const CullResult result = stage_->cull(visible_, options_.batches, [&](const CullPacket& part) {
-      gather(gathered, part);
-      if (gathered.delta.size() < options_.packet_ids && part.watermark != everything_decided) return;
-      CullPacket packet = std::exchange(gathered, {});
+    const CullResult result = stage_->cull(visible_, options_.cull, [&](CullPacket packet) {
       sentinel.added += static_cast<uint32_t>(packet.delta.added.size());
       sentinel.removed += static_cast<uint32_t>(packet.delta.removed.size());
       if (injected(Fault::wrong_delta) && !packet.delta.added.empty()) packet.delta.added.pop_back();

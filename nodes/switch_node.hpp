@@ -8,10 +8,7 @@ namespace triptych {
 
 struct SwitchNodeOptions {
   TestKind test = TestKind::storage;
-  CullOptions batches;
-  /// A packet of the delta is sent when it holds so many ids, and at the end. Smaller packets let the render
-  /// node begin earlier and cost more bytes.
-  size_t packet_ids = 32;
+  CullOptions cull;
 };
 
 /// Plays the role until the render node leaves or a signal asks to stop. A context must be current, and the
