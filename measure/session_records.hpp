@@ -26,6 +26,12 @@ struct RoleRecord {
 
 /// What the role has sent so far, socket by socket.
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);
+/// Adds figures of later connections to those of the same names.
+void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>& more);
+
+nlohmann::json to_json(const FrameRecord& record);
+/// Error (place) for JSON that is no frame's record.
+FrameRecord frame_record_from_json(const nlohmann::json& json, const std::string& place);
 
 nlohmann::json to_json(const RoleRecord& record);
 /// Error (place) for JSON that is no role's record.
