@@ -15,6 +15,7 @@ static_assert(sizeof(MessageHeader) == header_bytes);
 constexpr uint32_t tag_base = 'T' | 'R' << 8 | 'I' << 16;
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
+constexpr uint8_t last_mark = 1, orthographic_mark = 2;  // of a camera
 
 uint32_t checksum_of(const MessageHeader& header, std::span<const std::byte> body) {
   const uint32_t fields[] = {header.tag, header.frame, header.body_bytes};
@@ -91,7 +92,8 @@ void write_body(ByteWriter& out, const CameraMessage& message) {
   out.write(static_cast<uint32_t>(message.view.width));
   out.write(static_cast<uint32_t>(message.view.height));
   out.write(message.pixel_error);
-  out.write(static_cast<uint8_t>(message.last));
+  out.write(
+      static_cast<uint8_t>((message.last ? last_mark : 0) | (camera.orthographic() ? orthographic_mark : 0)));
 }
 
 CameraMessage read_camera(ByteReader& in, uint32_t frame) {
@@ -110,7 +112,9 @@ CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   message.view.width = static_cast<int>(width);
   message.view.height = static_cast<int>(height);
   message.pixel_error = read_not_negative(in, "the pixel error");
-  message.last = read_enum(in, uint8_t{1}, "end mark") == 1;
+  const auto marks = read_enum(in, static_cast<uint8_t>(last_mark | orthographic_mark), "camera mark");
+  message.last = (marks & last_mark) != 0;
+  if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
   check_camera(camera, in.place());
   return message;
 }
