@@ -19,7 +19,7 @@ struct BuildOptions {
   /// more draws.
   uint32_t part_triangles = 4096;
   /// Placed triangles of a leaf of the hierarchy, roughly.
-  uint32_t leaf_triangles = 8192;
+  uint32_t leaf_triangles = 4096;
   /// A mesh of more triangles is not held in memory: its triangles are sorted by place into files of about so
   /// many.
   uint32_t bucket_triangles = 1u << 18;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -34,8 +33,7 @@ double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triang
   std::vector<uint32_t> all(extents.size());
   std::iota(all.begin(), all.end(), 0u);
   std::vector<std::pair<double, uint64_t>> places, parts;
-  for (const auto& group :
-       partition_objects(extents, all, leaf_triangles, std::numeric_limits<double>::infinity())) {
+  for (const auto& group : partition_objects(extents, all, leaf_triangles)) {
     Box centers;
     uint64_t triangles = 0;
     for (const uint32_t index : group) {
@@ -73,24 +71,22 @@ Objects make_objects(const Parts& parts, const BuildOptions& options) {
     extents[i].triangles = parts.parts[parts.placed[i].part].triangles;
   }
   if (options.hierarchy == HierarchyKind::median_split) return original_objects(parts, extents);
-  const double even = even_diagonal(extents, options.leaf_triangles);
 
   std::vector<uint32_t> small;
   std::vector<ObjectExtent> small_extents;
   std::vector<std::vector<uint32_t>> clusters;
   for (uint32_t i = 0; i < extents.size(); ++i) {
-    if (extents[i].triangles <= options.leaf_triangles / 2 && diagonal(extents[i].box) <= even) {
+    if (extents[i].triangles <= options.leaf_triangles / 2) {
       small.push_back(i);
       small_extents.push_back(extents[i]);
     } else {
       clusters.push_back({i});
     }
   }
-  // Clusters may grow beyond an object's size, as their shapes ask; the second partition evens them out.
+  // Clusters may grow beyond a leaf's size, as their shapes ask; the second partition evens them out.
   ClusterLimits limits;
   limits.triangles = uint64_t{options.leaf_triangles} * 2;
-  limits.diagonal = even * 3;
-  limits.scale = even / 16;
+  limits.scale = even_diagonal(extents, options.leaf_triangles) / 16;
   for (const auto& cluster : cluster_objects(small_extents, limits)) {
     auto& members = clusters.emplace_back();
     for (const uint32_t index : cluster) members.push_back(small[index]);
@@ -99,7 +95,7 @@ Objects make_objects(const Parts& parts, const BuildOptions& options) {
 
   Objects objects;
   for (const auto& cluster : clusters) {
-    auto pieces = partition_objects(extents, cluster, options.leaf_triangles, even * 2);
+    auto pieces = partition_objects(extents, cluster, options.leaf_triangles);
     std::move(pieces.begin(), pieces.end(), std::back_inserter(objects.members));
   }
   for (const auto& members : objects.members) {

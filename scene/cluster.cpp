@@ -19,6 +19,11 @@ struct Edge {
   }
 };
 
+double half_area(const Box& box) {
+  const glm::dvec3 size = box.hi - box.lo;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
 /// Disjoint sets of objects, each with what the criterion wants to know.
 class Forest {
  public:
@@ -41,8 +46,10 @@ class Forest {
     ObjectExtent joined = extents_[a];
     joined.box.extend(extents_[b].box);
     joined.triangles += extents_[b].triangles;
-    if (joined.triangles > limits_.triangles || glm::length(joined.box.hi - joined.box.lo) > limits_.diagonal)
-      return;
+    if (joined.triangles > limits_.triangles) return;
+    const double smaller = std::min(half_area(extents_[a].box), half_area(extents_[b].box));
+    if (half_area(joined.box) > limits_.growth * smaller) return;
+    if (cost(joined) > cost(extents_[a]) + cost(extents_[b])) return;
     parents_[b] = a;
     extents_[a] = joined;
     internal_[a] = edge.weight;  // edges come in ascending order
@@ -53,6 +60,11 @@ class Forest {
     const double share =
         static_cast<double>(extents_[cluster].triangles) / static_cast<double>(limits_.triangles);
     return internal_[cluster] + limits_.scale / std::max(share, 1.0 / 64);
+  }
+
+  /// How often it is seen, as its surface says, times what it then costs.
+  double cost(const ObjectExtent& cluster) const {
+    return half_area(cluster.box) * (limits_.drawable_cost + static_cast<double>(cluster.triangles));
   }
 
   const ClusterLimits& limits_;

@@ -13,11 +13,17 @@ namespace triptych {
 
 struct ClusterLimits {
   uint64_t triangles = 16384;  ///< no cluster of several objects has more
-  double diagonal = 1e300;     ///< nor a box with a longer diagonal
   /// k of the criterion, in units of distance: clusters C1 and C2 merge over an edge of weight w only where
   /// w <= min(Int(C1) + k / |C1|, Int(C2) + k / |C2|); |C| counts triangles in shares of `triangles`, at
   /// least 1/64.
   double scale = 1;
+  /// Clusters merge only where that is no dearer to draw than to draw each of them when its box is seen (the
+  /// argument of the surface area heuristic, MacDonald and Booth 1990): what a test and a draw cost beside
+  /// the triangles, in triangles. Infinite: they merge wherever the other limits let them.
+  double drawable_cost = 256;
+  /// The surface of a cluster's box is at most so many times that of the smaller one it merges with: what is
+  /// small stays small, and is hidden where what is large is not.
+  double growth = 4;
   uint32_t neighbours = 12;  ///< edges of each object, to those with the nearest centres
 };
 

@@ -26,11 +26,10 @@ struct HierarchyNode {
   uint32_t first_place = 0, end_place = 0;
 };
 
-/// Nodes breadth first: a parent before its children, the children of one parent side by side. Binary splits
-/// by the surface area heuristic over the boxes' centres (MacDonald and Booth 1990), median splits where that
-/// would be lopsided, joined into nodes of up to four children; so the depth stays within a few levels of
-/// balanced, even for equal boxes; with HierarchyKind::median_split, binary nodes by medians alone. At least
-/// one box must be given; one box gives a root that is a leaf.
+/// Nodes breadth first: a parent before its children, the children of one parent side by side. Ranges are cut
+/// at the median along the longest axis of their boxes' centres, so that the tree is balanced whatever the
+/// boxes are, and two levels of cuts make one of up to four children; with HierarchyKind::median_split each
+/// cut makes a level. At least one box must be given; one box gives a root that is a leaf.
 std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects,
                                            HierarchyKind kind = HierarchyKind::partition_cluster_partition);
 

@@ -83,20 +83,15 @@ std::vector<std::vector<uint32_t>> partition_triangles(const Surface& surface,
 }
 
 std::vector<std::vector<uint32_t>> partition_objects(std::span<const ObjectExtent> objects,
-                                                     std::span<const uint32_t> group, uint64_t triangles,
-                                                     double diagonal) {
+                                                     std::span<const uint32_t> group, uint64_t triangles) {
   std::vector<Item> items;
   for (const uint32_t index : group) {
     items.push_back({(objects[index].box.lo + objects[index].box.hi) * 0.5, index});
   }
   return partition(std::move(items), [&](std::span<const Item> part) {
-    Box box;
     uint64_t count = 0;
-    for (const Item& item : part) {
-      box.extend(objects[item.index].box);
-      count += objects[item.index].triangles;
-    }
-    return count <= triangles && glm::length(box.hi - box.lo) <= diagonal;
+    for (const Item& item : part) count += objects[item.index].triangles;
+    return count <= triangles;
   });
 }
 

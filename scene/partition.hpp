@@ -32,9 +32,8 @@ struct ObjectExtent {
 };
 
 /// Splits the group in the same way by the centres of its members' boxes, until no part holds more triangles
-/// or has a longer diagonal than the limits say (single objects stay whole). Returns indices into `objects`.
+/// (single objects stay whole). Returns indices into `objects`.
 std::vector<std::vector<uint32_t>> partition_objects(std::span<const ObjectExtent> objects,
-                                                     std::span<const uint32_t> group, uint64_t triangles,
-                                                     double diagonal);
+                                                     std::span<const uint32_t> group, uint64_t triangles);
 
 }  // namespace triptych
