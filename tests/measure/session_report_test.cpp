@@ -8,13 +8,6 @@ namespace triptych {
 
 namespace {
 
-Skeleton four_drawables() {
-  Skeleton skeleton;
-  skeleton.drawables.resize(4);
-  for (uint32_t i = 0; i < 4; ++i) skeleton.drawables[i].scene_node = i;
-  return skeleton;
-}
-
 RoleRecord three_frames() {
   RoleRecord record;
   record.frames = {{.number = 0,
@@ -44,7 +37,7 @@ RoleRecord three_frames() {
 }  // namespace
 
 TEST(SessionReport, deltas_save_what_did_not_change) {
-  const nlohmann::json delta = delta_json(four_drawables(), {three_frames()});
+  const nlohmann::json delta = delta_json({three_frames()});
   // 4 ids changed of 6 that were visible.
   EXPECT_NEAR(delta["saved_percent"].get<double>(), 100 * (1 - 4.0 / 6), 1e-9);
   EXPECT_NEAR(delta["added_mean"].get<double>(), 1, 1e-12);
@@ -55,7 +48,7 @@ TEST(SessionReport, bytes_an_id_count_what_every_role_sent) {
   RoleRecord render = three_frames(), cull;
   render.sockets = {{.name = "a", .bytes = 10, .messages = 1, .delta_body_bytes = 8, .delta_ids = 2}};
   cull.sockets = {{.name = "b", .bytes = 10, .messages = 1, .delta_body_bytes = 4, .delta_ids = 2}};
-  EXPECT_DOUBLE_EQ(delta_json(four_drawables(), {render, cull})["body_bytes_per_id"].get<double>(), 3);
+  EXPECT_DOUBLE_EQ(delta_json({render, cull})["body_bytes_per_id"].get<double>(), 3);
 }
 
 TEST(SessionReport, the_formula_is_the_papers) {
