@@ -15,7 +15,7 @@ static_assert(sizeof(MessageHeader) == header_bytes);
 constexpr uint32_t tag_base = 'T' | 'R' << 8 | 'I' << 16;
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
-constexpr uint8_t last_mark = 1, orthographic_mark = 2;  // of a camera
+constexpr uint8_t last_mark = 1, orthographic_mark = 4;  // of a camera
 
 uint32_t checksum_of(const MessageHeader& header, std::span<const std::byte> body) {
   const uint32_t fields[] = {header.tag, header.frame, header.body_bytes};
@@ -113,6 +113,8 @@ CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   message.view.height = static_cast<int>(height);
   message.pixel_error = read_not_negative(in, "the pixel error");
   const auto marks = read_enum(in, static_cast<uint8_t>(last_mark | orthographic_mark), "camera mark");
+  if ((marks & ~(last_mark | orthographic_mark)) != 0)
+    fail(in.place(), "camera mark {} does not exist", marks);
   message.last = (marks & last_mark) != 0;
   if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
   check_camera(camera, in.place());
