@@ -13,6 +13,7 @@ const InGallery views_one_pixel({.name = "views_one_pixel",
                                    trial.model = Maker().clutter(60, {-4, -4, -4}, {4, 4, 4}, 0.3, 8).model();
                                    trial.build.leaf_triangles = 12;
                                    trial.pixel_error = 0.01;
+                                   trial.slivers = true;  // in a picture of one pixel
                                    trial.views = around({0, 0, 0}, 0.5, 12, 170, {1, 1});
                                    return trial;
                                  }});
