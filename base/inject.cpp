@@ -12,9 +12,15 @@ uint32_t& active_faults() {
 }  // namespace
 
 const std::vector<std::string>& fault_names() {
-  static const std::vector<std::string> names = {"withheld-id",       "wrong-delta", "no-digest",
-                                                 "strict-depth-test", "no-dilation", "wrong-ancestor",
-                                                 "stale-camera",      "flipped-byte"};
+  static const std::vector<std::string> names = {
+      "withheld-id",       "wrong-delta",       "no-digest",
+      "strict-depth-test", "no-dilation",       "wrong-ancestor",
+      "stale-camera",      "flipped-byte",      "carried-hidden",
+      "no-near-rule",      "no-fragment-bound", "float-bounds",
+      "float-positions",   "fixed-units",       "euclidean-depth",
+      "dropped-stretch",   "perspective-rule",  "dropped-singular-value",
+      "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
+      "shared-shears"};
   return names;
 }
 

@@ -8,14 +8,28 @@
 namespace triptych {
 
 enum class Fault {
-  withheld_id,        ///< culling withholds one visible drawable of each frame
-  wrong_delta,        ///< a delta is changed after the digest was taken
-  no_digest,          ///< receivers do not compare digests
-  strict_depth_test,  ///< boxes are tested with a strict comparison
-  no_dilation,        ///< boxes are tested without their margin
-  wrong_ancestor,     ///< the visible set is mapped to drawables that are not in the cut
-  stale_camera,       ///< culling uses the previous frame's camera
-  flipped_byte,       ///< one byte of a message is flipped on its way
+  withheld_id,             ///< culling withholds one visible drawable of each frame
+  wrong_delta,             ///< a delta is changed after the digest was taken
+  no_digest,               ///< receivers do not compare digests
+  strict_depth_test,       ///< boxes are tested with a strict comparison
+  no_dilation,             ///< boxes are tested without their margin
+  wrong_ancestor,          ///< the visible set is mapped to drawables that are not in the cut
+  stale_camera,            ///< culling uses the previous frame's camera
+  flipped_byte,            ///< one byte of a message is flipped on its way
+  carried_hidden,          ///< what was hidden one frame ago stays hidden
+  no_near_rule,            ///< boxes cut by the near plane are tested by the corners before it
+  no_fragment_bound,       ///< fragments may be nearer than their drawable's box
+  float_bounds,            ///< boxes are projected from single-precision coordinates
+  float_positions,         ///< geometry is placed by single-precision coordinates
+  fixed_units,             ///< eye space on the card is in model units, whatever they are
+  euclidean_depth,         ///< the pixel error divides by the distance to a box instead of its least depth
+  dropped_stretch,         ///< the pixel error forgets that oblique views stretch
+  perspective_rule,        ///< orthographic views are selected for as if they were perspective
+  dropped_singular_value,  ///< bounds of placed geometry are not scaled with it
+  uncounted_lattice,       ///< rounding to the lattice does not count as an error
+  shrinking_bounds,        ///< an HLOD's error leaves out its children's
+  unflipped_mirror,        ///< mirrored placements keep their winding
+  shared_shears,           ///< meshes are shared under transforms that floats cannot place exactly
 };
 
 /// Turns a fault on for this process. Returns false for a name that is no fault ("withheld-id" names

@@ -60,5 +60,6 @@ void add_session(CLI::App& app, Action& action);
 void add_role(CLI::App& app, Action& action);
 void add_measure(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
+void add_selftest(CLI::App& app, Action& action);
 
 }  // namespace triptych

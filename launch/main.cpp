@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   triptych::add_role(app, action);
   triptych::add_measure(app, action);
   triptych::add_report(app, action);
+  triptych::add_selftest(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

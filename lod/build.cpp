@@ -67,9 +67,8 @@ BuildReport build_pack(Model model, const BuildOptions& options, const std::file
   auto& warnings = skeleton.import.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
   if (plan.left_out > 0) {
-    skeleton.import.warnings.push_back(
-        std::to_string(plan.left_out) +
-        " placements left out: their transforms are singular or beyond all bounds");
+    skeleton.import.warnings.push_back(std::to_string(plan.left_out) +
+                                       " placements left out: their transforms are beyond all bounds");
   }
   stage("weld and partition",
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });

@@ -1,5 +1,7 @@
 #include "lod/cut.hpp"
 
+#include "base/inject.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -38,7 +40,7 @@ void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<
 }
 
 double projected_error(double focal_length, double error, const EyeBounds& bounds) {
-  if (bounds.parallel) return focal_length * error;
+  if (bounds.parallel && !injected(Fault::perspective_rule)) return focal_length * error;
   if (!(bounds.least_depth > error)) return std::numeric_limits<double>::infinity();
   return focal_length * error * bounds.stretch / (bounds.least_depth - error);
 }
@@ -79,11 +81,14 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   bounds.outside = depth + depth_reach < near_ || beyond({1, 0, left_}) || beyond({-1, 0, -right_}) ||
                    beyond({0, 1, bottom_}) || beyond({0, -1, -top_});
   bounds.stretch = corner_stretch_;
+  if (injected(Fault::euclidean_depth) && bounds.least_depth > 0)
+    bounds.least_depth = glm::length(centre) - glm::length(half);
   if (bounds.least_depth > 0) {
     const double x = std::abs(centre.x) + reach({1, 0, 0}), y = std::abs(centre.y) + reach({0, 1, 0});
     const double tangent_squared = (x * x + y * y) / (bounds.least_depth * bounds.least_depth);
     bounds.stretch = std::min(bounds.stretch, std::sqrt(1 + tangent_squared));
   }
+  if (injected(Fault::dropped_stretch)) bounds.stretch = 1;
   return bounds;
 }
 

@@ -1,5 +1,6 @@
 #include "lod/hlod.hpp"
 
+#include "base/inject.hpp"
 #include "lod/part.hpp"
 #include "lod/simplify.hpp"
 
@@ -59,7 +60,7 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
   for (const glm::ivec3& point : surface.points) {
     points.push_back(lattice_.nearest(transform * glm::dvec4(from.position(point), 1)));
   }
-  const bool mirrors = glm::determinant(glm::dmat3(transform)) < 0;
+  const bool mirrors = glm::determinant(glm::dmat3(transform)) < 0 && !injected(Fault::unflipped_mirror);
   for (Triangle triangle : surface.triangles) {
     if (mirrors) std::swap(triangle.vertices[1], triangle.vertices[2]);
     std::array<glm::ivec3, 3> corners;

@@ -1,5 +1,6 @@
 #include "lod/node_drawables.hpp"
 
+#include "base/inject.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "lod/hlod.hpp"
@@ -126,7 +127,7 @@ class NodeDrawables {
     double error = 0;
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
-      error = std::max(error, coarsest_[child].error);
+      if (!injected(Fault::shrinking_bounds)) error = std::max(error, coarsest_[child].error);
       if (nodes_[child].child_count == 0) {
         bake_leaf(child, baker);
       } else {

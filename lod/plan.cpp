@@ -1,6 +1,7 @@
 #include "lod/plan.hpp"
 
 #include "base/error.hpp"
+#include "base/inject.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "scene/read_mesh.hpp"
@@ -18,14 +19,31 @@ constexpr int model_bits = 26, mesh_bits = 21;
 /// Beyond it squares of lengths would not be finite.
 constexpr double largest_coordinate = 1e100;
 
-bool usable(const Affine& transform) {
+bool finite(const Affine& transform) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
       if (!(std::abs(transform[column][row]) < largest_coordinate)) return false;
     }
   }
-  const double stretch = largest_stretch(transform);
-  return std::abs(glm::determinant(glm::dmat3(transform))) > 1e-12 * stretch * stretch * stretch;
+  return true;
+}
+
+/// Whether floats can place a mesh under it to within a small multiple of their own precision: the product of
+/// the matrix's absolute values and its inverse's is bounded (Skeel, Scaling for numerical stability, 1979).
+/// Turned and stretched meshes are near 1; shears and what flattens a mesh are far above.
+bool well_conditioned(const Affine& transform) {
+  constexpr double largest_condition = 8;
+  const glm::dmat3 matrix(transform), inverse = glm::inverse(matrix);
+  double sum = 0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      double entry = 0;
+      for (int k = 0; k < 3; ++k) entry += std::abs(matrix[k][row]) * std::abs(inverse[column][k]);
+      sum += entry * entry;
+    }
+  }
+  // Written so that NaN is not well-conditioned. The identity's is √3.
+  return injected(Fault::shared_shears) || sum <= largest_condition * largest_condition;
 }
 
 bool finite(const Box& box) {
@@ -64,14 +82,14 @@ void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
 }
 
 /// Placements of meshes that hold triangles, under transforms that can be drawn; how often each mesh is
-/// placed.
+/// placed so that it can be shared.
 std::vector<uint32_t> usable_instances(const Model& model, BuildPlan& plan, std::vector<uint32_t>& uses) {
   std::vector<uint32_t> placed;
   for (uint32_t i = 0; i < model.instances.size(); ++i) {
     const Instance& instance = model.instances[i];
     if (model.meshes[instance.mesh].triangle_count() == 0) continue;
-    if (usable(instance.transform)) {
-      ++uses[instance.mesh];
+    if (finite(instance.transform)) {
+      if (well_conditioned(instance.transform)) ++uses[instance.mesh];
       placed.push_back(i);
     } else {
       ++plan.left_out;
@@ -116,10 +134,11 @@ BuildPlan make_plan(const Model& model, bool share_instances) {
   for (const uint32_t index : placed) {
     const Instance& instance = model.instances[index];
     PlannedInstance planned;
-    if (share_instances && uses[instance.mesh] > 1) {
+    if (share_instances && uses[instance.mesh] > 1 && well_conditioned(instance.transform)) {
       planned.transform = static_cast<uint32_t>(plan.transforms.size());
       plan.transforms.push_back(instance.transform);
-      plan.stretches.push_back(largest_stretch(instance.transform));
+      plan.stretches.push_back(injected(Fault::dropped_singular_value) ? 1
+                                                                       : largest_stretch(instance.transform));
       if (shared[instance.mesh] == none) {
         shared[instance.mesh] = static_cast<uint32_t>(plan.meshes.size());
         plan.meshes.push_back({instance.mesh, none, Affine(1), {}, 0, {}, 0});

@@ -42,7 +42,7 @@ struct BuildPlan {
   Box box;                            ///< of the model
   uint64_t dropped_triangles = 0;     ///< of meshes that have no other ones
   std::vector<std::string> warnings;  ///< what streams found when they were read
-  uint64_t left_out = 0;              ///< placements with a transform that is singular or beyond all bounds
+  uint64_t left_out = 0;              ///< placements with a transform that is beyond all bounds
 };
 
 /// Reads every mesh that is placed once, for its box. Error for a model of which nothing can be placed.

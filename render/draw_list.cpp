@@ -1,5 +1,7 @@
 #include "render/draw_list.hpp"
 
+#include "base/inject.hpp"
+
 #include <cmath>
 #include <glm/matrix.hpp>
 
@@ -28,7 +30,11 @@ const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform,
     cell[axis] =
         std::isfinite(cell[axis]) ? glm::clamp<double>(cell[axis], -Lattice::limit, Lattice::limit) : 0;
   }
-  const glm::dvec3 residual = linear * (lattice.origin + lattice.step * cell) + (affine[3] - clip_.reference);
+  glm::dvec3 residual = linear * (lattice.origin + lattice.step * cell) + (affine[3] - clip_.reference);
+  if (injected(Fault::float_positions)) {
+    residual = glm::vec3(linear * lattice.origin + affine[3]) - glm::vec3(clip_.reference);
+    residual += linear * (lattice.step * cell);
+  }
   const glm::dmat3 to_eye = rotation_ * linear * (lattice.step / clip_.unit);
   const glm::dvec3 shift = rotation_ * (residual / clip_.unit);
   for (int row = 0; row < 3; ++row) {
@@ -40,10 +46,12 @@ const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform,
 
 void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableId> drawables,
                              DrawList& list) {
+  const bool unbounded = injected(Fault::no_fragment_bound);
   for (const DrawableId id : drawables) {
     const Drawable& drawable = skeleton_.drawables[id];
     const ScreenBounds bounds = projector_.bounds(skeleton_.scene_nodes[drawable.scene_node].box);
-    const float nearest = bounds.kind == ScreenBounds::Kind::rectangle ? bounds.rectangle.depth : 1.0f;
+    const float nearest =
+        bounds.kind == ScreenBounds::Kind::rectangle && !unbounded ? bounds.rectangle.depth : 1.0f;
     for (uint32_t i = 0; i < drawable.placement_count; ++i) {
       const Placement& placement = skeleton_.placements[drawable.first_placement + i];
       const DeviceScene::Range& range = scene.range(placement.chunk);

@@ -75,6 +75,7 @@ class HardwareCull {
       withheld_ = true;
       return;
     }
+    if (injected(Fault::carried_hidden) && !previous_.empty() && !was_visible_[id]) return;
     result_.visible.push_back(id);
     shown_[id] = true;
     if (!was_visible_[id]) packet_.delta.added.push_back(id);

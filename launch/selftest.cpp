@@ -1,0 +1,49 @@
+// Whether this machine's own OpenGL keeps the promises that culling rests on.
+#include "launch/command.hpp"
+#include "measure/json.hpp"
+#include "render/raster_certificate.hpp"
+
+#include <fmt/core.h>
+
+namespace triptych {
+
+namespace {
+
+int run(ContextKind kind, const std::filesystem::path& json) {
+  const auto context = make_context(kind);
+  const RasterCertificate certificate = measure_raster();
+  const GlNames& names = context->names();
+  fmt::print("{}, {}, OpenGL {}\n{} bits of a pixel by its own account\n\n", names.vendor, names.renderer,
+             names.version, certificate.claimed_subpixel_bits);
+  nlohmann::json findings = nlohmann::json::array();
+  for (const RasterFinding& finding : certificate.findings) {
+    fmt::print("{:<56} {:>10} {:<10} margin {:<9.3g} {}\n", finding.name, finding.measured, finding.unit,
+               finding.margin, finding.holds() ? "holds" : "FAILS");
+    findings.push_back({{"name", finding.name},
+                        {"value", finding.value},
+                        {"margin", finding.margin},
+                        {"unit", finding.unit},
+                        {"holds", finding.holds()}});
+  }
+  const std::string& verdict = verdict_name(certificate.verdict());
+  fmt::print("\n{}\n", verdict);
+  write_json(json,
+             {{"verdict", verdict},
+              {"subpixel_bits", certificate.claimed_subpixel_bits},
+              {"findings", findings},
+              {"gl", {{"vendor", names.vendor}, {"renderer", names.renderer}, {"version", names.version}}}});
+  return 0;
+}
+
+}  // namespace
+
+void add_selftest(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* sub = app.add_subcommand("selftest", "Whether this machine's OpenGL draws as culling needs it");
+  sub->footer("Example: triptych selftest --context osmesa");
+  add_common_flags(*sub, options->json);
+  add_context_flags(*sub, *options);
+  sub->callback([=, &action] { action = [=] { return run(options->context, options->json); }; });
+}
+
+}  // namespace triptych

@@ -1,0 +1,49 @@
+// A hard case: a small scene with cameras on which something breaks easily, and the faults that it catches.
+#pragma once
+
+#include "lod/build.hpp"
+#include "scene/camera.hpp"
+#include "scene/model.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace triptych::hard_cases {
+
+/// What a case is tried on. All views have one size.
+struct Trial {
+  Model model;
+  std::vector<View> views;
+  double pixel_error = 1;
+  BuildOptions build{.part_triangles = 64, .leaf_triangles = 64, .hlod_triangles = 48};
+  bool may_be_empty = false;  ///< no frame has to show anything
+  bool stands_still = false;  ///< all views are the same: nothing may change after the first frames
+  bool oriented = false;      ///< closed meshes, their outsides out: levels of detail must not turn them over
+  bool slivers = false;       ///< has triangles whose depth leaves their box, and with it the picture
+  size_t left_out = 0;        ///< placements that the build has to count as left out
+  /// Another model and other views that must give the same pictures, pixel for pixel.
+  std::shared_ptr<Trial> twin = nullptr;
+  /// Path files that must be refused with one line that names their frame 0; then there are no views.
+  std::vector<std::string> refused_paths = {};
+};
+
+struct HardCase {
+  std::string name;    ///< of its file
+  std::string group;   ///< far, depth, boxes, views, occlusion, geometry, numbers
+  std::string breaks;  ///< one sentence: what breaks there
+  /// Names for --inject; joined by + where it takes several at once. The case must fail under each.
+  std::vector<std::string> faults;
+  std::function<Trial()> make;
+};
+
+/// Every case, by name. Cases enter it when the program starts.
+const std::vector<HardCase>& gallery();
+
+/// Defined at file scope, enters the case into the gallery.
+struct InGallery {
+  explicit InGallery(HardCase hard_case);
+};
+
+}  // namespace triptych::hard_cases

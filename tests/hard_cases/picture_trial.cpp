@@ -1,0 +1,138 @@
+// Pictures of every frame, in one process: what was culled against what was not.
+#include "base/inject.hpp"
+#include "nodes/fallback.hpp"
+#include "tests/hard_cases/trials.hpp"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+namespace triptych::hard_cases {
+
+namespace {
+
+FallbackOptions options(const Trial& trial, CullMode cull, TestKind test = TestKind::storage) {
+  return {.width = trial.views[0].width,
+          .height = trial.views[0].height,
+          .cull = cull,
+          .test = test,
+          .batches = {}};
+}
+
+size_t differing(const std::vector<uint8_t>& one, const std::vector<uint8_t>& other) {
+  size_t count = 0;
+  for (size_t i = 0; i < one.size(); i += 4) count += !std::equal(&one[i], &one[i] + 4, &other[i]);
+  return count;
+}
+
+VisibleSet owners(std::vector<uint32_t> items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  VisibleSet ids;
+  for (const uint32_t item : items) {
+    if (item > 0) ids.push_back(item - 1);
+  }
+  return ids;
+}
+
+/// Puts one fault in for a while, beside those that are in already.
+class WithFault {
+ public:
+  explicit WithFault(const std::string& fault) : before_(injected_names()) { inject(fault); }
+  ~WithFault() {
+    clear_injected();
+    for (const std::string& fault : before_) inject(fault);
+  }
+  WithFault(const WithFault&) = delete;
+  WithFault& operator=(const WithFault&) = delete;
+
+ private:
+  std::vector<std::string> before_;
+};
+
+class PictureTrial {
+ public:
+  PictureTrial(const Trial& trial, TestKind test)
+      : trial_(trial),
+        built_(trial),
+        culled_(built_.pack(), options(trial, CullMode::occlusion, test)),
+        whole_(built_.pack(), options(trial, CullMode::frustum)),
+        everything_(built_.pack(), options(trial, CullMode::none)),
+        items_(built_.pack(), with_items(options(trial, CullMode::frustum))) {
+    if (!trial.twin) return;
+    built_twin_.emplace(*trial.twin);
+    twin_.emplace(built_twin_->pack(), options(*trial.twin, CullMode::occlusion, test));
+  }
+
+  Problems run() {
+    for (size_t i = 0; i < trial_.views.size() && problems_.size() < 5; ++i) {
+      frame_ = i;
+      const FrameRequest request{static_cast<uint32_t>(i), trial_.views[i], trial_.pixel_error};
+      const FrameRecord record = culled_.draw(request);
+      const std::vector<uint8_t> picture = culled_.target().read_colors();
+      if (trial_.stands_still && i > 2) {
+        expect_rest(record, picture);
+        continue;
+      }
+      compare(picture, whole_, request, "the un-culled picture");
+      compare(picture, everything_, request, "the picture of the whole model");
+      if (!trial_.slivers) {
+        const WithFault unbounded("no-fragment-bound");
+        compare(picture, whole_, request, "the picture without a bound of fragments");
+      }
+      items_.draw(request);
+      const VisibleSet truth = owners(items_.target().read_items());
+      shown_ += truth.size();
+      const VisibleSet missing = difference(record.visible, truth).added;
+      if (!missing.empty())
+        say(fmt::format("{} drawables show and are not in the visible set", missing.size()));
+      if (twin_) {
+        twin_->draw({static_cast<uint32_t>(i), trial_.twin->views[i], trial_.twin->pixel_error});
+        const size_t pixels = differing(picture, twin_->target().read_colors());
+        if (pixels > 0) say(fmt::format("{} pixels differ from the twin's", pixels));
+      }
+      last_ = record.visible;
+      last_picture_ = picture;
+    }
+    if (shown_ == 0 && !trial_.may_be_empty) problems_.push_back("nothing shows in any frame");
+    return std::move(problems_);
+  }
+
+ private:
+  static FallbackOptions with_items(FallbackOptions options) {
+    options.item_buffer = true;
+    return options;
+  }
+
+  void say(const std::string& what) { problems_.push_back(fmt::format("frame {}: {}", frame_, what)); }
+
+  void compare(const std::vector<uint8_t>& picture, Fallback& other, const FrameRequest& request,
+               const std::string& name) {
+    other.draw(request);
+    const size_t pixels = differing(picture, other.target().read_colors());
+    if (pixels > 0) say(fmt::format("{} pixels differ from {}", pixels, name));
+  }
+
+  /// Frame 2 is the first whose predecessor was coherent.
+  void expect_rest(const FrameRecord& record, const std::vector<uint8_t>& picture) {
+    if (record.visible != last_ || record.added + record.removed > 0) say("the visible set does not rest");
+    if (picture != last_picture_) say("the picture flickers");
+  }
+
+  const Trial& trial_;
+  BuiltTrial built_;
+  std::optional<BuiltTrial> built_twin_;
+  Fallback culled_, whole_, everything_, items_;
+  std::optional<Fallback> twin_;
+  size_t frame_ = 0, shown_ = 0;
+  VisibleSet last_;
+  std::vector<uint8_t> last_picture_;
+  Problems problems_;
+};
+
+}  // namespace
+
+Problems picture_problems(const Trial& trial, TestKind test) {
+  return trial.views.empty() ? Problems() : PictureTrial(trial, test).run();
+}
+
+}  // namespace triptych::hard_cases
