@@ -35,6 +35,8 @@ struct RunOptions {
 
 /// --json, --inject and --threads, which every subcommand takes.
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
+/// --context.
+void add_context_flag(CLI::App& command, ContextKind& context);
 /// --context and --test.
 void add_context_flags(CLI::App& command, RunOptions& options);
 /// The pack and add_context_flags: what every process that draws needs.
@@ -52,7 +54,10 @@ void add_build(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_session(CLI::App& app, Action& action);
+void add_replay(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
 void add_role(CLI::App& app, Action& action);
 void add_measure(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);

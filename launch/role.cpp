@@ -1,3 +1,4 @@
+#include "base/file.hpp"
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
 #include "launch/command.hpp"
@@ -18,6 +19,7 @@ struct RoleCommand {
   Role self = Role::render;
   RunOptions run;
   std::string listen, render_address, switch_0_address;
+  std::filesystem::path record;  ///< folder for the recording; none where empty
   int listen_descriptor = -1;
   uint64_t session = 0;
   double connect_timeout_s = 20;
@@ -27,6 +29,17 @@ struct RoleCommand {
   double rate = 0;
   bool hash = false;
 };
+
+Hello hello_of(const RoleCommand& command, const Pack& pack, const GlNames& gl) {
+  Hello own;
+  own.role = command.self;
+  own.session = command.session;
+  own.pack_hash = pack.content_hash();
+  own.gl_vendor = gl.vendor;
+  own.gl_renderer = gl.renderer;
+  own.gl_version = gl.version;
+  return own;
+}
 
 std::unique_ptr<Mailbox> connect(const RoleCommand& command, const Pack& pack, const GlNames& gl) {
   std::optional<Listener> listener;
@@ -38,15 +51,22 @@ std::unique_ptr<Mailbox> connect(const RoleCommand& command, const Pack& pack, c
   std::map<Role, Address> dial;
   if (command.self != Role::render) dial[Role::render] = parse_address(command.render_address);
   if (command.self == Role::switch_1) dial[Role::switch_0] = parse_address(command.switch_0_address);
-  Hello own;
-  own.role = command.self;
-  own.session = command.session;
-  own.pack_hash = pack.content_hash();
-  own.gl_vendor = gl.vendor;
-  own.gl_renderer = gl.renderer;
-  own.gl_version = gl.version;
   const std::chrono::milliseconds timeout(static_cast<int64_t>(command.connect_timeout_s * 1000));
-  return connect_session(own, listener ? &*listener : nullptr, dial, timeout);
+  return connect_session(hello_of(command, pack, gl), listener ? &*listener : nullptr, dial, timeout);
+}
+
+/// Records what passes the mailbox from now on; nothing where nobody wants it.
+std::unique_ptr<RecordingWriter> record(const RoleCommand& command, const Pack& pack, const GlNames& gl,
+                                        Mailbox& mailbox) {
+  if (command.record.empty()) return nullptr;
+  make_folder(command.record);
+  const size_t earlier = recordings_of(command.self, command.record).size();
+  auto writer = std::make_unique<RecordingWriter>(
+      command.record / recording_name(command.self, earlier + 1),
+      RecordingHeader{.own = hello_of(command, pack, gl),
+                      .pack = std::filesystem::absolute(command.run.pack).string()});
+  mailbox.observe = [recording = writer.get()](const RecordedMessage& message) { recording->add(message); };
+  return writer;
 }
 
 int run_switch(const RoleCommand& command) {
@@ -54,6 +74,7 @@ int run_switch(const RoleCommand& command) {
   const Pack pack(command.run.pack);
   const auto context = make_context(command.run.context);
   const auto mailbox = connect(command, pack, context->names());
+  const auto recording = record(command, pack, context->names(), *mailbox);
   run_switch_node(pack, *mailbox, command.self, {.test = command.run.test, .batches = {}});
   write_json(command.run.json, to_json(RoleRecord{sockets_of(command.self, *mailbox), {}, context->names()}));
   return 0;
@@ -73,6 +94,7 @@ int run_render(const RoleCommand& command) {
   if (!command.output.empty()) make_folder(command.output);
   const auto context = make_context(command.run.context);
   const auto mailbox = connect(command, pack, context->names());
+  const auto recording = record(command, pack, context->names(), *mailbox);
   PictureWriter writer;
   std::vector<FrameRecord> records;
   {
@@ -101,6 +123,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
   role.add_option("--listen-descriptor", command.listen_descriptor,
                   "A listening socket that this process inherited")
       ->excludes(listen);
+  role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
   role.add_option("--session", command.session, "A number that the roles of one session share");
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
       ->check(CLI::PositiveNumber)

@@ -6,6 +6,7 @@
 #include "launch/temporary_folder.hpp"
 #include "nodes/inbox.hpp"
 #include "protocol/listener.hpp"
+#include "protocol/recording.hpp"
 
 #include <fmt/core.h>
 #include <random>
@@ -22,6 +23,7 @@ std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_
                                         options.run.context == ContextKind::egl ? "egl" : "osmesa",
                                         "--test",
                                         options.run.test == TestKind::storage ? "storage" : "queries"};
+  if (!options.record.empty()) arguments.insert(arguments.end(), {"--record", options.record.string()});
   for (const std::string& name : injected_names()) arguments.insert(arguments.end(), {"--inject", name});
   return arguments;
 }
@@ -45,6 +47,8 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
       ->check(CLI::PositiveNumber);
+  command.add_option("--record", options.record, "Folder to keep every message in; replay shows them again")
+      ->type_name("DIR");
   command
       .add_option("--port", options.port,
                   "The render node's port; switch node 0 takes the next one (default: free ones)")
@@ -58,6 +62,10 @@ SessionOutcome run_session(const SessionOptions& options) {
     const Pack pack(options.run.pack);
     load_frames(options.run, pack.skeleton());
     if (!options.output.empty()) make_folder(options.output);
+    for (const Role role : all_roles) {
+      if (options.record.empty() || recordings_of(role, options.record).empty()) continue;
+      fail(options.record.string(), "holds the recording of a session already");
+    }
   }
   Listener render_listener(Address{"127.0.0.1", options.port});
   Listener switch_listener(Address{"127.0.0.1", static_cast<uint16_t>(options.port ? options.port + 1 : 0)});

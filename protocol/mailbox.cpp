@@ -1,5 +1,6 @@
 #include "protocol/mailbox.hpp"
 
+#include "base/clock.hpp"
 #include "base/inject.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void Mailbox::read_next(Key key) {
     const auto* arrived = std::get_if<Link::Arrived>(&outcome);
     const bool more = arrived != nullptr && !std::holds_alternative<Bye>(arrived->message);
     if (arrived != nullptr) queued_bytes_ += arrived->body_bytes;
-    queue_.push_back({key.first, key.second, std::move(outcome)});
+    queue_.push_back({key.first, key.second, std::move(outcome), steady_milliseconds()});
     if (!more) return;
     if (queued_bytes_ < queue_limit) {
       read_next(key);
@@ -83,12 +84,13 @@ void Mailbox::send(Role peer, Channel channel, const Message& message) {
     flip_a_byte_of_the_body(bytes);
   }
   const auto link = found->second;
+  if (observe) observe({steady_milliseconds(), true, peer, channel, message});
   const std::string reason = link->write(message, bytes, send_timeout_);
   if (reason.empty()) return;
   // What the peer sent before it went, perhaps its Bye, may still be on its way from the kernel.
   context_.poll();
   if (waiting_from(peer)) {
-    queue_.push_back({peer, channel, Link::Broken{reason, false}});
+    queue_.push_back({peer, channel, Link::Broken{reason, false}, steady_milliseconds()});
     return;
   }
   drop(peer);
@@ -131,6 +133,7 @@ std::optional<Received> Mailbox::take_first() {
   if (queued_bytes_ < queue_limit) {
     for (const Key& key : std::exchange(paused_, {})) read_next(key);
   }
+  if (observe) observe({entry.came_ms, false, entry.peer, entry.channel, arrived->message});
   return Received{entry.peer, entry.channel, std::move(arrived->message)};
 }
 

@@ -3,11 +3,13 @@
 
 #include "base/error.hpp"
 #include "protocol/link.hpp"
+#include "protocol/recording.hpp"
 
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -57,6 +59,9 @@ class Mailbox {
   /// go on.
   std::optional<Received> receive(std::chrono::milliseconds timeout);
 
+  /// Called with every message that is sent or handed out from now on: for recordings.
+  std::function<void(const RecordedMessage&)> observe;
+
   /// For the handshake: closes the links of a peer that was lost before anything was received from it, so
   /// that it can come again.
   bool forget_if_broken(Role peer);
@@ -80,6 +85,7 @@ class Mailbox {
     Role peer;
     Channel channel;
     Link::Outcome outcome;
+    double came_ms = 0;  ///< steady clock
   };
   using Key = std::pair<Role, Channel>;
 

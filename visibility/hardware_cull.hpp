@@ -22,6 +22,8 @@ struct CullOptions {
   size_t batch = 512, incoherent_batch = 8;
   /// A packet is sent once it decides so many drawables that change, or that stay.
   size_t packet_changes = 100, packet_kept = 200;
+  /// Told of each box that was tested, by its scene node, and whether it shows: for explanations.
+  std::function<void(SceneNodeId, bool)> on_test = {};
 };
 
 struct CullResult {
