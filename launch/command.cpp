@@ -62,6 +62,13 @@ void add_context_flag(CLI::App& command, ContextKind& context) {
       ->default_str("egl");
 }
 
+void add_timeline_flag(CLI::App& command, std::filesystem::path& file) {
+  command
+      .add_option("--timeline", file,
+                  "Write when each stage of each frame ran, as a Chrome trace (ui.perfetto.dev opens it)")
+      ->type_name("FILE");
+}
+
 void add_context_flags(CLI::App& command, RunOptions& options) {
   add_context_flag(command, options.context);
   command

@@ -37,6 +37,8 @@ struct RunOptions {
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
 /// --context.
 void add_context_flag(CLI::App& command, ContextKind& context);
+/// --timeline.
+void add_timeline_flag(CLI::App& command, std::filesystem::path& file);
 /// --context and --test.
 void add_context_flags(CLI::App& command, RunOptions& options);
 /// The pack and add_context_flags: what every process that draws needs.

@@ -20,8 +20,7 @@ struct ExplainCommand {
 };
 
 std::string pixels_text(double pixels) {
-  return std::isfinite(pixels) ? fmt::format("{:.3g} px", pixels)
-                               : "any number of pixels, so near is the eye";
+  return std::isfinite(pixels) ? fmt::format("{:.3g} px", pixels) : "unbounded px, as the eye is so near";
 }
 
 std::string name_of(const DrawableFacts& facts) {
@@ -82,10 +81,10 @@ std::string fate_text(const DrawableExplanation& explanation, double pixel_error
           "  not in the cut: a coarser one keeps the pixel error of {:g} and stands for it\n{}", pixel_error,
           by_text(explanation, "pixels"));
     case Fate::finer:
-      return fmt::format(
-          "  not in the cut: it may be off by {}, the pixel error is {:g}; {} for it\n{}",
-          pixels_text(facts.pixels), pixel_error,
-          explanation.by.size() == 1 ? "a finer one stands" : "finer ones stand", by_text(explanation, "pixels"));
+      return fmt::format("  not in the cut: it may be off by {}, the pixel error is {:g}; {} for it\n{}",
+                         pixels_text(facts.pixels), pixel_error,
+                         explanation.by.size() == 1 ? "a finer one stands" : "finer ones stand",
+                         by_text(explanation, "pixels"));
     case Fate::outside_frustum:
       return fmt::format("  not in the cut: {} lies outside the frustum\n", at);
     case Fate::between_pixels:

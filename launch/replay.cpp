@@ -67,8 +67,9 @@ std::string play(const ReplayCommand& command, const Pack& pack, RecordingReader
   try {
     while (const auto recorded = reader.next()) {
       if (replayer.done()) continue;  // the rest is read all the same: a damaged recording is not trusted
-      const auto frame = replay.take(recorded->message);
-      if (frame && replayer.wants(frame->request.number)) replayer.draw(*frame);
+      for (const ReplayedFrame& frame : replay.take(recorded->message)) {
+        if (replayer.wants(frame.request.number)) replayer.draw(frame);
+      }
     }
   } catch (const RecordingCut& cut) {
     if (!command.partial) throw;

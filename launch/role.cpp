@@ -1,6 +1,7 @@
 #include "base/file.hpp"
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
+#include "base/timeline.hpp"
 #include "launch/command.hpp"
 #include "launch/picture_writer.hpp"
 #include "launch/pictures.hpp"
@@ -19,6 +20,7 @@ struct RoleCommand {
   Role self = Role::render;
   RunOptions run;
   std::string listen, render_address, switch_0_address;
+  bool timeline = false;
   std::filesystem::path record;  ///< folder for the recording; none where empty
   int listen_descriptor = -1;
   uint64_t session = 0;
@@ -70,17 +72,23 @@ std::unique_ptr<RecordingWriter> record(const RoleCommand& command, const Pack& 
 }
 
 int run_switch(const RoleCommand& command) {
+  if (command.timeline) start_timeline();
   stop_requested();  // from here on a signal ends the role in good order
   const Pack pack(command.run.pack);
   const auto context = make_context(command.run.context);
   const auto mailbox = connect(command, pack, context->names());
   const auto recording = record(command, pack, context->names(), *mailbox);
   run_switch_node(pack, *mailbox, command.self, {.test = command.run.test, .batches = {}});
-  write_json(command.run.json, to_json(RoleRecord{sockets_of(command.self, *mailbox), {}, context->names()}));
+  write_json(command.run.json, to_json(RoleRecord{.sockets = sockets_of(command.self, *mailbox),
+                                                  .frames = {},
+                                                  .gl = context->names(),
+                                                  .timeline = own_timeline(role_name(command.self)),
+                                                  .clocks = {}}));
   return 0;
 }
 
 int run_render(const RoleCommand& command) {
+  if (command.timeline) start_timeline();
   stop_requested();
   const Pack pack(command.run.pack);
   const std::vector<FrameRequest> once = load_frames(command.run, pack.skeleton());
@@ -97,9 +105,10 @@ int run_render(const RoleCommand& command) {
   const auto recording = record(command, pack, context->names(), *mailbox);
   PictureWriter writer;
   std::vector<FrameRecord> records;
+  std::vector<PeerClock> clocks;
   {
     Progress progress("session", frames.size());
-    RenderNodeOptions options{.rate = command.rate, .on_picture = {}};
+    RenderNodeOptions options{.rate = command.rate, .on_picture = {}, .on_clocks = {}};
     options.on_picture = [&](FrameRecord& record, const Target& target) {
       progress.advance();
       if (!command.hash && command.output.empty()) return;
@@ -109,11 +118,15 @@ int run_render(const RoleCommand& command) {
       writer.add(command.output / picture_name(record.number), target.width(), target.height(),
                  std::move(colors));
     };
+    options.on_clocks = [&](const std::vector<PeerClock>& found) { clocks = found; };
     records = run_render_node(pack, *mailbox, frames, options);
   }
   writer.finish();
-  write_json(command.run.json,
-             to_json(RoleRecord{sockets_of(Role::render, *mailbox), records, context->names()}));
+  write_json(command.run.json, to_json(RoleRecord{.sockets = sockets_of(Role::render, *mailbox),
+                                                  .frames = records,
+                                                  .gl = context->names(),
+                                                  .timeline = own_timeline(role_name(Role::render)),
+                                                  .clocks = clocks}));
   return 0;
 }
 
@@ -123,6 +136,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
   role.add_option("--listen-descriptor", command.listen_descriptor,
                   "A listening socket that this process inherited")
       ->excludes(listen);
+  role.add_flag("--timeline", command.timeline, "Take down in the JSON when each stage ran");
   role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
   role.add_option("--session", command.session, "A number that the roles of one session share");
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")

@@ -4,6 +4,8 @@
 #include "base/inject.hpp"
 #include "launch/child_processes.hpp"
 #include "launch/temporary_folder.hpp"
+#include "measure/json.hpp"
+#include "measure/timeline_trace.hpp"
 #include "nodes/inbox.hpp"
 #include "protocol/listener.hpp"
 #include "protocol/recording.hpp"
@@ -23,6 +25,7 @@ std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_
                                         options.run.context == ContextKind::egl ? "egl" : "osmesa",
                                         "--test",
                                         options.run.test == TestKind::storage ? "storage" : "queries"};
+  if (!options.timeline.empty()) arguments.push_back("--timeline");
   if (!options.record.empty()) arguments.insert(arguments.end(), {"--record", options.record.string()});
   for (const std::string& name : injected_names()) arguments.insert(arguments.end(), {"--inject", name});
   return arguments;
@@ -47,6 +50,7 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
       ->check(CLI::PositiveNumber);
+  add_timeline_flag(command, options.timeline);
   command.add_option("--record", options.record, "Folder to keep every message in; replay shows them again")
       ->type_name("DIR");
   command
@@ -116,6 +120,11 @@ SessionOutcome run_session(const SessionOptions& options) {
   outcome.stopped = !children.wait(stop_requested);
   if (outcome.stopped) return outcome;
   for (const std::filesystem::path& file : files) outcome.records.push_back(read_record(file));
+  if (!options.timeline.empty()) {
+    std::vector<ProcessTimeline> timelines;
+    for (const RoleRecord& record : outcome.records) timelines.push_back(record.timeline);
+    write_json(options.timeline, chrome_trace(timelines, outcome.records.front().clocks));
+  }
   return outcome;
 }
 

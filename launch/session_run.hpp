@@ -10,8 +10,9 @@ namespace triptych {
 
 struct SessionOptions {
   RunOptions run;
-  std::filesystem::path output;  ///< folder for pictures; none where empty
-  std::filesystem::path record;  ///< folder for the roles' recordings; none where empty
+  std::filesystem::path output;    ///< folder for pictures; none where empty
+  std::filesystem::path timeline;  ///< file for the trace of all stages; none where empty
+  std::filesystem::path record;    ///< folder for the roles' recordings; none where empty
   size_t loop = 1;
   double rate = 0;
   uint16_t port = 0;  ///< the render node's; switch node 0 takes the next one. 0: any free ones
@@ -24,7 +25,7 @@ struct SessionOutcome {
   bool stopped = false;                              ///< by a signal, in good order
 };
 
-/// --loop, --rate, --port, --record and the run flags.
+/// --loop, --rate, --port, --record, --timeline and the run flags.
 void add_session_flags(CLI::App& command, SessionOptions& options);
 
 /// Error that names the role which failed first and why; no process is left then.

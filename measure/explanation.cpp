@@ -116,23 +116,24 @@ void Explainer::explain_cut(DrawableExplanation& explanation) {
 void Explainer::name_descendants(SceneNodeId node, DrawableExplanation& explanation) {
   const std::vector<DrawableId>& choice = fallback_.occlusion().cut().choice;
   std::vector<SceneNodeId> open = {node};
-  std::vector<std::pair<bool, DrawableId>> found;  // culled, id
+  std::map<uint32_t, uint64_t> owned;
+  for (const uint32_t item : items()) ++owned[item];
+  std::vector<std::pair<uint64_t, DrawableId>> found;  // pixels, id
   while (!open.empty()) {
     const SceneNode& inner = skeleton_.scene_nodes[open.back()];
     open.pop_back();
     for (SceneNodeId child = inner.first_child; child < inner.first_child + inner.child_count; ++child) {
       if (choice[child] == Cut::inner) open.push_back(child);
       if (choice[child] >= Cut::inner) continue;
-      const bool visible = std::binary_search(record_.visible.begin(), record_.visible.end(), choice[child]);
-      found.emplace_back(!visible, choice[child]);
+      found.emplace_back(owned[choice[child] + 1], choice[child]);
     }
   }
-  std::sort(found.begin(), found.end());
-  std::map<uint32_t, uint64_t> owned;
-  for (const uint32_t item : items()) ++owned[item];
-  for (const auto& [culled, id] : found) {
+  std::sort(found.begin(), found.end(), [](const auto& one, const auto& other) {
+    return one.first != other.first ? one.first > other.first : one.second < other.second;
+  });
+  for (const auto& [pixels, id] : found) {
     explanation.by.push_back(facts_of(id));
-    explanation.by_pixels.push_back(owned[id + 1]);
+    explanation.by_pixels.push_back(pixels);
   }
 }
 

@@ -42,8 +42,8 @@ struct DrawableExplanation {
   /// outside_frustum, between_pixels, hidden: the scene node, its own or one above, at which that was
   /// decided.
   SceneNodeId decided_at = no_id;
-  /// coarser, finer: the cut's drawables that stand for it, those in V(i) first. hidden: what owns pixels in
-  /// the rectangle of `decided_at`, by how many, most first.
+  /// coarser, finer: the cut's drawables that stand for it. hidden: what owns pixels in the rectangle of
+  /// `decided_at`. Those with most pixels first.
   std::vector<DrawableFacts> by;
   std::vector<uint64_t> by_pixels;  ///< of each of `by`, pixels owned (hidden: within the rectangle)
 };

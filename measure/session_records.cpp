@@ -1,6 +1,7 @@
 #include "measure/session_records.hpp"
 
 #include "base/error.hpp"
+#include "base/timeline.hpp"
 
 namespace triptych {
 
@@ -12,6 +13,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_repr
                                    cut_drawables, drawn_triangles, tests, added, removed, digest_mismatch,
                                    fallback, visible, picture_hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GlNames, vendor, renderer, version)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerClock, peer, ahead_ms, uncertainty_ms)
+
+ProcessTimeline own_timeline(const std::string& process) {
+  ProcessTimeline timeline{.process = process, .spans = {}, .lost = timeline_spans_lost()};
+  for (const TimelineSpan& span : timeline_spans()) {
+    timeline.spans.push_back({span.stage, span.frame, span.begin_ms, span.end_ms});
+  }
+  return timeline;
+}
 
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
   std::vector<SocketRecord> sockets;
@@ -31,13 +43,19 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
 }
 
 json to_json(const RoleRecord& record) {
-  return {{"sockets", record.sockets}, {"frames", record.frames}, {"gl", record.gl}};
+  return {{"sockets", record.sockets},
+          {"frames", record.frames},
+          {"gl", record.gl},
+          {"timeline", record.timeline},
+          {"clocks", record.clocks}};
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
   try {
     return {document.at("sockets").get<std::vector<SocketRecord>>(),
-            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>()};
+            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>(),
+            document.at("timeline").get<ProcessTimeline>(),
+            document.at("clocks").get<std::vector<PeerClock>>()};
   } catch (const json::exception& error) {
     fail(place, "is no role's record: {}", error.what());
   }

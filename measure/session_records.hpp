@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nodes/frame_record.hpp"
+#include "nodes/inbox.hpp"
 #include "protocol/mailbox.hpp"
 #include "render/context.hpp"
 
@@ -18,11 +19,30 @@ struct SocketRecord {
   uint64_t delta_body_bytes = 0, delta_ids = 0;
 };
 
+/// A stage of a frame as one process timed it, on its own steady clock.
+struct StageSpan {
+  std::string stage;
+  uint32_t frame = 0;
+  double begin_ms = 0, end_ms = 0;
+};
+
+/// What a process kept for the timeline; no spans where nobody asked for one.
+struct ProcessTimeline {
+  std::string process;  ///< "render node"
+  std::vector<StageSpan> spans;
+  uint64_t lost = 0;  ///< spans that were too many
+};
+
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
   std::vector<FrameRecord> frames;    ///< the render node's
   GlNames gl;
+  ProcessTimeline timeline;
+  std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own
 };
+
+/// What this process kept so far.
+ProcessTimeline own_timeline(const std::string& process);
 
 /// What the role has sent so far, socket by socket.
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);

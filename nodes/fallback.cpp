@@ -43,7 +43,7 @@ FrameRecord Fallback::draw(const FrameRequest& frame) {
     std::sort(visible_.begin(), visible_.end());
   }
   const Stopwatch stage;
-  picture_->begin(frame.view);
+  picture_->begin(frame.view, frame.number);
   picture_->draw(ordered);
   picture_->finish();
   record.render_ms = stage.milliseconds();

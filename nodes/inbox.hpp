@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <variant>
 
@@ -12,6 +13,13 @@ namespace triptych {
 
 /// The session is over for this role: the render node left, or a signal asked to stop.
 struct SessionEnded {};
+
+/// A peer's steady clock against this process's.
+struct PeerClock {
+  std::string peer;
+  double ahead_ms = 0;        ///< what the peer's clock shows more
+  double uncertainty_ms = 0;  ///< half of the shortest round trip: the truth lies within ± so much
+};
 
 /// Waits for one kind of message at a time and keeps the others in order. Requests for a full set are
 /// answered whenever they come.
@@ -28,10 +36,16 @@ class Inbox {
   std::variant<DeltaMessage, Sentinel> packet(uint32_t frame);
   /// V(frame), after it was asked for.
   FullSet full_set(uint32_t frame);
+  /// Asks a peer for its clock a few times and believes the quickest answer (Cristian, "Probabilistic clock
+  /// synchronization", 1989). The peer answers while it waits for whatever.
+  PeerClock clock_of(Role peer);
   /// A report of a switch node that has come already.
   std::optional<SwitchReport> report();
   /// Answers requests until the session ends.
   [[noreturn]] void wait_for_end();
+
+  /// What the peer's clock shows more, as clock_of() last found; 0 before.
+  double ahead_ms(Role peer) const;
 
   Mailbox& mailbox() { return mailbox_; }
 
@@ -43,6 +57,7 @@ class Inbox {
 
   Mailbox& mailbox_;
   std::deque<Message> kept_;
+  std::map<Role, double> ahead_ms_;
 };
 
 /// Whether SIGTERM or SIGINT asked this process to end; the first call installs the handlers.

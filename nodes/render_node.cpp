@@ -1,6 +1,7 @@
 #include "nodes/render_node.hpp"
 
 #include "base/clock.hpp"
+#include "base/timeline.hpp"
 #include "nodes/frame_intake.hpp"
 
 #include <thread>
@@ -22,6 +23,7 @@ class RenderNode {
         released_ms_(frames.size()) {}
 
   void run() {
+    compare_clocks();
     constexpr size_t in_flight = 2;
     for (size_t i = 0; i < std::min(in_flight, frames_.size()); ++i) release(i);
     for (size_t i = 0; i < frames_.size(); ++i) {
@@ -34,6 +36,12 @@ class RenderNode {
   std::vector<FrameRecord> records() && { return std::move(records_); }
 
  private:
+  void compare_clocks() {
+    std::vector<PeerClock> clocks;
+    for (const Role peer : {Role::switch_0, Role::switch_1}) clocks.push_back(inbox_.clock_of(peer));
+    if (options_.on_clocks) options_.on_clocks(clocks);
+  }
+
   void release(size_t i) {
     if (options_.rate > 0) {
       const double due_ms = static_cast<double>(i) * 1000 / options_.rate;
@@ -59,13 +67,13 @@ class RenderNode {
       picture_.draw(drawables);
       drawing_ms += stopwatch.milliseconds();
     };
-    picture_.begin(frame.view);
+    picture_.begin(frame.view, frame.number);
     IntakeResult intake =
         take_frame(inbox_, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more);
     if (intake.digest_mismatch) {
       std::vector<DrawableId> ordered = intake.visible;
       sort_by_rank(pack_.skeleton(), eye_cell(pack_.skeleton(), frame.view), ordered);
-      picture_.begin(frame.view);
+      picture_.begin(frame.view, frame.number);
       draw_more(ordered);
     }
     const Stopwatch finishing;
@@ -87,7 +95,10 @@ class RenderNode {
     record.visible = std::move(intake.visible);
     record.network_ms = intake.network_ms;
     last_done_ms_ = done_ms;
-    if (options_.on_picture) options_.on_picture(record, picture_.target());
+    if (options_.on_picture) {
+      const TimelineScope scope("hand the picture over", frame.number);
+      options_.on_picture(record, picture_.target());
+    }
     records_.push_back(std::move(record));
   }
 

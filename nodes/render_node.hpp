@@ -14,6 +14,8 @@ struct RenderNodeOptions {
   double rate = 0;
   /// Called after each frame with its picture; may complete the record.
   std::function<void(FrameRecord&, const Target&)> on_picture;
+  /// Called once, before the first frame, with the switch nodes' clocks against this process's.
+  std::function<void(const std::vector<PeerClock>&)> on_clocks = {};
 };
 
 /// Plays the frames, which must be numbered 0, 1, 2 …, and returns what each was. At most two are in flight:

@@ -11,54 +11,68 @@ Replay::Replay(const Skeleton& skeleton, uint64_t pack_hash, std::string place)
 
 std::string Replay::place(uint32_t frame) const { return fmt::format("{} frame {}", place_, frame); }
 
-void Replay::start(uint32_t frame) {
-  if (current_ && current_->number == frame) return;
-  const auto camera = cameras_.find(frame);
-  if (camera == cameras_.end()) fail(place(frame), "its camera is not in the recording");
-  current_ = camera->second;
-  cameras_.erase(cameras_.begin(), std::next(camera));
-  sentinel_.reset();
-  stream_.emplace(skeleton_, eye_cell(skeleton_, current_->view), previous_);
-}
-
-bool Replay::matches(const VisibleSet& visible) const {
-  return frame_digest(current_->number, current_->view, current_->pixel_error, pack_hash_, visible) ==
-         sentinel_->digest;
-}
-
-std::optional<ReplayedFrame> Replay::finish(VisibleSet visible, bool mismatch) {
-  ReplayedFrame frame{*current_, std::move(visible), mismatch};
-  previous_ = frame.visible;
-  current_.reset();
-  stream_.reset();
-  sentinel_.reset();
-  return frame;
-}
-
-std::optional<ReplayedFrame> Replay::take(const Message& message) {
+std::vector<ReplayedFrame> Replay::take(const Message& message) {
   if (const auto* camera = std::get_if<CameraMessage>(&message)) {
     cameras_[camera->frame] = {camera->frame, camera->view, camera->pixel_error};
-  } else if (const auto* delta = std::get_if<DeltaMessage>(&message)) {
-    start(delta->frame);
+  } else if (std::holds_alternative<DeltaMessage>(message) || std::holds_alternative<Sentinel>(message) ||
+             std::holds_alternative<FullSet>(message)) {
+    const uint32_t frame = frame_of(message);
+    if (cameras_.count(frame) == 0) fail(place(frame), "its camera is not in the recording");
+    messages_[frame].push_back(message);
+  }
+  std::vector<ReplayedFrame> complete;
+  while (!cameras_.empty()) {
+    const FrameRequest frame = cameras_.begin()->second;
+    if (!current_) begin(frame);
+    std::deque<Message>& waiting = messages_[frame.number];
+    bool done = false;
+    while (!done && !waiting.empty()) {
+      done = feed(waiting.front());
+      waiting.pop_front();
+    }
+    if (!done) break;
+    previous_ = current_->visible;
+    complete.push_back(std::move(*current_));
+    current_.reset();
+    messages_.erase(frame.number);
+    cameras_.erase(frame.number);
+  }
+  return complete;
+}
+
+void Replay::begin(const FrameRequest& frame) {
+  current_ = ReplayedFrame{frame, {}, false};
+  sentinel_.reset();
+  stream_.emplace(skeleton_, eye_cell(skeleton_, frame.view), previous_);
+}
+
+bool Replay::feed(const Message& message) {
+  const std::string frame_place = place(current_->request.number);
+  if (const auto* delta = std::get_if<DeltaMessage>(&message)) {
     VisibleDelta changes;
     try {
-      changes = decode_delta(delta->encoded, previous_, place(delta->frame));
+      changes = decode_delta(delta->encoded, previous_, frame_place);
     } catch (const Error&) {
       // No change, as the render node took it; then the full set follows.
     }
     stream_->take({delta->watermark, changes});
-  } else if (const auto* sentinel = std::get_if<Sentinel>(&message)) {
-    start(sentinel->frame);
-    sentinel_ = *sentinel;
-    if (matches(stream_->visible())) return finish(stream_->visible(), false);
-  } else if (const auto* full = std::get_if<FullSet>(&message)) {
-    if (!current_ || !sentinel_ || current_->number != full->frame) {
-      fail(place(full->frame), "a full set that nobody asked for");
-    }
-    if (!matches(full->visible)) fail(place(full->frame), "its visible set does not match its digest");
-    return finish(full->visible, true);
+    return false;
   }
-  return std::nullopt;
+  if (const auto* sentinel = std::get_if<Sentinel>(&message)) {
+    sentinel_ = *sentinel;
+    current_->digest_mismatch = !accept(stream_->visible());
+    return !current_->digest_mismatch;
+  }
+  if (!sentinel_) fail(frame_place, "a full set that nobody asked for");
+  if (!accept(std::get<FullSet>(message).visible))
+    fail(frame_place, "its visible set does not match its digest");
+  return true;
+}
+
+bool Replay::accept(const VisibleSet& visible) {
+  const FrameRequest& frame = current_->request;
+  current_->visible = visible;
+  return frame_digest(frame.number, frame.view, frame.pixel_error, pack_hash_, visible) == sentinel_->digest;
 }
 
 }  // namespace triptych

@@ -5,8 +5,10 @@
 #include "protocol/recording.hpp"
 #include "visibility/visible_stream.hpp"
 
+#include <deque>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace triptych {
 
@@ -18,28 +20,30 @@ struct ReplayedFrame {
 };
 
 /// Takes the render node's messages in their order, and gives each frame as soon as its set is complete and
-/// matches its digest.
+/// matches its digest. Messages of later frames wait, as they did in the session.
 class Replay {
  public:
   /// place: the recording, for errors. pack_hash: of the pack that the session had.
   Replay(const Skeleton& skeleton, uint64_t pack_hash, std::string place);
 
-  /// The frame that this message completed, if it did. Error (place, frame) for messages that no session can
-  /// have had: a frame without its camera, a set that matches no digest.
-  std::optional<ReplayedFrame> take(const Message& message);
+  /// The frames that this message completed. Error (place, frame) for messages that no session can have had:
+  /// a frame without its camera, a set that matches no digest.
+  std::vector<ReplayedFrame> take(const Message& message);
 
  private:
-  void start(uint32_t frame);
-  std::optional<ReplayedFrame> finish(VisibleSet visible, bool mismatch);
-  bool matches(const VisibleSet& visible) const;
+  void begin(const FrameRequest& frame);
+  /// Whether that completed the current frame.
+  bool feed(const Message& message);
+  bool accept(const VisibleSet& visible);
   std::string place(uint32_t frame) const;
 
   const Skeleton& skeleton_;
   uint64_t pack_hash_;
   std::string place_;
-  std::map<uint32_t, FrameRequest> cameras_;  ///< sent, their frames not complete
-  VisibleSet previous_;                       ///< V(i−1)
-  std::optional<FrameRequest> current_;
+  std::map<uint32_t, FrameRequest> cameras_;          ///< of frames that are not complete
+  std::map<uint32_t, std::deque<Message>> messages_;  ///< of frames that are not current yet
+  VisibleSet previous_;                               ///< V(i−1)
+  std::optional<ReplayedFrame> current_;
   std::optional<VisibleStream> stream_;  ///< of the current frame
   std::optional<Sentinel> sentinel_;     ///< of the current frame, where its full set is awaited
 };

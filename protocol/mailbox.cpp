@@ -2,8 +2,10 @@
 
 #include "base/clock.hpp"
 #include "base/inject.hpp"
+#include "base/timeline.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace triptych {
 
@@ -16,6 +18,14 @@ constexpr size_t queue_limit = size_t{2} * body_limit;
 
 void flip_a_byte_of_the_body(std::vector<std::byte>& bytes) {
   if (bytes.size() > header_bytes) bytes[(header_bytes + bytes.size()) / 2] ^= std::byte{0x10};
+}
+
+/// The timeline's name for it; stays as long as the thread.
+const char* sending_stage(const Message& message) {
+  thread_local std::array<std::string, std::variant_size_v<Message>> names;
+  std::string& name = names[message.index()];
+  if (name.empty()) name = "send " + message_name(message);
+  return name.c_str();
 }
 
 }  // namespace
@@ -79,6 +89,7 @@ void Mailbox::send(Role peer, Channel channel, const Message& message) {
   const auto found = links_.find({peer, channel});
   if (found == links_.end()) fail(role_name(peer), "{} is not connected", channel_name(channel));
   if (left_.count(peer) != 0) return;
+  const TimelineScope scope(sending_stage(message), frame_of(message));
   auto bytes = encode(message);
   if (channel == Channel::nodes && ++nodes_messages_ % 50 == 0 && injected(Fault::flipped_byte)) {
     flip_a_byte_of_the_body(bytes);

@@ -15,7 +15,7 @@
 
 namespace triptych {
 
-inline constexpr uint32_t protocol_version = 1;
+inline constexpr uint32_t protocol_version = 2;
 
 /// The first message on every socket, in both directions.
 struct Hello {
@@ -99,8 +99,21 @@ struct Bye {
   bool operator==(const Bye&) const = default;
 };
 
-using Message =
-    std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet, SwitchReport, Bye>;
+/// From the render node to a switch node: what time is it?
+struct ClockRequest {
+  uint32_t frame = 0;  ///< counts the requests
+  bool operator==(const ClockRequest&) const = default;
+};
+
+/// The answer, at once.
+struct ClockAnswer {
+  uint32_t frame = 0;   ///< the request's
+  double clock_ms = 0;  ///< the sender's steady clock
+  bool operator==(const ClockAnswer&) const = default;
+};
+
+using Message = std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet,
+                             SwitchReport, Bye, ClockRequest, ClockAnswer>;
 
 /// The frame that a message belongs to; 0 for Hello and Bye.
 uint32_t frame_of(const Message& message);

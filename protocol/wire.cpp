@@ -190,6 +190,10 @@ SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
 
 void write_body(ByteWriter& out, const Bye& message) { write_line(out, message.reason); }
 
+void write_body(ByteWriter&, const ClockRequest&) {}
+
+void write_body(ByteWriter& out, const ClockAnswer& message) { out.write(message.clock_ms); }
+
 uint32_t type_of(const Message& message) {
   const auto* delta = std::get_if<DeltaMessage>(&message);
   const bool all_decided = delta != nullptr && delta->watermark == everything_decided;
@@ -215,6 +219,10 @@ Message read_body(uint32_t type, uint32_t frame, ByteReader& in) {
       return read_switch_report(in, frame);
     case 7:
       return Bye{read_line(in)};
+    case 8:
+      return ClockRequest{frame};
+    case 9:
+      return ClockAnswer{frame, read_not_negative(in, "a clock")};
     default:
       fail(in.place(), "message type {} does not exist", type);
   }

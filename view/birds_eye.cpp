@@ -8,30 +8,30 @@ namespace triptych {
 
 namespace {
 
-/// The furthest that a corner of the boxes lies from the eye along the ground.
-double reach_along_ground(const Skeleton& skeleton, const View& view, const VisibleSet& visible) {
+/// How far nine of ten of the boxes' centres lie from the eye along the ground.
+double reach_along_ground(const Skeleton& skeleton, const View& view, const std::vector<DrawableId>& cut) {
   const glm::dvec3 up = glm::normalize(view.camera.up);
-  double reach = 0;
-  for (const DrawableId id : visible) {
+  std::vector<double> distances = {0};
+  for (const DrawableId id : cut) {
     const Box box = skeleton.lattice().box(skeleton.scene_nodes[skeleton.drawables[id].scene_node].box);
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec3 offset = box.corner(corner) - view.camera.eye;
-      reach = std::max(reach, glm::length(offset - glm::dot(offset, up) * up));
-    }
+    const glm::dvec3 offset = (box.lo + box.hi) * 0.5 - view.camera.eye;
+    distances.push_back(glm::length(offset - glm::dot(offset, up) * up));
   }
-  return reach;
+  const auto wanted = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
+  std::nth_element(distances.begin(), wanted, distances.end());
+  return *wanted;
 }
 
 }  // namespace
 
-View birds_eye_view(const Skeleton& skeleton, const View& view, const VisibleSet& visible) {
+View birds_eye_view(const Skeleton& skeleton, const View& view, const std::vector<DrawableId>& cut) {
   const glm::dvec3 up = glm::normalize(view.camera.up);
   const glm::dvec3 sight = glm::normalize(view.camera.target - view.camera.eye);
   const glm::dvec3 level = sight - glm::dot(sight, up) * up;
   const glm::dvec3 aside = std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 ahead = glm::length(level) > 1e-6 ? level : aside - glm::dot(aside, up) * up;
   // In steps, so that the picture does not breathe with every step of a walk.
-  const double reach = std::max(reach_along_ground(skeleton, view, visible), 10 * skeleton.default_near());
+  const double reach = std::max(reach_along_ground(skeleton, view, cut), 10 * skeleton.default_near());
   const double covered = std::exp2(std::ceil(2 * std::log2(reach)) / 2);
   View above{.camera = {.eye = view.camera.eye + covered * up,
                         .target = view.camera.eye,
@@ -55,7 +55,7 @@ const Target& BirdsEye::draw(const View& view, const Cut& cut, const VisibleSet&
     target_.emplace(TargetKind::color, view.width, view.height);
   }
   const Skeleton& skeleton = renderer_.skeleton();
-  View above = birds_eye_view(skeleton, view, visible);
+  View above = birds_eye_view(skeleton, view, cut.drawables);
   renderer_.set_view(above);
   target_->clear();
   std::vector<DrawableId> ordered = visible;

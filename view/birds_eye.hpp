@@ -11,10 +11,10 @@
 
 namespace triptych {
 
-/// A camera straight above the view's eye whose line of sight points up on the screen; it covers the visible
-/// drawables' boxes, as far as they go along the ground, and starts a little above the eye's height, so that
-/// ceilings do not hide rooms. Same viewport; deterministic.
-View birds_eye_view(const Skeleton& skeleton, const View& view, const VisibleSet& visible);
+/// A camera straight above the view's eye whose line of sight points up on the screen. It covers nine of ten
+/// of the cut's boxes by their centres: the ground reaches too far to be a measure. It starts a little above
+/// the eye's height, so that ceilings do not hide rooms. Same viewport; deterministic.
+View birds_eye_view(const Skeleton& skeleton, const View& view, const std::vector<DrawableId>& cut);
 
 class BirdsEye {
  public:

@@ -35,7 +35,9 @@ inline std::vector<Message> sample_messages() {
           FullSetRequest{12},
           FullSet{12, {0, 5, 6, 7, 123456}},
           SwitchReport{12, 7.5, 0.25, 1000, 3'000'000'000},
-          Bye{"the pack differs"}};
+          Bye{"the pack differs"},
+          ClockRequest{3},
+          ClockAnswer{3, 123456.75}};
 }
 
 }  // namespace triptych
