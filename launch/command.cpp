@@ -62,6 +62,15 @@ void add_context_flag(CLI::App& command, ContextKind& context) {
       ->default_str("egl");
 }
 
+void add_window_flag(CLI::App& command, bool& window) {
+  command.add_flag("--window", window, "Cameras come from a person at a window, and pictures go there");
+  command.get_option("--path")->required(false);
+}
+
+void require_path(const RunOptions& options, bool window) {
+  if (options.path.empty() && !window) throw CLI::RequiredError("--path");
+}
+
 void add_timeline_flag(CLI::App& command, std::filesystem::path& file) {
   command
       .add_option("--timeline", file,
@@ -104,6 +113,23 @@ void add_run_flags(CLI::App& command, RunOptions& options) {
   add_common_flags(command, options.json);
   add_drawing_flags(command, options);
   add_path_flags(command, options);
+}
+
+namespace {
+template <typename Target>
+CLI::Option* add_batch(CLI::App& command, Target& target) {
+  return command
+      .add_option("--batch", target, "Ids a packet of a delta: smaller ones come earlier and cost more bytes")
+      ->type_name("IDS")
+      ->check(CLI::PositiveNumber);
+}
+}  // namespace
+
+void add_batch_flag(CLI::App& command, size_t& packet_ids) {
+  add_batch(command, packet_ids)->capture_default_str();
+}
+void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids) {
+  add_batch(command, packet_ids)->delimiter(',')->default_str(std::to_string(packet_ids.front()));
 }
 
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {

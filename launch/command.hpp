@@ -37,6 +37,9 @@ struct RunOptions {
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
 /// --context.
 void add_context_flag(CLI::App& command, ContextKind& context);
+/// --window; --path is then not needed, which require_path() sees to once the command line was read.
+void add_window_flag(CLI::App& command, bool& window);
+void require_path(const RunOptions& options, bool window);
 /// --timeline.
 void add_timeline_flag(CLI::App& command, std::filesystem::path& file);
 /// --context and --test.
@@ -47,6 +50,10 @@ void add_drawing_flags(CLI::App& command, RunOptions& options);
 void add_path_flags(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
+
+/// --batch: ids a packet of a delta; one, or a list where a command sweeps.
+void add_batch_flag(CLI::App& command, size_t& packet_ids);
+void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
 
 /// The frames that the options ask for, in order. Error for a path that cannot be used.
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton);

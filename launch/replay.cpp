@@ -48,6 +48,7 @@ class Replayer {
                        {"visible", frame.visible.size()},
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},
+                       {"alone", frame.alone},
                        {"picture_hash", hash}});
   }
   const nlohmann::json& frames() const { return frames_; }
@@ -67,7 +68,7 @@ std::string play(const ReplayCommand& command, const Pack& pack, RecordingReader
   try {
     while (const auto recorded = reader.next()) {
       if (replayer.done()) continue;  // the rest is read all the same: a damaged recording is not trusted
-      for (const ReplayedFrame& frame : replay.take(recorded->message)) {
+      for (const ReplayedFrame& frame : replay.take(*recorded)) {
         if (replayer.wants(frame.request.number)) replayer.draw(frame);
       }
     }

@@ -1,8 +1,8 @@
 #include "base/memory.hpp"
 #include "launch/command.hpp"
+#include "launch/window_source.hpp"
 #include "measure/json.hpp"
 #include "nodes/inbox.hpp"
-#include "view/viewer.hpp"
 
 #include <fmt/core.h>
 
@@ -12,22 +12,18 @@ namespace {
 
 struct ViewCommand {
   RunOptions run;
-  ViewerOptions viewer;
+  std::optional<ContextKind> context;  ///< none: the display's own
+  bool play = false;
+  std::filesystem::path pictures = ".";
 };
 
-int run(ViewCommand command) {
+int run(const ViewCommand& command) {
   stop_requested();  // from here on a signal closes the window in good order
   const Pack pack(command.run.pack);
-  ViewerOptions& options = command.viewer;
-  options.window.title = command.run.pack.filename().string();
-  options.window.width = command.run.size.width;
-  options.window.height = command.run.size.height;
-  options.pixel_error = command.run.pixel_error();
-  if (!command.run.path.empty()) {
-    options.path = load_path(command.run.path);
-    auto& frames = options.path->frames;
-    if (command.run.frames > 0) frames.resize(std::min(frames.size(), command.run.frames));
-  }
+  ViewerOptions options = viewer_options(command.run);
+  options.window.context = command.context;
+  options.play = command.play;
+  options.pictures = command.pictures;
   if (options.play && !options.path) fail("view", "--play needs a --path to play");
   Viewer viewer(pack, options);
   fmt::print(stderr, "{}", viewer_help());
@@ -73,12 +69,12 @@ void add_view(CLI::App& app, Action& action) {
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
   sub->get_option("--frames")->required(false);
   sub->get_option("--context")->default_str("the display's own");
-  sub->add_flag("--play", command->viewer.play, "Play the path at once, over and over");
-  sub->add_option("-o,--output", command->viewer.pictures, "Folder for pictures that F2 saves")
+  sub->add_flag("--play", command->play, "Play the path at once, over and over");
+  sub->add_option("-o,--output", command->pictures, "Folder for pictures that F2 saves")
       ->type_name("DIR")
       ->capture_default_str();
   sub->callback([command, sub, &action] {
-    if (sub->count("--context") > 0) command->viewer.window.context = command->run.context;
+    if (sub->count("--context") > 0) command->context = command->run.context;
     action = [command] { return run(*command); };
   });
 }

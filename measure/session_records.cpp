@@ -3,19 +3,27 @@
 #include "base/error.hpp"
 #include "base/timeline.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 using nlohmann::json;
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, delta_body_bytes, delta_ids)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids,
+                                   kernel_bytes, retransmissions, round_trip_ms, least_round_trip_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
-                                   cut_drawables, drawn_triangles, tests, added, removed, digest_mismatch,
-                                   fallback, visible, picture_hash)
+                                   latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,
+                                   cut_drawables, drawn_triangles, tests, added, removed, level_changes,
+                                   visible_count, digest_mismatch, fallback, visible, picture_hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GlNames, vendor, renderer, version)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerClock, peer, ahead_ms, uncertainty_ms)
+
+std::string socket_name(Role from, Role to, Channel channel) {
+  return fmt::format("{} to {}, {}", role_name(from), role_name(to), channel_name(channel));
+}
 
 ProcessTimeline own_timeline(const std::string& process) {
   ProcessTimeline timeline{.process = process, .spans = {}, .lost = timeline_spans_lost()};
@@ -31,16 +39,51 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
     if (peer == self) continue;
     for (const Channel channel : all_channels) {
       const LinkFigures figures = mailbox.figures(peer, channel);
-      sockets.push_back(
-          {.name = fmt::format("{} to {}, {}", role_name(self), role_name(peer), channel_name(channel)),
-           .bytes = figures.bytes_sent,
-           .messages = figures.messages_sent,
-           .delta_body_bytes = figures.delta_body_bytes_sent,
-           .delta_ids = figures.delta_ids_sent});
+      const TcpFigures kernel = mailbox.kernel_figures(peer, channel);
+      sockets.push_back({.name = socket_name(self, peer, channel),
+                         .bytes = figures.bytes_sent,
+                         .messages = figures.messages_sent,
+                         .deltas = figures.deltas_sent,
+                         .delta_body_bytes = figures.delta_body_bytes_sent,
+                         .delta_ids = figures.delta_ids_sent,
+                         .kernel_bytes = kernel.bytes_sent,
+                         .retransmissions = kernel.retransmissions,
+                         .round_trip_ms = kernel.round_trip_ms,
+                         .least_round_trip_ms = kernel.least_round_trip_ms});
     }
   }
   return sockets;
 }
+
+void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>& more) {
+  for (const SocketRecord& socket : more) {
+    const auto known =
+        std::find_if(sum.begin(), sum.end(), [&](const auto& other) { return other.name == socket.name; });
+    if (known == sum.end()) {
+      sum.push_back(socket);
+      continue;
+    }
+    for (const auto figure : {&SocketRecord::bytes, &SocketRecord::messages, &SocketRecord::deltas,
+                              &SocketRecord::delta_body_bytes, &SocketRecord::delta_ids,
+                              &SocketRecord::kernel_bytes, &SocketRecord::retransmissions}) {
+      (*known).*figure += socket.*figure;
+    }
+    known->round_trip_ms = socket.round_trip_ms;
+    known->least_round_trip_ms = std::min(known->least_round_trip_ms, socket.least_round_trip_ms);
+  }
+}
+
+json to_json(const FrameRecord& record) { return json(record); }
+
+FrameRecord frame_record_from_json(const json& document, const std::string& place) {
+  try {
+    return document.get<FrameRecord>();
+  } catch (const json::exception& error) {
+    fail(place, "is no frame's record: {}", error.what());
+  }
+}
+
+json clocks_json(const RoleRecord& record) { return record.clocks; }
 
 json to_json(const RoleRecord& record) {
   return {{"sockets", record.sockets},

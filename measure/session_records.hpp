@@ -16,8 +16,12 @@ namespace triptych {
 struct SocketRecord {
   std::string name;  ///< "switch node 0 to render node, nodes"
   uint64_t bytes = 0, messages = 0;
-  uint64_t delta_body_bytes = 0, delta_ids = 0;
+  uint64_t deltas = 0, delta_body_bytes = 0, delta_ids = 0;
+  uint64_t kernel_bytes = 0, retransmissions = 0;     ///< TcpFigures of what was sent
+  double round_trip_ms = 0, least_round_trip_ms = 0;  ///< of the last connection; the least of all
 };
+
+std::string socket_name(Role from, Role to, Channel channel);
 
 /// A stage of a frame as one process timed it, on its own steady clock.
 struct StageSpan {
@@ -46,6 +50,15 @@ ProcessTimeline own_timeline(const std::string& process);
 
 /// What the role has sent so far, socket by socket.
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);
+/// Adds figures of later connections to those of the same names.
+void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>& more);
+
+nlohmann::json to_json(const FrameRecord& record);
+/// Error (place) for JSON that is no frame's record.
+FrameRecord frame_record_from_json(const nlohmann::json& json, const std::string& place);
+
+/// [{"peer", "ahead_ms", "uncertainty_ms"}].
+nlohmann::json clocks_json(const RoleRecord& record);
 
 nlohmann::json to_json(const RoleRecord& record);
 /// Error (place) for JSON that is no role's record.

@@ -38,6 +38,10 @@ class Fallback {
   void resize(int width, int height);
   /// What the last frame was culled from, and how; empty unless by occlusion.
   const OcclusionStage& occlusion() const { return *occlusion_; }
+  /// Takes over from somebody else, who drew V(i−1).
+  void resume(VisibleSet previous) { visible_ = std::move(previous); }
+  /// For pictures of visible sets that come from elsewhere.
+  PictureStage& picture() { return *picture_; }
   /// Starts over, as if nothing had been drawn; the next frame is incoherent.
   void forget() { visible_.clear(); }
 

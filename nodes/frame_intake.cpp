@@ -34,8 +34,8 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
     const double came_ms = steady_milliseconds();
     result.waiting_ms += came_ms - began_ms;
     if (const auto* sentinel = std::get_if<Sentinel>(&message)) {
-      const double sent_ms = sentinel->times.sent_at_ms - inbox.ahead_ms(hardware_cull_role(frame.number));
-      result.network_ms = std::clamp(came_ms - sent_ms, 0.0, came_ms - began_ms);
+      result.sent_ms = sentinel->times.sent_at_ms - inbox.ahead_ms(hardware_cull_role(frame.number));
+      result.network_ms = std::clamp(came_ms - result.sent_ms, 0.0, came_ms - began_ms);
       result.sentinel = *sentinel;
       break;
     }
@@ -53,8 +53,9 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
   inbox.mailbox().send(hardware_cull_role(frame.number), Channel::nodes, FullSetRequest{frame.number});
   result.visible = inbox.full_set(frame.number).visible;
   if (!matches(result.visible)) {
-    fail(fmt::format("frame {}", frame.number), "the full visible set of {} does not match its digest either",
-         role_name(hardware_cull_role(frame.number)));
+    throw PeerLost(
+        hardware_cull_role(frame.number),
+        fmt::format("frame {}: the full visible set does not match its digest either", frame.number));
   }
   return result;
 }

@@ -14,12 +14,13 @@ struct IntakeResult {
   Sentinel sentinel;
   bool digest_mismatch = false;  ///< what came in packets was not V(i); `visible` is the full set, sent again
   double waiting_ms = 0;         ///< for messages
-  double network_ms = 0;         ///< of that, while the sentinel was on its way; 0 where it was there already
+  double sent_ms = 0;            ///< when HC sent the sentinel, by this process's steady clock
+  double network_ms = 0;  ///< of the waiting, while the sentinel was on its way; 0 where it was there already
 };
 
 /// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i)
 /// in draw rank order as they are decided. After a digest mismatch what was decided counts for nothing: draw
-/// `visible` anew. Error if the full set does not match its digest either.
+/// `visible` anew. PeerLost if the full set does not match its digest either.
 IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_hash, const FrameRequest& frame,
                         const VisibleSet& previous,
                         const std::function<void(const std::vector<DrawableId>&)>& decided);

@@ -1,145 +1,249 @@
 #include "nodes/render_node.hpp"
 
 #include "base/clock.hpp"
+#include "base/notice.hpp"
 #include "base/timeline.hpp"
+#include "nodes/fallback.hpp"
 #include "nodes/frame_intake.hpp"
 
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <set>
 #include <thread>
+#include <utility>
 
 namespace triptych {
 
 namespace {
 
+/// Of the ids that changed, those of scene nodes that stayed visible at another level of detail.
+uint64_t level_changes(const Skeleton& skeleton, const VisibleSet& before, const VisibleSet& now) {
+  const VisibleDelta delta = difference(before, now);
+  std::set<SceneNodeId> removed;
+  for (const DrawableId id : delta.removed) removed.insert(skeleton.drawables[id].scene_node);
+  uint64_t changes = 0;
+  for (const DrawableId id : delta.added) changes += removed.count(skeleton.drawables[id].scene_node) ? 2 : 0;
+  return changes;
+}
+
 class RenderNode {
  public:
-  RenderNode(const Pack& pack, Mailbox& mailbox, const std::vector<FrameRequest>& frames,
-             const RenderNodeOptions& options)
+  RenderNode(const Pack& pack, const FrameSource& frames, const RenderNodeOptions& options)
       : pack_(pack),
-        inbox_(mailbox),
         frames_(frames),
         options_(options),
-        renderer_(pack),
-        picture_(renderer_, frames.front().view.width, frames.front().view.height),
-        released_ms_(frames.size()) {}
+        stages_(pack, {.width = 1, .height = 1, .test = options.test, .batches = options.cull}),
+        peers_(options.connect, options.on_epoch_end, options.on_clocks) {}
 
   void run() {
-    compare_clocks();
-    constexpr size_t in_flight = 2;
-    for (size_t i = 0; i < std::min(in_flight, frames_.size()); ++i) release(i);
-    for (size_t i = 0; i < frames_.size(); ++i) {
-      draw(i);
-      if (i + in_flight < frames_.size()) release(i + in_flight);
+    first_ = frames_.frame(frames_.first);
+    if (!options_.begin_alone) peers_.wait(*first_);
+    clock_.restart();
+    while (next_release_ < frames_.count || !released_.empty()) {
+      if (stop_requested()) throw SessionEnded();
+      while (released_.size() < in_flight && next_release_ < frames_.count && ready()) release();
+      if (released_.empty() && frames_.finished && frames_.finished()) return;
+      if (released_.empty()) continue;
+      draw(released_.front());
+      released_.pop_front();
     }
-    collect_reports();
   }
 
-  std::vector<FrameRecord> records() && { return std::move(records_); }
+  void leave(const std::string& reason) {
+    peers_.leave(reason);
+    summary_.epochs = peers_.epochs();
+  }
+  const RenderNodeSummary& summary() const { return summary_; }
 
  private:
-  void compare_clocks() {
-    std::vector<PeerClock> clocks;
-    for (const Role peer : {Role::switch_0, Role::switch_1}) clocks.push_back(inbox_.clock_of(peer));
-    if (options_.on_clocks) options_.on_clocks(clocks);
+  static constexpr uint32_t in_flight = 2;
+
+  struct Released {
+    FrameRequest request;
+    double at_ms;    ///< of the run's clock
+    double sent_ms;  ///< how much later switch nodes heard of it
+  };
+
+  bool ready() const { return first_ || !frames_.ready || frames_.ready(released_.empty()); }
+
+  /// The first frame was asked for before its release, for the rehearsal.
+  FrameRequest next_frame(uint32_t number) {
+    return first_ ? *std::exchange(first_, std::nullopt) : frames_.frame(number);
   }
 
-  void release(size_t i) {
+  /// The next camera is due: the switch nodes hear of it.
+  void release() {
+    const uint32_t i = next_release_++;
     if (options_.rate > 0) {
-      const double due_ms = static_cast<double>(i) * 1000 / options_.rate;
+      const double due_ms = static_cast<double>(i - frames_.first) * 1000 / options_.rate;
       while (clock_.milliseconds() < due_ms) {
         if (stop_requested()) throw SessionEnded();
         std::this_thread::sleep_for(
             std::chrono::duration<double, std::milli>(std::min(50.0, due_ms - clock_.milliseconds())));
       }
     }
-    released_ms_[i] = clock_.milliseconds();
-    const FrameRequest& frame = frames_[i];
-    const CameraMessage message{frame.number, frame.view, frame.pixel_error, i + 1 == frames_.size()};
-    inbox_.mailbox().send(Role::switch_0, Channel::camera, message);
-    inbox_.mailbox().send(Role::switch_1, Channel::camera, message);
+    const FrameRequest frame = next_frame(i);
+    released_.push_back({frame, clock_.milliseconds(), 0});
+    if (!peers_.inbox()) return;
+    try {
+      send(released_.back());
+    } catch (const PeerLost& lost) {
+      lose(i, lost.what(), false);
+    }
   }
 
-  void draw(size_t i) {
-    const FrameRequest& frame = frames_[i];
-    FrameRecord record{.number = frame.number};
+  void send(Released& released) {
+    released.sent_ms = clock_.milliseconds() - released.at_ms;
+    const FrameRequest& frame = released.request;
+    const CameraMessage message{frame.number, frame.view, frame.pixel_error,
+                                frame.number + 1 == frames_.count};
+    for (const Role peer : {Role::switch_0, Role::switch_1})
+      peers_.inbox()->mailbox().send(peer, Channel::camera, message);
+  }
+
+  void lose(uint32_t frame, const std::string& reason, bool too_late) {
+    notice("render node: frame {}: {}; goes on alone", frame, reason);
+    peers_.lose(reason, too_late);
+  }
+
+  void draw(const Released& frame) {
+    const VisibleSet before = visible_;
+    FrameRecord record = play(frame);
+    record.number = frame.request.number;
+    record.frame_ms = done_ms_ - (summary_.frames == 0 ? frame.at_ms : last_done_ms_);
+    record.camera_to_image_ms = done_ms_ - frame.at_ms;
+    last_done_ms_ = done_ms_;
+    record.visible_count = record.visible.size();
+    record.level_changes = level_changes(pack_.skeleton(), before, record.visible);
+    visible_ = record.visible;
+    ++summary_.frames;
+    summary_.alone += record.fallback;
+    if (options_.show) options_.show(frame.request, record, stages_);
+    const TimelineScope scope("hand the picture over", frame.request.number);
+    if (options_.on_picture) options_.on_picture(std::move(record), stages_.target());
+  }
+
+  FrameRecord play(const Released& frame) {
+    const uint32_t number = frame.request.number;
+    const View& view = frame.request.view;
+    if (const Target& target = stages_.target();
+        target.width() != view.width || target.height() != view.height)
+      stages_.resize(view.width, view.height);
+    try {
+      if (!peers_.inbox() && peers_.look(frame.request)) {
+        if (summary_.alone > 0) notice("render node: frame {}: both switch nodes are back", number);
+        visible_.clear();
+        for (Released& waiting : released_) send(waiting);
+      }
+      if (peers_.inbox()) return draw_together(frame);
+    } catch (const PeerLost& lost) {
+      lose(number, lost.what(), lost.too_late);
+    } catch (const SessionEnded&) {
+      if (stop_requested()) throw;
+      lose(number, "a switch node left", false);
+    }
+    return draw_alone(frame.request);
+  }
+
+  FrameRecord draw_alone(const FrameRequest& frame) {
+    stages_.resume(std::move(visible_));
+    FrameRecord record = stages_.draw(frame);
+    record.fallback = true;
+    done_ms_ = clock_.milliseconds();
+    return record;
+  }
+
+  FrameRecord draw_together(const Released& released) {
+    const FrameRequest& frame = released.request;
+    PictureStage& picture = stages_.picture();
     double drawing_ms = 0;
     const auto draw_more = [&](const std::vector<DrawableId>& drawables) {
       const Stopwatch stopwatch;
-      picture_.draw(drawables);
+      picture.draw(drawables);
       drawing_ms += stopwatch.milliseconds();
     };
-    picture_.begin(frame.view, frame.number);
+    Inbox& inbox = *peers_.inbox();
+    picture.begin(frame.view, frame.number);
+    inbox.limit_waiting(options_.timeout);
     IntakeResult intake =
-        take_frame(inbox_, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more);
+        take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more);
     if (intake.digest_mismatch) {
       std::vector<DrawableId> ordered = intake.visible;
       sort_by_rank(pack_.skeleton(), eye_cell(pack_.skeleton(), frame.view), ordered);
-      picture_.begin(frame.view, frame.number);
+      picture.begin(frame.view, frame.number);
       draw_more(ordered);
     }
     const Stopwatch finishing;
-    picture_.finish();
-    visible_ = intake.visible;
-    const double done_ms = clock_.milliseconds();
+    picture.finish();
+    done_ms_ = clock_.milliseconds();
+    FrameRecord record;
+    if (const auto report = frame.number > 0 ? inbox.report(frame.number - 1) : std::nullopt) {
+      record.occlusion_representation_ms = report->occlusion_representation_ms;
+      record_latency(record, released, *report, intake);
+    }
     record.render_ms = drawing_ms + finishing.milliseconds();
     record.waiting_ms = intake.waiting_ms - intake.network_ms;
-    record.frame_ms = done_ms - (i == 0 ? released_ms_[0] : last_done_ms_);
-    record.camera_to_image_ms = done_ms - released_ms_[i];
+    record.network_ms = intake.network_ms;
     record.hardware_cull_ms = intake.sentinel.times.hardware_cull_ms;
-    record.occlusion_representation_ms = intake.sentinel.times.occlusion_representation_ms;
     record.cut_drawables = intake.sentinel.times.cut_size;
     record.tests = intake.sentinel.times.queries;
     record.added = intake.sentinel.added;
     record.removed = intake.sentinel.removed;
-    record.drawn_triangles = picture_.drawn_triangles();
+    record.drawn_triangles = picture.drawn_triangles();
     record.digest_mismatch = intake.digest_mismatch;
     record.visible = std::move(intake.visible);
-    record.network_ms = intake.network_ms;
-    last_done_ms_ = done_ms;
-    if (options_.on_picture) {
-      const TimelineScope scope("hand the picture over", frame.number);
-      options_.on_picture(record, picture_.target());
-    }
-    records_.push_back(std::move(record));
+    return record;
   }
 
-  void collect_reports() {
-    while (inbox_.report()) {
-    }
+  /// How long after the camera's release; `steady_ms` by this process's steady clock.
+  double after_release(const Released& released, double steady_ms) const {
+    return clock_.milliseconds() - (steady_milliseconds() - steady_ms) - released.at_ms;
+  }
+
+  /// The way of the camera to its picture: to the switch node that then draws R(i), culls, and sends the
+  /// sentinel; then here, until the picture stands.
+  void record_latency(FrameRecord& record, const Released& released, const SwitchReport& report,
+                      const IntakeResult& intake) const {
+    const double ahead_ms = peers_.inbox()->ahead_ms(hardware_cull_role(released.request.number));
+    const double began_ms = after_release(released, report.began_at_ms - ahead_ms);
+    const double way_ms = std::clamp(began_ms - released.sent_ms, 0.0, report.camera_waiting_ms);
+    const double sent_ms = after_release(released, intake.sent_ms);
+    record.latency_known = true;
+    record.latency_waiting_ms = began_ms - way_ms + report.packets_waiting_ms;
+    record.latency_network_ms = way_ms + intake.network_ms;
+    record.latency_render_ms = done_ms_ - released.at_ms - sent_ms - intake.network_ms;
   }
 
   const Pack& pack_;
-  Inbox inbox_;
-  const std::vector<FrameRequest>& frames_;
+  const FrameSource& frames_;
   const RenderNodeOptions& options_;
-  Renderer renderer_;
-  PictureStage picture_;
+  Fallback stages_;
+  Peers peers_;
   Stopwatch clock_;
-  std::vector<double> released_ms_;
-  double last_done_ms_ = 0;
+  uint32_t next_release_ = frames_.first;
+  std::deque<Released> released_;      ///< cameras that are out, their pictures not yet
+  std::optional<FrameRequest> first_;  ///< until it is released
+  double done_ms_ = 0, last_done_ms_ = 0;
   VisibleSet visible_;
-  std::vector<FrameRecord> records_;
+  RenderNodeSummary summary_;
 };
 
 }  // namespace
 
-std::vector<FrameRecord> run_render_node(const Pack& pack, Mailbox& mailbox,
-                                         const std::vector<FrameRequest>& frames,
-                                         const RenderNodeOptions& options) {
-  RenderNode node(pack, mailbox, frames, options);
+RenderNodeSummary run_render_node(const Pack& pack, const FrameSource& frames,
+                                  const RenderNodeOptions& options) {
+  RenderNode node(pack, frames, options);
   try {
     node.run();
-    mailbox.leave("");
+    node.leave("");
   } catch (const SessionEnded&) {
-    mailbox.leave("");
-    if (!stop_requested()) fail("session", "a switch node left before the last frame");
-  } catch (const PeerLost&) {
-    mailbox.leave("");
-    throw;
+    node.leave("");
   } catch (const std::exception& error) {
-    mailbox.leave(error.what());
+    node.leave(error.what());
     throw;
   }
-  return std::move(node).records();
+  return node.summary();
 }
 
 }  // namespace triptych

@@ -4,6 +4,8 @@
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 Replay::Replay(const Skeleton& skeleton, uint64_t pack_hash, std::string place)
@@ -11,14 +13,39 @@ Replay::Replay(const Skeleton& skeleton, uint64_t pack_hash, std::string place)
 
 std::string Replay::place(uint32_t frame) const { return fmt::format("{} frame {}", place_, frame); }
 
-std::vector<ReplayedFrame> Replay::take(const Message& message) {
+void Replay::forget_epoch() {
+  cameras_.clear();
+  messages_.clear();
+  previous_.clear();
+  current_.reset();
+}
+
+ReplayedFrame Replay::draw_alone(const CameraMessage& camera) {
+  forget_epoch();
+  ReplayedFrame frame{{camera.frame, camera.view, camera.pixel_error}, {}, false, true};
+  frame.visible = select_cut(skeleton_, camera.view, camera.pixel_error).drawables;
+  std::sort(frame.visible.begin(), frame.visible.end());
+  return frame;
+}
+
+void Replay::keep(const Message& message) {
+  const uint32_t frame = frame_of(message);
+  if (cameras_.count(frame) == 0) fail(place(frame), "its camera is not in the recording");
+  messages_[frame].push_back(message);
+}
+
+std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
+  const Message& message = recorded.message;
   if (const auto* camera = std::get_if<CameraMessage>(&message)) {
-    cameras_[camera->frame] = {camera->frame, camera->view, camera->pixel_error};
+    if (recorded.peer == Role::render) return {draw_alone(*camera)};
+    if (camera->rehearsal) {
+      forget_epoch();
+    } else {
+      cameras_[camera->frame] = {camera->frame, camera->view, camera->pixel_error};
+    }
   } else if (std::holds_alternative<DeltaMessage>(message) || std::holds_alternative<Sentinel>(message) ||
              std::holds_alternative<FullSet>(message)) {
-    const uint32_t frame = frame_of(message);
-    if (cameras_.count(frame) == 0) fail(place(frame), "its camera is not in the recording");
-    messages_[frame].push_back(message);
+    keep(message);
   }
   std::vector<ReplayedFrame> complete;
   while (!cameras_.empty()) {
@@ -41,7 +68,7 @@ std::vector<ReplayedFrame> Replay::take(const Message& message) {
 }
 
 void Replay::begin(const FrameRequest& frame) {
-  current_ = ReplayedFrame{frame, {}, false};
+  current_ = ReplayedFrame{frame, {}, false, false};
   sentinel_.reset();
   stream_.emplace(skeleton_, eye_cell(skeleton_, frame.view), previous_);
 }

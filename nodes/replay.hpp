@@ -17,6 +17,7 @@ struct ReplayedFrame {
   FrameRequest request;
   VisibleSet visible;            ///< V(i)
   bool digest_mismatch = false;  ///< what came in packets was not V(i); it was sent again whole
+  bool alone = false;  ///< drawn without switch nodes; `visible` is the whole cut then, which looks the same
 };
 
 /// Takes the render node's messages in their order, and gives each frame as soon as its set is complete and
@@ -28,10 +29,13 @@ class Replay {
 
   /// The frames that this message completed. Error (place, frame) for messages that no session can have had:
   /// a frame without its camera, a set that matches no digest.
-  std::vector<ReplayedFrame> take(const Message& message);
+  std::vector<ReplayedFrame> take(const RecordedMessage& recorded);
 
  private:
+  void keep(const Message& message);
   void begin(const FrameRequest& frame);
+  ReplayedFrame draw_alone(const CameraMessage& camera);
+  void forget_epoch();
   /// Whether that completed the current frame.
   bool feed(const Message& message);
   bool accept(const VisibleSet& visible);

@@ -127,13 +127,21 @@ std::string Link::write(const Message& message, const std::vector<std::byte>& by
   figures_.bytes_sent += bytes.size();
   figures_.wire_bytes_sent += wire_bytes(bytes.size());
   if (const auto* delta = std::get_if<DeltaMessage>(&message)) {
+    ++figures_.deltas_sent;
     figures_.delta_body_bytes_sent += bytes.size() - header_bytes;
     figures_.delta_ids_sent += ids_in(*delta);
   }
   return {};
 }
 
+TcpFigures Link::kernel_figures() const {
+  // Asio's native_handle() is not const, and says only which descriptor it is.
+  auto& socket = const_cast<asio::ip::tcp::socket&>(socket_);
+  return socket.is_open() ? tcp_figures(socket.native_handle()) : last_kernel_figures_;
+}
+
 void Link::close() {
+  last_kernel_figures_ = kernel_figures();
   done_ = nullptr;
   asio::error_code ignored;  // closing what is closed already
   socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);

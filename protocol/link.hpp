@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.hpp"
+#include "protocol/tcp_figures.hpp"
 #include "protocol/wire.hpp"
 
 #include <array>
@@ -24,7 +25,7 @@ struct LinkFigures {
   /// IPv4, TCP with timestamps); acknowledgements are not counted.
   uint64_t wire_bytes_sent = 0, wire_bytes_received = 0;
   /// Of delta messages alone: bodies (watermarks and encoded ids), and the ids in them.
-  uint64_t delta_body_bytes_sent = 0, delta_ids_sent = 0;
+  uint64_t deltas_sent = 0, delta_body_bytes_sent = 0, delta_ids_sent = 0;
   uint64_t delta_body_bytes_received = 0, delta_ids_received = 0;
 };
 
@@ -60,6 +61,8 @@ class Link : public std::enable_shared_from_this<Link> {
   void set_place(std::string place) { place_ = std::move(place); }
   const std::string& place() const { return place_; }
   const LinkFigures& figures() const { return figures_; }
+  /// What the kernel says; after close(), what it last said.
+  TcpFigures kernel_figures() const;
 
  private:
   void read_body();
@@ -69,6 +72,7 @@ class Link : public std::enable_shared_from_this<Link> {
   asio::ip::tcp::socket socket_;
   std::string place_;
   LinkFigures figures_;
+  TcpFigures last_kernel_figures_;
   std::array<std::byte, header_bytes> header_{};
   MessageHeader parsed_;
   std::vector<std::byte> body_;

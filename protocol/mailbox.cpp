@@ -163,14 +163,14 @@ bool Mailbox::forget_if_broken(Role peer) {
   return true;
 }
 
-std::optional<std::string> Mailbox::first_end() const {
+std::optional<Mailbox::End> Mailbox::first_end() const {
   const auto found = std::find_if(queue_.begin(), queue_.end(), ends);
   if (found == queue_.end()) return std::nullopt;
   if (const auto* broken = std::get_if<Link::Broken>(&found->outcome)) {
-    return fmt::format("{}: {}", role_name(found->peer), broken->reason);
+    return End{found->peer, broken->reason, false};
   }
   const auto& message = std::get<Link::Arrived>(found->outcome).message;
-  return fmt::format("{}: {}", role_name(found->peer), std::get<Bye>(message).reason);
+  return End{found->peer, std::get<Bye>(message).reason, true};
 }
 
 void Mailbox::leave(const std::string& reason) {
@@ -188,6 +188,11 @@ void Mailbox::leave(const std::string& reason) {
 LinkFigures Mailbox::figures(Role peer, Channel channel) const {
   const auto found = links_.find({peer, channel});
   return found == links_.end() ? LinkFigures{} : found->second->figures();
+}
+
+TcpFigures Mailbox::kernel_figures(Role peer, Channel channel) const {
+  const auto found = links_.find({peer, channel});
+  return found == links_.end() ? TcpFigures{} : found->second->kernel_figures();
 }
 
 const Hello& Mailbox::peer_hello(Role peer) const {

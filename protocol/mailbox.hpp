@@ -23,8 +23,10 @@ namespace triptych {
 /// message.
 class PeerLost : public Error {
  public:
-  PeerLost(Role lost, const std::string& reason) : Error(role_name(lost) + " lost", reason), peer(lost) {}
+  PeerLost(Role lost, const std::string& reason, bool in_vain = false)
+      : Error(role_name(lost) + " lost", reason), peer(lost), too_late(in_vain) {}
   Role peer;
+  bool too_late;  ///< it may be there, but was waited for too long
 };
 
 struct Received {
@@ -65,14 +67,20 @@ class Mailbox {
   /// For the handshake: closes the links of a peer that was lost before anything was received from it, so
   /// that it can come again.
   bool forget_if_broken(Role peer);
-  /// For the handshake: why a peer has ended, if one has.
-  std::optional<std::string> first_end() const;
+  /// For the handshake: which peer has ended and why, if one has.
+  struct End {
+    Role peer;
+    std::string reason;
+    bool said_bye;
+  };
+  std::optional<End> first_end() const;
 
   /// Says Bye to every peer and closes all links; peers that are gone already are passed over.
   void leave(const std::string& reason);
 
   /// All zero for a link that never was.
   LinkFigures figures(Role peer, Channel channel) const;
+  TcpFigures kernel_figures(Role peer, Channel channel) const;
 
   void set_send_timeout(std::chrono::milliseconds timeout) { send_timeout_ = timeout; }
 

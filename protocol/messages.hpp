@@ -35,6 +35,8 @@ struct CameraMessage {
   View view;
   double pixel_error = 1;  ///< pixels; 0 asks for full detail
   bool last = false;       ///< no frame follows
+  /// Not a frame, but what one will be like: switch nodes get their geometry ready and say so.
+  bool rehearsal = false;
   bool operator==(const CameraMessage&) const = default;
 };
 
@@ -52,11 +54,9 @@ struct DeltaMessage {
 /// What HC spent on the frame.
 struct StageTimes {
   double hardware_cull_ms = 0;
-  double occlusion_representation_ms = 0;  ///< of R(i), one frame before, by the same process
-  double waiting_ms = 0;                   ///< for messages
-  uint32_t queries = 0;                    ///< boxes tested
-  uint32_t cut_size = 0;                   ///< drawables of cut i
-  double sent_at_ms = 0;                   ///< the sender's steady clock
+  uint32_t queries = 0;   ///< boxes tested
+  uint32_t cut_size = 0;  ///< drawables of cut i
+  double sent_at_ms = 0;  ///< the sender's steady clock
   bool operator==(const StageTimes&) const = default;
 };
 
@@ -83,20 +83,29 @@ struct FullSet {
   bool operator==(const FullSet&) const = default;
 };
 
-/// From OR to the render node: what R(i+1) cost, for reports.
+/// From OR to the render node: what R(i+1) cost. It comes before any message of frame i+1 from the same node.
 struct SwitchReport {
-  uint32_t frame = 0;  ///< i, the frame in which it was drawn
+  uint32_t frame = 0;      ///< i, the frame in which it was drawn
+  double began_at_ms = 0;  ///< the sender's steady clock, once camera i+1 was there
   double occlusion_representation_ms = 0;
-  double waiting_ms = 0;
-  uint32_t drawables = 0;  ///< drawn into it
+  double camera_waiting_ms = 0;   ///< for camera i+1, before it began
+  double packets_waiting_ms = 0;  ///< for V(i), meanwhile
+  uint32_t drawables = 0;         ///< drawn into it
   uint64_t triangles = 0;
   bool operator==(const SwitchReport&) const = default;
 };
 
-/// The sender leaves. An empty reason is a clean end; any other text says what went wrong, and can be shown.
+/// The sender leaves. An empty reason: the session is over, for everybody who hears it. Any other text says
+/// why the sender alone leaves, and can be shown.
 struct Bye {
   std::string reason;
   bool operator==(const Bye&) const = default;
+};
+
+/// From a switch node to the render node: the rehearsal of the frame is over, frames can come.
+struct Ready {
+  uint32_t frame = 0;
+  bool operator==(const Ready&) const = default;
 };
 
 /// From the render node to a switch node: what time is it?
@@ -113,7 +122,7 @@ struct ClockAnswer {
 };
 
 using Message = std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet,
-                             SwitchReport, Bye, ClockRequest, ClockAnswer>;
+                             SwitchReport, Bye, Ready, ClockRequest, ClockAnswer>;
 
 /// The frame that a message belongs to; 0 for Hello and Bye.
 uint32_t frame_of(const Message& message);

@@ -15,6 +15,7 @@ static_assert(sizeof(MessageHeader) == header_bytes);
 constexpr uint32_t tag_base = 'T' | 'R' << 8 | 'I' << 16;
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
+constexpr uint8_t last_mark = 1, rehearsal_mark = 2;  // of a camera
 
 uint32_t checksum_of(const MessageHeader& header, std::span<const std::byte> body) {
   const uint32_t fields[] = {header.tag, header.frame, header.body_bytes};
@@ -91,7 +92,7 @@ void write_body(ByteWriter& out, const CameraMessage& message) {
   out.write(static_cast<uint32_t>(message.view.width));
   out.write(static_cast<uint32_t>(message.view.height));
   out.write(message.pixel_error);
-  out.write(static_cast<uint8_t>(message.last));
+  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.rehearsal ? rehearsal_mark : 0)));
 }
 
 CameraMessage read_camera(ByteReader& in, uint32_t frame) {
@@ -110,7 +111,9 @@ CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   message.view.width = static_cast<int>(width);
   message.view.height = static_cast<int>(height);
   message.pixel_error = read_not_negative(in, "the pixel error");
-  message.last = read_enum(in, uint8_t{1}, "end mark") == 1;
+  const uint8_t marks = read_enum(in, uint8_t{last_mark | rehearsal_mark}, "camera mark");
+  message.last = (marks & last_mark) != 0;
+  message.rehearsal = (marks & rehearsal_mark) != 0;
   check_camera(camera, in.place());
   return message;
 }
@@ -139,8 +142,7 @@ void write_body(ByteWriter& out, const Sentinel& message) {
   for (const uint32_t count : {message.visible, message.added, message.removed}) out.write(count);
   out.write(message.digest);
   const StageTimes& times = message.times;
-  for (const double time : {times.hardware_cull_ms, times.occlusion_representation_ms, times.waiting_ms})
-    out.write(time);
+  out.write(times.hardware_cull_ms);
   out.write(times.queries);
   out.write(times.cut_size);
   out.write(times.sent_at_ms);
@@ -152,9 +154,7 @@ Sentinel read_sentinel(ByteReader& in, uint32_t frame) {
   for (auto* count : {&message.visible, &message.added, &message.removed}) *count = in.read<uint32_t>();
   message.digest = in.read<uint64_t>();
   StageTimes& times = message.times;
-  for (auto* time : {&times.hardware_cull_ms, &times.occlusion_representation_ms, &times.waiting_ms}) {
-    *time = read_not_negative(in, "a stage's time");
-  }
+  times.hardware_cull_ms = read_not_negative(in, "a stage's time");
   times.queries = in.read<uint32_t>();
   times.cut_size = in.read<uint32_t>();
   times.sent_at_ms = read_not_negative(in, "a clock");
@@ -172,8 +172,10 @@ FullSet read_full_set(ByteReader& in, uint32_t frame) {
 }
 
 void write_body(ByteWriter& out, const SwitchReport& message) {
-  out.write(message.occlusion_representation_ms);
-  out.write(message.waiting_ms);
+  for (const double time : {message.began_at_ms, message.occlusion_representation_ms,
+                            message.camera_waiting_ms, message.packets_waiting_ms}) {
+    out.write(time);
+  }
   out.write(message.drawables);
   out.write(message.triangles);
 }
@@ -181,14 +183,18 @@ void write_body(ByteWriter& out, const SwitchReport& message) {
 SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
   SwitchReport message;
   message.frame = frame;
-  message.occlusion_representation_ms = read_not_negative(in, "a stage's time");
-  message.waiting_ms = read_not_negative(in, "a stage's time");
+  for (auto* time : {&message.began_at_ms, &message.occlusion_representation_ms, &message.camera_waiting_ms,
+                     &message.packets_waiting_ms}) {
+    *time = read_not_negative(in, "a stage's time");
+  }
   message.drawables = in.read<uint32_t>();
   message.triangles = in.read<uint64_t>();
   return message;
 }
 
 void write_body(ByteWriter& out, const Bye& message) { write_line(out, message.reason); }
+
+void write_body(ByteWriter&, const Ready&) {}
 
 void write_body(ByteWriter&, const ClockRequest&) {}
 
@@ -220,8 +226,10 @@ Message read_body(uint32_t type, uint32_t frame, ByteReader& in) {
     case 7:
       return Bye{read_line(in)};
     case 8:
-      return ClockRequest{frame};
+      return Ready{frame};
     case 9:
+      return ClockRequest{frame};
+    case 10:
       return ClockAnswer{frame, read_not_negative(in, "a clock")};
     default:
       fail(in.place(), "message type {} does not exist", type);

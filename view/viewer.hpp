@@ -46,6 +46,7 @@ class Viewer {
   void show(const FrameRequest& frame, const FrameRecord& record, const Target& picture, Renderer& renderer);
 
   Window& window() { return window_; }
+  const GlNames& names() const { return window_.names(); }
 
  private:
   void take(const Input& input);

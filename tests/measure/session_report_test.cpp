@@ -8,26 +8,36 @@ namespace triptych {
 
 namespace {
 
-Skeleton four_drawables() {
-  Skeleton skeleton;
-  skeleton.drawables.resize(4);
-  for (uint32_t i = 0; i < 4; ++i) skeleton.drawables[i].scene_node = i;
-  return skeleton;
-}
-
 RoleRecord three_frames() {
   RoleRecord record;
-  record.frames = {
-      {.number = 0, .frame_ms = 12.3456789, .cut_drawables = 9, .added = 2, .removed = 0, .visible = {0, 1}},
-      {.number = 1, .frame_ms = 2, .cut_drawables = 9, .added = 0, .removed = 0, .visible = {0, 1}},
-      {.number = 2, .frame_ms = 3, .cut_drawables = 8, .added = 1, .removed = 1, .visible = {0, 2}}};
+  record.frames = {{.number = 0,
+                    .frame_ms = 12.3456789,
+                    .cut_drawables = 9,
+                    .added = 2,
+                    .removed = 0,
+                    .visible_count = 2,
+                    .visible = {0, 1}},
+                   {.number = 1,
+                    .frame_ms = 2,
+                    .cut_drawables = 9,
+                    .added = 0,
+                    .removed = 0,
+                    .visible_count = 2,
+                    .visible = {0, 1}},
+                   {.number = 2,
+                    .frame_ms = 3,
+                    .cut_drawables = 8,
+                    .added = 1,
+                    .removed = 1,
+                    .visible_count = 2,
+                    .visible = {0, 2}}};
   return record;
 }
 
 }  // namespace
 
 TEST(SessionReport, deltas_save_what_did_not_change) {
-  const nlohmann::json delta = delta_json(four_drawables(), {three_frames()});
+  const nlohmann::json delta = delta_json({three_frames()});
   // 4 ids changed of 6 that were visible.
   EXPECT_NEAR(delta["saved_percent"].get<double>(), 100 * (1 - 4.0 / 6), 1e-9);
   EXPECT_NEAR(delta["added_mean"].get<double>(), 1, 1e-12);
@@ -38,7 +48,7 @@ TEST(SessionReport, bytes_an_id_count_what_every_role_sent) {
   RoleRecord render = three_frames(), cull;
   render.sockets = {{.name = "a", .bytes = 10, .messages = 1, .delta_body_bytes = 8, .delta_ids = 2}};
   cull.sockets = {{.name = "b", .bytes = 10, .messages = 1, .delta_body_bytes = 4, .delta_ids = 2}};
-  EXPECT_DOUBLE_EQ(delta_json(four_drawables(), {render, cull})["body_bytes_per_id"].get<double>(), 3);
+  EXPECT_DOUBLE_EQ(delta_json({render, cull})["body_bytes_per_id"].get<double>(), 3);
 }
 
 TEST(SessionReport, the_formula_is_the_papers) {
