@@ -153,7 +153,9 @@ void Gathering::look_after_links() {
   }
   // A caller that died may come again; whom we called, and who says why, has ended the session.
   for (const Role role : all_roles) {
-    if (role > own_.role) mailbox_->forget_if_broken(role);
+    for (const Channel channel : all_channels) {
+      if (role > own_.role) mailbox_->forget_if_broken(role, channel);
+    }
   }
   const auto end = mailbox_->first_end();
   if (!end) return;
@@ -213,7 +215,7 @@ void Gathering::answer(const std::shared_ptr<Link>& caller, const Hello& hello) 
   if (mailbox_->has(hello.role, hello.channel)) {
     // Is the other one dead, and this its successor?
     mailbox_->context().poll();
-    mailbox_->forget_if_broken(hello.role);
+    mailbox_->forget_if_broken(hello.role, hello.channel);
   }
   if (mailbox_->has(hello.role, hello.channel)) {
     return refuse(caller, fmt::format("the {} is connected already", role_name(hello.role)));

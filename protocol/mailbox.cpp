@@ -148,18 +148,15 @@ std::optional<Received> Mailbox::take_first() {
   return Received{entry.peer, entry.channel, std::move(arrived->message)};
 }
 
-bool Mailbox::forget_if_broken(Role peer) {
+bool Mailbox::forget_if_broken(Role peer, Channel channel) {
+  const auto of_link = [&](const Entry& entry) { return entry.peer == peer && entry.channel == channel; };
   const bool broken = std::any_of(queue_.begin(), queue_.end(), [&](const Entry& entry) {
-    return entry.peer == peer && std::holds_alternative<Link::Broken>(entry.outcome);
+    return of_link(entry) && std::holds_alternative<Link::Broken>(entry.outcome);
   });
   if (!broken) return false;
-  for (const Channel channel : all_channels) {
-    const auto found = links_.find({peer, channel});
-    if (found == links_.end()) continue;
-    found->second->close();
-    links_.erase(found);
-  }
-  std::erase_if(queue_, [&](const Entry& entry) { return entry.peer == peer; });
+  links_.at({peer, channel})->close();
+  links_.erase({peer, channel});
+  std::erase_if(queue_, of_link);
   return true;
 }
 

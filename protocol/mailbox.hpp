@@ -64,9 +64,9 @@ class Mailbox {
   /// Called with every message that is sent or handed out from now on: for recordings.
   std::function<void(const RecordedMessage&)> observe;
 
-  /// For the handshake: closes the links of a peer that was lost before anything was received from it, so
-  /// that it can come again.
-  bool forget_if_broken(Role peer);
+  /// For the handshake: forgets a link that broke before anything was received from it, so that the peer can
+  /// come again.
+  bool forget_if_broken(Role peer, Channel channel);
   /// For the handshake: which peer has ended and why, if one has.
   struct End {
     Role peer;

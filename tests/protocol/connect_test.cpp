@@ -7,9 +7,11 @@
 #include <asio/connect.hpp>
 #include <asio/read.hpp>
 #include <asio/write.hpp>
+#include <atomic>
 #include <future>
 #include <gtest/gtest.h>
 #include <thread>
+#include <unistd.h>
 
 namespace triptych {
 namespace {
@@ -125,9 +127,10 @@ TEST_F(Session, a_peer_that_accepts_and_stays_silent_times_out) {
 
 class Differences : public Session {
  protected:
-  /// Switch node 0 differs; both sides end with an error that says so and names both.
+  /// Switch node 0 differs: it ends with an error that says so and names both; the render node goes on
+  /// waiting for the right one and says in the end what it saw.
   void expect_refusal(const Hello& odd, const std::string& what) {
-    auto render = start(Role::render);
+    auto render = start(Role::render, 700ms);
     auto switch_0 = start(odd);
     const std::string at_render = render.get().error, at_odd = switch_0.get().error;
     for (const std::string& error : {at_render, at_odd}) {
@@ -138,23 +141,71 @@ class Differences : public Session {
   }
 };
 
-TEST_F(Differences, another_protocol_version_is_refused_on_both_sides) {
+TEST_F(Differences, another_protocol_version_is_named_on_both_sides) {
   Hello odd = sample_hello(Role::switch_0);
   odd.version = protocol_version + 1;
-  // Of another version the caller's own reading of our answer does not matter: it gets a Bye.
   expect_refusal(odd, "protocol version");
 }
 
-TEST_F(Differences, another_session_is_refused_on_both_sides) {
+TEST_F(Differences, another_session_is_named_on_both_sides) {
   Hello odd = sample_hello(Role::switch_0);
   odd.session = 78;
   expect_refusal(odd, "session");
 }
 
-TEST_F(Differences, another_pack_is_refused_on_both_sides) {
+TEST_F(Differences, another_pack_is_named_on_both_sides) {
   Hello odd = sample_hello(Role::switch_0);
   odd.pack_hash = 1;
   expect_refusal(odd, "pack");
+}
+
+TEST_F(Differences, a_role_that_differs_does_not_keep_the_right_one_away) {
+  auto render = start(Role::render);
+  Hello old_version = sample_hello(Role::switch_0), other_pack = sample_hello(Role::switch_1);
+  old_version.version = protocol_version - 1;
+  other_pack.pack_hash = 1;
+  EXPECT_NE(start(old_version).get().error, "");
+  EXPECT_NE(start(other_pack).get().error, "");
+  auto switch_0 = start(Role::switch_0), switch_1 = start(Role::switch_1);
+  expect_all(render, switch_0, switch_1);
+}
+
+TEST_F(Session, a_role_that_goes_before_all_have_met_may_come_again) {
+  auto render = start(Role::render), switch_1 = start(Role::switch_1);
+  {
+    // A switch node 0 that meets switch node 1 and is gone.
+    asio::io_context context;
+    tcp::acceptor acceptor(context, tcp::v4(), ::dup(switch_port.descriptor()));
+    tcp::socket caller = acceptor.accept();
+    say(caller, sample_hello(Role::switch_0));
+    std::this_thread::sleep_for(50ms);
+  }
+  auto switch_0 = start(Role::switch_0);
+  expect_all(render, switch_0, switch_1);
+}
+
+TEST_F(Session, waiting_can_be_stopped) {
+  std::atomic<bool> stop{false};
+  auto waiting = std::async(std::launch::async, [&] {
+    return connect_session(sample_hello(Role::render), &render_port, {}, 60s, [&] { return stop.load(); });
+  });
+  EXPECT_EQ(waiting.wait_for(100ms), std::future_status::timeout);
+  stop = true;
+  EXPECT_EQ(waiting.wait_for(5s), std::future_status::ready);
+  EXPECT_EQ(waiting.get(), nullptr);
+}
+
+TEST_F(Session, a_session_that_is_over_ends_the_waiting_of_those_who_had_come) {
+  std::atomic<bool> stop{false};
+  auto switch_1 = start(Role::switch_1);
+  auto render = std::async(std::launch::async, [&] {
+    return connect_session(sample_hello(Role::render), &render_port, {}, 60s, [&] { return stop.load(); });
+  });
+  std::this_thread::sleep_for(300ms);
+  stop = true;
+  const Connected end = switch_1.get();
+  EXPECT_EQ(end.error, "");
+  EXPECT_EQ(end.mailbox, nullptr);
 }
 
 TEST_F(Session, another_opengl_is_only_reported) {
@@ -213,7 +264,7 @@ TEST_F(Session, a_wrong_address_is_named) {
   addresses[Role::switch_0] = render_port.address();
   auto render = start(Role::render, 3s);
   const std::string error = start(Role::switch_1, 3s).get().error;
-  EXPECT_NE(error.find("refused: this is the render node; the switch node 1 calls the switch node 0"),
+  EXPECT_NE(error.find(to_text(render_port.address()) + ": is the render node, not the switch node 0"),
             std::string::npos)
       << error;
   render.get();

@@ -137,6 +137,15 @@ class Program {
     return 0;
   }
 
+  /// The process that plays the role now: the last that was said.
+  pid_t last_role(const std::string& name) const {
+    const std::string start = "role " + name + " is process ";
+    const std::string text = errors();
+    const size_t found = text.rfind(start);
+    return found == std::string::npos ? role(name)
+                                      : static_cast<pid_t>(std::stol(text.substr(found + start.size())));
+  }
+
   /// Whether any process of this run is left. Zombies that nobody has collected yet do not count.
   bool anybody_left() const {
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {

@@ -30,10 +30,6 @@ TEST_F(SessionFaults, a_wrong_delta_without_digests_changes_the_picture) {
   EXPECT_LT(report["identical_frames"].get<size_t>(), frame_count);
 }
 
-TEST_F(SessionFaults, a_flipped_byte_ends_the_session_with_one_line) {
-  failure(session({"--inject", "flipped-byte", "--loop", "4", "-o", folder.file("pictures")}));
-}
-
 TEST_F(SessionFaults, an_unknown_fault_is_a_usage_error) {
   Program program(session({"--inject", "no-such-fault"}));
   EXPECT_EQ(program.wait(), 2);

@@ -88,8 +88,8 @@ TEST_P(BuildingPictures, are_the_un_culled_ones_on_every_frame_of_every_path) {
   for (const std::string name : {"walk", "fly", "spin", "jump"}) {
     SCOPED_TRACE(name);
     const std::string file = building + "/" + name + ".json";
-    run({"measure", "session", building_pack, "--path", file, "--size", size, "--context", context, "--json",
-         json});
+    run({"measure", "session", building_pack, "--path", file, "--size", size, "--context", context,
+         "--timeout", "60000", "--json", json});
     const nlohmann::json report = json_of(json);
     expect_identical(json_of(file)["frames"].size());
     EXPECT_EQ(report["one_process"]["identical_frames"], report["frames"]);

@@ -43,11 +43,35 @@ TEST_F(SessionReplay, shows_one_frame_as_it_was) {
 TEST_F(SessionReplay, shows_frames_whose_sets_had_to_be_sent_again) {
   record({"--inject", "wrong-delta"});
   run({"replay", recording, "--frames", "all", "-o", again, "--json", json});
+  const nlohmann::json report = json_of(json);
   size_t mismatches = 0;
-  for (const auto& frame : json_of(json).at("frames")) mismatches += frame.at("digest_mismatch").get<bool>();
+  for (const auto& frame : report.at("frames")) mismatches += frame.at("digest_mismatch").get<bool>();
   EXPECT_GT(mismatches, 0u);
   for (size_t i = 0; i < frame_count; ++i) {
     EXPECT_EQ(text_of(again + name(i)), text_of(pictures + name(i))) << "frame " << i;
+  }
+}
+
+TEST_F(SessionReplay, shows_frames_that_the_render_node_drew_alone_and_those_after_it) {
+  // A switch node is killed on the way; the others go on, and it comes back.
+  Program program(
+      session({"--loop", "6", "--rate", "40", "--record", recording, "-o", pictures, "--json", json}));
+  const pid_t victim = program.role("switch 1");
+  for (int tries = 0; tries < 6000 && !std::filesystem::exists(pictures + name(10)); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ::kill(victim, SIGKILL);
+  ASSERT_EQ(program.wait(), 0) << program.errors();
+  EXPECT_GT(json_of(json).at("fallback_frames").get<int>(), 0) << program.errors();
+  const std::string replayed = folder.file("replayed.json");
+  run({"replay", recording, "--frames", "all", "-o", again, "--json", replayed});
+  const nlohmann::json report = json_of(replayed);
+  EXPECT_EQ(report.at("frames").size(), 6 * frame_count);
+  size_t alone = 0;
+  for (const auto& frame : report.at("frames")) alone += frame.at("alone").get<bool>();
+  EXPECT_EQ(alone, json_of(json).at("fallback_frames").get<size_t>());
+  for (size_t i = 0; i < 6 * frame_count; ++i) {
+    EXPECT_EQ(text_of(again + name(i)) == text_of(pictures + name(i)), true) << "frame " << i;
   }
 }
 

@@ -103,7 +103,7 @@ TEST_F(SessionSets, nothing_but_empty_sets) {
 }
 
 TEST_F(SessionSets, a_set_of_everything) {
-  const Box box = box_of("instances");
+  const Box box = box_of("slivers");
   const glm::dvec3 centre = (box.lo + box.hi) * 0.5;
   const double reach = glm::length(box.hi - box.lo);
   std::vector<Eye> eyes;
@@ -111,7 +111,7 @@ TEST_F(SessionSets, a_set_of_everything) {
     const glm::dvec3 above = centre + glm::dvec3(0, reach, 0);
     eyes.push_back({above, i % 2 ? box.hi + glm::dvec3(0.1, 0, 0.1) * reach : centre, {0, 0, 1}});
   }
-  const auto report = play("instances", eyes, {"--pixel-error", "0.01"});
+  const auto report = play("slivers", eyes, {"--pixel-error", "0.01"});
   const auto visible = series(report, "visible"), cut = series(report, "cut");
   size_t most = 0;
   for (size_t i = 0; i < visible.size(); ++i) {

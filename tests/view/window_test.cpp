@@ -131,6 +131,41 @@ TEST_F(ViewWindow, looks_at_the_model_from_outside_where_there_is_no_path) {
   EXPECT_TRUE(program.complaints().empty()) << program.errors();
 }
 
+TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_cameras) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--record", folder.file("recording")});
+  find_window();
+  const std::string before = title();
+  xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
+  EXPECT_NE(title(), before) << "W draws no other picture";
+  xdotool("windowsize --sync " + window_ + " 400 200 sleep 0.3");
+  xdotool("keydown a sleep 0.3 keyup a sleep 0.3 key c sleep 0.3");
+  EXPECT_NE(title().find("culling off"), std::string::npos) << title();
+  xdotool("key c key b sleep 0.3 key b sleep 0.3 key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  const nlohmann::json report = json_of(json);
+  EXPECT_GT(report["frames"].get<int>(), 5);
+  EXPECT_EQ(report["digest_mismatches"], 0);
+  EXPECT_EQ(report["fallback_frames"], 0);
+  EXPECT_FALSE(program.anybody_left());
+  // What the window showed is in the recording, in both sizes.
+  run({"replay", folder.file("recording"), "--frames", "all", "-o", folder.file("replayed")});
+  const Picture first = read_picture(folder.file("replayed/000000.png"));
+  char last[32];
+  std::snprintf(last, sizeof(last), "replayed/%06d.png", report["frames"].get<int>() - 1);
+  const Picture end = read_picture(folder.file(last));
+  EXPECT_EQ(first.width, 320u);
+  EXPECT_EQ(end.width, 400u);
+  EXPECT_GT(colors_in(first), 2u);
+  EXPECT_GT(colors_in(end), 1u);
+}
+
+TEST_F(ViewWindow, of_a_session_needs_a_display_too) {
+  ::unsetenv("DISPLAY");
+  const std::string line = failure({"session", pack, "--window"});
+  EXPECT_NE(line.find("triptych render"), std::string::npos) << line;
+}
+
 TEST_F(ViewWindow, needs_a_display_and_says_what_draws_without_one) {
   ::unsetenv("DISPLAY");
   const std::string line = failure(view());
