@@ -1,5 +1,5 @@
 # find_package(triptych): the rooms as triptych::base, triptych::scene, triptych::lod, triptych::visibility,
-# triptych::render, triptych::protocol, triptych::nodes, triptych::measure and triptych::samples.
+# triptych::render, triptych::protocol, triptych::nodes, triptych::measure, triptych::samples and triptych::view.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 find_dependency(PkgConfig)
@@ -11,6 +11,7 @@ find_dependency(meshoptimizer)
 find_dependency(OpenMesh)
 find_dependency(PNG)
 find_dependency(embree 3)
+find_dependency(glfw3)
 find_dependency(OpenSSL)
 foreach(module XXHASH=libxxhash EGL=egl OSMESA=osmesa TINYGLTF=tinygltf MINIZIP=minizip JPEG=libjpeg)
   string(REPLACE "=" ";" module ${module})

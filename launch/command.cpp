@@ -55,11 +55,31 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
       ->check(CLI::Range(1, 1024));
 }
 
-void add_context_flags(CLI::App& command, RunOptions& options) {
-  command.add_option("--context", options.context, "Where OpenGL comes from")
+void add_context_flag(CLI::App& command, ContextKind& context) {
+  command.add_option("--context", context, "Where OpenGL comes from")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ContextKind>{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}}))
       ->default_str("egl");
+}
+
+void add_window_flag(CLI::App& command, bool& window) {
+  command.add_flag("--window", window, "Cameras come from a person at a window, and pictures go there");
+  command.get_option("--path")->required(false);
+}
+
+void require_path(const RunOptions& options, bool window) {
+  if (options.path.empty() && !window) throw CLI::RequiredError("--path");
+}
+
+void add_timeline_flag(CLI::App& command, std::filesystem::path& file) {
+  command
+      .add_option("--timeline", file,
+                  "Write when each stage of each frame ran, as a Chrome trace (ui.perfetto.dev opens it)")
+      ->type_name("FILE");
+}
+
+void add_context_flags(CLI::App& command, RunOptions& options) {
+  add_context_flag(command, options.context);
   command
       .add_option("--test", options.test,
                   "How boxes are tested: occlusion queries, or a draw that marks a storage buffer")

@@ -35,6 +35,13 @@ struct RunOptions {
 
 /// --json, --inject and --threads, which every subcommand takes.
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
+/// --context.
+void add_context_flag(CLI::App& command, ContextKind& context);
+/// --window; --path is then not needed, which require_path() sees to once the command line was read.
+void add_window_flag(CLI::App& command, bool& window);
+void require_path(const RunOptions& options, bool window);
+/// --timeline.
+void add_timeline_flag(CLI::App& command, std::filesystem::path& file);
 /// --context and --test.
 void add_context_flags(CLI::App& command, RunOptions& options);
 /// The pack and add_context_flags: what every process that draws needs.
@@ -56,7 +63,10 @@ void add_build(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_session(CLI::App& app, Action& action);
+void add_replay(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
 void add_role(CLI::App& app, Action& action);
 void add_measure(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);

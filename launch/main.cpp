@@ -13,7 +13,10 @@ int main(int argc, char** argv) {
   triptych::add_info(app, action);
   triptych::add_check(app, action);
   triptych::add_render(app, action);
+  triptych::add_view(app, action);
   triptych::add_session(app, action);
+  triptych::add_replay(app, action);
+  triptych::add_explain(app, action);
   triptych::add_role(app, action);
   triptych::add_measure(app, action);
   triptych::add_report(app, action);

@@ -1,9 +1,11 @@
 #include "base/memory.hpp"
 #include "base/progress.hpp"
+#include "base/timeline.hpp"
 #include "launch/command.hpp"
 #include "launch/pictures.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
+#include "measure/timeline_trace.hpp"
 #include "render/png_file.hpp"
 
 #include <fmt/core.h>
@@ -14,13 +16,14 @@ namespace {
 
 struct RenderCommand {
   RunOptions run;
-  std::filesystem::path output;
+  std::filesystem::path output, timeline;
   CullMode cull = CullMode::occlusion;
   bool full_detail = false, item_buffer = false;
   uint32_t every = 1;
 };
 
 int run(const RenderCommand& command) {
+  if (!command.timeline.empty()) start_timeline();
   const Pack pack(command.run.pack);
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   std::erase_if(frames, [&](const FrameRequest& frame) { return frame.number % command.every != 0; });
@@ -67,6 +70,7 @@ int run(const RenderCommand& command) {
              records.size(), report["frame_ms"]["p50"].get<double>(), report["visible"]["mean"].get<double>(),
              report["drawn_triangles"]["mean"].get<double>(), report["cut"]["mean"].get<double>());
   write_json(command.run.json, report);
+  if (!command.timeline.empty()) write_json(command.timeline, chrome_trace({own_timeline("render")}, {}));
   return 0;
 }
 
@@ -82,6 +86,7 @@ void add_render(CLI::App& app, Action& action) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, CullMode>{
           {"occlusion", CullMode::occlusion}, {"frustum", CullMode::frustum}, {"none", CullMode::none}}))
       ->default_str("occlusion");
+  add_timeline_flag(*sub, command->timeline);
   sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
   sub->add_option("--every", command->every,

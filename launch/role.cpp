@@ -1,9 +1,13 @@
+#include "base/clock.hpp"
+#include "base/file.hpp"
 #include "base/hashing.hpp"
 #include "base/notice.hpp"
 #include "base/progress.hpp"
+#include "base/timeline.hpp"
 #include "launch/command.hpp"
 #include "launch/picture_writer.hpp"
 #include "launch/pictures.hpp"
+#include "launch/window_source.hpp"
 #include "measure/frame_journal.hpp"
 #include "measure/json.hpp"
 #include "measure/session_records.hpp"
@@ -29,6 +33,8 @@ struct RoleCommand {
   CullOptions cull;
   uint64_t session = 0;
   double connect_timeout_s = 20;
+  bool timeline = false, window = false;
+  std::filesystem::path record;  ///< folder for the recording; none where empty
   // of the render node alone
   std::filesystem::path output, journal;
   size_t loop = 1;
@@ -50,6 +56,7 @@ class Meeting {
  public:
   Meeting(const RoleCommand& command, const Pack& pack, const GlNames& gl)
       : timeout_(static_cast<int64_t>(command.connect_timeout_s * 1000)) {
+    if (command.timeline) start_timeline();
     own_.role = command.self;
     own_.session = command.session;
     own_.pack_hash = pack.content_hash();
@@ -69,11 +76,31 @@ class Meeting {
       if (listener_) check_without_key(listener_->address(), command.insecure);
       for (const auto& [role, address] : dial_) check_without_key(address, command.insecure);
     }
+    if (command.record.empty()) return;
+    make_folder(command.record);
+    const size_t earlier = recordings_of(command.self, command.record).size();
+    recording_ = std::make_unique<RecordingWriter>(
+        command.record / recording_name(command.self, earlier + 1),
+        RecordingHeader{.own = own_, .pack = std::filesystem::absolute(command.run.pack).string()});
   }
 
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const {
-    return connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop,
-                           key_ ? &*key_ : nullptr);
+    auto mailbox = connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop,
+                                   key_ ? &*key_ : nullptr);
+    if (mailbox && recording_) {
+      mailbox->observe = [this](const RecordedMessage& message) { recording_->add(message); };
+    }
+    return mailbox;
+  }
+
+  /// Takes down a frame that the render node drew alone: a camera that it sent to itself.
+  void record_alone(const FrameRequest& frame) const {
+    if (!recording_) return;
+    recording_->add({.time_ms = steady_milliseconds(),
+                     .sent = true,
+                     .peer = own_.role,
+                     .channel = Channel::camera,
+                     .message = CameraMessage{frame.number, frame.view, frame.pixel_error, false, false}});
   }
 
   /// After a loss: tries again as long as the render node is there.
@@ -97,6 +124,7 @@ class Meeting {
   std::map<Role, Address> dial_;
   std::optional<SharedKey> key_;
   std::chrono::milliseconds timeout_;
+  std::unique_ptr<RecordingWriter> recording_;
 };
 
 int run_switch(const RoleCommand& command) {
@@ -104,7 +132,8 @@ int run_switch(const RoleCommand& command) {
   const Pack pack(command.run.pack);
   const auto context = make_context(command.run.context);
   const Meeting meeting(command, pack, context->names());
-  RoleRecord record{{}, {}, context->names()};
+  RoleRecord record;
+  record.gl = context->names();
   SwitchNodeOptions options{
       .test = command.run.test, .cull = command.cull, .connect = {}, .on_epoch_end = {}};
   options.connect = [&](bool again) {
@@ -117,6 +146,7 @@ int run_switch(const RoleCommand& command) {
   const SwitchNodeSummary done = run_switch_node(pack, command.self, options);
   notice("{}: {} frames culled, {} occlusion representations, {} epochs", role_name(command.self),
          done.culled, done.represented, done.epochs);
+  record.timeline = own_timeline(role_name(command.self));
   write_json(command.run.json, to_json(record));
   return 0;
 }
@@ -141,26 +171,39 @@ class Records {
   std::vector<FrameRecord> kept_;
 };
 
+/// The path's frames, over and over.
+FrameSource path_frames(std::vector<FrameRequest> once, uint32_t first, size_t loop) {
+  const auto count = static_cast<uint32_t>(once.size() * loop);
+  return {.first = first, .count = count, .frame = [once = std::move(once)](uint32_t number) {
+            FrameRequest frame = once[number % once.size()];
+            frame.number = number;
+            return frame;
+          }};
+}
+
 int run_render(const RoleCommand& command) {
   stop_requested();
   const Pack pack(command.run.pack);
-  const std::vector<FrameRequest> once = load_frames(command.run, pack.skeleton());
-  const FrameSource frames{.first = command.begin,
-                           .count = static_cast<uint32_t>(once.size() * command.loop),
-                           .frame = [&](uint32_t number) {
-                             FrameRequest frame = once[number % once.size()];
-                             frame.number = number;
-                             return frame;
-                           }};
+  std::optional<WindowSource> window;
+  std::unique_ptr<Context> context;
+  if (command.window) {
+    window.emplace(pack, viewer_options(command.run));
+  } else {
+    context = make_context(command.run.context);
+  }
+  const GlNames& gl = window ? window->names() : context->names();
+  const FrameSource frames =
+      window ? window->frames(command.begin)
+             : path_frames(load_frames(command.run, pack.skeleton()), command.begin, command.loop);
   if (!command.output.empty()) make_folder(command.output);
-  const auto context = make_context(command.run.context);
-  const Meeting meeting(command, pack, context->names());
-  RoleRecord role{{}, {}, context->names()};
+  const Meeting meeting(command, pack, gl);
+  RoleRecord role;
+  role.gl = gl;
   Records records(command);
   PictureWriter writer;
   RenderNodeSummary done;
   if (frames.first < frames.count) {
-    Progress progress("session", frames.count - frames.first);
+    Progress progress("session", window ? 0 : frames.count - frames.first);
     RenderNodeOptions options{
         .rate = command.rate,
         .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
@@ -172,6 +215,11 @@ int run_render(const RoleCommand& command) {
         .on_picture = {}};
     options.on_epoch_end = [&](const Mailbox& mailbox, const std::string&) {
       add_sockets(role.sockets, sockets_of(Role::render, mailbox));
+    };
+    options.on_clocks = [&](const std::vector<PeerClock>& clocks) { role.clocks = clocks; };
+    options.show = [&](const FrameRequest& frame, const FrameRecord& record, Fallback& stages) {
+      if (record.fallback) meeting.record_alone(frame);
+      if (window) window->show(frame, record, stages);
     };
     options.on_picture = [&](FrameRecord record, const Target& target) {
       progress.advance();
@@ -189,6 +237,7 @@ int run_render(const RoleCommand& command) {
   writer.finish();
   notice("render node: {} frames, {} of them alone, {} epochs", done.frames, done.alone, done.epochs);
   role.frames = records.kept();
+  role.timeline = own_timeline(role_name(Role::render));
   write_json(command.run.json, to_json(role));
   return 0;
 }
@@ -204,6 +253,8 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
       ->type_name("FILE");
   role.add_flag("--insecure", command.insecure,
                 "Allow other machines without a key: nothing is encrypted, anybody may take a role");
+  role.add_flag("--timeline", command.timeline, "Take down in the JSON when each stage ran");
+  role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
   role.add_option("--session", command.session, "A number that the roles of one session share");
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
       ->check(CLI::PositiveNumber)
@@ -261,10 +312,12 @@ void add_role(CLI::App& app, Action& action) {
       ->type_name("FILE");
   render->add_option("--begin", render_command->begin,
                      "First frame: an earlier render node drew those before it");
+  add_window_flag(*render, render_command->window);
   render->add_flag("--hash", render_command->hash, "Take down each picture's hash and visible set");
   render->callback([render_command, &action] {
     if (render_command->listen.empty() && render_command->listen_descriptor < 0)
       throw CLI::RequiredError("--listen");
+    require_path(render_command->run, render_command->window);
     action = [render_command] { return run_render(*render_command); };
   });
 }

@@ -51,7 +51,11 @@ void add_session(CLI::App& app, Action& action) {
   add_session_flags(*sub, *options);
   sub->add_option("-o,--output", options->output, "Folder for the PNG files")->type_name("DIR");
   sub->add_flag("--hash", options->hash, "Put each picture's hash into the JSON");
-  sub->callback([options, &action] { action = [options] { return run(*options, options->run.json); }; });
+  add_window_flag(*sub, options->window);
+  sub->callback([options, &action] {
+    require_path(options->run, options->window);
+    action = [options] { return run(*options, options->run.json); };
+  });
 }
 
 }  // namespace triptych

@@ -6,8 +6,11 @@
 #include "launch/child_processes.hpp"
 #include "launch/temporary_folder.hpp"
 #include "measure/frame_journal.hpp"
+#include "measure/json.hpp"
+#include "measure/timeline_trace.hpp"
 #include "nodes/inbox.hpp"
 #include "protocol/listener.hpp"
+#include "protocol/recording.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +28,8 @@ std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_
                                         options.run.context == ContextKind::egl ? "egl" : "osmesa",
                                         "--test",
                                         options.run.test == TestKind::storage ? "storage" : "queries"};
+  if (!options.timeline.empty()) arguments.push_back("--timeline");
+  if (!options.record.empty()) arguments.insert(arguments.end(), {"--record", options.record.string()});
   for (const std::string& name : injected_names()) arguments.insert(arguments.end(), {"--inject", name});
   return arguments;
 }
@@ -58,6 +63,7 @@ class Cast {
   /// Starts a role again that was killed; Error where that happened too often to the render node.
   void replace(Role role, const ChildProcesses::Ended& ended);
   RoleRecord record_of(Role role) const;
+  void write_timeline() const;
 
   const SessionOptions& options_;
   Listener render_listener_, switch_listener_;
@@ -92,14 +98,15 @@ std::vector<std::string> Cast::render_arguments() const {
   std::vector<std::string> arguments = {"role", "render"};
   for (const std::string& argument : shared_arguments(options_, session_)) arguments.push_back(argument);
   append(arguments, {"--journal", journal_.string(), "--begin", std::to_string(mend_frame_journal(journal_)),
-                     "--path", options_.run.path.string(), "--size",
-                     fmt::format("{}x{}", options_.run.size.width, options_.run.size.height), "--pixel-error",
-                     fmt::format("{}", options_.run.pixel_error()), "--listen-descriptor",
+                     "--size", fmt::format("{}x{}", options_.run.size.width, options_.run.size.height),
+                     "--pixel-error", fmt::format("{}", options_.run.pixel_error()), "--listen-descriptor",
                      std::to_string(render_listener_.descriptor()), "--loop", std::to_string(options_.loop),
                      "--timeout", fmt::format("{}", options_.timeout_ms)});
   if (options_.run.frames > 0) append(arguments, {"--frames", std::to_string(options_.run.frames)});
   if (options_.rate > 0) append(arguments, {"--rate", fmt::format("{}", options_.rate)});
   if (!options_.output.empty()) append(arguments, {"-o", options_.output.string()});
+  if (!options_.run.path.empty()) append(arguments, {"--path", options_.run.path.string()});
+  if (options_.window) append(arguments, {"--window"});
   if (options_.hash) append(arguments, {"--hash"});
   return arguments;
 }
@@ -152,9 +159,21 @@ RoleRecord Cast::record_of(Role role) const {
     RoleRecord record = read_record(file);
     add_sockets(sum.sockets, record.sockets);
     sum.gl = record.gl;
+    sum.timeline.process = record.timeline.process;
+    sum.timeline.spans.insert(sum.timeline.spans.end(), record.timeline.spans.begin(),
+                              record.timeline.spans.end());
+    sum.timeline.lost += record.timeline.lost;
+    if (!record.clocks.empty()) sum.clocks = record.clocks;
   }
   if (role == Role::render) sum.frames = read_frame_journal(journal_);
   return sum;
+}
+
+void Cast::write_timeline() const {
+  if (options_.timeline.empty()) return;
+  std::vector<ProcessTimeline> timelines;
+  for (const RoleRecord& record : outcome_.records) timelines.push_back(record.timeline);
+  write_json(options_.timeline, chrome_trace(timelines, outcome_.records.front().clocks));
 }
 
 SessionOutcome Cast::play() {
@@ -178,6 +197,7 @@ SessionOutcome Cast::play() {
   children_.end_all(grace);
   mend_frame_journal(journal_);
   for (const Role role : all_roles) outcome_.records.push_back(record_of(role));
+  write_timeline();
   return std::move(outcome_);
 }
 
@@ -196,6 +216,9 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
       ->capture_default_str();
   command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")
       ->capture_default_str();
+  add_timeline_flag(command, options.timeline);
+  command.add_option("--record", options.record, "Folder to keep every message in; replay shows them again")
+      ->type_name("DIR");
   command
       .add_option("--port", options.port,
                   "The render node's port; switch node 0 takes the next one (default: free ones)")
@@ -207,8 +230,12 @@ SessionOutcome run_session(const SessionOptions& options) {
   {
     // What is wrong with the input is said once, here, before anybody is started.
     const Pack pack(options.run.pack);
-    load_frames(options.run, pack.skeleton());
+    if (!options.run.path.empty()) load_frames(options.run, pack.skeleton());
     if (!options.output.empty()) make_folder(options.output);
+    for (const Role role : all_roles) {
+      if (options.record.empty() || recordings_of(role, options.record).empty()) continue;
+      fail(options.record.string(), "holds the recording of a session already");
+    }
   }
   return Cast(options).play();
 }

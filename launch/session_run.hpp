@@ -10,7 +10,9 @@ namespace triptych {
 
 struct SessionOptions {
   RunOptions run;
-  std::filesystem::path output;                              ///< folder for pictures; none where empty
+  std::filesystem::path output;    ///< folder for pictures; none where empty
+  std::filesystem::path timeline;  ///< file for the trace of all stages; none where empty
+  std::filesystem::path record;    ///< folder for the roles' recordings; none where empty
   std::vector<size_t> batches = {CullOptions{}.packet_ids};  ///< ids a packet; a list where a command sweeps
   size_t loop = 1;
   double rate = 0;
@@ -18,6 +20,7 @@ struct SessionOptions {
   size_t restarts = 10;     ///< of a role that is killed, each
   uint16_t port = 0;        ///< the render node's; switch node 0 takes the next one. 0: any free ones
   bool hash = false;
+  bool window = false;  ///< a person at the render node gives the cameras
 };
 
 struct SessionOutcome {
@@ -27,7 +30,7 @@ struct SessionOutcome {
   bool stopped = false;                              ///< by a signal, in good order
 };
 
-/// --loop, --rate, --port, --batch, --timeout, --restarts and the run flags.
+/// --loop, --rate, --port, --batch, --timeout, --restarts, --record, --timeline and the run flags.
 void add_session_flags(CLI::App& command, SessionOptions& options);
 
 /// Starts the roles and looks after them: one that is killed by a signal is started again, a render node at

@@ -65,6 +65,19 @@ std::vector<Goal> judge(const Report& report) {
                        true,
                        1,
                        {"walk"}});
+    targets.push_back({"bytes of delta bodies for each id that changes on the walk",
+                       walk->figure("/delta/body_bytes_per_id"),
+                       1.7,
+                       false,
+                       2,
+                       {"walk"}});
+    targets.push_back(
+        {"all traffic on the walk, as a share of the paper's formula at 4 bytes for each visible id",
+         walk->figure("/traffic/share_of_formula_whole_sets"),
+         0.45,
+         false,
+         3,
+         {"walk"}});
   }
   if (one && coarse) {
     targets.push_back({"triangles drawn at 8 pixels of error, as a share of those at 1",

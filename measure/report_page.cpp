@@ -116,6 +116,41 @@ std::string bandwidth_note(const Report& report) {
       walk->figure("/mbit_per_s/formula"));
 }
 
+std::string traffic_note(const Report& report) {
+  const ReportEntry* const walk = report.find("walk");
+  if (!walk) return "";
+  return fmt::format(
+      "Headers and bodies of messages, beside the paper’s formula for the ids that change and TCP’s payload "
+      "as the kernel counts it. The formula’s third camera is the render node’s own, which does not travel. "
+      "Bodies of deltas take {:.1f}&nbsp;% of the paper’s 4 bytes an id. All that was sent, cameras and "
+      "digests included, is {:.1f}&nbsp;% of what the formula takes to send every visible id each frame, and "
+      "{:.0f}&nbsp;% of what it takes for changes alone.",
+      100 * walk->figure("/traffic/share_of_4_bytes_per_id/bodies"),
+      100 * walk->figure("/traffic/share_of_formula_whole_sets"),
+      100 * walk->figure("/traffic/share_of_formula"));
+}
+
+std::string latency_note(const Report& report) {
+  const ReportEntry* const walk = report.find("walk");
+  if (!walk) return "";
+  const double whole = walk->figure("/latency_ms/whole/mean");
+  return fmt::format(
+      "The way of one camera through the session, in milliseconds, over the {:.0f} frames that all three "
+      "roles "
+      "played after the first. The parts follow each other; what is left of the whole without them is "
+      "{:.2f}&nbsp;% of it.",
+      walk->figure("/latency_ms/frames"),
+      whole > 0 ? 100 * walk->figure("/latency_ms/remainder/mean") / whole : 0.0);
+}
+
+Names entries_with(const Report& report, const std::string& key) {
+  Names names;
+  for (const ReportEntry& entry : report.entries) {
+    if (entry.figures.contains(key)) names.push_back(entry.name);
+  }
+  return names;
+}
+
 std::string stages_note(const Report& report) {
   const ReportEntry* const walk = report.find("walk");
   if (!walk) return "";
@@ -153,7 +188,13 @@ std::string report_page(const Report& report) {
                   exactness_table(report), {"walk"}, visibility_charts(report));
   body += section(report, "What deltas save", bandwidth_note(report), delta_table(report),
                   {"walk", "fly", "spin"});
-  body += section(report, "Bytes by socket", "", socket_table(report), {"walk"});
+  body += section(report, "Traffic", traffic_note(report), socket_table(report), {"walk"});
+  body += section(report, "Packets",
+                  "Smaller packets let receivers begin earlier and cost more bytes (§6.1–6.2 of the paper).",
+                  batch_table(report), entries_with(report, "batches"));
+  body += section(report, "From camera to image", latency_note(report), latency_table(report), {"walk"});
+  body += section(report, "Faults seen and mended", "", faults_table(report),
+                  entries_with(report, "fallback_frames"));
   body += section(report, "Stages", stages_note(report), stages_table(report), {"walk"});
   return html_page(report.title, body + command_list(report));
 }

@@ -26,6 +26,10 @@ void add_delta(HtmlTable& table, const ReportEntry* entry, const std::string& na
                         grouped(entry->figure("/delta/body_bytes_per_id"), 2)});
 }
 
+size_t rows_at(const ReportEntry& entry, const std::string& pointer) {
+  return entry.figures.value(nlohmann::json::json_pointer(pointer), nlohmann::json::array()).size();
+}
+
 void add_stages(HtmlTable& table, const ReportEntry& entry, const std::string& at, const std::string& who,
                 bool sent) {
   const std::vector<std::pair<std::string, std::string>> stages = {
@@ -119,17 +123,85 @@ HtmlTable delta_table(const Report& report) {
 }
 
 HtmlTable socket_table(const Report& report) {
-  HtmlTable table{{"from, to, channel", "bytes a frame"}, {}};
+  HtmlTable table{{"from, to, channel", "bytes a frame", "by the formula", "by the kernel", "sent again",
+                   "round trip, ms"},
+                  {}};
   const ReportEntry* const walk = report.find("walk");
   if (!walk) return table;
-  double sum = 0;
-  const nlohmann::json sockets = walk->figures.value("bytes_per_frame", nlohmann::json::object());
-  for (const auto& [name, bytes] : sockets.items()) {
-    if (!bytes.is_number()) continue;
-    table.rows.push_back({escape_html(name), grouped(bytes.get<double>(), 1)});
-    sum += bytes.get<double>();
+  const std::string at = "/traffic/sockets/";
+  for (size_t i = 0; i < rows_at(*walk, "/traffic/sockets"); ++i) {
+    const std::string row = at + std::to_string(i);
+    table.rows.push_back(
+        {escape_html(walk->text(row + "/socket")), grouped(walk->figure(row + "/bytes_per_frame"), 1),
+         grouped(walk->figure(row + "/formula_bytes_per_frame"), 1),
+         grouped(walk->figure(row + "/kernel_bytes_per_frame"), 1),
+         grouped(walk->figure(row + "/retransmissions")), grouped(walk->figure(row + "/round_trip_ms"), 2)});
   }
-  table.rows.push_back({"all", grouped(sum, 1)});
+  for (size_t i = 0; i < rows_at(*walk, "/traffic/receivers"); ++i) {
+    const std::string row = "/traffic/receivers/" + std::to_string(i);
+    table.rows.push_back({"all to the " + escape_html(walk->text(row + "/receiver")),
+                          grouped(walk->figure(row + "/bytes_per_frame"), 1),
+                          grouped(walk->figure(row + "/formula_bytes_per_frame"), 1), "–", "–", "–"});
+  }
+  table.rows.push_back({"all", grouped(walk->figure("/traffic/bytes_per_frame"), 1),
+                        grouped(walk->figure("/traffic/formula_bytes_per_frame"), 1),
+                        grouped(walk->figure("/traffic/kernel_bytes_per_frame"), 1),
+                        grouped(walk->figure("/traffic/retransmissions")), "–"});
+  return table;
+}
+
+HtmlTable latency_table(const Report& report) {
+  HtmlTable table{{"", "mean", "p50", "p95", "p99", "max"}, {}};
+  const ReportEntry* const walk = report.find("walk");
+  if (!walk) return table;
+  const std::vector<std::pair<std::string, std::string>> parts = {
+      {"waiting", "waiting: for the switch node, and that one for packets"},
+      {"occlusion_representation", "occlusion representation"},
+      {"hardware_cull", "hardware cull"},
+      {"network", "network: the camera’s way and the sentinel’s"},
+      {"render", "render, after the sentinel was sent"},
+      {"remainder", "what is left"},
+      {"whole", "camera to image"}};
+  for (const auto& [key, name] : parts) {
+    std::vector<std::string> row = {name};
+    for (const char* figure : {"mean", "p50", "p95", "p99", "max"}) {
+      row.push_back(grouped(walk->figure("/latency_ms/" + key + "/" + figure), 2));
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+HtmlTable batch_table(const Report& report) {
+  HtmlTable table{{"ids a packet", "bytes a frame", "packets a frame", "camera to image, median ms", "p95 ms",
+                   "frame, median ms"},
+                  {}};
+  for (const ReportEntry& entry : report.entries) {
+    const size_t rows = rows_at(entry, "/batches");
+    for (size_t i = 0; i < rows; ++i) {
+      const std::string at = "/batches/" + std::to_string(i);
+      table.rows.push_back({grouped(entry.figure(at + "/batch")),
+                            grouped(entry.figure(at + "/bytes_per_frame"), 1),
+                            grouped(entry.figure(at + "/packets_per_frame"), 2),
+                            grouped(entry.figure(at + "/camera_to_image_ms/p50"), 1),
+                            grouped(entry.figure(at + "/camera_to_image_ms/p95"), 1),
+                            grouped(entry.figure(at + "/frame_ms/p50"), 1)});
+    }
+  }
+  return table;
+}
+
+HtmlTable faults_table(const Report& report) {
+  HtmlTable table{{"session", "frames", "sets sent again after a wrong digest",
+                   "frames drawn by the render node alone", "roles started again"},
+                  {}};
+  for (const ReportEntry& entry : report.entries) {
+    if (!entry.figures.contains("digest_mismatches") || !entry.figures.contains("fallback_frames")) continue;
+    table.rows.push_back({escape_html(entry.name), grouped(entry.figure("/frames")),
+                          grouped(entry.figure("/digest_mismatches")),
+                          grouped(entry.figure("/fallback_frames")),
+                          entry.figures.contains("restarts") ? grouped(entry.figure("/restarts")) : "–"});
+  }
   return table;
 }
 

@@ -1,6 +1,7 @@
 #include "measure/session_records.hpp"
 
 #include "base/error.hpp"
+#include "base/timeline.hpp"
 
 #include <algorithm>
 
@@ -8,12 +9,29 @@ namespace triptych {
 
 using nlohmann::json;
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids,
+                                   kernel_bytes, retransmissions, round_trip_ms, least_round_trip_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
+                                   latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,
                                    cut_drawables, drawn_triangles, tests, added, removed, level_changes,
                                    visible_count, digest_mismatch, fallback, visible, picture_hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GlNames, vendor, renderer, version)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerClock, peer, ahead_ms, uncertainty_ms)
+
+std::string socket_name(Role from, Role to, Channel channel) {
+  return fmt::format("{} to {}, {}", role_name(from), role_name(to), channel_name(channel));
+}
+
+ProcessTimeline own_timeline(const std::string& process) {
+  ProcessTimeline timeline{.process = process, .spans = {}, .lost = timeline_spans_lost()};
+  for (const TimelineSpan& span : timeline_spans()) {
+    timeline.spans.push_back({span.stage, span.frame, span.begin_ms, span.end_ms});
+  }
+  return timeline;
+}
 
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
   std::vector<SocketRecord> sockets;
@@ -21,13 +39,17 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
     if (peer == self) continue;
     for (const Channel channel : all_channels) {
       const LinkFigures figures = mailbox.figures(peer, channel);
-      sockets.push_back(
-          {.name = fmt::format("{} to {}, {}", role_name(self), role_name(peer), channel_name(channel)),
-           .bytes = figures.bytes_sent,
-           .messages = figures.messages_sent,
-           .deltas = figures.deltas_sent,
-           .delta_body_bytes = figures.delta_body_bytes_sent,
-           .delta_ids = figures.delta_ids_sent});
+      const TcpFigures kernel = mailbox.kernel_figures(peer, channel);
+      sockets.push_back({.name = socket_name(self, peer, channel),
+                         .bytes = figures.bytes_sent,
+                         .messages = figures.messages_sent,
+                         .deltas = figures.deltas_sent,
+                         .delta_body_bytes = figures.delta_body_bytes_sent,
+                         .delta_ids = figures.delta_ids_sent,
+                         .kernel_bytes = kernel.bytes_sent,
+                         .retransmissions = kernel.retransmissions,
+                         .round_trip_ms = kernel.round_trip_ms,
+                         .least_round_trip_ms = kernel.least_round_trip_ms});
     }
   }
   return sockets;
@@ -42,9 +64,12 @@ void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>
       continue;
     }
     for (const auto figure : {&SocketRecord::bytes, &SocketRecord::messages, &SocketRecord::deltas,
-                              &SocketRecord::delta_body_bytes, &SocketRecord::delta_ids}) {
+                              &SocketRecord::delta_body_bytes, &SocketRecord::delta_ids,
+                              &SocketRecord::kernel_bytes, &SocketRecord::retransmissions}) {
       (*known).*figure += socket.*figure;
     }
+    known->round_trip_ms = socket.round_trip_ms;
+    known->least_round_trip_ms = std::min(known->least_round_trip_ms, socket.least_round_trip_ms);
   }
 }
 
@@ -58,14 +83,22 @@ FrameRecord frame_record_from_json(const json& document, const std::string& plac
   }
 }
 
+json clocks_json(const RoleRecord& record) { return record.clocks; }
+
 json to_json(const RoleRecord& record) {
-  return {{"sockets", record.sockets}, {"frames", record.frames}, {"gl", record.gl}};
+  return {{"sockets", record.sockets},
+          {"frames", record.frames},
+          {"gl", record.gl},
+          {"timeline", record.timeline},
+          {"clocks", record.clocks}};
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
   try {
     return {document.at("sockets").get<std::vector<SocketRecord>>(),
-            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>()};
+            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>(),
+            document.at("timeline").get<ProcessTimeline>(),
+            document.at("clocks").get<std::vector<PeerClock>>()};
   } catch (const json::exception& error) {
     fail(place, "is no role's record: {}", error.what());
   }

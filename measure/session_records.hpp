@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nodes/frame_record.hpp"
+#include "nodes/inbox.hpp"
 #include "protocol/mailbox.hpp"
 #include "render/context.hpp"
 
@@ -16,13 +17,36 @@ struct SocketRecord {
   std::string name;  ///< "switch node 0 to render node, nodes"
   uint64_t bytes = 0, messages = 0;
   uint64_t deltas = 0, delta_body_bytes = 0, delta_ids = 0;
+  uint64_t kernel_bytes = 0, retransmissions = 0;     ///< TcpFigures of what was sent
+  double round_trip_ms = 0, least_round_trip_ms = 0;  ///< of the last connection; the least of all
+};
+
+std::string socket_name(Role from, Role to, Channel channel);
+
+/// A stage of a frame as one process timed it, on its own steady clock.
+struct StageSpan {
+  std::string stage;
+  uint32_t frame = 0;
+  double begin_ms = 0, end_ms = 0;
+};
+
+/// What a process kept for the timeline; no spans where nobody asked for one.
+struct ProcessTimeline {
+  std::string process;  ///< "render node"
+  std::vector<StageSpan> spans;
+  uint64_t lost = 0;  ///< spans that were too many
 };
 
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
   std::vector<FrameRecord> frames;    ///< the render node's
   GlNames gl;
+  ProcessTimeline timeline;
+  std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own
 };
+
+/// What this process kept so far.
+ProcessTimeline own_timeline(const std::string& process);
 
 /// What the role has sent so far, socket by socket.
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);
@@ -32,6 +56,9 @@ void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>
 nlohmann::json to_json(const FrameRecord& record);
 /// Error (place) for JSON that is no frame's record.
 FrameRecord frame_record_from_json(const nlohmann::json& json, const std::string& place);
+
+/// [{"peer", "ahead_ms", "uncertainty_ms"}].
+nlohmann::json clocks_json(const RoleRecord& record);
 
 nlohmann::json to_json(const RoleRecord& record);
 /// Error (place) for JSON that is no role's record.

@@ -2,6 +2,7 @@
 
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
+#include "measure/session_traffic.hpp"
 
 #include <algorithm>
 
@@ -10,9 +11,7 @@ namespace triptych {
 using nlohmann::json;
 
 double formula_bits_per_second(double ids_per_frame, double frames_per_second) {
-  constexpr double header = 50, ids_per_packet = 100;
-  const double bytes = ids_per_frame * (8 + header / ids_per_packet) + 216 + 3 * header;
-  return 8 * bytes * frames_per_second;
+  return 8 * FormulaBytes(ids_per_frame).total() * frames_per_second;
 }
 
 namespace {
@@ -39,6 +38,28 @@ json stages_json(const std::vector<FrameRecord>& frames) {
           {"render", distribution_json(frames, [](const auto& r) { return r.render_ms; })},
           {"network", distribution_json(frames, [](const auto& r) { return r.network_ms; })},
           {"waiting", distribution_json(frames, [](const auto& r) { return r.waiting_ms; })}};
+}
+
+/// camera_to_image_ms of the frames whose way is known, in parts that follow each other, and what is left of
+/// it when all parts are taken away: moments between them, and what clocks are off.
+json latency_json(const std::vector<FrameRecord>& frames) {
+  std::vector<FrameRecord> known;
+  for (const FrameRecord& frame : frames) {
+    if (frame.latency_known) known.push_back(frame);
+  }
+  const auto remainder = [](const FrameRecord& r) {
+    return r.camera_to_image_ms - r.occlusion_representation_ms - r.hardware_cull_ms - r.latency_network_ms -
+           r.latency_render_ms - r.latency_waiting_ms;
+  };
+  return {{"frames", known.size()},
+          {"whole", distribution_json(known, [](const auto& r) { return r.camera_to_image_ms; })},
+          {"occlusion_representation",
+           distribution_json(known, [](const auto& r) { return r.occlusion_representation_ms; })},
+          {"hardware_cull", distribution_json(known, [](const auto& r) { return r.hardware_cull_ms; })},
+          {"network", distribution_json(known, [](const auto& r) { return r.latency_network_ms; })},
+          {"render", distribution_json(known, [](const auto& r) { return r.latency_render_ms; })},
+          {"waiting", distribution_json(known, [](const auto& r) { return r.latency_waiting_ms; })},
+          {"remainder", distribution_json(known, remainder)}};
 }
 
 /// A prediction, not a measurement: the stages of the one-process run were timed one at a time with all
@@ -126,6 +147,9 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
       {"frame_ms", distribution_json(frames, [](const auto& r) { return r.frame_ms; })},
       {"stages_ms", stages_json(frames)},
       {"camera_to_image_ms", distribution_json(frames, [](const auto& r) { return r.camera_to_image_ms; })},
+      {"latency_ms", latency_json(frames)},
+      {"clocks", clocks_json(measurement.roles.front())},
+      {"traffic", traffic_json(measurement.roles)},
       {"visible", distribution_json(frames, [](const auto& r) { return r.visible_count; })},
       {"cut", distribution_json(frames, [](const auto& r) { return r.cut_drawables; })},
       {"tests", distribution_json(frames, [](const auto& r) { return r.tests; })},

@@ -6,12 +6,14 @@
 
 namespace triptych {
 
-Fallback::Fallback(const Pack& pack, const FallbackOptions& options)
-    : options_(options),
-      renderer_(pack),
-      occlusion_(renderer_, options.width, options.height, options.test),
-      picture_(renderer_, options.width, options.height,
-               options.item_buffer ? TargetKind::item : TargetKind::color) {}
+Fallback::Fallback(const Pack& pack, const FallbackOptions& options) : options_(options), renderer_(pack) {
+  resize(options.width, options.height);
+}
+
+void Fallback::resize(int width, int height) {
+  occlusion_.emplace(renderer_, width, height, options_.test);
+  picture_.emplace(renderer_, width, height, options_.item_buffer ? TargetKind::item : TargetKind::color);
+}
 
 FrameRecord Fallback::draw(const FrameRequest& frame) {
   FrameRecord record{.number = frame.number};
@@ -20,14 +22,14 @@ FrameRecord Fallback::draw(const FrameRequest& frame) {
   std::vector<DrawableId> ordered;
   if (options_.cull == CullMode::occlusion) {
     Stopwatch stage;
-    occlusion_.begin(frame);
-    occlusion_.represent(previous);
-    occlusion_.finish();
+    occlusion_->begin(frame);
+    occlusion_->represent(previous);
+    occlusion_->finish();
     record.occlusion_representation_ms = stage.milliseconds();
     stage.restart();
-    const CullResult culled = occlusion_.cull(previous, options_.batches, [](const CullPacket&) {});
+    const CullResult culled = occlusion_->cull(previous, options_.batches, [](const CullPacket&) {});
     record.hardware_cull_ms = stage.milliseconds();
-    record.cut_drawables = occlusion_.cut().drawables.size();
+    record.cut_drawables = occlusion_->cut().drawables.size();
     record.tests = culled.tests;
     visible_ = culled.visible;
     ordered = visible_;
@@ -41,12 +43,12 @@ FrameRecord Fallback::draw(const FrameRequest& frame) {
     std::sort(visible_.begin(), visible_.end());
   }
   const Stopwatch stage;
-  picture_.begin(frame.view);
-  picture_.draw(ordered);
-  picture_.finish();
+  picture_->begin(frame.view, frame.number);
+  picture_->draw(ordered);
+  picture_->finish();
   record.render_ms = stage.milliseconds();
   record.frame_ms = record.camera_to_image_ms = whole.milliseconds();
-  record.drawn_triangles = picture_.drawn_triangles();
+  record.drawn_triangles = picture_->drawn_triangles();
   const VisibleDelta delta = difference(previous, visible_);
   record.added = delta.added.size();
   record.removed = delta.removed.size();

@@ -5,6 +5,8 @@
 #include "nodes/occlusion_stage.hpp"
 #include "nodes/picture_stage.hpp"
 
+#include <optional>
+
 namespace triptych {
 
 /// How a run culls.
@@ -28,19 +30,26 @@ class Fallback {
   Fallback(const Pack& pack, const FallbackOptions& options);
   /// Draws the frame; the picture stays in target() until the next one.
   FrameRecord draw(const FrameRequest& frame);
-  const Target& target() const { return picture_.target(); }
+  const Target& target() const { return picture_->target(); }
+  Renderer& renderer() { return renderer_; }
+  /// Culls otherwise from the next frame on.
+  void set_cull(CullMode cull) { options_.cull = cull; }
+  /// Draws in another size from the next frame on; geometry that was loaded stays.
+  void resize(int width, int height);
+  /// What the last frame was culled from, and how; empty unless by occlusion.
+  const OcclusionStage& occlusion() const { return *occlusion_; }
   /// Takes over from somebody else, who drew V(i−1).
   void resume(VisibleSet previous) { visible_ = std::move(previous); }
   /// For pictures of visible sets that come from elsewhere.
-  PictureStage& picture() { return picture_; }
+  PictureStage& picture() { return *picture_; }
   /// Starts over, as if nothing had been drawn; the next frame is incoherent.
   void forget() { visible_.clear(); }
 
  private:
   FallbackOptions options_;
   Renderer renderer_;
-  OcclusionStage occlusion_;
-  PictureStage picture_;
+  std::optional<OcclusionStage> occlusion_;
+  std::optional<PictureStage> picture_;
   VisibleSet visible_;
 };
 

@@ -34,7 +34,8 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
     const double came_ms = steady_milliseconds();
     result.waiting_ms += came_ms - began_ms;
     if (const auto* sentinel = std::get_if<Sentinel>(&message)) {
-      result.network_ms = std::clamp(came_ms - sentinel->times.sent_at_ms, 0.0, came_ms - began_ms);
+      result.sent_ms = sentinel->times.sent_at_ms - inbox.ahead_ms(hardware_cull_role(frame.number));
+      result.network_ms = std::clamp(came_ms - result.sent_ms, 0.0, came_ms - began_ms);
       result.sentinel = *sentinel;
       break;
     }

@@ -14,7 +14,8 @@ struct IntakeResult {
   Sentinel sentinel;
   bool digest_mismatch = false;  ///< what came in packets was not V(i); `visible` is the full set, sent again
   double waiting_ms = 0;         ///< for messages
-  double network_ms = 0;         ///< of that, while the sentinel was on its way; 0 where it was there already
+  double sent_ms = 0;            ///< when HC sent the sentinel, by this process's steady clock
+  double network_ms = 0;  ///< of the waiting, while the sentinel was on its way; 0 where it was there already
 };
 
 /// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i)

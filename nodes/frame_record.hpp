@@ -15,6 +15,13 @@ struct FrameRecord {
   double network_ms = 0;  ///< the render node's wait while HC's sentinel was on its way (on one machine)
   double waiting_ms = 0;  ///< the render node's other waiting for messages
   double camera_to_image_ms = 0;  ///< from the camera's release to its picture
+  /// Of a frame that all three roles played, and not as their first: camera_to_image_ms in its parts, one
+  /// after the other, besides R(i) and the hardware cull. Clocks of other machines are off by their
+  /// uncertainty.
+  bool latency_known = false;
+  double latency_waiting_ms = 0;  ///< the camera for the switch node, that one for packets
+  double latency_network_ms = 0;  ///< the camera's way, and the sentinel's
+  double latency_render_ms = 0;   ///< from the sentinel's sending, without its way
   uint64_t cut_drawables = 0, drawn_triangles = 0, tests = 0;
   uint64_t added = 0, removed = 0;
   uint64_t level_changes = 0;  ///< of those, ids of scene nodes that stay visible at another level of detail

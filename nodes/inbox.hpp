@@ -6,6 +6,7 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <variant>
 
@@ -13,6 +14,13 @@ namespace triptych {
 
 /// The session is over for this role: a peer said so, or a signal asked to stop.
 struct SessionEnded {};
+
+/// A peer's steady clock against this process's.
+struct PeerClock {
+  std::string peer;
+  double ahead_ms = 0;        ///< what the peer's clock shows more
+  double uncertainty_ms = 0;  ///< half of the shortest round trip: the truth lies within ± so much
+};
 
 /// Waits for one kind of message at a time and keeps the others in order. Requests for a full set are
 /// answered whenever they come. Throws SessionEnded at the end, and PeerLost for a peer that is gone, leaves
@@ -35,8 +43,13 @@ class Inbox {
   std::variant<DeltaMessage, Sentinel> packet(uint32_t frame);
   /// V(frame), after it was asked for.
   FullSet full_set(uint32_t frame);
-  /// A report of a switch node that has come already.
-  std::optional<SwitchReport> report();
+  /// Asks a peer for its clock a few times and believes the quickest answer (Cristian, "Probabilistic clock
+  /// synchronization", 1989). The peer answers while it waits for whatever.
+  PeerClock clock_of(Role peer);
+  /// What the peer's clock shows more, as clock_of() last found; 0 before.
+  double ahead_ms(Role peer) const;
+  /// What a switch node reported of the frame, if that has come; forgets reports of this and earlier frames.
+  std::optional<SwitchReport> report(uint32_t frame);
   /// Answers requests until the session ends.
   [[noreturn]] void wait_for_end();
 
@@ -49,6 +62,7 @@ class Inbox {
 
   Mailbox& mailbox_;
   std::deque<Message> kept_;
+  std::map<Role, double> ahead_ms_;
   std::optional<std::chrono::milliseconds> limit_;
   std::chrono::steady_clock::time_point deadline_;
 };

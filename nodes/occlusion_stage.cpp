@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/inject.hpp"
+#include "base/timeline.hpp"
 #include "visibility/map_to_cut.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ void OcclusionStage::begin(const FrameRequest& frame) {
     fail(fmt::format("frame {}", frame.number), "a viewport of {}x{} where {}x{} was agreed",
          frame.view.width, frame.view.height, tester_.target().width(), tester_.target().height());
   }
+  const TimelineScope scope("select cut", frame.number);
   frame_ = frame;
   if (injected(Fault::stale_camera) && last_view_) frame_.view = *last_view_;
   last_view_ = frame.view;
@@ -29,6 +31,7 @@ void OcclusionStage::begin(const FrameRequest& frame) {
 }
 
 void OcclusionStage::represent(const VisibleSet& visible) {
+  const TimelineScope scope("draw occlusion representation", frame_.number);
   const glm::ivec3 cell = eye_cell(skeleton_, frame_.view);
   std::vector<DrawableId> fresh = map_to_cut(skeleton_, cell, cut_, visible);
   std::erase_if(fresh, [&](DrawableId id) { return is_represented_[id]; });
@@ -37,10 +40,14 @@ void OcclusionStage::represent(const VisibleSet& visible) {
   tester_.draw(fresh);
 }
 
-void OcclusionStage::finish() { glFinish(); }
+void OcclusionStage::finish() {
+  const TimelineScope scope("finish occlusion representation", frame_.number);
+  glFinish();
+}
 
 CullResult OcclusionStage::cull(const VisibleSet& previous, const CullOptions& options,
                                 const std::function<void(const CullPacket&)>& emit) {
+  const TimelineScope scope("hardware cull", frame_.number);
   return hardware_cull(skeleton_, frame_.view, cut_, tester_, represented_, previous, options, emit);
 }
 

@@ -20,7 +20,8 @@ constexpr milliseconds first_pause(500), longest_pause(10'000);
 
 }  // namespace
 
-Peers::Peers(Connect connect, OnEnd on_end) : connect_(std::move(connect)), on_end_(std::move(on_end)) {
+Peers::Peers(Connect connect, OnEnd on_end, OnClocks on_clocks)
+    : connect_(std::move(connect)), on_end_(std::move(on_end)), on_clocks_(std::move(on_clocks)) {
   search(milliseconds(0));
 }
 
@@ -42,6 +43,7 @@ bool Peers::look(const FrameRequest& next) {
       if (!both_ready()) return false;
       inbox_.emplace(*mailbox_);
       since_ = Clock::now();
+      compare_clocks();
       ++epochs_;
       return true;
     }
@@ -90,6 +92,22 @@ bool Peers::both_ready() {
     throw PeerLost(missing, fmt::format("not ready after {} s", rehearsal_limit.count()));
   }
   return false;
+}
+
+void Peers::compare_clocks() {
+  constexpr milliseconds limit(2000);  // both have just said that they are ready
+  inbox_->limit_waiting(limit);
+  std::vector<PeerClock> clocks;
+  for (const Role peer : {Role::switch_0, Role::switch_1}) {
+    try {
+      clocks.push_back(inbox_->clock_of(peer));
+    } catch (const SessionEnded&) {
+      if (stop_requested()) throw;
+      throw PeerLost(peer, "a switch node left");
+    }
+  }
+  inbox_->limit_waiting(std::nullopt);
+  if (on_clocks_) on_clocks_(clocks);
 }
 
 void Peers::close(const std::string& reason) {

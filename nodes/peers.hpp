@@ -26,7 +26,10 @@ class Peers {
   /// Hears of the end of each connection.
   using OnEnd = std::function<void(const Mailbox&, const std::string& reason)>;
 
-  explicit Peers(Connect connect, OnEnd on_end = {});
+  /// Hears of both peers' clocks at the beginning of each epoch.
+  using OnClocks = std::function<void(const std::vector<PeerClock>&)>;
+
+  explicit Peers(Connect connect, OnEnd on_end = {}, OnClocks on_clocks = {});
   ~Peers();
   Peers(const Peers&) = delete;
   Peers& operator=(const Peers&) = delete;
@@ -39,6 +42,7 @@ class Peers {
 
   /// The peers' messages, during an epoch; otherwise null.
   Inbox* inbox() { return inbox_ ? &*inbox_ : nullptr; }
+  const Inbox* inbox() const { return inbox_ ? &*inbox_ : nullptr; }
 
   /// Ends the epoch because of what was thrown; the search begins anew, after a pause where peers that answer
   /// too late come again and again.
@@ -53,16 +57,18 @@ class Peers {
   void rehearse(const FrameRequest& frame);
   /// Takes in what they say; true when both are ready.
   bool both_ready();
+  void compare_clocks();
   void close(const std::string& reason);
 
   Connect connect_;
   OnEnd on_end_;
+  OnClocks on_clocks_;
   std::atomic<bool> stop_{false};
   std::future<std::unique_ptr<Mailbox>> search_;
   std::unique_ptr<Mailbox> mailbox_;
   std::optional<Inbox> inbox_;
   std::set<Role> ready_;
-  bool patient_ = true;  ///< what keeps the peers away may pass
+  bool patient_ = true;                          ///< what keeps the peers away may pass
   std::chrono::steady_clock::time_point since_;  ///< of the rehearsal, or of the epoch
   uint32_t too_late_ = 0;                        ///< short epochs in a row that ended so
   uint64_t epochs_ = 0;

@@ -13,7 +13,8 @@ class PictureStage {
  public:
   PictureStage(Renderer& renderer, int width, int height, TargetKind kind = TargetKind::color);
 
-  void begin(const View& view);
+  /// frame: its number, for the timeline.
+  void begin(const View& view, uint32_t frame = 0);
   /// Draws more of the frame. Over one frame, drawables come in draw rank order.
   void draw(const std::vector<DrawableId>& drawables);
   /// Waits until everything is drawn, so that a wall clock can time it.
@@ -28,6 +29,7 @@ class PictureStage {
   Target target_;
   TargetKind kind_;
   uint64_t drawn_triangles_ = 0, drawn_drawables_ = 0;
+  uint32_t frame_ = 0;
 };
 
 }  // namespace triptych

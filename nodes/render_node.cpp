@@ -2,12 +2,16 @@
 
 #include "base/clock.hpp"
 #include "base/notice.hpp"
+#include "base/timeline.hpp"
 #include "nodes/fallback.hpp"
 #include "nodes/frame_intake.hpp"
 
+#include <algorithm>
 #include <deque>
+#include <optional>
 #include <set>
 #include <thread>
+#include <utility>
 
 namespace triptych {
 
@@ -29,15 +33,18 @@ class RenderNode {
       : pack_(pack),
         frames_(frames),
         options_(options),
-        stages_(pack, fallback_options(frames.frame(frames.first).view, options)),
-        peers_(options.connect, options.on_epoch_end) {}
+        stages_(pack, {.width = 1, .height = 1, .test = options.test, .batches = options.cull}),
+        peers_(options.connect, options.on_epoch_end, options.on_clocks) {}
 
   void run() {
-    if (!options_.begin_alone) peers_.wait(frames_.frame(frames_.first));
+    first_ = frames_.frame(frames_.first);
+    if (!options_.begin_alone) peers_.wait(*first_);
     clock_.restart();
-    for (uint32_t i = frames_.first; i < frames_.count; ++i) {
+    while (next_release_ < frames_.count || !released_.empty()) {
       if (stop_requested()) throw SessionEnded();
-      while (next_release_ < std::min(i + in_flight, frames_.count)) release();
+      while (released_.size() < in_flight && next_release_ < frames_.count && ready()) release();
+      if (released_.empty() && frames_.finished && frames_.finished()) return;
+      if (released_.empty()) continue;
       draw(released_.front());
       released_.pop_front();
     }
@@ -54,11 +61,15 @@ class RenderNode {
 
   struct Released {
     FrameRequest request;
-    double at_ms;
+    double at_ms;    ///< of the run's clock
+    double sent_ms;  ///< how much later switch nodes heard of it
   };
 
-  static FallbackOptions fallback_options(const View& view, const RenderNodeOptions& options) {
-    return {.width = view.width, .height = view.height, .test = options.test, .batches = options.cull};
+  bool ready() const { return first_ || !frames_.ready || frames_.ready(released_.empty()); }
+
+  /// The first frame was asked for before its release, for the rehearsal.
+  FrameRequest next_frame(uint32_t number) {
+    return first_ ? *std::exchange(first_, std::nullopt) : frames_.frame(number);
   }
 
   /// The next camera is due: the switch nodes hear of it.
@@ -72,16 +83,19 @@ class RenderNode {
             std::chrono::duration<double, std::milli>(std::min(50.0, due_ms - clock_.milliseconds())));
       }
     }
-    released_.push_back({frames_.frame(i), clock_.milliseconds()});
+    const FrameRequest frame = next_frame(i);
+    released_.push_back({frame, clock_.milliseconds(), 0});
     if (!peers_.inbox()) return;
     try {
-      send(released_.back().request);
+      send(released_.back());
     } catch (const PeerLost& lost) {
       lose(i, lost.what(), false);
     }
   }
 
-  void send(const FrameRequest& frame) {
+  void send(Released& released) {
+    released.sent_ms = clock_.milliseconds() - released.at_ms;
+    const FrameRequest& frame = released.request;
     const CameraMessage message{frame.number, frame.view, frame.pixel_error,
                                 frame.number + 1 == frames_.count};
     for (const Role peer : {Role::switch_0, Role::switch_1})
@@ -105,18 +119,24 @@ class RenderNode {
     visible_ = record.visible;
     ++summary_.frames;
     summary_.alone += record.fallback;
+    if (options_.show) options_.show(frame.request, record, stages_);
+    const TimelineScope scope("hand the picture over", frame.request.number);
     if (options_.on_picture) options_.on_picture(std::move(record), stages_.target());
   }
 
   FrameRecord play(const Released& frame) {
     const uint32_t number = frame.request.number;
+    const View& view = frame.request.view;
+    if (const Target& target = stages_.target();
+        target.width() != view.width || target.height() != view.height)
+      stages_.resize(view.width, view.height);
     try {
       if (!peers_.inbox() && peers_.look(frame.request)) {
         if (summary_.alone > 0) notice("render node: frame {}: both switch nodes are back", number);
         visible_.clear();
-        for (const Released& waiting : released_) send(waiting.request);
+        for (Released& waiting : released_) send(waiting);
       }
-      if (peers_.inbox()) return draw_together(frame.request);
+      if (peers_.inbox()) return draw_together(frame);
     } catch (const PeerLost& lost) {
       lose(number, lost.what(), lost.too_late);
     } catch (const SessionEnded&) {
@@ -134,7 +154,8 @@ class RenderNode {
     return record;
   }
 
-  FrameRecord draw_together(const FrameRequest& frame) {
+  FrameRecord draw_together(const Released& released) {
+    const FrameRequest& frame = released.request;
     PictureStage& picture = stages_.picture();
     double drawing_ms = 0;
     const auto draw_more = [&](const std::vector<DrawableId>& drawables) {
@@ -143,27 +164,28 @@ class RenderNode {
       drawing_ms += stopwatch.milliseconds();
     };
     Inbox& inbox = *peers_.inbox();
-    picture.begin(frame.view);
+    picture.begin(frame.view, frame.number);
     inbox.limit_waiting(options_.timeout);
     IntakeResult intake =
         take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more);
     if (intake.digest_mismatch) {
       std::vector<DrawableId> ordered = intake.visible;
       sort_by_rank(pack_.skeleton(), eye_cell(pack_.skeleton(), frame.view), ordered);
-      picture.begin(frame.view);
+      picture.begin(frame.view, frame.number);
       draw_more(ordered);
     }
     const Stopwatch finishing;
     picture.finish();
     done_ms_ = clock_.milliseconds();
-    while (inbox.report()) {  // what OR spent is in the sentinel of the next frame
-    }
     FrameRecord record;
+    if (const auto report = frame.number > 0 ? inbox.report(frame.number - 1) : std::nullopt) {
+      record.occlusion_representation_ms = report->occlusion_representation_ms;
+      record_latency(record, released, *report, intake);
+    }
     record.render_ms = drawing_ms + finishing.milliseconds();
     record.waiting_ms = intake.waiting_ms - intake.network_ms;
     record.network_ms = intake.network_ms;
     record.hardware_cull_ms = intake.sentinel.times.hardware_cull_ms;
-    record.occlusion_representation_ms = intake.sentinel.times.occlusion_representation_ms;
     record.cut_drawables = intake.sentinel.times.cut_size;
     record.tests = intake.sentinel.times.queries;
     record.added = intake.sentinel.added;
@@ -174,6 +196,25 @@ class RenderNode {
     return record;
   }
 
+  /// How long after the camera's release; `steady_ms` by this process's steady clock.
+  double after_release(const Released& released, double steady_ms) const {
+    return clock_.milliseconds() - (steady_milliseconds() - steady_ms) - released.at_ms;
+  }
+
+  /// The way of the camera to its picture: to the switch node that then draws R(i), culls, and sends the
+  /// sentinel; then here, until the picture stands.
+  void record_latency(FrameRecord& record, const Released& released, const SwitchReport& report,
+                      const IntakeResult& intake) const {
+    const double ahead_ms = peers_.inbox()->ahead_ms(hardware_cull_role(released.request.number));
+    const double began_ms = after_release(released, report.began_at_ms - ahead_ms);
+    const double way_ms = std::clamp(began_ms - released.sent_ms, 0.0, report.camera_waiting_ms);
+    const double sent_ms = after_release(released, intake.sent_ms);
+    record.latency_known = true;
+    record.latency_waiting_ms = began_ms - way_ms + report.packets_waiting_ms;
+    record.latency_network_ms = way_ms + intake.network_ms;
+    record.latency_render_ms = done_ms_ - released.at_ms - sent_ms - intake.network_ms;
+  }
+
   const Pack& pack_;
   const FrameSource& frames_;
   const RenderNodeOptions& options_;
@@ -181,7 +222,8 @@ class RenderNode {
   Peers peers_;
   Stopwatch clock_;
   uint32_t next_release_ = frames_.first;
-  std::deque<Released> released_;  ///< cameras that are out, their pictures not yet
+  std::deque<Released> released_;      ///< cameras that are out, their pictures not yet
+  std::optional<FrameRequest> first_;  ///< until it is released
   double done_ms_ = 0, last_done_ms_ = 0;
   VisibleSet visible_;
   RenderNodeSummary summary_;

@@ -2,6 +2,7 @@
 // missing.
 #pragma once
 
+#include "nodes/fallback.hpp"
 #include "nodes/frame_record.hpp"
 #include "nodes/peers.hpp"
 #include "nodes/picture_stage.hpp"
@@ -10,10 +11,15 @@
 
 namespace triptych {
 
-/// What is to be drawn: frames `first` to `count` − 1.
+/// What is to be drawn: frames `first` to `count` − 1, as they come about: a frame is asked for when its
+/// camera is released, once each and in order, and nobody knows it before.
 struct FrameSource {
   uint32_t first = 0, count = 0;
-  std::function<FrameRequest(uint32_t)> frame;  ///< its number is the argument; all of one size
+  std::function<FrameRequest(uint32_t)> frame;  ///< its number is the argument
+  /// Whether there is a next one; may wait a moment for it where `may_wait`. Without it there always is.
+  std::function<bool(bool may_wait)> ready = {};
+  /// Whether no further one will come although `count` is not reached. Without it there always will.
+  std::function<bool()> finished = {};
 };
 
 struct RenderNodeOptions {
@@ -27,6 +33,10 @@ struct RenderNodeOptions {
   Peers::OnEnd on_epoch_end;
   /// Begin without waiting for switch nodes: another render node did so before this one.
   bool begin_alone = false;
+  /// Hears of the switch nodes' clocks at the beginning of each epoch.
+  Peers::OnClocks on_clocks = {};
+  /// Called with each frame as soon as its picture stands, before on_picture: shows it to somebody.
+  std::function<void(const FrameRequest&, const FrameRecord&, Fallback&)> show = {};
   /// Called after each frame with its picture.
   std::function<void(FrameRecord, const Target&)> on_picture;
 };

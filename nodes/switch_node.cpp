@@ -94,8 +94,6 @@ class Epoch {
     sentinel.digest =
         frame_digest(frame, camera_.view, camera_.pixel_error, shop_.pack.content_hash(), visible_);
     sentinel.times = {.hardware_cull_ms = stopwatch.milliseconds(),
-                      .occlusion_representation_ms = represent_ms_,
-                      .waiting_ms = waiting_ms_,
                       .queries = static_cast<uint32_t>(result.tests),
                       .cut_size = static_cast<uint32_t>(shop_.stage->cut().drawables.size()),
                       .sent_at_ms = steady_milliseconds()};
@@ -109,7 +107,8 @@ class Epoch {
     const FrameRequest current = request(camera_);
     const Stopwatch waiting;
     camera_ = inbox_.camera(frame + 1);
-    waiting_ms_ = waiting.milliseconds();
+    const double camera_waiting_ms = waiting.milliseconds();
+    const double began_at_ms = steady_milliseconds();
     const Stopwatch whole;
     begin(camera_);
     IntakeResult intake =
@@ -120,15 +119,16 @@ class Epoch {
       shop_.stage->represent(intake.visible);
     }
     shop_.stage->finish();
-    represent_ms_ = whole.milliseconds() - intake.waiting_ms;
-    waiting_ms_ += intake.waiting_ms;
+    const double represent_ms = whole.milliseconds() - intake.waiting_ms;
     previous_visible_ = std::move(visible_);
     visible_ = std::move(intake.visible);
     visible_frame_ = frame;
     inbox_.mailbox().send(Role::render, Channel::nodes,
                           SwitchReport{.frame = frame,
-                                       .occlusion_representation_ms = represent_ms_,
-                                       .waiting_ms = waiting_ms_,
+                                       .began_at_ms = began_at_ms,
+                                       .occlusion_representation_ms = represent_ms,
+                                       .camera_waiting_ms = camera_waiting_ms,
+                                       .packets_waiting_ms = intake.waiting_ms,
                                        .drawables = static_cast<uint32_t>(shop_.stage->represented().size()),
                                        .triangles = shop_.stage->represented_triangles()});
     ++shop_.summary.represented;
@@ -148,7 +148,6 @@ class Epoch {
   CameraMessage camera_;  ///< of the frame at hand; after represent(), of the next one
   VisibleSet visible_, previous_visible_;
   uint32_t visible_frame_ = 0;
-  double represent_ms_ = 0, waiting_ms_ = 0;
 };
 
 }  // namespace

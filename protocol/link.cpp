@@ -159,7 +159,14 @@ std::string Link::write(const Message& message, const std::vector<std::byte>& by
   return {};
 }
 
+TcpFigures Link::kernel_figures() const {
+  // Asio's native_handle() is not const, and says only which descriptor it is.
+  auto& socket = const_cast<asio::ip::tcp::socket&>(socket_);
+  return socket.is_open() ? tcp_figures(socket.native_handle()) : last_kernel_figures_;
+}
+
 void Link::close() {
+  last_kernel_figures_ = kernel_figures();
   done_ = nullptr;
   secured_ = nullptr;
   asio::error_code ignored;  // closing what is closed already

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "protocol/message_reader.hpp"
+#include "protocol/tcp_figures.hpp"
 #include "protocol/tls.hpp"
 
 #include <asio/ip/tcp.hpp>
@@ -61,6 +62,8 @@ class Link : public std::enable_shared_from_this<Link> {
   void set_place(std::string place) { place_ = std::move(place); }
   const std::string& place() const { return place_; }
   const LinkFigures& figures() const { return figures_; }
+  /// What the kernel says; after close(), what it last said.
+  TcpFigures kernel_figures() const;
 
  private:
   void read_some();
@@ -73,6 +76,7 @@ class Link : public std::enable_shared_from_this<Link> {
   asio::ip::tcp::socket socket_;
   std::string place_;
   LinkFigures figures_;
+  TcpFigures last_kernel_figures_;
   std::vector<std::byte> arriving_;  ///< straight from the network
   MessageReader reader_;
   uint32_t limit_ = 0;

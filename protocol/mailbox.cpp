@@ -1,8 +1,11 @@
 #include "protocol/mailbox.hpp"
 
+#include "base/clock.hpp"
 #include "base/inject.hpp"
+#include "base/timeline.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace triptych {
 
@@ -15,6 +18,14 @@ constexpr size_t queue_limit = size_t{2} * body_limit;
 
 void flip_a_byte_of_the_body(std::vector<std::byte>& bytes) {
   if (bytes.size() > header_bytes) bytes[(header_bytes + bytes.size()) / 2] ^= std::byte{0x10};
+}
+
+/// The timeline's name for it; stays as long as the thread.
+const char* sending_stage(const Message& message) {
+  thread_local std::array<std::string, std::variant_size_v<Message>> names;
+  std::string& name = names[message.index()];
+  if (name.empty()) name = "send " + message_name(message);
+  return name.c_str();
 }
 
 }  // namespace
@@ -46,7 +57,7 @@ void Mailbox::read_next(Key key) {
     const auto* arrived = std::get_if<Link::Arrived>(&outcome);
     const bool more = arrived != nullptr && !std::holds_alternative<Bye>(arrived->message);
     if (arrived != nullptr) queued_bytes_ += arrived->body_bytes;
-    queue_.push_back({key.first, key.second, std::move(outcome)});
+    queue_.push_back({key.first, key.second, std::move(outcome), steady_milliseconds()});
     if (!more) return;
     if (queued_bytes_ < queue_limit) {
       read_next(key);
@@ -78,17 +89,19 @@ void Mailbox::send(Role peer, Channel channel, const Message& message) {
   const auto found = links_.find({peer, channel});
   if (found == links_.end()) fail(role_name(peer), "{} is not connected", channel_name(channel));
   if (left_.count(peer) != 0) return;
+  const TimelineScope scope(sending_stage(message), frame_of(message));
   auto bytes = encode(message);
   if (channel == Channel::nodes && ++nodes_messages_ % 50 == 0 && injected(Fault::flipped_byte)) {
     flip_a_byte_of_the_body(bytes);
   }
   const auto link = found->second;
+  if (observe) observe({steady_milliseconds(), true, peer, channel, message});
   const std::string reason = link->write(message, bytes, send_timeout_);
   if (reason.empty()) return;
   // What the peer sent before it went, perhaps its Bye, may still be on its way from the kernel.
   context_.poll();
   if (waiting_from(peer)) {
-    queue_.push_back({peer, channel, Link::Broken{reason, false}});
+    queue_.push_back({peer, channel, Link::Broken{reason, false}, steady_milliseconds()});
     return;
   }
   drop(peer);
@@ -131,6 +144,7 @@ std::optional<Received> Mailbox::take_first() {
   if (queued_bytes_ < queue_limit) {
     for (const Key& key : std::exchange(paused_, {})) read_next(key);
   }
+  if (observe) observe({entry.came_ms, false, entry.peer, entry.channel, arrived->message});
   return Received{entry.peer, entry.channel, std::move(arrived->message)};
 }
 
@@ -171,6 +185,11 @@ void Mailbox::leave(const std::string& reason) {
 LinkFigures Mailbox::figures(Role peer, Channel channel) const {
   const auto found = links_.find({peer, channel});
   return found == links_.end() ? LinkFigures{} : found->second->figures();
+}
+
+TcpFigures Mailbox::kernel_figures(Role peer, Channel channel) const {
+  const auto found = links_.find({peer, channel});
+  return found == links_.end() ? TcpFigures{} : found->second->kernel_figures();
 }
 
 const Hello& Mailbox::peer_hello(Role peer) const {

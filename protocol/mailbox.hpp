@@ -3,11 +3,13 @@
 
 #include "base/error.hpp"
 #include "protocol/link.hpp"
+#include "protocol/recording.hpp"
 
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -59,6 +61,9 @@ class Mailbox {
   /// go on.
   std::optional<Received> receive(std::chrono::milliseconds timeout);
 
+  /// Called with every message that is sent or handed out from now on: for recordings.
+  std::function<void(const RecordedMessage&)> observe;
+
   /// For the handshake: forgets a link that broke before anything was received from it, so that the peer can
   /// come again.
   bool forget_if_broken(Role peer, Channel channel);
@@ -75,6 +80,7 @@ class Mailbox {
 
   /// All zero for a link that never was.
   LinkFigures figures(Role peer, Channel channel) const;
+  TcpFigures kernel_figures(Role peer, Channel channel) const;
 
   void set_send_timeout(std::chrono::milliseconds timeout) { send_timeout_ = timeout; }
 
@@ -87,6 +93,7 @@ class Mailbox {
     Role peer;
     Channel channel;
     Link::Outcome outcome;
+    double came_ms = 0;  ///< steady clock
   };
   using Key = std::pair<Role, Channel>;
 

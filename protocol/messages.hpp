@@ -54,11 +54,9 @@ struct DeltaMessage {
 /// What HC spent on the frame.
 struct StageTimes {
   double hardware_cull_ms = 0;
-  double occlusion_representation_ms = 0;  ///< of R(i), one frame before, by the same process
-  double waiting_ms = 0;                   ///< for messages
-  uint32_t queries = 0;                    ///< boxes tested
-  uint32_t cut_size = 0;                   ///< drawables of cut i
-  double sent_at_ms = 0;                   ///< the sender's steady clock
+  uint32_t queries = 0;   ///< boxes tested
+  uint32_t cut_size = 0;  ///< drawables of cut i
+  double sent_at_ms = 0;  ///< the sender's steady clock
   bool operator==(const StageTimes&) const = default;
 };
 
@@ -85,12 +83,14 @@ struct FullSet {
   bool operator==(const FullSet&) const = default;
 };
 
-/// From OR to the render node: what R(i+1) cost, for reports.
+/// From OR to the render node: what R(i+1) cost. It comes before any message of frame i+1 from the same node.
 struct SwitchReport {
-  uint32_t frame = 0;  ///< i, the frame in which it was drawn
+  uint32_t frame = 0;      ///< i, the frame in which it was drawn
+  double began_at_ms = 0;  ///< the sender's steady clock, once camera i+1 was there
   double occlusion_representation_ms = 0;
-  double waiting_ms = 0;
-  uint32_t drawables = 0;  ///< drawn into it
+  double camera_waiting_ms = 0;   ///< for camera i+1, before it began
+  double packets_waiting_ms = 0;  ///< for V(i), meanwhile
+  uint32_t drawables = 0;         ///< drawn into it
   uint64_t triangles = 0;
   bool operator==(const SwitchReport&) const = default;
 };
@@ -108,8 +108,21 @@ struct Ready {
   bool operator==(const Ready&) const = default;
 };
 
+/// From the render node to a switch node: what time is it?
+struct ClockRequest {
+  uint32_t frame = 0;  ///< counts the requests
+  bool operator==(const ClockRequest&) const = default;
+};
+
+/// The answer, at once.
+struct ClockAnswer {
+  uint32_t frame = 0;   ///< the request's
+  double clock_ms = 0;  ///< the sender's steady clock
+  bool operator==(const ClockAnswer&) const = default;
+};
+
 using Message = std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet,
-                             SwitchReport, Bye, Ready>;
+                             SwitchReport, Bye, Ready, ClockRequest, ClockAnswer>;
 
 /// The frame that a message belongs to; 0 for Hello and Bye.
 uint32_t frame_of(const Message& message);

@@ -145,8 +145,7 @@ void write_body(ByteWriter& out, const Sentinel& message) {
   for (const uint32_t count : {message.visible, message.added, message.removed}) out.write(count);
   out.write(message.digest);
   const StageTimes& times = message.times;
-  for (const double time : {times.hardware_cull_ms, times.occlusion_representation_ms, times.waiting_ms})
-    out.write(time);
+  out.write(times.hardware_cull_ms);
   out.write(times.queries);
   out.write(times.cut_size);
   out.write(times.sent_at_ms);
@@ -158,9 +157,7 @@ Sentinel read_sentinel(ByteReader& in, uint32_t frame) {
   for (auto* count : {&message.visible, &message.added, &message.removed}) *count = in.read<uint32_t>();
   message.digest = in.read<uint64_t>();
   StageTimes& times = message.times;
-  for (auto* time : {&times.hardware_cull_ms, &times.occlusion_representation_ms, &times.waiting_ms}) {
-    *time = read_not_negative(in, "a stage's time");
-  }
+  times.hardware_cull_ms = read_not_negative(in, "a stage's time");
   times.queries = in.read<uint32_t>();
   times.cut_size = in.read<uint32_t>();
   times.sent_at_ms = read_not_negative(in, "a clock");
@@ -178,8 +175,10 @@ FullSet read_full_set(ByteReader& in, uint32_t frame) {
 }
 
 void write_body(ByteWriter& out, const SwitchReport& message) {
-  out.write(message.occlusion_representation_ms);
-  out.write(message.waiting_ms);
+  for (const double time : {message.began_at_ms, message.occlusion_representation_ms,
+                            message.camera_waiting_ms, message.packets_waiting_ms}) {
+    out.write(time);
+  }
   out.write(message.drawables);
   out.write(message.triangles);
 }
@@ -187,8 +186,10 @@ void write_body(ByteWriter& out, const SwitchReport& message) {
 SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
   SwitchReport message;
   message.frame = frame;
-  message.occlusion_representation_ms = read_not_negative(in, "a stage's time");
-  message.waiting_ms = read_not_negative(in, "a stage's time");
+  for (auto* time : {&message.began_at_ms, &message.occlusion_representation_ms, &message.camera_waiting_ms,
+                     &message.packets_waiting_ms}) {
+    *time = read_not_negative(in, "a stage's time");
+  }
   message.drawables = in.read<uint32_t>();
   message.triangles = in.read<uint64_t>();
   return message;
@@ -197,6 +198,10 @@ SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
 void write_body(ByteWriter& out, const Bye& message) { write_line(out, message.reason); }
 
 void write_body(ByteWriter&, const Ready&) {}
+
+void write_body(ByteWriter&, const ClockRequest&) {}
+
+void write_body(ByteWriter& out, const ClockAnswer& message) { out.write(message.clock_ms); }
 
 uint32_t type_of(const Message& message) {
   const auto* delta = std::get_if<DeltaMessage>(&message);
@@ -225,6 +230,10 @@ Message read_body(uint32_t type, uint32_t frame, ByteReader& in) {
       return Bye{read_line(in)};
     case 8:
       return Ready{frame};
+    case 9:
+      return ClockRequest{frame};
+    case 10:
+      return ClockAnswer{frame, read_not_negative(in, "a clock")};
     default:
       fail(in.place(), "message type {} does not exist", type);
   }

@@ -2,10 +2,13 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 namespace {
 constexpr GLenum color_attachment = GL_COLOR_ATTACHMENT0, item_attachment = GL_COLOR_ATTACHMENT1;
+constexpr float background[4] = {0.86f, 0.90f, 0.95f, 1};
 }  // namespace
 
 Target::Target(TargetKind kind, int width, int height) : kind_(kind), width_(width), height_(height) {
@@ -42,10 +45,21 @@ void Target::clear() const {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const float far_away = 0;
   glClearNamedFramebufferfv(framebuffer_, GL_DEPTH, 0, &far_away);
-  const float background[4] = {0.86f, 0.90f, 0.95f, 1};
   const GLuint nothing[4] = {0, 0, 0, 0};
   if (has_colors()) glClearNamedFramebufferfv(framebuffer_, GL_COLOR, 0, background);
   if (has_items()) glClearNamedFramebufferuiv(framebuffer_, GL_COLOR, has_colors() ? 1 : 0, nothing);
+}
+
+void Target::copy_to_window(int window_width, int window_height) const {
+  const GLuint window = 0;
+  const int copied_width = std::min(width_, window_width), copied_height = std::min(height_, window_height);
+  if (copied_width < window_width || copied_height < window_height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, window);
+    glClearNamedFramebufferfv(window, GL_COLOR, 0, background);
+  }
+  glNamedFramebufferReadBuffer(framebuffer_, color_attachment);
+  glBlitNamedFramebuffer(framebuffer_, window, 0, 0, copied_width, copied_height, 0, 0, copied_width,
+                         copied_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 namespace {

@@ -25,6 +25,9 @@ class Target {
   std::vector<uint32_t> read_items() const;
   /// width × height of reversed depth.
   std::vector<float> read_depths() const;
+  /// Copies the colours into the context's window of width × height pixels, of which what fits; the rest is
+  /// background.
+  void copy_to_window(int window_width, int window_height) const;
   bool has_colors() const { return kind_ == TargetKind::color || kind_ == TargetKind::color_and_item; }
   bool has_items() const { return kind_ == TargetKind::item || kind_ == TargetKind::color_and_item; }
   int width() const { return width_; }

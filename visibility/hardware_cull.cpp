@@ -116,6 +116,7 @@ class HardwareCull {
     result_.tests += nodes_.size();
     for (size_t i = 0; i < nodes_.size(); ++i) {
       const bool inner = cut_.choice[nodes_[i]] == Cut::inner;
+      if (options_.on_test) options_.on_test(nodes_[i], answers_[i] != 0);
       if (inner && answers_[i]) push_children(nodes_[i]);
       if (inner && !answers_[i]) ++result_.hidden_subtrees;
       if (!inner && answers_[i]) show(nodes_[i]);

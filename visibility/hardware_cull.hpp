@@ -23,6 +23,8 @@ struct CullOptions {
   /// A packet is emitted once it holds so many ids that change, and at the end. Smaller packets let receivers
   /// begin earlier and cost more bytes; docs/protocol.md has figures.
   size_t packet_ids = 32;
+  /// Told of each box that was tested, by its scene node, and whether it shows: for explanations.
+  std::function<void(SceneNodeId, bool)> on_test = {};
 };
 
 struct CullResult {

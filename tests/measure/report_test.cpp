@@ -44,9 +44,36 @@ json walk_figures() {
        {"fallback_frames", 0},
        {"culling_efficiency", 2.5},
        {"delta",
-        {{"added_mean", 1}, {"removed_mean", 1}, {"saved_percent", 95.5}, {"body_bytes_per_id", 3.5}}},
+        {{"added_mean", 1}, {"removed_mean", 1}, {"saved_percent", 95.5}, {"body_bytes_per_id", 1.5}}},
        {"mbit_per_s", {{"measured", 0.2}, {"formula", 0.1}}},
        {"bytes_per_frame", {{"switch node 0 to render node, nodes", 90.5}}},
+       {"traffic",
+        {{"sockets",
+          {{{"socket", "switch node 0 to render node, nodes channel"},
+            {"bytes_per_frame", 90.5},
+            {"formula_bytes_per_frame", 20.25},
+            {"kernel_bytes_per_frame", 91.5},
+            {"retransmissions", 0},
+            {"round_trip_ms", 0.05}}}},
+         {"receivers",
+          {{{"receiver", "render node"}, {"bytes_per_frame", 181.0}, {"formula_bytes_per_frame", 160.5}}}},
+         {"bytes_per_frame", 544},
+         {"formula_bytes_per_frame", 430},
+         {"formula_bytes_per_frame_whole_sets", 1400},
+         {"kernel_bytes_per_frame", 545},
+         {"retransmissions", 0},
+         {"share_of_formula", 1.26},
+         {"share_of_formula_whole_sets", 0.39},
+         {"share_of_4_bytes_per_id", {{"bodies", 0.336}, {"bodies_and_headers", 1.5}}}}},
+       {"latency_ms",
+        {{"frames", 2},
+         {"whole", spread_of(40)},
+         {"occlusion_representation", spread_of(10)},
+         {"hardware_cull", spread_of(8)},
+         {"network", spread_of(1)},
+         {"render", spread_of(15)},
+         {"waiting", spread_of(5.5)},
+         {"remainder", spread_of(0.5)}}},
        {"predicted_fps_three_machines", 31.5},
        {"stages_ms", stages},
        {"series", series},
@@ -131,7 +158,7 @@ TEST_F(ReportFiles, the_page_loads_nothing_from_elsewhere) {
 TEST_F(ReportFiles, a_run_that_reaches_everything_misses_nothing) {
   const Report report = load();
   const json merged = report_json(report);
-  EXPECT_EQ(merged["targets"].size(), 8u);
+  EXPECT_EQ(merged["targets"].size(), 10u);
   EXPECT_TRUE(merged["all_met"].get<bool>());
   EXPECT_FALSE(holds(report_page(report), "class=\"missed\""));
 }
@@ -145,8 +172,27 @@ TEST_F(ReportFiles, a_missed_target_is_shown_as_missed_and_by_how_much) {
   const std::string page = report_page(report);
   EXPECT_TRUE(holds(page, "<span class=\"missed\">missed by 4.2: 88.8, at least 93.0</span>"));
   EXPECT_TRUE(holds(page, "<span class=\"missed\">missed by 1: 2, at least 3</span>"));
-  EXPECT_TRUE(holds(page, "Targets: 6 of 8 met"));
+  EXPECT_TRUE(holds(page, "Targets: 8 of 10 met"));
   EXPECT_FALSE(report_json(report)["all_met"].get<bool>());
+}
+
+TEST_F(ReportFiles, the_page_shows_traffic_by_socket_and_latency_by_stage) {
+  json walk = walk_figures();
+  walk["batches"] = {{{"batch", 77},
+                      {"bytes_per_frame", 500},
+                      {"packets_per_frame", 1.5},
+                      {"camera_to_image_ms", spread_of(41)},
+                      {"frame_ms", spread_of(21)}}};
+  walk["restarts"] = 3;
+  change("walk", walk);
+  const std::string page = report_page(load());
+  EXPECT_TRUE(holds(page, "switch node 0 to render node, nodes channel"));
+  EXPECT_TRUE(holds(page, "all to the render node"));
+  EXPECT_TRUE(holds(page, "39.0&nbsp;%"));  // of the formula at whole sets
+  EXPECT_TRUE(holds(page, "camera to image"));
+  EXPECT_TRUE(holds(page, "1.25&nbsp;% of it"));  // half a millisecond of 40 is left over
+  EXPECT_TRUE(holds(page, "<td>77</td>") || holds(page, ">77<"));
+  EXPECT_TRUE(holds(page, "Faults seen and mended"));
 }
 
 TEST_F(ReportFiles, targets_follow_the_figures_of_their_runs) {

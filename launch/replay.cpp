@@ -1,0 +1,142 @@
+#include "nodes/replay.hpp"
+
+#include "base/file.hpp"
+#include "base/hashing.hpp"
+#include "launch/command.hpp"
+#include "launch/pictures.hpp"
+#include "measure/json.hpp"
+#include "nodes/picture_stage.hpp"
+#include "render/png_file.hpp"
+
+#include <fmt/core.h>
+
+namespace triptych {
+
+namespace {
+
+struct ReplayCommand {
+  std::filesystem::path folder, pack, output, json;
+  ContextKind context = ContextKind::egl;
+  std::optional<uint32_t> frame;  ///< none: all of them
+  bool partial = false;
+};
+
+/// Draws replayed frames; keeps what it needs from one to the next.
+class Replayer {
+ public:
+  Replayer(const ReplayCommand& command, const Pack& pack)
+      : command_(command), pack_(pack), renderer_(pack) {}
+
+  bool wants(uint32_t frame) const { return !command_.frame || *command_.frame == frame; }
+  bool done() const { return command_.frame && !frames_.empty(); }
+
+  void draw(const ReplayedFrame& frame) {
+    const View& view = frame.request.view;
+    if (!picture_ || picture_->target().width() != view.width || picture_->target().height() != view.height) {
+      picture_.emplace(renderer_, view.width, view.height);
+    }
+    std::vector<DrawableId> ordered = frame.visible;
+    sort_by_rank(pack_.skeleton(), eye_cell(pack_.skeleton(), view), ordered);
+    picture_->begin(view);
+    picture_->draw(ordered);
+    const std::vector<uint8_t> colors = picture_->target().read_colors();
+    const uint64_t hash = hash_values(std::span<const uint8_t>(colors));
+    write_png(command_.frame ? command_.output : command_.output / picture_name(frame.request.number),
+              view.width, view.height, colors);
+    frames_.push_back({{"number", frame.request.number},
+                       {"pixel_error", frame.request.pixel_error},
+                       {"visible", frame.visible.size()},
+                       {"drawn_triangles", picture_->drawn_triangles()},
+                       {"digest_mismatch", frame.digest_mismatch},
+                       {"alone", frame.alone},
+                       {"picture_hash", hash}});
+  }
+  const nlohmann::json& frames() const { return frames_; }
+
+ private:
+  const ReplayCommand& command_;
+  const Pack& pack_;
+  Renderer renderer_;
+  std::optional<PictureStage> picture_;
+  nlohmann::json frames_ = nlohmann::json::array();
+};
+
+/// Plays one file of the render node; returns where it was cut, if that is allowed and was so.
+std::string play(const ReplayCommand& command, const Pack& pack, RecordingReader& reader,
+                 const std::filesystem::path& file, Replayer& replayer) {
+  Replay replay(pack.skeleton(), reader.header().own.pack_hash, file.string());
+  try {
+    while (const auto recorded = reader.next()) {
+      if (replayer.done()) continue;  // the rest is read all the same: a damaged recording is not trusted
+      for (const ReplayedFrame& frame : replay.take(*recorded)) {
+        if (replayer.wants(frame.request.number)) replayer.draw(frame);
+      }
+    }
+  } catch (const RecordingCut& cut) {
+    if (!command.partial) throw;
+    return cut.what();
+  }
+  return {};
+}
+
+int run(const ReplayCommand& command) {
+  const auto files = recordings_of(Role::render, command.folder);
+  if (files.empty()) fail(command.folder.string(), "holds no recording of a render node");
+  const RecordingHeader header = RecordingReader(files.front()).header();
+  const Pack pack(command.pack.empty() ? std::filesystem::path(header.pack) : command.pack);
+  if (pack.content_hash() != header.own.pack_hash) {
+    fail(files.front().string(), "was recorded with another pack: its hash is {:016x}, this one's {:016x}",
+         header.own.pack_hash, pack.content_hash());
+  }
+  if (!command.frame) make_folder(command.output);
+  const auto context = make_context(command.context);
+  if (context->names().renderer != header.own.gl_renderer ||
+      context->names().version != header.own.gl_version) {
+    fmt::print(stderr, "replay: recorded with OpenGL {} {}, drawn with {} {}: pixels may differ\n",
+               header.own.gl_renderer, header.own.gl_version, context->names().renderer,
+               context->names().version);
+  }
+  Replayer replayer(command, pack);
+  std::string cut;
+  for (const std::filesystem::path& file : files) {
+    RecordingReader reader(file);
+    cut = play(command, pack, reader, file, replayer);
+    if (!cut.empty()) fmt::print(stderr, "replay: {}\n", cut);
+  }
+  if (replayer.frames().empty()) {
+    if (command.frame) fail(command.folder.string(), "frame {} is not in the recording", *command.frame);
+    fail(command.folder.string(), "there is no whole frame in the recording");
+  }
+  const nlohmann::json& last = replayer.frames().back();
+  if (command.frame) {
+    fmt::print("frame {}: {} drawables, {} triangles, picture {:016x}\n", *command.frame,
+               last["visible"].get<uint64_t>(), last["drawn_triangles"].get<uint64_t>(),
+               last["picture_hash"].get<uint64_t>());
+  } else {
+    fmt::print("{} frames\n", replayer.frames().size());
+  }
+  write_json(command.json, {{"frames", replayer.frames()}, {"cut", !cut.empty()}});
+  return 0;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Action& action) {
+  auto command = std::make_shared<ReplayCommand>();
+  CLI::App* sub = app.add_subcommand("replay", "Show frames of a recorded session again, in one process");
+  sub->footer("Example: triptych replay recording --frame 17 -o frame-17.png");
+  add_common_flags(*sub, command->json);
+  sub->add_option("folder", command->folder, "What session --record left")->required()->type_name("DIR");
+  auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file");
+  sub->add_option("--frames", "All of them; -o is a folder")->check(CLI::IsMember({"all"}))->excludes(frame);
+  sub->add_option("-o,--output", command->output, "Where the picture goes")->required()->type_name("PATH");
+  sub->add_option("--pack", command->pack, "The pack, where it is not where it was")->type_name("FILE.tpk");
+  add_context_flag(*sub, command->context);
+  sub->add_flag("--partial", command->partial, "Show what a recording holds that ends too soon");
+  sub->callback([command, sub, &action] {
+    if (sub->count("--frame") + sub->count("--frames") == 0) throw CLI::RequiredError("--frame or --frames");
+    action = [command] { return run(*command); };
+  });
+}
+
+}  // namespace triptych

@@ -1,0 +1,82 @@
+#include "base/memory.hpp"
+#include "launch/command.hpp"
+#include "launch/window_source.hpp"
+#include "measure/json.hpp"
+#include "nodes/inbox.hpp"
+
+#include <fmt/core.h>
+
+namespace triptych {
+
+namespace {
+
+struct ViewCommand {
+  RunOptions run;
+  std::optional<ContextKind> context;  ///< none: the display's own
+  bool play = false;
+  std::filesystem::path pictures = ".";
+};
+
+int run(const ViewCommand& command) {
+  stop_requested();  // from here on a signal closes the window in good order
+  const Pack pack(command.run.pack);
+  ViewerOptions options = viewer_options(command.run);
+  options.window.context = command.context;
+  options.play = command.play;
+  options.pictures = command.pictures;
+  if (options.play && !options.path) fail("view", "--play needs a --path to play");
+  Viewer viewer(pack, options);
+  fmt::print(stderr, "{}", viewer_help());
+  Fallback fallback(pack, {.width = viewer.window().width(),
+                           .height = viewer.window().height(),
+                           .test = command.run.test,
+                           .batches = {}});
+  std::vector<FrameRecord> records;
+  while (!viewer.left()) {
+    constexpr double patience_s = 1;
+    if (!viewer.wait_for_frame(patience_s)) continue;
+    const FrameRequest frame = viewer.next_frame();
+    if (const Target& target = fallback.target();
+        target.width() != frame.view.width || target.height() != frame.view.height) {
+      fallback.resize(frame.view.width, frame.view.height);
+    }
+    fallback.set_cull(viewer.culling() ? CullMode::occlusion : CullMode::frustum);
+    const FrameRecord record = fallback.draw(frame);
+    viewer.show(frame, record, fallback.target(), fallback.renderer());
+    // The figures of a day at the window do not fill the memory: sets are dropped.
+    records.push_back(record);
+    records.back().visible = {};
+  }
+  const GlNames& gl = viewer.window().names();
+  const nlohmann::json report = {
+      {"frames", records.size()},
+      {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},
+      {"drawn_triangles", distribution_json(records, [](const FrameRecord& r) { return r.drawn_triangles; })},
+      {"peak_rss_bytes", peak_resident_bytes()},
+      {"gl", {{"vendor", gl.vendor}, {"renderer", gl.renderer}, {"version", gl.version}}}};
+  fmt::print("{} frames, median {:.1f} ms\n", records.size(), report["frame_ms"]["p50"].get<double>());
+  write_json(command.run.json, report);
+  return 0;
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Action& action) {
+  auto command = std::make_shared<ViewCommand>();
+  CLI::App* sub = app.add_subcommand("view", "Walk through a pack in a window, in one process");
+  sub->footer("Example: triptych view scene.tpk --path walk.json\nKeys:\n" + viewer_help());
+  add_run_flags(*sub, command->run);
+  sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
+  sub->get_option("--frames")->required(false);
+  sub->get_option("--context")->default_str("the display's own");
+  sub->add_flag("--play", command->play, "Play the path at once, over and over");
+  sub->add_option("-o,--output", command->pictures, "Folder for pictures that F2 saves")
+      ->type_name("DIR")
+      ->capture_default_str();
+  sub->callback([command, sub, &action] {
+    if (sub->count("--context") > 0) command->context = command->run.context;
+    action = [command] { return run(*command); };
+  });
+}
+
+}  // namespace triptych

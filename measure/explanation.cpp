@@ -1,0 +1,187 @@
+#include "measure/explanation.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace triptych {
+
+Explainer::Explainer(const Pack& pack, int width, int height, TestKind test)
+    : skeleton_(pack.skeleton()),
+      fallback_(pack,
+                {.width = width,
+                 .height = height,
+                 .test = test,
+                 .batches = {.on_test = [this](SceneNodeId node, bool shows) { tests_[node] = shows; }}}),
+      item_stage_(fallback_.renderer(), width, height, TargetKind::item) {}
+
+void Explainer::draw(const FrameRequest& frame) {
+  tests_.clear();
+  items_.clear();
+  frame_ = frame;
+  record_ = fallback_.draw(frame);
+}
+
+const std::vector<uint32_t>& Explainer::items() {
+  if (items_.empty()) {
+    std::vector<DrawableId> ordered = record_.visible;
+    sort_by_rank(skeleton_, eye_cell(skeleton_, frame_.view), ordered);
+    item_stage_.begin(frame_.view);
+    item_stage_.draw(ordered);
+    items_ = item_stage_.target().read_items();
+  }
+  return items_;
+}
+
+std::optional<DrawableId> Explainer::at(int x, int y) {
+  const View& view = frame_.view;
+  if (x < 0 || y < 0 || x >= view.width || y >= view.height) {
+    fail(fmt::format("pixel {},{}", x, y), "lies outside the picture of {}x{}", view.width, view.height);
+  }
+  const auto row = static_cast<size_t>(view.height - 1 - y);
+  const uint32_t item = items()[row * static_cast<size_t>(view.width) + static_cast<size_t>(x)];
+  return item > 0 ? std::optional(item - 1) : std::nullopt;
+}
+
+DrawableFacts Explainer::facts_of(DrawableId id) const {
+  const Drawable& drawable = skeleton_.drawables[id];
+  const SceneNode& node = skeleton_.scene_nodes[drawable.scene_node];
+  DrawableFacts facts{.id = id,
+                      .scene_node = drawable.scene_node,
+                      .level = id - node.first_drawable,
+                      .levels = node.drawable_count,
+                      .triangles = drawable.triangles,
+                      .error = drawable.error};
+  for (SceneNodeId up = drawable.scene_node; up != no_id; up = skeleton_.scene_nodes[up].parent)
+    ++facts.depth;
+  facts.pixels = projected_error(frame_.view.focal_length(), drawable.error,
+                                 EyeSpace(skeleton_, frame_.view).bounds(node.box));
+  return facts;
+}
+
+std::optional<DrawableFacts> Explainer::next_coarser(DrawableId id) const {
+  SceneNodeId node = skeleton_.drawables[id].scene_node;
+  const SceneNode& own = skeleton_.scene_nodes[node];
+  if (id + 1 < own.first_drawable + own.drawable_count) return facts_of(id + 1);
+  while ((node = skeleton_.scene_nodes[node].parent) != no_id) {
+    if (skeleton_.scene_nodes[node].drawable_count > 0) {
+      return facts_of(skeleton_.scene_nodes[node].first_drawable);
+    }
+  }
+  return std::nullopt;
+}
+
+DrawableExplanation Explainer::explain(DrawableId id) {
+  if (id >= skeleton_.drawables.size()) {
+    fail(fmt::format("drawable {}", id), "the pack has {} drawables, counted from 0",
+         skeleton_.drawables.size());
+  }
+  DrawableExplanation explanation;
+  explanation.facts = facts_of(id);
+  const uint32_t item = id + 1;
+  explanation.pixels_owned = static_cast<uint64_t>(std::count(items().begin(), items().end(), item));
+  if (fallback_.occlusion().cut().choice[explanation.facts.scene_node] != id) {
+    explain_cut(explanation);
+    return explanation;
+  }
+  explanation.coarser = next_coarser(id);
+  explanation.finest_there_is = !(explanation.facts.pixels <= frame_.pixel_error);
+  explain_culling(explanation);
+  return explanation;
+}
+
+void Explainer::explain_cut(DrawableExplanation& explanation) {
+  const std::vector<DrawableId>& choice = fallback_.occlusion().cut().choice;
+  const SceneNodeId own = explanation.facts.scene_node;
+  if (choice[own] == Cut::inner) {
+    explanation.fate = Fate::finer;
+    name_descendants(own, explanation);
+    return;
+  }
+  const EyeSpace eye_space(skeleton_, frame_.view);
+  for (SceneNodeId node = own; node != no_id; node = skeleton_.scene_nodes[node].parent) {
+    if (eye_space.bounds(skeleton_.scene_nodes[node].box).outside) explanation.decided_at = node;
+    if (choice[node] >= Cut::inner) continue;
+    explanation.by = {facts_of(choice[node])};
+    explanation.fate = node == own && choice[node] < explanation.facts.id ? Fate::finer : Fate::coarser;
+  }
+  if (explanation.by.empty()) {
+    explanation.fate = Fate::outside_frustum;
+  } else {
+    explanation.decided_at = no_id;
+  }
+}
+
+void Explainer::name_descendants(SceneNodeId node, DrawableExplanation& explanation) {
+  const std::vector<DrawableId>& choice = fallback_.occlusion().cut().choice;
+  std::vector<SceneNodeId> open = {node};
+  std::map<uint32_t, uint64_t> owned;
+  for (const uint32_t item : items()) ++owned[item];
+  std::vector<std::pair<uint64_t, DrawableId>> found;  // pixels, id
+  while (!open.empty()) {
+    const SceneNode& inner = skeleton_.scene_nodes[open.back()];
+    open.pop_back();
+    for (SceneNodeId child = inner.first_child; child < inner.first_child + inner.child_count; ++child) {
+      if (choice[child] == Cut::inner) open.push_back(child);
+      if (choice[child] >= Cut::inner) continue;
+      found.emplace_back(owned[choice[child] + 1], choice[child]);
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const auto& one, const auto& other) {
+    return one.first != other.first ? one.first > other.first : one.second < other.second;
+  });
+  for (const auto& [pixels, id] : found) {
+    explanation.by.push_back(facts_of(id));
+    explanation.by_pixels.push_back(pixels);
+  }
+}
+
+void Explainer::explain_culling(DrawableExplanation& explanation) {
+  if (std::binary_search(record_.visible.begin(), record_.visible.end(), explanation.facts.id)) {
+    explanation.fate = Fate::drawn;
+    return;
+  }
+  explanation.fate = Fate::withheld;
+  const BoxProjector projector(skeleton_, frame_.view);
+  for (SceneNodeId node = explanation.facts.scene_node; node != no_id;
+       node = skeleton_.scene_nodes[node].parent) {
+    const auto test = tests_.find(node);
+    const bool hidden = test != tests_.end() && !test->second;
+    // A scene node is not tested where its box covers no pixel's centre; those above it may be.
+    const bool between_pixels =
+        test == tests_.end() && node == explanation.facts.scene_node &&
+        projector.bounds(skeleton_.scene_nodes[node].box).kind == ScreenBounds::Kind::off_screen;
+    if (!hidden && !between_pixels) continue;
+    explanation.fate = hidden ? Fate::hidden : Fate::between_pixels;
+    explanation.decided_at = node;
+  }
+  if (explanation.fate == Fate::hidden) name_what_is_in_front(explanation);
+}
+
+void Explainer::name_what_is_in_front(DrawableExplanation& explanation) {
+  const ScreenRectangle rectangle = BoxProjector(skeleton_, frame_.view)
+                                        .bounds(skeleton_.scene_nodes[explanation.decided_at].box)
+                                        .rectangle;
+  const int width = frame_.view.width, height = frame_.view.height;
+  const auto pixel = [](float ndc, int side) {
+    return std::clamp(static_cast<int>(std::floor((ndc + 1) / 2 * static_cast<float>(side))), 0, side);
+  };
+  std::map<uint32_t, uint64_t> owners;
+  for (int y = pixel(rectangle.bottom, height); y < std::min(pixel(rectangle.top, height) + 1, height); ++y) {
+    for (int x = pixel(rectangle.left, width); x < std::min(pixel(rectangle.right, width) + 1, width); ++x) {
+      ++owners[items()[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]];
+    }
+  }
+  std::vector<std::pair<uint64_t, uint32_t>> ordered;
+  for (const auto& [item, count] : owners) {
+    if (item > 0) ordered.emplace_back(count, item);
+  }
+  std::sort(ordered.rbegin(), ordered.rend());
+  for (const auto& [count, item] : ordered) {
+    explanation.by.push_back(facts_of(item - 1));
+    explanation.by_pixels.push_back(count);
+  }
+}
+
+}  // namespace triptych

@@ -1,0 +1,83 @@
+// Why a frame shows what it shows: which drawable owns a pixel, why it was chosen, and why another was not.
+#pragma once
+
+#include "nodes/fallback.hpp"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace triptych {
+
+/// A drawable as one view sees it.
+struct DrawableFacts {
+  DrawableId id = no_id;
+  SceneNodeId scene_node = 0;
+  uint32_t depth = 0;              ///< of its scene node; the root has 1
+  uint32_t level = 0, levels = 1;  ///< among its scene node's drawables, 0 the finest
+  uint32_t triangles = 0;
+  double error = 0;   ///< δ, model units
+  double pixels = 0;  ///< δ projected in this view; infinite where the eye is too near for a bound
+};
+
+/// What became of a drawable in a frame, and so by whom it was decided.
+enum class Fate {
+  drawn,
+  coarser,          ///< cut selection: a coarser one that keeps the pixel error stands for it
+  finer,            ///< cut selection: it exceeds the pixel error, finer ones stand for it
+  outside_frustum,  ///< cut selection: its scene node or one above lies beyond a plane of the frustum
+  between_pixels,   ///< hardware cull: its box, or one above, covers no pixel's centre
+  hidden,           ///< hardware cull: behind the occlusion representation
+  withheld,         ///< nothing hid it, and yet it is not in V(i): culling is broken
+};
+
+struct DrawableExplanation {
+  DrawableFacts facts;
+  Fate fate = Fate::drawn;
+  uint64_t pixels_owned = 0;
+  /// The next coarser one, which cut selection tried first and found beyond the pixel error; none where there
+  /// is no coarser one, and where this one is not in the cut.
+  std::optional<DrawableFacts> coarser;
+  bool finest_there_is = false;  ///< chosen although it exceeds the pixel error
+  /// outside_frustum, between_pixels, hidden: the scene node, its own or one above, at which that was
+  /// decided.
+  SceneNodeId decided_at = no_id;
+  /// coarser, finer: the cut's drawables that stand for it. hidden: what owns pixels in the rectangle of
+  /// `decided_at`. Those with most pixels first.
+  std::vector<DrawableFacts> by;
+  std::vector<uint64_t> by_pixels;  ///< of each of `by`, pixels owned (hidden: within the rectangle)
+};
+
+/// Draws frames as the one-process fallback does, and explains the last. A context must be current.
+class Explainer {
+ public:
+  Explainer(const Pack& pack, int width, int height, TestKind test);
+
+  /// Frames in order: what a frame shows does not depend on those before it, what it hides does.
+  void draw(const FrameRequest& frame);
+
+  /// The drawable at a pixel of the last frame, counted from its left and top; none where there is
+  /// background. Error for a pixel outside the picture.
+  std::optional<DrawableId> at(int x, int y);
+  /// Error for an id that the pack does not have.
+  DrawableExplanation explain(DrawableId id);
+
+ private:
+  DrawableFacts facts_of(DrawableId id) const;
+  std::optional<DrawableFacts> next_coarser(DrawableId id) const;
+  void explain_cut(DrawableExplanation& explanation);
+  void explain_culling(DrawableExplanation& explanation);
+  void name_what_is_in_front(DrawableExplanation& explanation);
+  void name_descendants(SceneNodeId node, DrawableExplanation& explanation);
+  const std::vector<uint32_t>& items();
+
+  const Skeleton& skeleton_;
+  Fallback fallback_;
+  PictureStage item_stage_;
+  FrameRequest frame_;
+  FrameRecord record_;
+  std::map<SceneNodeId, bool> tests_;  ///< the last frame's answers
+  std::vector<uint32_t> items_;        ///< of the last frame; empty until wanted
+};
+
+}  // namespace triptych

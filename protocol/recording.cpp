@@ -1,0 +1,175 @@
+#include "protocol/recording.hpp"
+
+#include "base/bytes.hpp"
+#include "base/descriptor.hpp"
+#include "base/hashing.hpp"
+#include "protocol/wire.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+
+constexpr std::array<char, 8> magic = {'T', 'R', 'I', 'P', 'T', 'R', 'E', 'C'};
+constexpr size_t start_bytes = magic.size() + sizeof(uint32_t);
+constexpr uint32_t record_limit = body_limit + 4096;
+
+/// A record: length of the content, the content, and a checksum of both that depends on where they stand.
+uint32_t checksum_of(std::span<const std::byte> length_and_content, uint64_t offset) {
+  return static_cast<uint32_t>(hash_bytes(length_and_content, offset));
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header)
+    : file_(file) {
+  ByteWriter start;
+  start.write(magic);
+  start.write(recording_version);
+  file_.append(start.bytes());
+  ByteWriter content;
+  content.write_text(header.pack);
+  const std::vector<std::byte> hello = encode(header.own);
+  content.write_all(std::span<const std::byte>(hello));
+  append(content.bytes());
+}
+
+void RecordingWriter::append(std::span<const std::byte> record) {
+  ByteWriter out;
+  out.write(static_cast<uint32_t>(record.size()));
+  out.write_all(record);
+  out.write(checksum_of(out.bytes(), file_.size()));
+  file_.append(out.bytes());
+}
+
+void RecordingWriter::add(const RecordedMessage& recorded) {
+  ByteWriter content;
+  content.write(recorded.time_ms);
+  content.write(static_cast<uint8_t>(recorded.sent));
+  content.write(recorded.peer);
+  content.write(recorded.channel);
+  const std::vector<std::byte> wire = encode(recorded.message);
+  content.write_all(std::span<const std::byte>(wire));
+  append(content.bytes());
+  ++count_;
+}
+
+RecordingWriter::~RecordingWriter() {
+  try {
+    finish();
+  } catch (const Error&) {
+    // The disk is full: the recording is cut, and reads so.
+  }
+}
+
+void RecordingWriter::finish() {
+  if (std::exchange(finished_, true)) return;
+  // The end says how many messages there were; no message is as short.
+  ByteWriter content;
+  content.write(count_);
+  append(content.bytes());
+}
+
+RecordingReader::RecordingReader(std::filesystem::path file) : path_(std::move(file)) {
+  std::error_code error;
+  size_ = std::filesystem::file_size(path_, error);
+  if (error) fail(path_.string(), "is no recording of a session: {}", error.message());
+  file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file_ < 0) fail(path_.string(), "cannot be read: {}", std::strerror(errno));
+  try {
+    read_header();
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+RecordingReader::~RecordingReader() { ::close(file_); }
+
+void RecordingReader::read_header() {
+  const std::string path = path_.string();
+  if (size_ < start_bytes) fail(path, "is no recording of a session");
+  std::array<std::byte, start_bytes> bytes{};
+  read_at(file_, 0, bytes, path);
+  ByteReader start(bytes, path);
+  if (start.read<std::array<char, magic.size()>>() != magic) fail(path, "is no recording of a session");
+  if (const auto version = start.read<uint32_t>(); version != recording_version) {
+    fail(path, "is a recording of version {}; this program reads version {}", version, recording_version);
+  }
+  offset_ = start_bytes;
+  const std::vector<std::byte> record = read_record();
+  ByteReader content(record, path);
+  header_.pack = content.read_text();
+  const Message hello = decode(content.read_all<std::byte>(content.left()), path);
+  if (!std::holds_alternative<Hello>(hello)) fail(path, "does not start with who recorded it");
+  header_.own = std::get<Hello>(hello);
+}
+
+std::string RecordingReader::place() const { return fmt::format("{} byte {}", path_.string(), offset_); }
+
+std::vector<std::byte> RecordingReader::read_record() {
+  const uint64_t left = size_ - offset_;
+  const auto cut = [&] {
+    return RecordingCut(place(), fmt::format("the recording is cut here, after {} messages", count_));
+  };
+  if (left < sizeof(uint32_t)) throw cut();
+  std::array<std::byte, sizeof(uint32_t)> length_bytes{};
+  read_at(file_, offset_, length_bytes, path_.string());
+  const auto length = ByteReader(length_bytes, place()).read<uint32_t>();
+  if (length > record_limit) fail(place(), "the recording is damaged: a record of {} bytes", length);
+  if (left < 2 * sizeof(uint32_t) + length) throw cut();
+  std::vector<std::byte> bytes(2 * sizeof(uint32_t) + length);
+  read_at(file_, offset_, bytes, path_.string());
+  const auto checked = std::span<const std::byte>(bytes).first(sizeof(uint32_t) + length);
+  const auto checksum =
+      ByteReader(std::span<const std::byte>(bytes).last(sizeof(uint32_t)), place()).read<uint32_t>();
+  if (checksum != checksum_of(checked, offset_)) fail(place(), "the recording is damaged: a wrong checksum");
+  offset_ += bytes.size();
+  return {checked.begin() + sizeof(uint32_t), checked.end()};
+}
+
+std::optional<RecordedMessage> RecordingReader::next() {
+  const std::string where = place();
+  const std::vector<std::byte> record = read_record();
+  ByteReader content(record, where);
+  if (record.size() == sizeof(uint64_t)) {
+    if (content.read<uint64_t>() != count_) fail(where, "the recording is damaged: messages are missing");
+    if (offset_ != size_) fail(place(), "the recording is damaged: it goes on after its end");
+    offset_ -= sizeof(uint64_t) + 2 * sizeof(uint32_t);  // the end stays the end
+    return std::nullopt;
+  }
+  RecordedMessage recorded;
+  recorded.time_ms = content.read<double>();
+  recorded.sent = content.read<uint8_t>() != 0;
+  const auto peer = content.read<uint8_t>();
+  const auto channel = content.read<uint8_t>();
+  if (peer >= all_roles.size() || channel >= all_channels.size()) fail(where, "a role that does not exist");
+  recorded.peer = all_roles[peer];
+  recorded.channel = all_channels[channel];
+  recorded.message = decode(content.read_all<std::byte>(content.left()), where);
+  ++count_;
+  return recorded;
+}
+
+std::string recording_name(Role role, size_t start) {
+  static const std::array<std::string, 3> names = {"render", "switch-0", "switch-1"};
+  const std::string number = start > 1 ? fmt::format("-{}", start) : "";
+  return names[static_cast<size_t>(role)] + number + ".recording";
+}
+
+std::vector<std::filesystem::path> recordings_of(Role role, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (size_t start = 1;; ++start) {
+    const std::filesystem::path file = folder / recording_name(role, start);
+    if (!std::filesystem::exists(file)) return files;
+    files.push_back(file);
+  }
+}
+
+}  // namespace triptych

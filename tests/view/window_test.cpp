@@ -1,0 +1,180 @@
+// The program's window as a person has it before them: keys, mouse, size, and what is to be seen then.
+#include "tests/session/scene_files.hpp"
+#include "tests/view/display.hpp"
+
+#include <png.h>
+
+namespace triptych::test {
+namespace {
+
+struct Picture {
+  unsigned width = 0, height = 0;
+  std::vector<uint8_t> rgb;
+  bool operator==(const Picture&) const = default;
+};
+
+Picture read_picture(const std::string& file) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  Picture picture;
+  if (!png_image_begin_read_from_file(&image, file.c_str())) {
+    ADD_FAILURE() << file << ": " << image.message;
+    return picture;
+  }
+  image.format = PNG_FORMAT_RGB;
+  picture = {image.width, image.height, std::vector<uint8_t>(PNG_IMAGE_SIZE(image))};
+  EXPECT_TRUE(png_image_finish_read(&image, nullptr, picture.rgb.data(), 0, nullptr)) << image.message;
+  return picture;
+}
+
+/// How many colours there are, up to a limit: a picture of something has more than one.
+size_t colors_in(const Picture& picture) {
+  std::vector<uint32_t> seen;
+  for (size_t i = 0; i + 2 < picture.rgb.size() && seen.size() < 10; i += 3) {
+    const uint32_t color = static_cast<uint32_t>(picture.rgb[i]) << 16 |
+                           static_cast<uint32_t>(picture.rgb[i + 1]) << 8 | picture.rgb[i + 2];
+    if (std::find(seen.begin(), seen.end(), color) == seen.end()) seen.push_back(color);
+  }
+  return seen.size();
+}
+
+class ViewWindow : public SceneFiles {
+ protected:
+  std::vector<std::string> view(std::vector<std::string> more = {}) const {
+    return with({"view", pack, "--path", path, "--size", "320x240", "-o", folder.file("pictures")},
+                std::move(more));
+  }
+
+  /// Waits for the window and gives it the keyboard.
+  void find_window() {
+    window_ = xdotool("search --sync --onlyvisible --name room.tpk | head -n 1");
+    ASSERT_FALSE(window_.empty());
+    // The first frame is drawn once the title has its figures.
+    for (int tries = 0; tries < 2000 && title().find("culling") == std::string::npos; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    xdotool("windowfocus --sync " + window_);
+  }
+  std::string title() const { return xdotool("getwindowname " + window_); }
+
+  /// What the window shows: F2 saves it.
+  Picture look() {
+    char name[40];
+    std::snprintf(name, sizeof(name), "pictures/picture-%03d.png", looks_++);
+    xdotool("key F2");
+    for (int tries = 0; tries < 2000 && !std::filesystem::exists(folder.file(name)); ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return read_picture(folder.file(name));
+  }
+
+  Display display_;
+  std::string window_;
+  int looks_ = 0;
+};
+
+TEST_F(ViewWindow, shows_what_a_person_does_and_culling_changes_no_pixel) {
+  Program program(view({"--json", json}));
+  find_window();
+  const Picture first = look();
+  EXPECT_EQ(first.width, 320u);
+  EXPECT_EQ(first.height, 240u);
+  EXPECT_GT(colors_in(first), 2u);
+  EXPECT_NE(title().find("culling on"), std::string::npos) << title();
+
+  xdotool("keydown w sleep 0.3 keyup w");
+  const Picture walked = look();
+  EXPECT_NE(walked, first) << "W does not move the eye";
+  xdotool("mousemove 100 100 mousedown 1 mousemove 160 120 mouseup 1");
+  const Picture turned = look();
+  EXPECT_NE(turned, walked) << "the mouse does not turn the eye";
+  xdotool("mousemove 40 40");
+  EXPECT_EQ(look(), turned) << "the mouse turns the eye without its button";
+
+  xdotool("key c");
+  EXPECT_EQ(look(), turned) << "the culled picture is not the un-culled one";
+  EXPECT_NE(title().find("culling off"), std::string::npos) << title();
+  xdotool("key c key b");
+  const Picture from_above = look();
+  EXPECT_NE(from_above, turned);
+  EXPECT_GT(colors_in(from_above), 2u);
+  xdotool("key b");
+  EXPECT_EQ(look(), turned);
+  xdotool("key h");
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  EXPECT_NE(program.errors().find("bird's-eye"), std::string::npos) << "H prints no help";
+  EXPECT_GE(json_of(json).at("frames").get<int>(), looks_);
+}
+
+TEST_F(ViewWindow, draws_in_the_size_that_the_window_has) {
+  Program program(view());
+  find_window();
+  xdotool("windowsize --sync " + window_ + " 400 200");
+  Picture picture;
+  for (int tries = 0; tries < 20 && picture.width != 400; ++tries) picture = look();
+  EXPECT_EQ(picture.width, 400u);
+  EXPECT_EQ(picture.height, 200u);
+  EXPECT_GT(colors_in(picture), 2u);
+  xdotool("key c");
+  EXPECT_EQ(look(), picture);
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+}
+
+TEST_F(ViewWindow, looks_at_the_model_from_outside_where_there_is_no_path) {
+  Program program({"view", pack, "--size", "200x200", "-o", folder.file("pictures")});
+  find_window();
+  EXPECT_GT(colors_in(look()), 2u);
+  program.signal(SIGTERM);
+  EXPECT_EQ(program.wait(std::chrono::seconds(10)), 0) << program.errors();
+  EXPECT_TRUE(program.complaints().empty()) << program.errors();
+}
+
+TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_cameras) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--record", folder.file("recording")});
+  find_window();
+  const std::string before = title();
+  xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
+  EXPECT_NE(title(), before) << "W draws no other picture";
+  xdotool("windowsize --sync " + window_ + " 400 200 sleep 0.3");
+  xdotool("keydown a sleep 0.3 keyup a sleep 0.3 key c sleep 0.3");
+  EXPECT_NE(title().find("culling off"), std::string::npos) << title();
+  xdotool("key c key b sleep 0.3 key b sleep 0.3 key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  const nlohmann::json report = json_of(json);
+  EXPECT_GT(report["frames"].get<int>(), 5);
+  EXPECT_EQ(report["digest_mismatches"], 0);
+  EXPECT_EQ(report["fallback_frames"], 0);
+  EXPECT_FALSE(program.anybody_left());
+  // What the window showed is in the recording, in both sizes.
+  run({"replay", folder.file("recording"), "--frames", "all", "-o", folder.file("replayed")});
+  const Picture first = read_picture(folder.file("replayed/000000.png"));
+  char last[32];
+  std::snprintf(last, sizeof(last), "replayed/%06d.png", report["frames"].get<int>() - 1);
+  const Picture end = read_picture(folder.file(last));
+  EXPECT_EQ(first.width, 320u);
+  EXPECT_EQ(end.width, 400u);
+  EXPECT_GT(colors_in(first), 2u);
+  EXPECT_GT(colors_in(end), 1u);
+}
+
+TEST_F(ViewWindow, of_a_session_needs_a_display_too) {
+  ::unsetenv("DISPLAY");
+  const std::string line = failure({"session", pack, "--window"});
+  EXPECT_NE(line.find("triptych render"), std::string::npos) << line;
+}
+
+TEST_F(ViewWindow, needs_a_display_and_says_what_draws_without_one) {
+  ::unsetenv("DISPLAY");
+  const std::string line = failure(view());
+  EXPECT_NE(line.find("triptych render"), std::string::npos) << line;
+}
+
+TEST_F(ViewWindow, a_pack_that_is_missing_is_one_line_and_no_window) {
+  EXPECT_NE(failure({"view", folder.file("none.tpk")}).find("none.tpk"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace triptych::test

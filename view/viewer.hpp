@@ -1,0 +1,69 @@
+// A person at the camera: turns what happens in the window into frames to draw, and shows them.
+#pragma once
+
+#include "nodes/frame_record.hpp"
+#include "nodes/occlusion_stage.hpp"
+#include "scene/pack.hpp"
+#include "scene/path.hpp"
+#include "view/birds_eye.hpp"
+#include "view/window.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct ViewerOptions {
+  WindowOptions window;
+  std::optional<Path> path;  ///< to start from and to play; without one the model's box is looked at
+  bool play = false;         ///< starts playing at once
+  double pixel_error = 1;
+  bool culling = true;
+  std::filesystem::path pictures = ".";  ///< where F2 puts what the window shows
+};
+
+/// What the keys do, a line each.
+std::string viewer_help();
+
+class Viewer {
+ public:
+  Viewer(const Pack& pack, ViewerOptions options);
+
+  /// Waits, at most so many seconds, until there is something new to draw: movement, a key, another size, the
+  /// path's next camera.
+  bool wait_for_frame(double patience);
+  /// The person has left, or a signal asked to end.
+  bool left() const { return left_; }
+
+  /// The frame to draw now; each call gives the next number.
+  FrameRequest next_frame();
+  bool culling() const { return options_.culling; }
+
+  /// Shows a frame that was drawn: its picture or, if the person wants that, the bird's-eye view of it.
+  /// renderer: any of this pack in the window's context.
+  void show(const FrameRequest& frame, const FrameRecord& record, const Target& picture, Renderer& renderer);
+
+  Window& window() { return window_; }
+  const GlNames& names() const { return window_.names(); }
+
+ private:
+  void take(const Input& input);
+  void take(Command command);
+  View view() const;
+  void save(const std::vector<uint8_t>& colors);
+
+  const Pack& pack_;
+  ViewerOptions options_;
+  Window window_;
+  Walker walker_;
+  size_t path_frame_ = 0;  ///< the one to show next
+  uint32_t next_number_ = 0;
+  bool new_frame_ = true;  ///< what the window shows is not what it should
+  bool left_ = false, birds_eye_wanted_ = false, picture_wanted_ = false;
+  std::optional<BirdsEye> birds_eye_;
+  std::optional<PathFrame> exact_;  ///< the path's camera, until the person moves away from it
+};
+
+}  // namespace triptych

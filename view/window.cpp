@@ -1,0 +1,210 @@
+#include "view/window.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <glad/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace triptych {
+
+namespace {
+
+const std::string place = "window";
+
+std::string& last_trouble() {
+  static std::string text;
+  return text;
+}
+
+/// GLFW itself, started and ended.
+class Library {
+ public:
+  Library() {
+    glfwSetErrorCallback([](int, const char* text) { last_trouble() = text; });
+    if (!glfwInit()) {
+      fail(place, "there is no display to open it on ({}); `triptych render` draws without one",
+           last_trouble());
+    }
+  }
+  ~Library() { glfwTerminate(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+std::optional<Command> command_of(int key) {
+  switch (key) {
+    case GLFW_KEY_C:
+      return Command::toggle_culling;
+    case GLFW_KEY_B:
+      return Command::toggle_birds_eye;
+    case GLFW_KEY_P:
+      return Command::toggle_play;
+    case GLFW_KEY_F2:
+      return Command::take_picture;
+    case GLFW_KEY_LEFT_BRACKET:
+      return Command::finer;
+    case GLFW_KEY_RIGHT_BRACKET:
+      return Command::coarser;
+    case GLFW_KEY_H:
+    case GLFW_KEY_F1:
+      return Command::help;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// A direction and the keys that go there; opposite ones cancel out.
+struct Direction {
+  double Motion::*axis;
+  double sign;
+  std::vector<int> keys;
+};
+const std::vector<Direction>& directions() {
+  static const std::vector<Direction> all = {{&Motion::forward, 1, {GLFW_KEY_W, GLFW_KEY_UP}},
+                                             {&Motion::forward, -1, {GLFW_KEY_S, GLFW_KEY_DOWN}},
+                                             {&Motion::right, 1, {GLFW_KEY_D, GLFW_KEY_RIGHT}},
+                                             {&Motion::right, -1, {GLFW_KEY_A, GLFW_KEY_LEFT}},
+                                             {&Motion::up, 1, {GLFW_KEY_E, GLFW_KEY_SPACE}},
+                                             {&Motion::up, -1, {GLFW_KEY_Q, GLFW_KEY_LEFT_SHIFT}}};
+  return all;
+}
+
+class WindowContext : public Context {
+ public:
+  WindowContext() { load(glfwGetProcAddress, place); }
+};
+
+}  // namespace
+
+class Window::Implementation {
+ public:
+  explicit Implementation(const WindowOptions& options) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    if (options.context) {
+      glfwWindowHint(GLFW_CONTEXT_CREATION_API,
+                     *options.context == ContextKind::egl ? GLFW_EGL_CONTEXT_API : GLFW_OSMESA_CONTEXT_API);
+    }
+    window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    if (!window) fail(place, "cannot be opened with OpenGL 4.5: {}", last_trouble());
+    glfwSetWindowUserPointer(window, this);
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(0);
+    context.emplace();
+    glfwSetKeyCallback(window,
+                       [](GLFWwindow* w, int key, int, int action, int) { of(w).on_key(key, action); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { of(w).input.motion.wheel += y; });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).on_cursor(x, y); });
+    glfwSetMouseButtonCallback(
+        window, [](GLFWwindow* w, int button, int action, int) { of(w).on_button(button, action); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).input.resized = true; });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).input.damaged = true; });
+  }
+  ~Implementation() {
+    if (window) glfwDestroyWindow(window);
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  Input poll(double patience) {
+    const bool was_moving = moving;
+    if (was_moving || patience <= 0) {
+      glfwPollEvents();
+    } else {
+      glfwWaitEventsTimeout(patience);
+    }
+    moving = false;
+    for (const Direction& direction : directions()) {
+      const bool held = std::any_of(direction.keys.begin(), direction.keys.end(), [&](int key) {
+        return glfwGetKey(window, key) == GLFW_PRESS || std::count(pressed.begin(), pressed.end(), key) > 0;
+      });
+      if (!held) continue;
+      input.motion.*direction.axis += direction.sign;
+      moving = true;
+    }
+    // A slow picture is not a leap, and a key that was only tapped is a small step.
+    constexpr double tap = 1.0 / 60, leap = 0.25;
+    input.seconds = was_moving ? std::min(since_poll.seconds(), leap) : tap;
+    since_poll.restart();
+    input.leave = input.leave || glfwWindowShouldClose(window) != 0;
+    pressed.clear();
+    return std::exchange(input, {});
+  }
+
+  void on_key(int key, int action) {
+    if (action != GLFW_PRESS) return;
+    pressed.push_back(key);
+    if (key == GLFW_KEY_ESCAPE) input.leave = true;
+    if (const auto command = command_of(key)) input.commands.push_back(*command);
+  }
+
+  void on_button(int button, int action) {
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    looking = action == GLFW_PRESS;
+    glfwGetCursorPos(window, &cursor_x, &cursor_y);
+  }
+
+  void on_cursor(double x, double y) {
+    if (looking) {
+      input.motion.turn_right += x - cursor_x;
+      input.motion.turn_down += y - cursor_y;
+    }
+    cursor_x = x;
+    cursor_y = y;
+  }
+
+  static Implementation& of(GLFWwindow* window) {
+    return *static_cast<Implementation*>(glfwGetWindowUserPointer(window));
+  }
+
+  Library library;
+  GLFWwindow* window = nullptr;
+  std::optional<WindowContext> context;
+  Input input;
+  std::vector<int> pressed;  ///< since the last poll, perhaps let go already
+  bool moving = false, looking = false;
+  double cursor_x = 0, cursor_y = 0;
+  Stopwatch since_poll;
+};
+
+Window::Window(const WindowOptions& options) : implementation_(std::make_unique<Implementation>(options)) {}
+Window::~Window() = default;
+
+Input Window::poll(double patience) { return implementation_->poll(patience); }
+
+std::vector<uint8_t> Window::show(const Target& target, bool read_back) {
+  target.copy_to_window(width(), height());
+  std::vector<uint8_t> colors;
+  if (read_back) {
+    colors.resize(static_cast<size_t>(width()) * static_cast<size_t>(height()) * 4);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
+  }
+  glfwSwapBuffers(implementation_->window);
+  return colors;
+}
+
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(implementation_->window, title.c_str());
+}
+
+int Window::width() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(implementation_->window, &width, &height);
+  return std::max(width, 1);
+}
+
+int Window::height() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(implementation_->window, &width, &height);
+  return std::max(height, 1);
+}
+
+const GlNames& Window::names() const { return implementation_->context->names(); }
+
+}  // namespace triptych

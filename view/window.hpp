@@ -1,0 +1,60 @@
+// A window with OpenGL 4.5 in it, and what a person does there (GLFW).
+#pragma once
+
+#include "render/context.hpp"
+#include "render/target.hpp"
+#include "view/navigation.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct WindowOptions {
+  std::string title;
+  int width = 512, height = 512;
+  /// Where the window's OpenGL comes from; none: the display's own (GLX).
+  std::optional<ContextKind> context;
+};
+
+/// What a key asks for once.
+enum class Command { toggle_culling, toggle_birds_eye, toggle_play, take_picture, finer, coarser, help };
+
+/// What happened since the last time.
+struct Input {
+  Motion motion;
+  double seconds = 0;             ///< how long the motion's directions were held
+  std::vector<Command> commands;  ///< in the order of their keys
+  bool leave = false;             ///< Esc, or the window was closed
+  bool resized = false, damaged = false;
+};
+
+/// One window, its context current in this thread. Error (place: window) where there is no display, or
+/// nothing on it that offers OpenGL 4.5.
+class Window {
+ public:
+  explicit Window(const WindowOptions& options);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Takes input in. patience: how many seconds to wait for some where nobody does anything; none while a
+  /// direction is held.
+  Input poll(double patience);
+  /// Copies the target's colours into the window; RGBA of what it then shows, bottom row first, if
+  /// `read_back`.
+  std::vector<uint8_t> show(const Target& target, bool read_back = false);
+  void set_title(const std::string& title);
+  int width() const;  ///< in pixels; at least 1
+  int height() const;
+  const GlNames& names() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace triptych
