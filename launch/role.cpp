@@ -27,6 +27,8 @@ struct RoleCommand {
   Role self = Role::render;
   RunOptions run;
   std::string listen, render_address, switch_0_address;
+  std::filesystem::path key_file;
+  bool insecure = false;
   int listen_descriptor = -1;
   CullOptions cull;
   uint64_t session = 0;
@@ -41,6 +43,13 @@ struct RoleCommand {
   uint32_t begin = 0;
   bool hash = false;
 };
+
+/// Without a key a session stays on its machine, unless somebody insists.
+void check_without_key(const Address& address, bool insecure) {
+  if (is_loopback(address)) return;
+  if (!insecure) fail(to_text(address), "is beyond this machine: give --key-file FILE, or --insecure");
+  notice("{}: not encrypted; whoever reaches it can read along and take a role", to_text(address));
+}
 
 /// How this role finds its peers, as often as it has to.
 class Meeting {
@@ -61,6 +70,12 @@ class Meeting {
     }
     if (command.self != Role::render) dial_[Role::render] = parse_address(command.render_address);
     if (command.self == Role::switch_1) dial_[Role::switch_0] = parse_address(command.switch_0_address);
+    if (!command.key_file.empty()) {
+      key_ = read_key_file(command.key_file);
+    } else {
+      if (listener_) check_without_key(listener_->address(), command.insecure);
+      for (const auto& [role, address] : dial_) check_without_key(address, command.insecure);
+    }
     if (command.record.empty()) return;
     make_folder(command.record);
     const size_t earlier = recordings_of(command.self, command.record).size();
@@ -70,7 +85,8 @@ class Meeting {
   }
 
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const {
-    auto mailbox = connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop);
+    auto mailbox = connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop,
+                                   key_ ? &*key_ : nullptr);
     if (mailbox && recording_) {
       mailbox->observe = [this](const RecordedMessage& message) { recording_->add(message); };
     }
@@ -106,6 +122,7 @@ class Meeting {
   Hello own_;
   std::optional<Listener> listener_;
   std::map<Role, Address> dial_;
+  std::optional<SharedKey> key_;
   std::chrono::milliseconds timeout_;
   std::unique_ptr<RecordingWriter> recording_;
 };
@@ -233,6 +250,11 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
       ->excludes(listen);
   role.add_flag("--timeline", command.timeline, "Take down in the JSON when each stage ran");
   role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
+  role.add_option("--key-file", command.key_file,
+                  "Encrypt, and admit those alone who have this key (openssl rand -hex 32 > FILE; chmod 600)")
+      ->type_name("FILE");
+  role.add_flag("--insecure", command.insecure,
+                "Allow other machines without a key: nothing is encrypted, anybody may take a role");
   role.add_option("--session", command.session, "A number that the roles of one session share");
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
       ->check(CLI::PositiveNumber)

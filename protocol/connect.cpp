@@ -49,7 +49,7 @@ struct SessionOver {};
 class Gathering {
  public:
   Gathering(const Hello& own, const Listener* listener, const std::map<Role, Address>& dial,
-            milliseconds timeout);
+            milliseconds timeout, const SharedKey* key);
   /// Nothing once the deadline is over or `stop` says so.
   std::unique_ptr<Mailbox> run(Clock::time_point deadline, const std::function<bool()>& stop);
   /// Who is still missing, and what is known of them.
@@ -61,6 +61,8 @@ class Gathering {
   void listen(const Listener& listener);
   void accept();
   void greet(const std::shared_ptr<Link>& caller);
+  void hear(const std::shared_ptr<Link>& caller);
+  void forget(const std::shared_ptr<Link>& caller);
   void answer(const std::shared_ptr<Link>& caller, const Hello& hello);
   void refuse(const std::shared_ptr<Link>& caller, const std::string& reason);
 
@@ -74,12 +76,14 @@ class Gathering {
   void join(const std::shared_ptr<Link>& link, const Hello& hello);
   [[noreturn]] void end(const std::shared_ptr<Link>& link, const std::string& place,
                         const std::string& reason);
-  bool complete() const;
+  bool complete();
+  bool has_all() const;
 
   Hello own_;
   std::map<Role, Address> dial_;
   std::map<Role, tcp::resolver::results_type> endpoints_;
   milliseconds timeout_;  ///< for what is said
+  const SharedKey* key_;  ///< none: nothing is encrypted
   std::unique_ptr<Mailbox> mailbox_ = std::make_unique<Mailbox>();
   tcp::acceptor acceptor_;
   std::string listening_at_;
@@ -93,8 +97,8 @@ class Gathering {
 };
 
 Gathering::Gathering(const Hello& own, const Listener* listener, const std::map<Role, Address>& dial,
-                     milliseconds timeout)
-    : own_(own), dial_(dial), timeout_(timeout), acceptor_(mailbox_->context()) {
+                     milliseconds timeout, const SharedKey* key)
+    : own_(own), dial_(dial), timeout_(timeout), key_(key), acceptor_(mailbox_->context()) {
   for (const Role role : all_roles) {
     if (role < own.role && dial.count(role) == 0)
       fail(role_name(own.role), "no address of the {}", role_name(role));
@@ -190,8 +194,21 @@ void Gathering::greet(const std::shared_ptr<Link>& caller) {
     callers_.pop_front();
   }
   callers_.push_back({caller, Clock::now()});
+  if (key_ == nullptr) return hear(caller);
+  caller->secure(*key_, TlsStream::Side::callee, [this, caller](const std::string& problem) {
+    if (problem.empty()) return hear(caller);
+    forget(caller);
+    caller->close();
+  });
+}
+
+void Gathering::forget(const std::shared_ptr<Link>& caller) {
+  std::erase_if(callers_, [&](const Caller& other) { return other.link == caller; });
+}
+
+void Gathering::hear(const std::shared_ptr<Link>& caller) {
   caller->read(hello_body_limit, [this, caller](Link::Outcome outcome) {
-    std::erase_if(callers_, [&](const Caller& other) { return other.link == caller; });
+    forget(caller);
     const auto* arrived = std::get_if<Link::Arrived>(&outcome);
     const auto* hello = arrived == nullptr ? nullptr : std::get_if<Hello>(&arrived->message);
     if (hello == nullptr) {
@@ -249,7 +266,16 @@ void Gathering::dial(Role role, Channel channel) {
       last_failure_[role] = error.message();
       return redial(role, channel);
     }
-    introduce(std::make_shared<Link>(std::move(*socket), text_of(endpoint)), role, channel);
+    const auto link = std::make_shared<Link>(std::move(*socket), text_of(endpoint));
+    if (key_ == nullptr) return introduce(link, role, channel);
+    callees_[role] = link;
+    link->secure(*key_, TlsStream::Side::caller, [=, this](const std::string& problem) {
+      if (problem.empty()) return introduce(link, role, channel);
+      callees_.erase(role);
+      link->close();
+      last_failure_[role] = problem;
+      redial(role, channel);
+    });
   };
   asio::async_connect(*socket, endpoints_.at(role), connected);
 }
@@ -317,7 +343,15 @@ void Gathering::end(const std::shared_ptr<Link>& link, const std::string& place,
   throw PeerDiffers(place, reason);
 }
 
-bool Gathering::complete() const {
+bool Gathering::complete() {
+  if (!has_all()) return false;
+  // Is one of them dead already? What its end told us is there to be read.
+  mailbox_->context().poll();
+  look_after_links();
+  return has_all();
+}
+
+bool Gathering::has_all() const {
   for (const Role role : all_roles) {
     for (const Channel channel : all_channels) {
       if (role != own_.role && !mailbox_->has(role, channel)) return false;
@@ -346,10 +380,10 @@ PeersMissing Gathering::missing() const {
 
 std::unique_ptr<Mailbox> connect_session(const Hello& own, const Listener* listener,
                                          const std::map<Role, Address>& dial, milliseconds timeout,
-                                         const std::function<bool()>& stop) {
+                                         const std::function<bool()>& stop, const SharedKey* key) {
   const auto deadline = Clock::now() + timeout;
   for (;;) {
-    Gathering gathering(own, listener, dial, timeout);
+    Gathering gathering(own, listener, dial, timeout, key);
     try {
       if (auto mailbox = gathering.run(deadline, stop)) return mailbox;
       if (stop && stop()) return nullptr;

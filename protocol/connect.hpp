@@ -37,12 +37,15 @@ class PeersMissing : public Error {
 /// before all have met. Callers who do not belong here are turned away and do not disturb: what speaks no
 /// protocol, who differs, who is connected already, who stays silent.
 ///
+/// key: every connection is encrypted, and whoever does not know the key is a stranger.
+///
 /// Nothing where `stop`, asked several times a second, says so, or where a peer says that the session is
 /// over. PeerDiffers where a role that was called differs; PeersMissing after the timeout, with what is known
 /// of those who did not come; Error where a peer leaves and says why.
 std::unique_ptr<Mailbox> connect_session(const Hello& own, const Listener* listener,
                                          const std::map<Role, Address>& dial,
                                          std::chrono::milliseconds timeout,
-                                         const std::function<bool()>& stop = {});
+                                         const std::function<bool()>& stop = {},
+                                         const SharedKey* key = nullptr);
 
 }  // namespace triptych

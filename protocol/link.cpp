@@ -3,15 +3,18 @@
 #include "protocol/delta_codec.hpp"
 
 #include <asio/io_context.hpp>
-#include <asio/read.hpp>
-#include <asio/write.hpp>
+#include <asio/post.hpp>
 #include <netinet/tcp.h>
+#include <utility>
 
 namespace triptych {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr size_t most_at_once = 1 << 16;
+constexpr auto handshake_timeout = std::chrono::milliseconds(500);  // for the few bytes that go out
 
 uint64_t wire_bytes(size_t bytes) { return bytes + 66 * ((bytes + 1447) / 1448); }
 
@@ -46,57 +49,74 @@ std::string Link::reason_of(const asio::error_code& error) const {
   return place_ + ": " + (error == asio::error::eof ? "closed by the peer" : error.message());
 }
 
-void Link::read(uint32_t limit, std::function<void(Outcome)> done) {
-  done_ = std::move(done);
-  auto self = shared_from_this();
-  asio::async_read(socket_, asio::buffer(header_),
-                   [self, limit](const asio::error_code& error, size_t count) {
-                     if (!self->done_) return;
-                     if (error) {
-                       self->finish_read(Broken{self->reason_of(error), count == 0});
-                       return;
-                     }
-                     try {
-                       self->parsed_ = decode_header(self->header_, self->place_, limit);
-                     } catch (const Error& problem) {
-                       self->finish_read(Broken{problem.what(), false});
-                       return;
-                     }
-                     self->read_body();
-                   });
+void Link::secure(const SharedKey& key, TlsStream::Side side, std::function<void(const std::string&)> done) {
+  tls_ = std::make_unique<TlsStream>(key, side);
+  secured_ = std::move(done);
+  const std::string problem = write_bytes(tls_->to_send(), handshake_timeout);
+  if (!problem.empty()) return std::exchange(secured_, nullptr)(problem);
+  read_some();
 }
 
-void Link::read_body() {
-  body_.resize(parsed_.body_bytes);
-  auto self = shared_from_this();
-  asio::async_read(socket_, asio::buffer(body_), [self](const asio::error_code& error, size_t count) {
-    if (!self->done_) return;
-    if (error) {
-      self->finish_read(
-          Broken{fmt::format("{}: frame {}: {} after {} of {} bytes", self->place_, self->parsed_.frame,
-                             error == asio::error::eof ? "closed by the peer" : error.message(), count,
-                             self->body_.size()),
-                 false});
-      return;
-    }
-    Arrived arrived;
-    try {
-      arrived = {decode_body(self->parsed_, self->body_, self->place_), self->body_.size()};
-    } catch (const Error& problem) {
-      self->finish_read(Broken{problem.what(), false});
-      return;
-    }
-    LinkFigures& figures = self->figures_;
-    const size_t bytes = header_bytes + arrived.body_bytes;
-    ++figures.messages_received;
-    figures.bytes_received += bytes;
-    figures.wire_bytes_received += wire_bytes(bytes);
-    if (const auto* delta = std::get_if<DeltaMessage>(&arrived.message)) {
-      figures.delta_body_bytes_received += arrived.body_bytes;
-      figures.delta_ids_received += ids_in(*delta);
-    }
-    self->finish_read(std::move(arrived));
+void Link::read(uint32_t limit, std::function<void(Outcome)> done) {
+  done_ = std::move(done);
+  limit_ = limit;
+  // A message that is here already is told in its turn, not in the middle of what the caller does.
+  asio::post(socket_.get_executor(), [self = shared_from_this()] {
+    if (self->done_) self->go_on();
   });
+}
+
+void Link::read_some() {
+  arriving_.resize(most_at_once);
+  socket_.async_read_some(asio::buffer(arriving_),
+                          [self = shared_from_this()](const asio::error_code& error, size_t count) {
+                            if (!self->done_ && !self->secured_) return;
+                            if (!error) return self->take(count);
+                            const std::string reason = self->reason_of(error);
+                            if (self->secured_) return std::exchange(self->secured_, nullptr)(reason);
+                            const std::string half = self->reader_.half_message();
+                            if (half.empty()) return self->finish_read(Broken{reason, true});
+                            self->finish_read(Broken{reason + " after " + half, false});
+                          });
+}
+
+void Link::take(size_t count) {
+  const auto bytes = std::span<const std::byte>(arriving_).first(count);
+  if (!tls_) {
+    reader_.bytes().insert(reader_.bytes().end(), bytes.begin(), bytes.end());
+    return go_on();
+  }
+  try {
+    tls_->take(bytes, reader_.bytes());
+  } catch (const Error& error) {
+    const std::string reason = place_ + ": " + error.what();
+    write_bytes(tls_->to_send(), std::chrono::milliseconds(0));  // TLS tells the other side why
+    if (secured_) return std::exchange(secured_, nullptr)(reason);
+    return finish_read(Broken{reason, false});
+  }
+  if (!secured_) return go_on();
+  const std::string problem = write_bytes(tls_->to_send(), handshake_timeout);
+  if (!problem.empty() || tls_->established()) return std::exchange(secured_, nullptr)(problem);
+  read_some();
+}
+
+void Link::go_on() {
+  std::optional<Arrived> arrived;
+  try {
+    arrived = reader_.next(limit_, place_);
+  } catch (const Error& problem) {
+    return finish_read(Broken{problem.what(), false});
+  }
+  if (!arrived) return read_some();
+  const size_t bytes = header_bytes + arrived->body_bytes;
+  ++figures_.messages_received;
+  figures_.bytes_received += bytes;
+  figures_.wire_bytes_received += wire_bytes(bytes);
+  if (const auto* delta = std::get_if<DeltaMessage>(&arrived->message)) {
+    figures_.delta_body_bytes_received += arrived->body_bytes;
+    figures_.delta_ids_received += ids_in(*delta);
+  }
+  finish_read(std::move(*arrived));
 }
 
 void Link::finish_read(Outcome outcome) {
@@ -105,8 +125,7 @@ void Link::finish_read(Outcome outcome) {
   done(std::move(outcome));
 }
 
-std::string Link::write(const Message& message, const std::vector<std::byte>& bytes,
-                        std::chrono::milliseconds timeout) {
+std::string Link::write_bytes(std::span<const std::byte> bytes, std::chrono::milliseconds timeout) {
   const auto deadline = Clock::now() + timeout;
   asio::error_code error;
   size_t sent = 0;
@@ -123,6 +142,14 @@ std::string Link::write(const Message& message, const std::vector<std::byte>& by
       return fmt::format("{}: does not take what is sent to it, for {} ms", place_, timeout.count());
     }
   }
+  return {};
+}
+
+std::string Link::write(const Message& message, const std::vector<std::byte>& bytes,
+                        std::chrono::milliseconds timeout) {
+  if (tls_ && !tls_->established()) return place_ + ": is not encrypted yet";
+  const std::string problem = tls_ ? write_bytes(tls_->seal(bytes), timeout) : write_bytes(bytes, timeout);
+  if (!problem.empty()) return problem;
   ++figures_.messages_sent;
   figures_.bytes_sent += bytes.size();
   figures_.wire_bytes_sent += wire_bytes(bytes.size());
@@ -143,6 +170,7 @@ TcpFigures Link::kernel_figures() const {
 void Link::close() {
   last_kernel_figures_ = kernel_figures();
   done_ = nullptr;
+  secured_ = nullptr;
   asio::error_code ignored;  // closing what is closed already
   socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   socket_.close(ignored);

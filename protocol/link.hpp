@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/error.hpp"
+#include "protocol/message_reader.hpp"
 #include "protocol/tcp_figures.hpp"
-#include "protocol/wire.hpp"
+#include "protocol/tls.hpp"
 
-#include <array>
 #include <asio/ip/tcp.hpp>
 #include <chrono>
 #include <cstdint>
@@ -32,10 +32,7 @@ struct LinkFigures {
 /// A connected socket, read in the background of its io_context and written to at once. For one thread.
 class Link : public std::enable_shared_from_this<Link> {
  public:
-  struct Arrived {
-    Message message;
-    size_t body_bytes = 0;
-  };
+  using Arrived = MessageReader::Arrived;
   struct Broken {
     std::string reason;  ///< starts with the place
     bool closed;         ///< by the peer, between two messages
@@ -45,6 +42,10 @@ class Link : public std::enable_shared_from_this<Link> {
   /// `place` begins the messages of errors. Makes the socket non-blocking, without Nagle's delay, and has the
   /// kernel notice within about ten seconds that the other machine is gone.
   Link(asio::ip::tcp::socket socket, std::string place);
+
+  /// Encrypts all that follows: meets the other side's TlsStream, in the background, before anything else is
+  /// read or written. done: called within the io_context, with why it failed or nothing.
+  void secure(const SharedKey& key, TlsStream::Side side, std::function<void(const std::string&)> done);
 
   /// Waits in the background for one message of at most `limit` body bytes; `done` is called within the
   /// io_context.
@@ -65,18 +66,23 @@ class Link : public std::enable_shared_from_this<Link> {
   TcpFigures kernel_figures() const;
 
  private:
-  void read_body();
+  void read_some();
+  void take(size_t count);
+  void go_on();
   void finish_read(Outcome outcome);
+  std::string write_bytes(std::span<const std::byte> bytes, std::chrono::milliseconds timeout);
   std::string reason_of(const asio::error_code& error) const;
 
   asio::ip::tcp::socket socket_;
   std::string place_;
   LinkFigures figures_;
   TcpFigures last_kernel_figures_;
-  std::array<std::byte, header_bytes> header_{};
-  MessageHeader parsed_;
-  std::vector<std::byte> body_;
+  std::vector<std::byte> arriving_;  ///< straight from the network
+  MessageReader reader_;
+  uint32_t limit_ = 0;
   std::function<void(Outcome)> done_;
+  std::unique_ptr<TlsStream> tls_;  ///< none: nothing is encrypted
+  std::function<void(const std::string&)> secured_;
 };
 
 }  // namespace triptych

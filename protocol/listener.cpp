@@ -14,6 +14,9 @@ namespace triptych {
 
 using asio::ip::tcp;
 
+/// Callers that wait in the kernel; strangers shall not be more.
+constexpr int most_waiting = 64;
+
 Address parse_address(const std::string& text) {
   const size_t colon = text.rfind(':');
   if (colon == std::string::npos || colon == 0)
@@ -38,6 +41,12 @@ std::string to_text(const Address& address) {
   return fmt::format("{}{}{}:{}", brackets ? "[" : "", address.host, brackets ? "]" : "", address.port);
 }
 
+bool is_loopback(const Address& address) {
+  asio::error_code no_number;
+  const auto number = asio::ip::make_address(address.host, no_number);
+  return no_number ? address.host == "localhost" : number.is_loopback();
+}
+
 Listener::Listener(const Address& address) {
   const std::string place = to_text(address);
   asio::io_context context;
@@ -51,7 +60,7 @@ Listener::Listener(const Address& address) {
   acceptor.open(endpoint.protocol(), error);
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
-  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (!error) acceptor.listen(most_waiting, error);
   if (error) fail(place, "cannot listen: {}", error.message());
   descriptor_ = acceptor.release(error);
   if (error) fail(place, "cannot listen: {}", error.message());

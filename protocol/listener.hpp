@@ -16,6 +16,8 @@ struct Address {
 /// "127.0.0.1:7001", "render.local:7001", "[::1]:7001". Error (place: the text) for anything else.
 Address parse_address(const std::string& text);
 std::string to_text(const Address& address);
+/// 127.0.0.0/8, ::1 or localhost: nobody but this machine gets there.
+bool is_loopback(const Address& address);
 
 /// A port that is bound from its construction on; connections wait there until connect_session takes them.
 class Listener {

@@ -29,12 +29,14 @@ struct Connected {
 class Session : public testing::Test {
  protected:
   std::future<Connected> start(Hello own, std::chrono::milliseconds timeout = 10s) {
-    return std::async(std::launch::async, [this, own = std::move(own), timeout] {
+    auto own_key = key;
+    return std::async(std::launch::async, [this, own = std::move(own), timeout, own_key] {
       const Listener* listener = own.role == Role::render     ? &render_port
                                  : own.role == Role::switch_0 ? &switch_port
                                                               : nullptr;
       try {
-        return Connected{connect_session(own, listener, addresses, timeout), ""};
+        return Connected{
+            connect_session(own, listener, addresses, timeout, {}, own_key ? &*own_key : nullptr), ""};
       } catch (const Error& error) {
         return Connected{nullptr, error.what()};
       }
@@ -59,6 +61,7 @@ class Session : public testing::Test {
     for (const Connected& role : connected) EXPECT_EQ(role.error, "");
   }
 
+  std::optional<SharedKey> key;  ///< of roles that are started from now on
   asio::io_context strangers;
   Listener render_port{Address{"127.0.0.1", 0}};
   Listener switch_port{Address{"127.0.0.1", 0}};
@@ -125,6 +128,41 @@ TEST_F(Session, a_peer_that_accepts_and_stays_silent_times_out) {
   EXPECT_NE(error.find("still without the render node"), std::string::npos) << error;
 }
 
+class KeyedSession : public Session {
+ protected:
+  KeyedSession() { key.emplace().bytes.fill(9); }
+};
+
+TEST_F(KeyedSession, messages_pass_between_all_roles) {
+  auto render = start(Role::render), switch_0 = start(Role::switch_0), switch_1 = start(Role::switch_1);
+  std::array connected = {render.get(), switch_0.get(), switch_1.get()};
+  for (const Connected& role : connected) ASSERT_EQ(role.error, "");
+  FullSet set{3, VisibleSet(200'000)};
+  for (DrawableId id = 0; id < set.visible.size(); ++id) set.visible[id] = id * 7 + id % 5;
+  std::thread sender([&] { connected[1].mailbox->send(Role::switch_1, Channel::nodes, set); });
+  const auto received = connected[2].mailbox->receive(5s);
+  sender.join();
+  ASSERT_TRUE(received.has_value());
+  EXPECT_EQ(std::get<FullSet>(received->message), set);
+}
+
+TEST_F(KeyedSession, strangers_and_other_keys_do_not_disturb) {
+  auto render = start(Role::render);
+  SharedKey right = *key;
+  key->bytes.fill(1);
+  auto wrong_key = start(Role::switch_0, 400ms);
+  auto browser = stranger();
+  asio::write(browser, asio::buffer(std::string("GET / HTTP/1.1\r\n\r\n")));
+  auto without_key = stranger();
+  say(without_key, sample_hello(Role::switch_0));
+  std::vector<tcp::socket> crowd;
+  for (int i = 0; i < 40; ++i) crowd.push_back(stranger());
+  EXPECT_NE(wrong_key.get().error.find("still without"), std::string::npos);
+  key = right;
+  auto switch_0 = start(Role::switch_0), switch_1 = start(Role::switch_1);
+  expect_all(render, switch_0, switch_1);
+}
+
 class Differences : public Session {
  protected:
   /// Switch node 0 differs: it ends with an error that says so and names both; the render node goes on
@@ -180,6 +218,7 @@ TEST_F(Session, a_role_that_goes_before_all_have_met_may_come_again) {
     say(caller, sample_hello(Role::switch_0));
     std::this_thread::sleep_for(50ms);
   }
+  std::this_thread::sleep_for(150ms);  // until the others have noticed
   auto switch_0 = start(Role::switch_0);
   expect_all(render, switch_0, switch_1);
 }
