@@ -34,7 +34,7 @@ std::vector<SessionOutcome> run_sessions(const SessionOptions& options) {
   for (const size_t batch : options.batches) {
     SessionOptions one = options;
     one.batches = {batch};
-    if (!outcomes.empty()) one.record = one.timeline = {};  // those of the first one are what was asked for
+    if (!outcomes.empty()) one.record = one.timeline = "";  // those of the first one are what was asked for
     outcomes.push_back(run_session(one));
     if (outcomes.back().stopped) return outcomes;
     const std::vector<FrameRecord>& frames = outcomes.back().records.front().frames;
