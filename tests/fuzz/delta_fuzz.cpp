@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {
     const VisibleDelta delta = decode_delta(encoded, before, "delta");
     VisibleSet after = before;
-    if (!apply_delta(delta, after)) std::abort();
+    apply_delta(delta, after);  // it may not fit; the digest tells
     const auto again = encode_delta(delta, before);
     if (!std::equal(again.begin(), again.end(), encoded.begin(), encoded.end())) std::abort();
   } catch (const Error&) {
