@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/notice.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -18,7 +19,7 @@ namespace triptych {
 
 namespace {
 constexpr int slice_ms = 100;
-constexpr std::string_view complaint_prefix = "triptych: ";
+constexpr std::string_view complaint_prefix = "triptych: ", record_prefix = "triptych-record: ";
 }  // namespace
 
 ChildProcesses::~ChildProcesses() {
@@ -26,36 +27,64 @@ ChildProcesses::~ChildProcesses() {
   for (const Child& child : children_) {
     if (child.errors >= 0) ::close(child.errors);
   }
+  close_inputs();
 }
 
 pid_t ChildProcesses::start(const std::string& name, const std::vector<std::string>& arguments,
                             Output output) {
-  std::array<int, 2> pipe{};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail(name, "cannot be started: {}", std::strerror(errno));
-  std::vector<char*> words;
-  std::string program = "triptych";
-  words.push_back(program.data());
-  std::vector<std::string> copies = arguments;
-  for (std::string& copy : copies) words.push_back(copy.data());
-  words.push_back(nullptr);
+  std::vector<std::string> words = {"triptych"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return launch(name, "/proc/self/exe", std::move(words), output, false);
+}
+
+pid_t ChildProcesses::start_line(const std::string& name, const std::string& line) {
+  return launch(name, "/bin/sh", {"sh", "-c", line}, Output::as_error, true);
+}
+
+pid_t ChildProcesses::launch(const std::string& name, const char* program, std::vector<std::string> words,
+                             Output output, bool own_input) {
+  std::array<int, 2> pipe{}, input{-1, -1};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0 || (own_input && ::pipe2(input.data(), O_CLOEXEC) != 0))
+    fail(name, "cannot be started: {}", std::strerror(errno));
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
   const pid_t parent = ::getpid();
   const pid_t pid = ::fork();
-  if (pid < 0) {
-    ::close(pipe[0]);
-    ::close(pipe[1]);
-    fail(name, "cannot be started: {}", std::strerror(errno));
-  }
   if (pid == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
     ::dup2(pipe[1], STDERR_FILENO);
     if (output == Output::as_error) ::dup2(pipe[1], STDOUT_FILENO);
-    ::execv("/proc/self/exe", words.data());
+    if (own_input) ::dup2(input[0], STDIN_FILENO);
+    ::execv(program, pointers.data());
     ::_exit(127);
   }
+  const int problem = errno;
   ::close(pipe[1]);
-  children_.push_back({.name = name, .pid = pid, .errors = pipe[0], .line = {}, .complaint = {}});
+  if (own_input) ::close(input[0]);
+  children_.push_back(
+      {.name = name, .pid = pid, .errors = pipe[0], .input = input[1], .line = {}, .complaint = {}});
+  if (pid < 0) {
+    children_.back().running = false;
+    fail(name, "cannot be started: {}", std::strerror(problem));
+  }
   return pid;
+}
+
+void ChildProcesses::close_inputs() {
+  for (Child& child : children_) {
+    if (child.input >= 0) ::close(child.input);
+    child.input = -1;
+  }
+}
+
+std::vector<std::string> ChildProcesses::records(const std::string& name) const {
+  std::vector<std::string> records;
+  for (const Child& child : children_) {
+    if (child.name == name && !child.record.empty()) records.push_back(child.record);
+  }
+  return records;
 }
 
 void ChildProcesses::take_lines(Child& child, const char* characters, size_t count) {
@@ -64,6 +93,8 @@ void ChildProcesses::take_lines(Child& child, const char* characters, size_t cou
     const std::string line = child.line.substr(0, end);
     if (line.starts_with(complaint_prefix)) {
       child.complaint = line.substr(complaint_prefix.size());
+    } else if (line.starts_with(record_prefix)) {
+      child.record = line.substr(record_prefix.size());
     } else {
       notice("{}", line);
     }
@@ -112,6 +143,15 @@ void ChildProcesses::signal_all(int signal) {
 }
 
 void ChildProcesses::end_all(std::chrono::milliseconds grace) {
+  // The end of its input reaches a program on another machine; a signal would reach only what started it.
+  const bool beyond = std::any_of(children_.begin(), children_.end(),
+                                  [](const Child& child) { return child.running && child.input >= 0; });
+  close_inputs();
+  for (const Stopwatch stopwatch;
+       beyond && any_running() && stopwatch.milliseconds() < static_cast<double>(grace.count());) {
+    read_errors(20);
+    reap();
+  }
   signal_all(SIGTERM);
   const Stopwatch stopwatch;
   while (any_running() && stopwatch.milliseconds() < static_cast<double>(grace.count())) {

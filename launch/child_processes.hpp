@@ -28,6 +28,10 @@ class ChildProcesses {
   pid_t start(const std::string& name, const std::vector<std::string>& arguments,
               Output output = Output::shared);
 
+  /// Starts a line of /bin/sh instead. Its standard input stays open until the children are told to end, so
+  /// that it reaches programs on other machines.
+  pid_t start_line(const std::string& name, const std::string& line);
+
   /// How a child ended.
   struct Ended {
     std::string name;
@@ -36,6 +40,8 @@ class ChildProcesses {
     int exit_code = 0;   ///< where none did
     std::string reason;  ///< "was killed by signal 9 (Killed)", or its complaint
   };
+  /// What children of this name said after "triptych-record: ", one a line.
+  std::vector<std::string> records(const std::string& name) const;
   /// Waits for the end of one child, whichever is first; each is told once. Nothing once `stop`, asked a few
   /// times a second, is true.
   std::optional<Ended> wait_for_one(bool (*stop)());
@@ -52,12 +58,16 @@ class ChildProcesses {
     std::string name;
     pid_t pid = -1;
     int errors = -1;  ///< read end of its standard error
+    int input = -1;   ///< write end of its standard input, where it is ours
     std::string line;
-    std::string complaint;
+    std::string complaint, record{};
     bool running = true;
     bool told = false;  ///< its end, by wait_for_one()
     int status = 0;
   };
+  pid_t launch(const std::string& name, const char* program, std::vector<std::string> words, Output output,
+               bool own_input);
+  void close_inputs();
   void read_errors(int timeout_ms);
   void take_lines(Child& child, const char* characters, size_t count);
   /// Collects children that ended; returns the first of them that failed.

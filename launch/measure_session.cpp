@@ -34,6 +34,7 @@ std::vector<SessionOutcome> run_sessions(const SessionOptions& options) {
   for (const size_t batch : options.batches) {
     SessionOptions one = options;
     one.batches = {batch};
+    if (!outcomes.empty()) one.record = one.timeline = "";  // those of the first one are what was asked for
     outcomes.push_back(run_session(one));
     if (outcomes.back().stopped) return outcomes;
     const std::vector<FrameRecord>& frames = outcomes.back().records.front().frames;
@@ -60,6 +61,21 @@ void print_batches(const nlohmann::json& rows) {
   }
   fmt::print(
       "{}", text_table({"ids a packet", "bytes a frame", "packets", "latency ms", "frame ms", "p95"}, lines));
+}
+
+void print_latency_and_traffic(const nlohmann::json& report) {
+  const auto mean = [&](const char* part) { return report["latency_ms"][part]["mean"].get<double>(); };
+  fmt::print(
+      "camera to image {:.1f} ms on average: waiting {:.1f}, occlusion representation {:.1f}, hardware cull "
+      "{:.1f}, network {:.1f}, render {:.1f}, {:.2f} left\n",
+      mean("whole"), mean("waiting"), mean("occlusion_representation"), mean("hardware_cull"),
+      mean("network"), mean("render"), mean("remainder"));
+  const nlohmann::json& traffic = report["traffic"];
+  fmt::print(
+      "{:.1f} bytes a frame: {:.1f} % of the paper's formula at 4 bytes for each visible id; delta bodies "
+      "{:.1f} % of 4 bytes for each id that changed\n",
+      traffic["bytes_per_frame"].get<double>(), 100 * traffic["share_of_formula_whole_sets"].get<double>(),
+      100 * traffic["share_of_4_bytes_per_id"]["bodies"].get<double>());
 }
 
 int run(SessionOptions options) {
@@ -100,6 +116,7 @@ int run(SessionOptions options) {
       measurement.session.culling_efficiency(), report["delta"]["saved_percent"].get<double>(),
       report["delta"]["body_bytes_per_id"].get<double>(), report["mbit_per_s"]["measured"].get<double>(),
       report["mbit_per_s"]["formula"].get<double>());
+  print_latency_and_traffic(report);
   write_json(options.run.json, report);
   if (measurement.session.identical_frames != measurement.session.frames_compared) {
     fail("measure session", "frame {} is not the un-culled picture, and {} frames in all",

@@ -16,7 +16,10 @@
 #include "protocol/connect.hpp"
 
 #include <algorithm>
+#include <array>
+#include <csignal>
 #include <thread>
+#include <unistd.h>
 
 namespace triptych {
 
@@ -28,7 +31,7 @@ struct RoleCommand {
   RunOptions run;
   std::string listen, render_address, switch_0_address;
   std::filesystem::path key_file;
-  bool insecure = false;
+  bool insecure = false, end_with_stdin = false, tell_record = false;
   int listen_descriptor = -1;
   CullOptions cull;
   uint64_t session = 0;
@@ -87,6 +90,7 @@ class Meeting {
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const {
     auto mailbox = connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop,
                                    key_ ? &*key_ : nullptr);
+    if (mailbox) compare_opengl(*mailbox);
     if (mailbox && recording_) {
       mailbox->observe = [this](const RecordedMessage& message) { recording_->add(message); };
     }
@@ -119,6 +123,20 @@ class Meeting {
   }
 
  private:
+  /// Only where all three agree can pictures be claimed to be identical to those of one process.
+  void compare_opengl(const Mailbox& mailbox) const {
+    if (own_.role != Role::render) return;
+    for (const Role role : {Role::switch_0, Role::switch_1}) {
+      const Hello& peer = mailbox.peer_hello(role);
+      const auto text = [](const Hello& hello) {
+        return fmt::format("{}, {}, {}", hello.gl_vendor, hello.gl_renderer, hello.gl_version);
+      };
+      if (text(peer) == text(own_)) continue;
+      notice("OpenGL differs: {} has {}; {} has {}: culling is conservative", role_name(own_.role),
+             text(own_), role_name(role), text(peer));
+    }
+  }
+
   Hello own_;
   std::optional<Listener> listener_;
   std::map<Role, Address> dial_;
@@ -127,8 +145,19 @@ class Meeting {
   std::unique_ptr<RecordingWriter> recording_;
 };
 
+/// Standard input ends with whoever started this role from another machine: then it is told to end.
+void end_with_stdin() {
+  std::thread([] {
+    std::array<char, 256> ignored{};
+    while (::read(STDIN_FILENO, ignored.data(), ignored.size()) > 0) {
+    }
+    ::kill(::getpid(), SIGTERM);
+  }).detach();
+}
+
 int run_switch(const RoleCommand& command) {
   stop_requested();  // from here on a signal ends the role in good order
+  if (command.end_with_stdin) end_with_stdin();
   const Pack pack(command.run.pack);
   const auto context = make_context(command.run.context);
   const Meeting meeting(command, pack, context->names());
@@ -148,6 +177,7 @@ int run_switch(const RoleCommand& command) {
          done.culled, done.represented, done.epochs);
   record.timeline = own_timeline(role_name(command.self));
   write_json(command.run.json, to_json(record));
+  if (command.tell_record) notice("triptych-record: {}", to_json(record).dump());
   return 0;
 }
 
@@ -248,13 +278,18 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
   role.add_option("--listen-descriptor", command.listen_descriptor,
                   "A listening socket that this process inherited")
       ->excludes(listen);
+  role.add_flag("--timeline", command.timeline, "Take down in the JSON when each stage ran");
+  role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
   role.add_option("--key-file", command.key_file,
                   "Encrypt, and admit those alone who have this key (openssl rand -hex 32 > FILE; chmod 600)")
       ->type_name("FILE");
+  role.add_flag("--end-with-stdin", command.end_with_stdin,
+                "End when standard input does: for roles that are started from another machine");
+  role.add_flag(
+      "--tell-record", command.tell_record,
+      "Say what the JSON would hold on standard error: for whoever started this role from another machine");
   role.add_flag("--insecure", command.insecure,
                 "Allow other machines without a key: nothing is encrypted, anybody may take a role");
-  role.add_flag("--timeline", command.timeline, "Take down in the JSON when each stage ran");
-  role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
   role.add_option("--session", command.session, "A number that the roles of one session share");
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
       ->check(CLI::PositiveNumber)

@@ -3,6 +3,7 @@
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"
 
+#include <algorithm>
 #include <fmt/core.h>
 
 namespace triptych {
@@ -20,6 +21,11 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
     mismatches += frame.digest_mismatch;
     fallback_frames += frame.fallback;
   }
+  // A role that was killed and given up did not say what it had.
+  const bool same_gl =
+      std::all_of(outcome.records.begin(), outcome.records.end(), [&](const RoleRecord& role) {
+        return role.gl.vendor.empty() || role.gl == outcome.records.front().gl;
+      });
   nlohmann::json report = {
       {"frames", frames.size()},
       {"frame_ms", distribution_json(frames, [](const FrameRecord& r) { return r.frame_ms; })},
@@ -29,6 +35,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
       {"digest_mismatches", mismatches},
       {"fallback_frames", fallback_frames},
       {"restarts", outcome.restarts},
+      {"pictures_are", same_gl ? "identical" : "conservative"},
       {"roles", roles}};
   if (options.hash) {
     report["pictures"] = nlohmann::json::array();

@@ -4,6 +4,7 @@
 #include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "launch/child_processes.hpp"
+#include "launch/hosts.hpp"
 #include "launch/temporary_folder.hpp"
 #include "measure/frame_journal.hpp"
 #include "measure/json.hpp"
@@ -14,14 +15,16 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <random>
 
 namespace triptych {
 
 namespace {
 
-std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_t session) {
-  std::vector<std::string> arguments = {options.run.pack.string(),
+std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_t session,
+                                          const std::string& pack, const std::string& key_file) {
+  std::vector<std::string> arguments = {pack,
                                         "--session",
                                         std::to_string(session),
                                         "--context",
@@ -30,6 +33,8 @@ std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_
                                         options.run.test == TestKind::storage ? "storage" : "queries"};
   if (!options.timeline.empty()) arguments.push_back("--timeline");
   if (!options.record.empty()) arguments.insert(arguments.end(), {"--record", options.record.string()});
+  if (!key_file.empty()) arguments.insert(arguments.end(), {"--key-file", key_file});
+  if (options.insecure) arguments.push_back("--insecure");
   for (const std::string& name : injected_names()) arguments.insert(arguments.end(), {"--inject", name});
   return arguments;
 }
@@ -66,7 +71,8 @@ class Cast {
   void write_timeline() const;
 
   const SessionOptions& options_;
-  Listener render_listener_, switch_listener_;
+  std::optional<Hosts> hosts_;
+  Listener render_listener_, switch_listener_;  ///< the second for a session on this machine alone
   TemporaryFolder folder_;
   std::filesystem::path journal_ = folder_.path() / "frames";
   uint64_t session_ = std::random_device()() | 1u;
@@ -75,11 +81,11 @@ class Cast {
   ChildProcesses children_;
 };
 
-RoleRecord read_record(const std::filesystem::path& file) {
+RoleRecord parse_record(const std::string& text, const std::string& place) {
   try {
-    return role_record_from_json(nlohmann::json::parse(read_text_file(file)), file.string());
+    return role_record_from_json(nlohmann::json::parse(text), place);
   } catch (const nlohmann::json::exception& error) {
-    fail(file.string(), "is no JSON: {}", error.what());
+    fail(place, "is no JSON: {}", error.what());
   }
 }
 
@@ -91,12 +97,16 @@ const std::string& short_name(Role role) {
 
 Cast::Cast(const SessionOptions& options)
     : options_(options),
-      render_listener_(Address{"127.0.0.1", options.port}),
+      hosts_(options.hosts.empty() ? std::nullopt
+                                   : std::optional(read_hosts(options.hosts, options.run.pack.string()))),
+      render_listener_(hosts_ ? hosts_->render : Address{"127.0.0.1", options.port}),
       switch_listener_(Address{"127.0.0.1", static_cast<uint16_t>(options.port ? options.port + 1 : 0)}) {}
 
 std::vector<std::string> Cast::render_arguments() const {
   std::vector<std::string> arguments = {"role", "render"};
-  for (const std::string& argument : shared_arguments(options_, session_)) arguments.push_back(argument);
+  const std::string key_file = hosts_ ? hosts_->key_file : options_.key_file.string();
+  for (const auto& argument : shared_arguments(options_, session_, options_.run.pack.string(), key_file))
+    arguments.push_back(argument);
   append(arguments, {"--journal", journal_.string(), "--begin", std::to_string(mend_frame_journal(journal_)),
                      "--size", fmt::format("{}x{}", options_.run.size.width, options_.run.size.height),
                      "--pixel-error", fmt::format("{}", options_.run.pixel_error()), "--listen-descriptor",
@@ -113,11 +123,19 @@ std::vector<std::string> Cast::render_arguments() const {
 
 std::vector<std::string> Cast::switch_arguments(Role role) const {
   std::vector<std::string> arguments = {"role", "switch"};
-  for (const std::string& argument : shared_arguments(options_, session_)) arguments.push_back(argument);
+  const Host* host = hosts_ ? &hosts_->switch_nodes[role == Role::switch_0 ? 0 : 1] : nullptr;
+  for (const auto& argument :
+       shared_arguments(options_, session_, host ? host->pack : options_.run.pack.string(),
+                        host ? host->key_file : options_.key_file.string())) {
+    arguments.push_back(argument);
+  }
   append(arguments,
          {"--index", role == Role::switch_0 ? "0" : "1", "--batch", std::to_string(options_.batches.front()),
           "--render", to_text(render_listener_.address())});
-  if (role == Role::switch_0) {
+  if (host) {
+    append(arguments, {"--end-with-stdin", "--tell-record",
+                       role == Role::switch_0 ? "--listen" : "--switch-0", to_text(hosts_->switch_0)});
+  } else if (role == Role::switch_0) {
     append(arguments, {"--listen-descriptor", std::to_string(switch_listener_.descriptor())});
   } else {
     append(arguments, {"--switch-0", to_text(switch_listener_.address())});
@@ -127,16 +145,19 @@ std::vector<std::string> Cast::switch_arguments(Role role) const {
 
 void Cast::start(Role role) {
   std::vector<std::filesystem::path>& files = files_[static_cast<size_t>(role)];
+  const bool elsewhere = hosts_ && role != Role::render;
   files.push_back(folder_.path() / fmt::format("{}-{}.json", short_name(role), files.size()));
   std::vector<std::string> arguments = role == Role::render ? render_arguments() : switch_arguments(role);
-  append(arguments, {"--json", files.back().string()});
+  if (!elsewhere) append(arguments, {"--json", files.back().string()});
   render_listener_.set_inherited(role == Role::render);
   switch_listener_.set_inherited(role == Role::switch_0);
-  const pid_t pid = children_.start(short_name(role), arguments);
+  const Host* host = elsewhere ? &hosts_->switch_nodes[role == Role::switch_0 ? 0 : 1] : nullptr;
+  const pid_t pid = host ? children_.start_line(short_name(role), launch_line(*hosts_, *host, arguments))
+                         : children_.start(short_name(role), arguments);
   render_listener_.set_inherited(false);
   switch_listener_.set_inherited(false);
   outcome_.roles.emplace_back(short_name(role), pid);
-  notice("role {} is process {}", short_name(role), pid);
+  notice("role {} is process {}{}", short_name(role), pid, host ? ", on " + host->name : "");
 }
 
 void Cast::replace(Role role, const ChildProcesses::Ended& ended) {
@@ -156,7 +177,12 @@ RoleRecord Cast::record_of(Role role) const {
   RoleRecord sum;
   for (const std::filesystem::path& file : files_[static_cast<size_t>(role)]) {
     if (!std::filesystem::exists(file)) continue;  // of a process that was killed
-    RoleRecord record = read_record(file);
+    const RoleRecord record = parse_record(read_text_file(file), file.string());
+    add_sockets(sum.sockets, record.sockets);
+    sum.gl = record.gl;
+  }
+  for (const std::string& line : children_.records(short_name(role))) {
+    const RoleRecord record = parse_record(line, short_name(role));
     add_sockets(sum.sockets, record.sockets);
     sum.gl = record.gl;
     sum.timeline.process = record.timeline.process;
@@ -209,6 +235,13 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
       ->check(CLI::PositiveNumber);
   add_batch_flag(command, options.batches);
+  command.add_option("--hosts", options.hosts, "Play the switch nodes on the machines that this file names")
+      ->type_name("HOSTS.toml");
+  command.add_option("--key-file", options.key_file, "Encrypt between the roles of this machine, too")
+      ->type_name("FILE")
+      ->excludes("--hosts");
+  command.add_flag("--insecure", options.insecure,
+                   "Allow other machines without a key: nothing is encrypted, anybody may take a role");
   command
       .add_option("--timeout", options.timeout_ms,
                   "Milliseconds to wait for a frame's visible set before the render node goes on alone")

@@ -16,9 +16,12 @@ struct SessionOptions {
   std::vector<size_t> batches = {CullOptions{}.packet_ids};  ///< ids a packet; a list where a command sweeps
   size_t loop = 1;
   double rate = 0;
-  double timeout_ms = 500;  ///< after which the render node goes on alone
-  size_t restarts = 10;     ///< of a role that is killed, each
-  uint16_t port = 0;        ///< the render node's; switch node 0 takes the next one. 0: any free ones
+  double timeout_ms = 500;         ///< after which the render node goes on alone
+  size_t restarts = 10;            ///< of a role that is killed, each
+  std::filesystem::path hosts;     ///< the file of other machines; all on this one where empty
+  std::filesystem::path key_file;  ///< of a session on this machine; none where empty
+  bool insecure = false;
+  uint16_t port = 0;  ///< the render node's; switch node 0 takes the next one. 0: any free ones
   bool hash = false;
   bool window = false;  ///< a person at the render node gives the cameras
 };
@@ -30,7 +33,8 @@ struct SessionOutcome {
   bool stopped = false;                              ///< by a signal, in good order
 };
 
-/// --loop, --rate, --port, --batch, --timeout, --restarts, --record, --timeline and the run flags.
+/// --loop, --rate, --port, --batch, --timeout, --restarts, --hosts, --key-file, --insecure, --record,
+/// --timeline and the run flags.
 void add_session_flags(CLI::App& command, SessionOptions& options);
 
 /// Starts the roles and looks after them: one that is killed by a signal is started again, a render node at

@@ -178,6 +178,7 @@ HtmlTable batch_table(const Report& report) {
                   {}};
   for (const ReportEntry& entry : report.entries) {
     const size_t rows = rows_at(entry, "/batches");
+    if (rows < 2) continue;  // not a sweep
     for (size_t i = 0; i < rows; ++i) {
       const std::string at = "/batches/" + std::to_string(i);
       table.rows.push_back({grouped(entry.figure(at + "/batch")),

@@ -55,7 +55,7 @@ bool Peers::look(const FrameRequest& next) {
     lose(lost.what(), false);
   } catch (const Error& error) {
     if (!patient_) throw;
-    notice("render node: {}; goes on waiting", error.what());
+    notice("{}; goes on waiting", error.what());
     search(first_pause);
   }
   return false;

@@ -49,7 +49,7 @@ struct SessionOver {};
 class Gathering {
  public:
   Gathering(const Hello& own, const Listener* listener, const std::map<Role, Address>& dial,
-            milliseconds timeout, const SharedKey* key);
+            milliseconds timeout, const SharedKey* key, std::map<Role, std::string>& last_failure);
   /// Nothing once the deadline is over or `stop` says so.
   std::unique_ptr<Mailbox> run(Clock::time_point deadline, const std::function<bool()>& stop);
   /// Who is still missing, and what is known of them.
@@ -93,12 +93,17 @@ class Gathering {
   };
   std::deque<Caller> callers_;                     ///< accepted, no Hello yet; oldest first
   std::map<Role, std::shared_ptr<Link>> callees_;  ///< called, no answer yet
-  std::map<Role, std::string> last_failure_;
+  std::map<Role, std::string>& last_failure_;  ///< why a role is not here, of this attempt and those before
 };
 
 Gathering::Gathering(const Hello& own, const Listener* listener, const std::map<Role, Address>& dial,
-                     milliseconds timeout, const SharedKey* key)
-    : own_(own), dial_(dial), timeout_(timeout), key_(key), acceptor_(mailbox_->context()) {
+                     milliseconds timeout, const SharedKey* key, std::map<Role, std::string>& last_failure)
+    : own_(own),
+      dial_(dial),
+      timeout_(timeout),
+      key_(key),
+      acceptor_(mailbox_->context()),
+      last_failure_(last_failure) {
   for (const Role role : all_roles) {
     if (role < own.role && dial.count(role) == 0)
       fail(role_name(own.role), "no address of the {}", role_name(role));
@@ -163,10 +168,9 @@ void Gathering::look_after_links() {
   }
   const auto end = mailbox_->first_end();
   if (!end) return;
-  if (!end->said_bye) throw PeerWent();
-  if (end->reason.empty()) throw SessionOver();
-  fail(role_name(own_.role), "the {} left before the session was complete: {}", role_name(end->peer),
-       end->reason);
+  if (end->said_bye && end->reason.empty()) throw SessionOver();
+  last_failure_[end->peer] = end->reason;
+  throw PeerWent();
 }
 
 void Gathering::close_strangers() {
@@ -382,8 +386,9 @@ std::unique_ptr<Mailbox> connect_session(const Hello& own, const Listener* liste
                                          const std::map<Role, Address>& dial, milliseconds timeout,
                                          const std::function<bool()>& stop, const SharedKey* key) {
   const auto deadline = Clock::now() + timeout;
+  std::map<Role, std::string> last_failure;
   for (;;) {
-    Gathering gathering(own, listener, dial, timeout, key);
+    Gathering gathering(own, listener, dial, timeout, key, last_failure);
     try {
       if (auto mailbox = gathering.run(deadline, stop)) return mailbox;
       if (stop && stop()) return nullptr;

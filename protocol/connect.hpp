@@ -41,7 +41,7 @@ class PeersMissing : public Error {
 ///
 /// Nothing where `stop`, asked several times a second, says so, or where a peer says that the session is
 /// over. PeerDiffers where a role that was called differs; PeersMissing after the timeout, with what is known
-/// of those who did not come; Error where a peer leaves and says why.
+/// of those who did not come. Error for a role without the addresses or the port that it needs.
 std::unique_ptr<Mailbox> connect_session(const Hello& own, const Listener* listener,
                                          const std::map<Role, Address>& dial,
                                          std::chrono::milliseconds timeout,

@@ -74,7 +74,9 @@ void Link::read_some() {
                             if (!error) return self->take(count);
                             const std::string reason = self->reason_of(error);
                             if (self->secured_) return std::exchange(self->secured_, nullptr)(reason);
-                            self->finish_read(Broken{reason, self->reader_.between_messages()});
+                            const std::string half = self->reader_.half_message();
+                            if (half.empty()) return self->finish_read(Broken{reason, true});
+                            self->finish_read(Broken{reason + " after " + half, false});
                           });
 }
 

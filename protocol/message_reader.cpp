@@ -1,5 +1,8 @@
 #include "protocol/message_reader.hpp"
 
+#include <cstring>
+#include <fmt/core.h>
+
 namespace triptych {
 
 std::optional<MessageReader::Arrived> MessageReader::next(uint32_t limit, const std::string& place) {
@@ -15,6 +18,15 @@ std::optional<MessageReader::Arrived> MessageReader::next(uint32_t limit, const 
     begin_ = 0;
   }
   return arrived;
+}
+
+std::string MessageReader::half_message() const {
+  const size_t left = bytes_.size() - begin_;
+  if (left == 0) return {};
+  if (left < header_bytes) return fmt::format("{} of {} bytes of a header", left, header_bytes);
+  MessageHeader header;
+  std::memcpy(&header, bytes_.data() + begin_, header_bytes);
+  return fmt::format("frame {}: {} of {} bytes", header.frame, left - header_bytes, header.body_bytes);
 }
 
 }  // namespace triptych

@@ -20,8 +20,8 @@ class MessageReader {
   /// The next message once it is whole. Error (place) for what is none, as soon as its header or its body
   /// says so.
   std::optional<Arrived> next(uint32_t limit, const std::string& place);
-  /// Whether the stream may end here.
-  bool between_messages() const { return begin_ == bytes_.size(); }
+  /// What has come of a message that is not whole: "frame 12: 20 of 60 bytes". Empty between two messages.
+  std::string half_message() const;
 
  private:
   std::vector<std::byte> bytes_;

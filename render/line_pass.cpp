@@ -58,15 +58,18 @@ void LinePass::add_box(const Box& box, const glm::vec4& color) {
 void LinePass::add_frustum(const View& view, double depth, const glm::vec4& color) {
   const Camera& camera = view.camera;
   const glm::dmat3 to_model = glm::transpose(view.rotation());
-  const auto corner = [&](double x, double y) {
-    return camera.eye + depth * (to_model * glm::dvec3(x, y, -1));
+  const auto at = [&](double x, double y, double distance) {
+    const double spread = camera.orthographic() ? 1 : distance;
+    return camera.eye + to_model * glm::dvec3(x * spread, y * spread, -distance);
   };
-  const std::array<glm::dvec3, 4> corners = {
-      corner(camera.left, camera.bottom), corner(camera.right, camera.bottom),
-      corner(camera.right, camera.top), corner(camera.left, camera.top)};
-  for (size_t i = 0; i < corners.size(); ++i) {
-    add_line(camera.eye, corners[i], color);
-    add_line(corners[i], corners[(i + 1) % corners.size()], color);
+  const std::array<glm::dvec2, 4> sides = {glm::dvec2(camera.left, camera.bottom),
+                                           {camera.right, camera.bottom},
+                                           {camera.right, camera.top},
+                                           {camera.left, camera.top}};
+  for (size_t i = 0; i < sides.size(); ++i) {
+    const glm::dvec2 here = sides[i], next = sides[(i + 1) % sides.size()];
+    add_line(at(here.x, here.y, 0), at(here.x, here.y, depth), color);
+    add_line(at(here.x, here.y, depth), at(next.x, next.y, depth), color);
   }
 }
 

@@ -16,12 +16,13 @@ namespace triptych {
 class LinePass {
  public:
   LinePass();
-  /// The view for the lines that follow; forgets those before. Ends are taken relative to the eye in doubles.
+  /// The view for the lines that follow, a perspective one; forgets those before. Ends are taken relative to
+  /// the eye in doubles.
   void begin(const View& view);
   void add_line(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& color);
   /// The box's twelve edges.
   void add_box(const Box& box, const glm::vec4& color);
-  /// The four corner rays of the view's frustum and its rectangle, `depth` model units from its eye.
+  /// The four edges of the view's frustum and its rectangle, `depth` model units from its eye.
   void add_frustum(const View& view, double depth, const glm::vec4& color);
   void draw(const Target& target);
 

@@ -35,6 +35,7 @@ void Walker::jump_to(const Camera& camera) {
   north_ = glm::normalize(aside - glm::dot(aside, up_) * up_);
   heading_ = std::atan2(glm::dot(sight, glm::cross(north_, up_)), glm::dot(sight, north_));
   pitch_ = std::clamp(std::asin(std::clamp(glm::dot(sight, up_), -1.0, 1.0)), -steepest, steepest);
+  projection_ = camera.projection;
   half_height_ = (camera.top - camera.bottom) / 2;
   near_ = camera.near;
 }
@@ -47,7 +48,10 @@ glm::dvec3 Walker::direction() const { return std::cos(pitch_) * level_direction
 
 void Walker::move(const Motion& motion, double seconds, int window_height) {
   speed_ = std::clamp(speed_ * std::pow(faster_a_click, motion.wheel), reach_ * 1e-6, reach_ * 10);
-  const double radians_a_pixel = 2 * std::atan(half_height_) / std::max(window_height, 1);
+  constexpr double without_field_of_view = std::numbers::pi / 3;  // a drag over the window turns by so much
+  const double field_of_view =
+      projection_ == Projection::perspective ? 2 * std::atan(half_height_) : without_field_of_view;
+  const double radians_a_pixel = field_of_view / std::max(window_height, 1);
   heading_ = std::remainder(heading_ + motion.turn_right * radians_a_pixel, 2 * std::numbers::pi);
   pitch_ = std::clamp(pitch_ - motion.turn_down * radians_a_pixel, -steepest, steepest);
   const glm::dvec3 right = glm::cross(level_direction(), up_);
@@ -63,6 +67,7 @@ View Walker::view(int width, int height) const {
   view.camera.right = half_height_ * width / height;
   view.camera.left = -view.camera.right;
   view.camera.near = near_;
+  view.camera.projection = projection_;
   return view;
 }
 

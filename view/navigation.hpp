@@ -22,7 +22,7 @@ struct Motion {
 /// A person's eye in model space. The up axis never tilts; looking straight up or down stops just before it.
 class Walker {
  public:
-  /// Stands where the camera stands and looks where it looks, with its vertical field of view; `reach` is the
+  /// Stands where the camera stands and looks where it looks, with its projection and height; `reach` is the
   /// model's diagonal, model units: the first speed is a tenth of it a second.
   Walker(const Camera& camera, double reach);
   /// Outside the box, all of it in sight; y is up.
@@ -44,7 +44,8 @@ class Walker {
  private:
   glm::dvec3 eye_{0}, up_{0, 1, 0}, north_{0, 0, -1};  ///< up and north: unit, at right angles
   double heading_ = 0, pitch_ = 0;                     ///< radians; from north to the right, and upwards
-  double half_height_ = 1;                             ///< of the frustum at unit distance
+  Projection projection_ = Projection::perspective;
+  double half_height_ = 1;  ///< of the frustum: at unit distance; orthographic: in model units
   double near_ = 0.01, reach_ = 1, speed_ = 1;
 };
 

@@ -4,6 +4,7 @@
 #include "scene/chunk.hpp"
 #include "scene/pack.hpp"
 #include "scene/pack_skeleton.hpp"
+#include "wire_seeds.hpp"
 
 #include <array>
 #include <cstdio>
@@ -145,5 +146,6 @@ int main(int count, char** arguments) {
   triptych::write_gltf();
   triptych::write_text_formats();
   triptych::write_pack();
+  for (const auto& [name, bytes] : triptych::fuzz::wire_seeds()) triptych::write(name, bytes);
   return 0;
 }

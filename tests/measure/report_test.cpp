@@ -183,6 +183,7 @@ TEST_F(ReportFiles, the_page_shows_traffic_by_socket_and_latency_by_stage) {
                       {"packets_per_frame", 1.5},
                       {"camera_to_image_ms", spread_of(41)},
                       {"frame_ms", spread_of(21)}}};
+  walk["batches"].push_back(walk["batches"][0]);
   walk["restarts"] = 3;
   change("walk", walk);
   const std::string page = report_page(load());

@@ -198,7 +198,7 @@ TEST(Mailbox, garbage_and_half_messages_lose_the_peer_with_the_reason) {
       {{reinterpret_cast<const std::byte*>(noise.data()),
         reinterpret_cast<const std::byte*>(noise.data()) + noise.size()},
        "does not speak this protocol"},
-      {{whole.begin(), whole.end() - 1}, "frame 3: closed by the peer after"},
+      {{whole.begin(), whole.end() - 1}, "closed by the peer after frame 3: "},
       {{whole.begin(), whole.begin() + 7}, "closed by the peer"},
   };
   for (const auto& [bytes, reason] : cases) {

@@ -70,9 +70,9 @@ TEST(Wire, a_delta_after_which_everything_is_decided_spends_nothing_on_its_water
 TEST(Wire, bodies_are_as_long_as_documented) {
   const auto messages = sample_messages();
   EXPECT_EQ(encode(messages[1]).size(), header_bytes + 129) << "camera";
-  EXPECT_EQ(encode(messages[3]).size(), header_bytes + 60) << "sentinel";
+  EXPECT_EQ(encode(messages[3]).size(), header_bytes + 44) << "sentinel";
   EXPECT_EQ(encode(messages[4]).size(), header_bytes) << "full set request";
-  EXPECT_EQ(encode(messages[6]).size(), header_bytes + 28) << "switch report";
+  EXPECT_EQ(encode(messages[6]).size(), header_bytes + 44) << "switch report";
 }
 
 RC_GTEST_PROP(Wire, cameras_come_back_to_the_bit, (uint32_t frame, bool last)) {

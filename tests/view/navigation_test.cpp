@@ -93,6 +93,17 @@ TEST(Navigation, a_model_that_is_up_along_z_is_walked_upright) {
   expect_near(walker.eye(), {0, -10, 10});
 }
 
+TEST(Navigation, an_orthographic_camera_stays_one) {
+  Camera camera = camera_at({0, 0, 0}, {0, 0, -1});
+  set_orthographic_height(camera, 40, 1);
+  Walker walker(camera, 100);
+  walker.move({.forward = 1, .turn_right = 1}, 1, 512);
+  const View view = walker.view(200, 100);
+  EXPECT_TRUE(view.camera.orthographic());
+  EXPECT_DOUBLE_EQ(view.camera.top - view.camera.bottom, 40);
+  EXPECT_DOUBLE_EQ(view.camera.right - view.camera.left, 80);
+}
+
 TEST(Navigation, a_box_is_looked_at_from_outside_and_is_wholly_in_sight) {
   const Box box{{-3, 0, -1}, {5, 2, 30}};
   const View view = Walker::before(box, 0.01).view(400, 400);

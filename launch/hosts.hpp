@@ -1,0 +1,39 @@
+// Which machine plays which switch node, and how programs are started there.
+#pragma once
+
+#include "protocol/listener.hpp"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// One switch node's machine.
+struct Host {
+  std::string name;      ///< as the launch command wants it
+  std::string program;   ///< triptych, there
+  std::string pack;      ///< the copy of the pack, there
+  std::string key_file;  ///< the copy of the key, there; none where empty
+};
+
+/// The machines of a session. The render node plays on this one.
+struct Hosts {
+  std::string launch;    ///< command template with {host}, and {command} or {remote}
+  Address render;        ///< where the render node listens, as the others reach it
+  Address switch_0;      ///< where switch node 0 listens, as switch node 1 reaches it
+  std::string key_file;  ///< here; none where empty
+  std::array<Host, 2> switch_nodes;
+};
+
+/// Reads a hosts file (TOML; docs/using.md has one). pack: what is taken where a host names none. Error
+/// (path) for what is missing, unknown or of another kind.
+Hosts read_hosts(const std::filesystem::path& path, const std::string& pack);
+
+/// The line for a shell that starts the program with these arguments on the host: {command} becomes the
+/// words, each quoted for that shell, {remote} the same as one word for another shell beyond, which ssh
+/// wants.
+std::string launch_line(const Hosts& hosts, const Host& host, const std::vector<std::string>& arguments);
+
+}  // namespace triptych
