@@ -38,6 +38,7 @@ void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<
 }
 
 double projected_error(double focal_length, double error, const EyeBounds& bounds) {
+  if (bounds.parallel) return focal_length * error;
   if (!(bounds.least_depth > error)) return std::numeric_limits<double>::infinity();
   return focal_length * error * bounds.stretch / (bounds.least_depth - error);
 }
@@ -51,7 +52,8 @@ EyeSpace::EyeSpace(const Skeleton& skeleton, const View& view)
       bottom_(view.camera.bottom),
       top_(view.camera.top),
       near_(view.camera.near),
-      corner_stretch_(view.corner_stretch()) {}
+      corner_stretch_(view.corner_stretch()),
+      orthographic_(view.camera.orthographic()) {}
 
 EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   const Box model_box = lattice_.box(box);
@@ -64,6 +66,14 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   };
   const double depth = -centre.z, depth_reach = reach({0, 0, 1});
   EyeBounds bounds{.least_depth = depth - depth_reach};
+  if (orthographic_) {
+    // Inside the frustum: left ≤ x ≤ right, bottom ≤ y ≤ top.
+    const double x = reach({1, 0, 0}), y = reach({0, 1, 0});
+    bounds.outside = depth + depth_reach < near_ || centre.x + x < left_ || centre.x - x > right_ ||
+                     centre.y + y < bottom_ || centre.y - y > top_;
+    bounds.parallel = true;
+    return bounds;
+  }
   // Inside the frustum: x − left·depth ≥ 0, right·depth − x ≥ 0, and so on; depth = −z.
   const auto beyond = [&](const glm::dvec3& plane) { return glm::dot(plane, centre) + reach(plane) < 0; };
   bounds.outside = depth + depth_reach < near_ || beyond({1, 0, left_}) || beyond({-1, 0, -right_}) ||

@@ -32,11 +32,13 @@ void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<
 struct EyeBounds {
   double least_depth = 0;  ///< of the box along the view axis; negative behind the eye
   bool outside = false;    ///< wholly beyond one of the frustum's planes
-  double stretch = 1;  ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
+  double stretch = 1;     ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
+  bool parallel = false;  ///< orthographic: the picture does not depend on depth
 };
 
 /// The pixel error of a surface that deviates by at most `error` (δ, model units): f·δ·√(1+|t|²)/(z−δ), and
-/// infinite where z ≤ δ (vlod-2005 §4; derived in docs/algorithms.md).
+/// infinite where z ≤ δ (vlod-2005 §4; derived in docs/algorithms.md). Orthographic: f·δ, f in pixels per
+/// model unit.
 double projected_error(double focal_length, double error, const EyeBounds& bounds);
 
 /// What one view needs to place boxes: computed once a frame.
@@ -50,6 +52,7 @@ class EyeSpace {
   glm::dvec3 eye_;
   glm::dmat3 rotation_;
   double left_, right_, bottom_, top_, near_, corner_stretch_;
+  bool orthographic_;
 };
 
 /// Whether drawables outside the frustum belong to the selection: `on` gives the cut; `off` adds the rest of

@@ -17,6 +17,7 @@ uint64_t frame_digest(uint32_t frame, const View& view, double pixel_error, uint
        {camera.left, camera.right, camera.bottom, camera.top, camera.near, pixel_error}) {
     fields.write(value);
   }
+  fields.write(static_cast<uint8_t>(camera.projection));
   fields.write(view.width);
   fields.write(view.height);
   fields.write(pack_hash);

@@ -15,7 +15,7 @@ static_assert(sizeof(MessageHeader) == header_bytes);
 constexpr uint32_t tag_base = 'T' | 'R' << 8 | 'I' << 16;
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
-constexpr uint8_t last_mark = 1, rehearsal_mark = 2;  // of a camera
+constexpr uint8_t last_mark = 1, rehearsal_mark = 2, orthographic_mark = 4;  // of a camera
 
 uint32_t checksum_of(const MessageHeader& header, std::span<const std::byte> body) {
   const uint32_t fields[] = {header.tag, header.frame, header.body_bytes};
@@ -92,7 +92,8 @@ void write_body(ByteWriter& out, const CameraMessage& message) {
   out.write(static_cast<uint32_t>(message.view.width));
   out.write(static_cast<uint32_t>(message.view.height));
   out.write(message.pixel_error);
-  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.rehearsal ? rehearsal_mark : 0)));
+  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.rehearsal ? rehearsal_mark : 0) |
+                                 (camera.orthographic() ? orthographic_mark : 0)));
 }
 
 CameraMessage read_camera(ByteReader& in, uint32_t frame) {
@@ -111,9 +112,11 @@ CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   message.view.width = static_cast<int>(width);
   message.view.height = static_cast<int>(height);
   message.pixel_error = read_not_negative(in, "the pixel error");
-  const uint8_t marks = read_enum(in, uint8_t{last_mark | rehearsal_mark}, "camera mark");
+  const auto marks =
+      read_enum(in, static_cast<uint8_t>(last_mark | rehearsal_mark | orthographic_mark), "camera mark");
   message.last = (marks & last_mark) != 0;
   message.rehearsal = (marks & rehearsal_mark) != 0;
+  if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
   check_camera(camera, in.place());
   return message;
 }

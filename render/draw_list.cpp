@@ -7,7 +7,7 @@ namespace triptych {
 
 DrawListBuilder::DrawListBuilder(const Skeleton& skeleton, const View& view)
     : skeleton_(skeleton),
-      view_(view),
+      clip_(clip_space(skeleton, view)),
       rotation_(view.rotation()),
       projector_(skeleton, view),
       placed_(skeleton.transforms.size()),
@@ -23,15 +23,14 @@ const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform,
   // The lattice cell nearest to the eye, as seen from the mesh. A far-away eye is clamped: then distances are
   // large and float precision relative to them is enough.
   glm::dvec3 cell =
-      glm::round((glm::inverse(linear) * (view_.camera.eye - affine[3]) - lattice.origin) / lattice.step);
+      glm::round((glm::inverse(linear) * (clip_.reference - affine[3]) - lattice.origin) / lattice.step);
   for (int axis = 0; axis < 3; ++axis) {
     cell[axis] =
         std::isfinite(cell[axis]) ? glm::clamp<double>(cell[axis], -Lattice::limit, Lattice::limit) : 0;
   }
-  const glm::dvec3 residual =
-      linear * (lattice.origin + lattice.step * cell) + (affine[3] - view_.camera.eye);
-  const glm::dmat3 to_eye = rotation_ * linear * lattice.step;
-  const glm::dvec3 shift = rotation_ * residual;
+  const glm::dvec3 residual = linear * (lattice.origin + lattice.step * cell) + (affine[3] - clip_.reference);
+  const glm::dmat3 to_eye = rotation_ * linear * (lattice.step / clip_.unit);
+  const glm::dvec3 shift = rotation_ * (residual / clip_.unit);
   for (int row = 0; row < 3; ++row) {
     placed.rows[row] = glm::vec4(to_eye[0][row], to_eye[1][row], to_eye[2][row], shift[row]);
   }

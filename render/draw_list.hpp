@@ -28,8 +28,8 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Places chunks under one view. Positions are taken relative to the eye's cell on the chunk's own lattice,
-/// in integers, so that precision does not depend on where the model stands.
+/// Places chunks under one view. Positions are taken relative to the cell of the eye (ClipSpace::reference)
+/// on the chunk's own lattice, in integers, so that precision does not depend on where the model stands.
 class DrawListBuilder {
  public:
   DrawListBuilder(const Skeleton& skeleton, const View& view);
@@ -41,6 +41,7 @@ class DrawListBuilder {
   };
   /// The chunks must be loaded.
   void append(const DeviceScene& scene, std::span<const DrawableId> drawables, DrawList& list);
+  const ClipSpace& clip() const { return clip_; }
 
  private:
   struct PlacedLattice {
@@ -51,7 +52,7 @@ class DrawListBuilder {
   const PlacedLattice& place(uint32_t transform, uint32_t lattice);
 
   const Skeleton& skeleton_;
-  View view_;
+  ClipSpace clip_;
   glm::dmat3 rotation_;
   BoxProjector projector_;
   std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice it was last asked with

@@ -9,18 +9,19 @@ namespace triptych {
 namespace {
 const glm::dvec3 light_in_model = glm::normalize(glm::dvec3(0.35, 0.85, 0.40));
 
-GlProgram make_pass(TargetKind kind) {
+GlProgram make_pass(TargetKind kind, Projection projection) {
+  const std::string vertex = geometry_vertex_shader(projection);
   switch (kind) {
     case TargetKind::color:
-      return make_program("colour", geometry_vertex_shader(), color_fragment_shader());
+      return make_program("colour", vertex, color_fragment_shader());
     case TargetKind::item:
-      return make_program("item", geometry_vertex_shader(), item_fragment_shader());
+      return make_program("item", vertex, item_fragment_shader());
     case TargetKind::depth_only:
-      return make_program("depth", geometry_vertex_shader(), depth_fragment_shader());
+      return make_program("depth", vertex, depth_fragment_shader());
     case TargetKind::color_and_item:
       break;
   }
-  return make_program("colour and item", geometry_vertex_shader(), color_and_item_fragment_shader());
+  return make_program("colour and item", vertex, color_and_item_fragment_shader());
 }
 
 }  // namespace
@@ -28,13 +29,32 @@ GlProgram make_pass(TargetKind kind) {
 Renderer::Renderer(const Pack& pack) : scene_(pack) {}
 
 Renderer::Pass& Renderer::pass(TargetKind kind) {
-  std::optional<Pass>& pass = passes_[static_cast<size_t>(kind)];
+  const Projection projection = view_.camera.projection;
+  std::optional<Pass>& pass = passes_[static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
-  pass.emplace(Pass{make_pass(kind)});
+  pass.emplace(Pass{make_pass(kind, projection)});
   pass->frustum = glGetUniformLocation(pass->program, "frustum");
-  pass->near = glGetUniformLocation(pass->program, "near");
+  pass->depth = glGetUniformLocation(pass->program, "depth");
   pass->light = glGetUniformLocation(pass->program, "light");
   return *pass;
+}
+
+void Renderer::set_projection(const Pass& pass) const {
+  const Camera& camera = view_.camera;
+  const ClipSpace& clip = builder_->clip();
+  const double width = camera.right - camera.left, height = camera.top - camera.bottom;
+  const double shift_x = (camera.right + camera.left) / width,
+               shift_y = (camera.top + camera.bottom) / height;
+  const double scale = clip.orthographic ? 2 * clip.unit : 2;  // sides are tangents, or model units
+  const double side = clip.orthographic ? -1 : 1;              // shifts go with −z, or with 1
+  glUniform4f(pass.frustum, static_cast<float>(scale / width), static_cast<float>(scale / height),
+              static_cast<float>(side * shift_x), static_cast<float>(side * shift_y));
+  if (clip.orthographic) {
+    glUniform2f(pass.depth, static_cast<float>(clip.unit / clip.range),
+                static_cast<float>(clip.depth(clip.reference_depth)));
+  } else {
+    glUniform2f(pass.depth, static_cast<float>(clip.near / clip.unit), 0);
+  }
 }
 
 void Renderer::set_view(const View& view) {
@@ -53,13 +73,8 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Target& tar
   commands_.upload(std::span<const DrawCommand>(list.commands));
 
   const Pass& used = pass(kind);
-  const Camera& camera = view_.camera;
-  const double width = camera.right - camera.left, height = camera.top - camera.bottom;
   glUseProgram(used.program);
-  glUniform4f(used.frustum, static_cast<float>(2 / width), static_cast<float>(2 / height),
-              static_cast<float>((camera.right + camera.left) / width),
-              static_cast<float>((camera.top + camera.bottom) / height));
-  glUniform1f(used.near, static_cast<float>(camera.near));
+  set_projection(used);
   if (used.light >= 0) {
     const glm::vec3 light(view_.rotation() * light_in_model);
     glUniform3f(used.light, light.x, light.y, light.z);

@@ -27,12 +27,13 @@ class Renderer {
  private:
   struct Pass {
     GlProgram program;
-    GLint frustum = -1, near = -1, light = -1;
+    GLint frustum = -1, depth = -1, light = -1;
   };
   Pass& pass(TargetKind kind);
+  void set_projection(const Pass& pass) const;
 
   DeviceScene scene_;
-  std::optional<Pass> passes_[4];  ///< a program exists only once something calls for it
+  std::optional<Pass> passes_[2][4];  ///< by projection; a program exists only once something calls for it
   std::optional<DrawListBuilder> builder_;
   View view_;
   StreamBuffer records_, commands_;

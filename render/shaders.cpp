@@ -42,13 +42,13 @@ void shade_fragment() {
 
 }  // namespace
 
-std::string geometry_vertex_shader() {
+std::string geometry_vertex_shader(Projection projection) {
   return version + "#extension GL_ARB_shader_draw_parameters : require\n" + draw_record + R"(
 layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_index;
-uniform vec4 frustum;   // x scale, y scale, x shift, y shift
-uniform float near;
+uniform vec4 frustum;  // x scale, y scale, x shift, y shift
+uniform vec2 depth;    // perspective: the near plane; orthographic: scale and shift
 invariant gl_Position;
 out vec3 eye_position;
 flat out vec4 base_color;
@@ -60,9 +60,16 @@ void main() {
   vec3 p = vec3(point + draw.cell);
   eye_position = vec3(dot(draw.rows[0].xyz, p) + draw.rows[0].w, dot(draw.rows[1].xyz, p) + draw.rows[1].w,
                       dot(draw.rows[2].xyz, p) + draw.rows[2].w);
+)" +
+         (projection == Projection::perspective ? R"(
   gl_Position = vec4(frustum.x * eye_position.x + frustum.z * eye_position.z,
-                     frustum.y * eye_position.y + frustum.w * eye_position.z, near, -eye_position.z);
-  base_color = palette[color_index];
+                     frustum.y * eye_position.y + frustum.w * eye_position.z, depth.x, -eye_position.z);
+)"
+                                                : R"(
+  gl_Position = vec4(frustum.x * eye_position.x + frustum.z, frustum.y * eye_position.y + frustum.w,
+                     depth.x * eye_position.z + depth.y, 1.0);
+)") +
+         R"(  base_color = palette[color_index];
   nearest_depth = draw.nearest_depth;
   item = draw.item;
 }

@@ -1,6 +1,8 @@
 // The shaders. One vertex stage serves every pass that draws geometry, so that all passes agree to the bit.
 #pragma once
 
+#include "scene/camera.hpp"
+
 #include <glad/gl.h>
 #include <string>
 
@@ -11,7 +13,8 @@ inline constexpr GLuint palette_binding = 1;     ///< storage: colours
 inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under test
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
 
-std::string geometry_vertex_shader();
+/// Of perspective views; of orthographic ones, whose w is 1 and whose depth is linear.
+std::string geometry_vertex_shader(Projection projection);
 /// Depth alone, flat-shaded base colours, and drawable ids; all drop fragments nearer than their drawable's
 /// bounds.
 std::string depth_fragment_shader();

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -10,6 +11,17 @@ namespace triptych {
 
 namespace {
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Of length 1, or 0 for a vector of no length; squares neither overflow nor vanish on the way.
+glm::dvec3 direction(const glm::dvec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
+}
+
+/// Sides that doubles can tell apart, and floats after them.
+bool wide_enough(double low, double high) {
+  return high - low > 1e-9 * std::max(std::abs(low), std::abs(high)) && std::isfinite(high - low);
+}
 }  // namespace
 
 void set_field_of_view(Camera& camera, double fov_y_degrees, double aspect) {
@@ -19,27 +31,36 @@ void set_field_of_view(Camera& camera, double fov_y_degrees, double aspect) {
   camera.left = -camera.right;
 }
 
+void set_orthographic_height(Camera& camera, double height, double aspect) {
+  camera.projection = Projection::orthographic;
+  camera.top = height / 2;
+  camera.bottom = -camera.top;
+  camera.right = camera.top * aspect;
+  camera.left = -camera.right;
+}
+
 void check_camera(const Camera& camera, const std::string& place) {
   if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up))
     fail(place, "the camera is not finite");
   const glm::dvec3 forward = camera.target - camera.eye;
-  if (!(glm::length(forward) > 0) || !std::isfinite(glm::length(forward)))
-    fail(place, "the camera has no direction");
-  if (!(glm::length(camera.up) > 0)) fail(place, "the camera has no up vector");
-  const glm::dvec3 side = glm::cross(glm::normalize(forward), glm::normalize(camera.up));
+  if (forward == glm::dvec3(0) || !finite(forward)) fail(place, "the camera has no direction");
+  if (camera.up == glm::dvec3(0)) fail(place, "the camera has no up vector");
+  const glm::dvec3 side = glm::cross(direction(forward), direction(camera.up));
   if (!(glm::length(side) > 1e-9)) fail(place, "the camera's up vector lies along its direction");
   for (const double side_tangent : {camera.left, camera.right, camera.bottom, camera.top}) {
     if (!std::isfinite(side_tangent)) fail(place, "the camera's frustum is not finite");
   }
   if (!(camera.left < camera.right) || !(camera.bottom < camera.top))
     fail(place, "the camera's frustum is empty");
+  if (!wide_enough(camera.left, camera.right) || !wide_enough(camera.bottom, camera.top))
+    fail(place, "the camera's frustum is too thin to be computed");
   if (!(camera.near > 0) || !std::isfinite(camera.near))
     fail(place, "the camera's near plane must be in front of it");
 }
 
 glm::dmat3 View::rotation() const {
-  const glm::dvec3 backward = -glm::normalize(camera.target - camera.eye);
-  const glm::dvec3 side = glm::normalize(glm::cross(glm::normalize(camera.up), backward));
+  const glm::dvec3 backward = -direction(camera.target - camera.eye);
+  const glm::dvec3 side = glm::normalize(glm::cross(direction(camera.up), backward));
   const glm::dvec3 upward = glm::cross(backward, side);
   return glm::transpose(glm::dmat3(side, upward, backward));
 }
@@ -47,6 +68,7 @@ glm::dmat3 View::rotation() const {
 double View::focal_length() const { return std::max(focal_x(), focal_y()); }
 
 double View::corner_stretch() const {
+  if (camera.orthographic()) return 1;
   const double x = std::max(std::abs(camera.left), std::abs(camera.right));
   const double y = std::max(std::abs(camera.bottom), std::abs(camera.top));
   return std::sqrt(1 + x * x + y * y);

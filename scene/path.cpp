@@ -33,14 +33,27 @@ glm::vec<count, double> vector(const json& object, const std::string& place, con
 
 /// Settings that stand at the top or on a frame.
 void read_settings(const json& object, const std::string& place, PathFrame& frame) {
-  if (object.contains("orthographic_height")) fail(place, "orthographic cameras are not supported yet");
+  const bool orthographic = object.contains("orthographic_height");
+  if (orthographic && (object.contains("fov_y_degrees") || object.contains("off_axis"))) {
+    fail(place,
+         "\"orthographic_height\" stands instead of \"fov_y_degrees\" and \"off_axis\", not beside them");
+  }
+  if (orthographic) {
+    frame.orthographic_height = number(object["orthographic_height"], place, "orthographic_height");
+    if (!(*frame.orthographic_height > 0)) fail(place, "\"orthographic_height\" must be positive");
+    frame.off_axis.reset();
+  }
   if (object.contains("fov_y_degrees")) {
     frame.fov_y_degrees = number(object["fov_y_degrees"], place, "fov_y_degrees");
     if (!(frame.fov_y_degrees > 0 && frame.fov_y_degrees < 180))
       fail(place, "\"fov_y_degrees\" must be between 0 and 180");
+    frame.orthographic_height.reset();
   }
   if (object.contains("near")) frame.near = number(object["near"], place, "near");
-  if (object.contains("off_axis")) frame.off_axis = vector<4>(object, place, "off_axis");
+  if (object.contains("off_axis")) {
+    frame.off_axis = vector<4>(object, place, "off_axis");
+    frame.orthographic_height.reset();
+  }
 }
 
 }  // namespace
@@ -49,7 +62,12 @@ View Path::view(size_t i, int width, int height, double default_near) const {
   const PathFrame& frame = frames[i];
   View view{
       .camera = {.eye = frame.eye, .target = frame.target, .up = frame.up}, .width = width, .height = height};
-  set_field_of_view(view.camera, frame.fov_y_degrees, static_cast<double>(width) / height);
+  const double aspect = static_cast<double>(width) / height;
+  if (frame.orthographic_height) {
+    set_orthographic_height(view.camera, *frame.orthographic_height, aspect);
+  } else {
+    set_field_of_view(view.camera, frame.fov_y_degrees, aspect);
+  }
   view.camera.near = frame.near.value_or(default_near);
   if (frame.off_axis) {
     view.camera.left = frame.off_axis->x;

@@ -15,6 +15,7 @@ namespace triptych {
 struct PathFrame {
   glm::dvec3 eye{0}, target{0}, up{0};
   double fov_y_degrees = 60;
+  std::optional<double> orthographic_height;  ///< model units; instead of the field of view
   std::optional<double> near;
   std::optional<glm::dvec4> off_axis;  ///< left, right, bottom, top tangents
 };
@@ -26,7 +27,7 @@ struct Path {
 };
 
 /// Error (file and frame) for a file that is missing, is no path, has no frames, or holds a camera without a
-/// direction or with numbers that are not finite.
+/// direction or with numbers that are not finite, or names two projections at once.
 Path load_path(const std::filesystem::path& file);
 
 }  // namespace triptych

@@ -18,15 +18,18 @@ constexpr double near_margin = 1.001;
 }  // namespace
 
 BoxProjector::BoxProjector(const Skeleton& skeleton, const View& view)
-    : lattice_(skeleton.lattice()), view_(view), rotation_(view.rotation()) {}
+    : lattice_(skeleton.lattice()),
+      view_(view),
+      clip_(clip_space(skeleton, view)),
+      rotation_(view.rotation()) {}
 
 ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
-  const Camera& camera = view_.camera;
   const Box model_box = lattice_.box(box);
+  if (clip_.orthographic) return parallel_bounds(model_box);
   double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0;
   double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
   for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 corner = rotation_ * (model_box.corner(i) - camera.eye);
+    const glm::dvec3 corner = rotation_ * (model_box.corner(i) - clip_.reference);
     const double depth = -corner.z;
     least_depth = std::min(least_depth, depth);
     greatest_depth = std::max(greatest_depth, depth);
@@ -38,32 +41,58 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
     top = std::max(top, y);
     greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
   }
-  if (greatest_depth < camera.near / near_margin)
+  if (greatest_depth < clip_.near / near_margin)
     return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
-  if (least_depth < camera.near * near_margin) return {};
+  if (least_depth < clip_.near * near_margin) return {};
   // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
   // (p and w).
-  if (2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length() > 0.25) return {};
+  if (!(2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length() <= 0.25)) return {};
+  const double margin = injected(Fault::no_dilation) ? 1 : 1 + depth_margin;
+  return on_screen(left, right, bottom, top, clip_.depth(least_depth) * margin);
+}
+
+ScreenBounds BoxProjector::parallel_bounds(const Box& box) const {
+  const glm::dvec3 centre = rotation_ * ((box.lo + box.hi) * 0.5 - clip_.reference);
+  const glm::dvec3 half = (box.hi - box.lo) * 0.5;
+  // Rows of the rotation are the eye's axes.
+  glm::dvec3 reach;
+  for (int row = 0; row < 3; ++row) {
+    reach[row] = std::abs(rotation_[0][row]) * half.x + std::abs(rotation_[1][row]) * half.y +
+                 std::abs(rotation_[2][row]) * half.z;
+  }
+  const double depth = clip_.reference_depth - centre.z;
+  // Rounding of positions is relative to how far they are from the reference.
+  const double rounding = float_rounding * (glm::length(centre) + glm::length(half));
+  const double touch = depth_margin * clip_.range + rounding;
+  if (depth + reach.z < clip_.near - touch) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+  if (depth - reach.z < clip_.near + touch) return {};
+  if (!(2 * rounding * view_.focal_length() <= 0.25)) return {};
+  const double margin = injected(Fault::no_dilation) ? 0 : touch / clip_.range;
+  return on_screen(centre.x - reach.x, centre.x + reach.x, centre.y - reach.y, centre.y + reach.y,
+                   clip_.depth(depth - reach.z) + margin);
+}
+
+ScreenBounds BoxProjector::on_screen(double left, double right, double bottom, double top,
+                                     double depth) const {
+  const Camera& camera = view_.camera;
   const double margin_x = injected(Fault::no_dilation) ? 0 : 2.0 / view_.width;
   const double margin_y = injected(Fault::no_dilation) ? 0 : 2.0 / view_.height;
-  const auto device_x = [&](double tangent) {
-    return 2 * (tangent - camera.left) / (camera.right - camera.left) - 1;
+  const auto device_x = [&](double side) {
+    return 2 * (side - camera.left) / (camera.right - camera.left) - 1;
   };
-  const auto device_y = [&](double tangent) {
-    return 2 * (tangent - camera.bottom) / (camera.top - camera.bottom) - 1;
+  const auto device_y = [&](double side) {
+    return 2 * (side - camera.bottom) / (camera.top - camera.bottom) - 1;
   };
-  ScreenBounds bounds{.kind = ScreenBounds::Kind::rectangle, .rectangle = {}};
   const double x0 = device_x(left) - margin_x, x1 = device_x(right) + margin_x;
   const double y0 = device_y(bottom) - margin_y, y1 = device_y(top) + margin_y;
   if (x0 > 1 || x1 < -1 || y0 > 1 || y1 < -1)
     return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
-  const double margin = injected(Fault::no_dilation) ? 1 : 1 + depth_margin;
-  bounds.rectangle = {.left = static_cast<float>(std::max(x0, -1.0)),
-                      .bottom = static_cast<float>(std::max(y0, -1.0)),
-                      .right = static_cast<float>(std::min(x1, 1.0)),
-                      .top = static_cast<float>(std::min(y1, 1.0)),
-                      .depth = static_cast<float>(std::min(1.0, camera.near / least_depth * margin))};
-  return bounds;
+  return {.kind = ScreenBounds::Kind::rectangle,
+          .rectangle = {.left = static_cast<float>(std::max(x0, -1.0)),
+                        .bottom = static_cast<float>(std::max(y0, -1.0)),
+                        .right = static_cast<float>(std::min(x1, 1.0)),
+                        .top = static_cast<float>(std::min(y1, 1.0)),
+                        .depth = static_cast<float>(std::min(1.0, depth))}};
 }
 
 }  // namespace triptych

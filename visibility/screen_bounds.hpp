@@ -3,6 +3,7 @@
 
 #include "scene/camera.hpp"
 #include "scene/skeleton.hpp"
+#include "visibility/clip_space.hpp"
 
 #include <cstdint>
 
@@ -31,15 +32,20 @@ struct ScreenBounds {
 
 /// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by one pixel on
 /// each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, and the vertex stage's rounding
-/// is bounded below); the depth moves towards the eye by 2⁻¹⁴ of itself (float rounding of w).
+/// is bounded below); the depth moves towards the eye by 2⁻¹⁴ of itself, orthographic of its range (float
+/// rounding of w and z).
 class BoxProjector {
  public:
   BoxProjector(const Skeleton& skeleton, const View& view);
   ScreenBounds bounds(const LatticeBox& box) const;
 
  private:
+  ScreenBounds parallel_bounds(const Box& box) const;
+  ScreenBounds on_screen(double x0, double x1, double y0, double y1, double depth) const;
+
   const Lattice& lattice_;
   View view_;
+  ClipSpace clip_;
   glm::dmat3 rotation_;
 };
 

@@ -169,6 +169,11 @@ struct Trial {
     view.camera.bottom = random.number(-3, 0.5);
     view.camera.top = view.camera.bottom + random.number(0.01, 3);
     view.camera.near = std::exp2(random.number(-10, 2));
+    if (random.index(4) == 0) {
+      view.camera.projection = Projection::orthographic;
+      for (double* side : {&view.camera.left, &view.camera.right, &view.camera.bottom, &view.camera.top})
+        *side *= 8;
+    }
     const glm::dvec3 lo = random.vector(-20, 20);
     box = skeleton.lattice().enclosing({lo, lo + random.vector() * std::exp2(random.number(-6, 4))});
   }
@@ -188,6 +193,10 @@ Precise to_eye(const View& view, const glm::dvec3& point) {
 
 bool in_frustum(const Camera& camera, const Precise& p) {
   const long double depth = -p.z;
+  if (camera.orthographic()) {
+    return depth >= camera.near && p.x >= camera.left && p.x <= camera.right && p.y >= camera.bottom &&
+           p.y <= camera.top;
+  }
   return depth >= camera.near && p.x >= camera.left * depth && p.x <= camera.right * depth &&
          p.y >= camera.bottom * depth && p.y <= camera.top * depth;
 }
@@ -211,8 +220,10 @@ TEST(ProjectedError, bounds_how_far_any_displaced_point_of_the_box_moves) {
                             : Precise(random.vector(-1, 1));
       if (!(glm::length(aside) > 0)) continue;
       const Precise moved = at + glm::normalize(aside) * static_cast<long double>(error);
-      const long double x = (moved.x / -moved.z - at.x / -at.z) * trial.view.focal_x();
-      const long double y = (moved.y / -moved.z - at.y / -at.z) * trial.view.focal_y();
+      const bool parallel = trial.view.camera.orthographic();
+      const long double w0 = parallel ? 1 : -at.z, w1 = parallel ? 1 : -moved.z;
+      const long double x = (moved.x / w1 - at.x / w0) * trial.view.focal_x();
+      const long double y = (moved.y / w1 - at.y / w0) * trial.view.focal_y();
       const auto movement = static_cast<double>(std::hypot(x, y));
       EXPECT_LE(movement, bound * (1 + 1e-12));
       tightest = std::max(tightest, movement / bound);
@@ -221,6 +232,11 @@ TEST(ProjectedError, bounds_how_far_any_displaced_point_of_the_box_moves) {
   }
   EXPECT_GT(points, 1000);
   EXPECT_GT(tightest, 0.9) << "a bound that is never nearly reached tests little";
+}
+
+TEST(ProjectedError, of_an_orthographic_view_does_not_depend_on_depth) {
+  for (const double depth : {-5.0, 0.5, 1e9})
+    EXPECT_EQ(projected_error(40, 0.5, {.least_depth = depth, .parallel = true}), 20);
 }
 
 TEST(ProjectedError, is_infinite_where_the_surface_may_reach_the_eye) {

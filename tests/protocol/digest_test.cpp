@@ -19,7 +19,7 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
   EXPECT_NE(frame_digest(7, view, 1.0, 99, {1, 2}), digest);
   EXPECT_NE(frame_digest(7, view, 1.0, 99, {1, 2, 4}), digest);
   EXPECT_NE(frame_digest(7, view, 1.0, 99, {}), digest);
-  for (int field = 0; field < 7; ++field) {
+  for (int field = 0; field < 8; ++field) {
     View other = view;
     if (field == 0) other.camera.eye.x = 1.0000000000000002;
     if (field == 1) other.camera.target.z += 1;
@@ -28,6 +28,7 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
     if (field == 4) other.camera.near = 0.2;
     if (field == 5) other.width = 513;
     if (field == 6) other.height = 511;
+    if (field == 7) other.camera.projection = Projection::orthographic;
     EXPECT_NE(frame_digest(7, other, 1.0, 99, {1, 2, 3}), digest) << field;
   }
 }

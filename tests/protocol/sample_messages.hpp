@@ -15,6 +15,12 @@ inline View sample_view() {
   return view;
 }
 
+inline View sample_orthographic_view() {
+  View view = sample_view();
+  set_orthographic_height(view.camera, 12, 641.0 / 479.0);
+  return view;
+}
+
 inline Hello sample_hello(Role role) {
   Hello hello;
   hello.role = role;

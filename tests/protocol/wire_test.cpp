@@ -45,6 +45,13 @@ TEST(Wire, every_type_of_message_comes_back) {
   }
 }
 
+TEST(Wire, an_orthographic_camera_comes_back_whether_or_not_it_is_the_last) {
+  for (const bool last : {false, true}) {
+    const Message message = CameraMessage{13, sample_orthographic_view(), 1, last};
+    EXPECT_TRUE(decode(encode(message), "peer") == message);
+  }
+}
+
 RC_GTEST_PROP(Wire, deltas_come_back_with_their_watermark,
               (uint32_t frame, uint64_t distance, uint32_t id, std::set<DrawableId> added)) {
   const auto encoded = encode_delta({{added.begin(), added.end()}, {}}, {});

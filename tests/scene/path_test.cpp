@@ -67,6 +67,27 @@ TEST(Path, an_off_axis_frustum_is_taken_as_it_is) {
             std::string::npos);
 }
 
+TEST(Path, an_orthographic_height_spans_the_picture_in_model_units) {
+  const std::string wide = R"({"eye": [0,0,0], "target": [1,0,0], "up": [0,0,1], "fov_y_degrees": 90})";
+  const Path path = load_frames(good + "," + wide, R"("orthographic_height": 12)");
+  const View view = path.view(0, 400, 200, 0.125);
+  EXPECT_TRUE(view.camera.orthographic());
+  EXPECT_EQ(view.camera.top, 6);
+  EXPECT_EQ(view.camera.left, -12);
+  EXPECT_EQ(view.focal_x(), 400.0 / 24);
+  EXPECT_EQ(view.corner_stretch(), 1);
+  EXPECT_FALSE(path.view(1, 400, 200, 0.125).camera.orthographic()) << "the frame's own projection";
+}
+
+TEST(Path, cameras_of_any_scale_have_a_direction) {
+  for (const char* frame : {R"({"eye": [0,0,0], "target": [1e-200,0,0], "up": [0,0,1e-200]})",
+                            R"({"eye": [0,0,0], "target": [1e200,0,0], "up": [0,0,1e200]})"}) {
+    const glm::dmat3 rotation = load_frames(frame).view(0, 10, 10, 1).rotation();
+    EXPECT_NEAR(rotation[0][2], -1, 1e-15) << frame;
+    EXPECT_NEAR(rotation[2][1], 1, 1e-15) << frame;
+  }
+}
+
 TEST(Path, a_camera_without_a_direction_or_an_up_vector_is_refused_with_its_frame) {
   const auto error = [](const std::string& frame) {
     return error_of([&] { load_frames(good + "," + frame); });
@@ -102,7 +123,10 @@ TEST(Path, a_path_without_frames_or_of_another_kind_is_refused) {
 TEST(Path, impossible_settings_are_refused) {
   for (const char* settings :
        {R"("fov_y_degrees": 0)", R"("fov_y_degrees": 180)", R"("fov_y_degrees": "wide")", R"("near": 0)",
-        R"("near": -1)", R"("off_axis": [1, 2])", R"("orthographic_height": 5)"}) {
+        R"("near": -1)", R"("off_axis": [1, 2])", R"("orthographic_height": 0)",
+        R"("orthographic_height": -5)", R"("orthographic_height": 5, "fov_y_degrees": 60)",
+        R"("orthographic_height": 5, "off_axis": [-1, 1, -1, 1])",
+        R"("off_axis": [1, 1.0000000000001, -1, 1])"}) {
     EXPECT_NE(error_of([&] { load_frames(good, settings); }), "") << settings;
   }
 }

@@ -20,8 +20,12 @@ class SceneFiles : public testing::Test {
       frames.push_back({{"eye", list(camera.eye)},
                         {"target", list(camera.target)},
                         {"up", list(camera.up)},
-                        {"near", camera.near},
-                        {"off_axis", {camera.left, camera.right, camera.bottom, camera.top}}});
+                        {"near", camera.near}});
+      if (camera.orthographic()) {
+        frames.back()["orthographic_height"] = camera.top - camera.bottom;
+      } else {
+        frames.back()["off_axis"] = {camera.left, camera.right, camera.bottom, camera.top};
+      }
     }
     frame_count = frames.size();
     std::ofstream(path) << nlohmann::json{{"triptych_path", 1}, {"frames", frames}};

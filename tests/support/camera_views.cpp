@@ -89,6 +89,20 @@ class PathMaker {
     }
   }
 
+  /// Orthographic: from before the scene, from far away, within it, along an axis, of a detail.
+  void parallel() {
+    const auto look_along = [&](const glm::dvec3& from, const glm::dvec3& to, double height) {
+      View& view = look(at(from), at(to));
+      set_orthographic_height(view.camera, size_ * height, static_cast<double>(width_) / height_);
+    };
+    look_along({1.4, 1.6, 1.3}, {0.5, 0.5, 0.5}, 1.1);
+    look_along({1.4, 1.6, 1.3}, {0.5, 0.5, 0.45}, 0.9);
+    look_along({-3000, 4000, 2000}, {0.5, 0.5, 0.5}, 0.7);
+    look_along({0.5, 0.5, 0.5}, {0.9, 0.7, 0.4}, 0.4);
+    look_along({0.5, 0.5, 3}, {0.5, 0.5, 0}, 1);
+    look_along({0.3, -2, 0.4}, {0.3, 2, 0.4}, 0.05);
+  }
+
   std::vector<View> take() { return std::move(views_); }
 
  private:
@@ -111,6 +125,7 @@ std::vector<View> path(const Skeleton& skeleton, int width, int height, uint32_t
   maker.boxes();
   maker.telescopes(8);
   maker.jumps(16);
+  maker.parallel();
   return maker.take();
 }
 

@@ -51,7 +51,7 @@ const Pack& pack(const std::string& name);
 void write_pack(const std::string& name, const std::filesystem::path& file);
 
 /// A path that tries hard: small steps, turns, jumps, eyes inside boxes and on their faces, near planes that
-/// cut boxes, wide, narrow and lopsided frustums, long lenses from far away.
+/// cut boxes, wide, narrow and lopsided frustums, long lenses from far away, orthographic ones.
 std::vector<View> path(const Skeleton& skeleton, int width, int height, uint32_t seed = 1);
 /// The path's views at random alone, for tests that want many.
 std::vector<View> random_views(const Skeleton& skeleton, int width, int height, size_t count, uint32_t seed);

@@ -16,6 +16,7 @@ class ScreenBoundsOf : public testing::Test {
  protected:
   ScreenBoundsOf() {
     skeleton.lattices = {Lattice{{0, 0, 0}, 0x1p-10}};
+    skeleton.scene_nodes = {{.box = skeleton.lattice().enclosing({glm::dvec3(-40), glm::dvec3(40)})}};
     view.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .up = {0, 1, 0}, .near = 0.125};
     view.width = view.height = 512;
   }
@@ -78,6 +79,11 @@ View some_view(scenes::Random& random) {
   view.camera.bottom = random.number(-3, 0.5);
   view.camera.top = view.camera.bottom + random.number(0.01, 3);
   view.camera.near = std::exp2(random.number(-10, 1));
+  if (random.index(4) == 0) {
+    view.camera.projection = Projection::orthographic;
+    for (double* side : {&view.camera.left, &view.camera.right, &view.camera.bottom, &view.camera.top})
+      *side *= 8;
+  }
   return view;
 }
 
@@ -109,8 +115,9 @@ TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
       const auto device = [&](long double tangent, double low, double high) {
         return 2 * (tangent - low) / (high - low) - 1;
       };
-      const long double x = device(eye_point.x / depth, view.camera.left, view.camera.right);
-      const long double y = device(eye_point.y / depth, view.camera.bottom, view.camera.top);
+      const long double w = view.camera.orthographic() ? 1 : depth;
+      const long double x = device(eye_point.x / w, view.camera.left, view.camera.right);
+      const long double y = device(eye_point.y / w, view.camera.bottom, view.camera.top);
       if (std::abs(x) > 1 || std::abs(y) > 1) continue;
       ASSERT_EQ(found.kind, Kind::rectangle) << "a point of it is on the screen";
       const ScreenRectangle& r = found.rectangle;
@@ -119,7 +126,8 @@ TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
       const long double pixel_x = 1.0L / view.width, pixel_y = 1.0L / view.height;
       EXPECT_TRUE(r.left <= std::max(x - pixel_x, -1.0L) && r.right >= std::min(x + pixel_x, 1.0L));
       EXPECT_TRUE(r.bottom <= std::max(y - pixel_y, -1.0L) && r.top >= std::min(y + pixel_y, 1.0L));
-      EXPECT_GE(r.depth, std::min(1.0L, view.camera.near / depth * (1 + 0x1p-16L)));
+      const long double exact = clip_space(skeleton, view).depth(static_cast<double>(depth));
+      EXPECT_GE(r.depth, std::min(1.0L, exact * (1 + 0x1p-16L)));
       ++points;
     }
   }
