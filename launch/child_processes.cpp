@@ -188,8 +188,12 @@ std::optional<ChildProcesses::Ended> ChildProcesses::wait_for_one(bool (*stop)()
       child.told = true;
       read_the_rest(child);
       const bool killed = WIFSIGNALED(child.status);
-      return Ended{child.name, child.pid, killed ? WTERMSIG(child.status) : 0,
-                   killed ? 0 : WEXITSTATUS(child.status), failure(child)};
+      return Ended{.name = child.name,
+                   .pid = child.pid,
+                   .signal = killed ? WTERMSIG(child.status) : 0,
+                   .exit_code = killed ? 0 : WEXITSTATUS(child.status),
+                   .seconds = child.alive.seconds(),
+                   .reason = failure(child)};
     }
     read_errors(slice_ms);
   }

@@ -1,6 +1,8 @@
 // Processes that this one starts and ends: none is left behind, and what they complain about is collected.
 #pragma once
 
+#include "base/clock.hpp"
+
 #include <chrono>
 #include <optional>
 #include <string>
@@ -38,6 +40,7 @@ class ChildProcesses {
     pid_t pid = -1;
     int signal = 0;      ///< that killed it; 0 for none
     int exit_code = 0;   ///< where none did
+    double seconds = 0;  ///< that it lived
     std::string reason;  ///< "was killed by signal 9 (Killed)", or its complaint
   };
   /// What children of this name said after "triptych-record: ", one a line.
@@ -61,6 +64,7 @@ class ChildProcesses {
     int input = -1;   ///< write end of its standard input, where it is ours
     std::string line;
     std::string complaint, record{};
+    Stopwatch alive{};
     bool running = true;
     bool told = false;  ///< its end, by wait_for_one()
     int status = 0;

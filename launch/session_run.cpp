@@ -211,7 +211,11 @@ SessionOutcome Cast::play() {
     if (!ended) break;
     const auto role = std::find_if(all_roles.begin(), all_roles.end(),
                                    [&](Role candidate) { return short_name(candidate) == ended->name; });
-    if (ended->signal != 0) {
+    // On another machine the command that started a role ends so when the role is killed or the network is.
+    constexpr double settled_s = 5;
+    const bool lost_elsewhere =
+        hosts_ && *role != Role::render && ended->exit_code >= 128 && ended->seconds > settled_s;
+    if (ended->signal != 0 || lost_elsewhere) {
       replace(*role, *ended);
     } else if (ended->exit_code != 0) {
       children_.end_all(grace);

@@ -65,10 +65,11 @@ class SessionEndurance : public SceneFiles {
     const int port = 12000 + 2 * (::getpid() % 8000);
     std::atomic<bool> stop{false};
     std::thread strangers([&] { besiege(port, stop); });
-    Program program(with(
-        session({"--hash", "--json", json, "--port", std::to_string(port), "--loop", "10", "--rate", "100"}),
-        std::move(more)));
-    wait(std::chrono::milliseconds(1500));
+    Program program(with(session({"--hash", "--json", json, "--port", std::to_string(port), "--loop", "10",
+                                  "--rate", "100", "-o", folder.file("pictures")}),
+                         std::move(more)));
+    for (int tries = 0; tries < 4000 && !std::filesystem::exists(folder.file("pictures/000009.png")); ++tries)
+      wait(std::chrono::milliseconds(5));
     ::kill(program.role("switch 1"), SIGKILL);
     const int code = program.wait(std::chrono::seconds(120));
     stop = true;
