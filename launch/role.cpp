@@ -8,6 +8,7 @@
 #include "nodes/render_node.hpp"
 #include "nodes/switch_node.hpp"
 #include "protocol/connect.hpp"
+#include "render/raster_certificate.hpp"
 
 namespace triptych {
 
@@ -28,6 +29,12 @@ struct RoleCommand {
   bool hash = false;
 };
 
+/// Of the context that is current when it is first asked for.
+const std::string& raster_verdict() {
+  static const std::string& verdict = verdict_name(measure_raster().verdict());
+  return verdict;
+}
+
 std::unique_ptr<Mailbox> connect(const RoleCommand& command, const Pack& pack, const GlNames& gl) {
   std::optional<Listener> listener;
   if (command.listen_descriptor >= 0) {
@@ -45,6 +52,7 @@ std::unique_ptr<Mailbox> connect(const RoleCommand& command, const Pack& pack, c
   own.gl_vendor = gl.vendor;
   own.gl_renderer = gl.renderer;
   own.gl_version = gl.version;
+  own.raster = raster_verdict();
   const std::chrono::milliseconds timeout(static_cast<int64_t>(command.connect_timeout_s * 1000));
   return connect_session(own, listener ? &*listener : nullptr, dial, timeout);
 }
@@ -55,7 +63,8 @@ int run_switch(const RoleCommand& command) {
   const auto context = make_context(command.run.context);
   const auto mailbox = connect(command, pack, context->names());
   run_switch_node(pack, *mailbox, command.self, {.test = command.run.test, .batches = {}});
-  write_json(command.run.json, to_json(RoleRecord{sockets_of(command.self, *mailbox), {}, context->names()}));
+  write_json(command.run.json,
+             to_json(RoleRecord{sockets_of(command.self, *mailbox), {}, context->names(), raster_verdict()}));
   return 0;
 }
 
@@ -90,8 +99,8 @@ int run_render(const RoleCommand& command) {
     records = run_render_node(pack, *mailbox, frames, options);
   }
   writer.finish();
-  write_json(command.run.json,
-             to_json(RoleRecord{sockets_of(Role::render, *mailbox), records, context->names()}));
+  write_json(command.run.json, to_json(RoleRecord{sockets_of(Role::render, *mailbox), records,
+                                                  context->names(), raster_verdict()}));
   return 0;
 }
 

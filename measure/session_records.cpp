@@ -31,13 +31,15 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
 }
 
 json to_json(const RoleRecord& record) {
-  return {{"sockets", record.sockets}, {"frames", record.frames}, {"gl", record.gl}};
+  return {
+      {"sockets", record.sockets}, {"frames", record.frames}, {"gl", record.gl}, {"raster", record.raster}};
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
   try {
     return {document.at("sockets").get<std::vector<SocketRecord>>(),
-            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>()};
+            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>(),
+            document.at("raster").get<std::string>()};
   } catch (const json::exception& error) {
     fail(place, "is no role's record: {}", error.what());
   }

@@ -22,6 +22,7 @@ struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
   std::vector<FrameRecord> frames;    ///< the render node's
   GlNames gl;
+  std::string raster;  ///< verdict of the role's raster certificate
 };
 
 /// What the role has sent so far, socket by socket.
