@@ -2,13 +2,13 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/notice.hpp"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -17,8 +17,9 @@
 namespace triptych {
 
 namespace {
+constexpr int slice_ms = 100;
 constexpr std::string_view complaint_prefix = "triptych: ";
-}
+}  // namespace
 
 ChildProcesses::~ChildProcesses() {
   end_all(std::chrono::milliseconds(1000));
@@ -64,7 +65,7 @@ void ChildProcesses::take_lines(Child& child, const char* characters, size_t cou
     if (line.starts_with(complaint_prefix)) {
       child.complaint = line.substr(complaint_prefix.size());
     } else {
-      fmt::print(stderr, "{}\n", line);
+      notice("{}", line);
     }
   }
 }
@@ -133,8 +134,29 @@ std::string ChildProcesses::failure(const Child& child) {
                                  : child.complaint;
 }
 
+void ChildProcesses::read_the_rest(const Child& child) {
+  const Stopwatch stopwatch;
+  constexpr double limit_ms = 200;  // somebody else may hold the pipe
+  while (child.errors >= 0 && stopwatch.milliseconds() < limit_ms) read_errors(5);
+}
+
+std::optional<ChildProcesses::Ended> ChildProcesses::wait_for_one(bool (*stop)()) {
+  while (!stop()) {
+    reap();
+    for (Child& child : children_) {
+      if (child.running || child.told) continue;
+      child.told = true;
+      read_the_rest(child);
+      const bool killed = WIFSIGNALED(child.status);
+      return Ended{child.name, child.pid, killed ? WTERMSIG(child.status) : 0,
+                   killed ? 0 : WEXITSTATUS(child.status), failure(child)};
+    }
+    read_errors(slice_ms);
+  }
+  return std::nullopt;
+}
+
 bool ChildProcesses::wait(bool (*stop)()) {
-  constexpr int slice_ms = 100;
   while (any_running()) {
     if (stop()) {
       end_all(std::chrono::milliseconds(1000));

@@ -28,6 +28,20 @@ class ChildProcesses {
   pid_t start(const std::string& name, const std::vector<std::string>& arguments,
               Output output = Output::shared);
 
+  /// How a child ended.
+  struct Ended {
+    std::string name;
+    pid_t pid = -1;
+    int signal = 0;      ///< that killed it; 0 for none
+    int exit_code = 0;   ///< where none did
+    std::string reason;  ///< "was killed by signal 9 (Killed)", or its complaint
+  };
+  /// Waits for the end of one child, whichever is first; each is told once. Nothing once `stop`, asked a few
+  /// times a second, is true.
+  std::optional<Ended> wait_for_one(bool (*stop)());
+  /// SIGTERM, and SIGKILL for those that do not go within the grace. What they say till then comes through.
+  void end_all(std::chrono::milliseconds grace);
+
   /// Waits until all have ended. As soon as one fails the others get a moment to leave by themselves and are
   /// ended then; the Error names the first that failed and its complaint. stop: asked a few times a second;
   /// once true, all are told to end, and that is no error. Returns false where it was stopped.
@@ -41,6 +55,7 @@ class ChildProcesses {
     std::string line;
     std::string complaint;
     bool running = true;
+    bool told = false;  ///< its end, by wait_for_one()
     int status = 0;
   };
   void read_errors(int timeout_ms);
@@ -49,8 +64,8 @@ class ChildProcesses {
   Child* reap();
   bool any_running() const;
   void signal_all(int signal);
-  /// SIGTERM, and SIGKILL for those that do not go within the grace.
-  void end_all(std::chrono::milliseconds grace);
+  /// What an ended child said last.
+  void read_the_rest(const Child& child);
   static std::string failure(const Child& child);
 
   std::vector<Child> children_;

@@ -95,6 +95,23 @@ void add_run_flags(CLI::App& command, RunOptions& options) {
   add_path_flags(command, options);
 }
 
+namespace {
+template <typename Target>
+CLI::Option* add_batch(CLI::App& command, Target& target) {
+  return command
+      .add_option("--batch", target, "Ids a packet of a delta: smaller ones come earlier and cost more bytes")
+      ->type_name("IDS")
+      ->check(CLI::PositiveNumber);
+}
+}  // namespace
+
+void add_batch_flag(CLI::App& command, size_t& packet_ids) {
+  add_batch(command, packet_ids)->capture_default_str();
+}
+void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids) {
+  add_batch(command, packet_ids)->delimiter(',')->default_str(std::to_string(packet_ids.front()));
+}
+
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {
   const Path path = load_path(options.path);
   const size_t count = options.frames > 0 ? std::min(options.frames, path.frames.size()) : path.frames.size();

@@ -44,6 +44,10 @@ void add_path_flags(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
 
+/// --batch: ids a packet of a delta; one, or a list where a command sweeps.
+void add_batch_flag(CLI::App& command, size_t& packet_ids);
+void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
+
 /// The frames that the options ask for, in order. Error for a path that cannot be used.
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton);
 

@@ -2,6 +2,7 @@
 #include "base/progress.hpp"
 #include "launch/measure.hpp"
 #include "launch/session_run.hpp"
+#include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"
 
@@ -27,10 +28,49 @@ std::vector<FrameRecord> run_one_process(const Pack& pack, const RunOptions& run
   return records;
 }
 
+/// The same session at each packet size. Every one must show the same pictures.
+std::vector<SessionOutcome> run_sessions(const SessionOptions& options) {
+  std::vector<SessionOutcome> outcomes;
+  for (const size_t batch : options.batches) {
+    SessionOptions one = options;
+    one.batches = {batch};
+    outcomes.push_back(run_session(one));
+    if (outcomes.back().stopped) return outcomes;
+    const std::vector<FrameRecord>& frames = outcomes.back().records.front().frames;
+    const std::vector<FrameRecord>& first = outcomes.front().records.front().frames;
+    for (size_t i = 0; i < frames.size(); ++i) {
+      if (frames[i].picture_hash != first.at(i).picture_hash) {
+        fail("measure session", "frame {} differs between packets of {} and of {} ids", i,
+             options.batches.front(), batch);
+      }
+    }
+  }
+  return outcomes;
+}
+
+void print_batches(const nlohmann::json& rows) {
+  std::vector<std::vector<std::string>> lines;
+  for (const nlohmann::json& row : rows) {
+    lines.push_back({in_threes(row["batch"].get<double>()),
+                     in_threes(row["bytes_per_frame"].get<double>(), 1),
+                     in_threes(row["packets_per_frame"].get<double>(), 2),
+                     in_threes(row["camera_to_image_ms"]["p50"].get<double>(), 1),
+                     in_threes(row["frame_ms"]["p50"].get<double>(), 1),
+                     in_threes(row["frame_ms"]["p95"].get<double>(), 1)});
+  }
+  fmt::print(
+      "{}", text_table({"ids a packet", "bytes a frame", "packets", "latency ms", "frame ms", "p95"}, lines));
+}
+
 int run(SessionOptions options) {
   options.hash = true;
-  SessionOutcome outcome = run_session(options);
-  if (outcome.stopped) return 0;
+  std::vector<SessionOutcome> outcomes = run_sessions(options);
+  if (outcomes.back().stopped) return 0;
+  nlohmann::json batches = nlohmann::json::array();
+  for (size_t i = 0; i < outcomes.size(); ++i)
+    batches.push_back(batch_json(options.batches[i], outcomes[i].records));
+  SessionOutcome outcome = std::move(outcomes.front());
+  outcomes.clear();
   const Pack pack(options.run.pack);
   SessionMeasurement measurement{.requests = load_frames(options.run, pack.skeleton()),
                                  .roles = std::move(outcome.records),
@@ -46,7 +86,9 @@ int run(SessionOptions options) {
       compare(pack, measurement.requests, {&measurement.roles.front().frames, &measurement.one_process});
   measurement.session = comparisons[0];
   measurement.fallback = comparisons[1];
-  const nlohmann::json report = session_report(pack, measurement);
+  nlohmann::json report = session_report(pack, measurement);
+  report["batches"] = batches;
+  if (batches.size() > 1) print_batches(batches);
   fmt::print(
       "{} frames, median {:.1f} ms (one process {:.1f} ms); {} of {} identical to the un-culled picture\n",
       measurement.requests.size(), report["frame_ms"]["p50"].get<double>(),

@@ -19,12 +19,13 @@ void PictureWriter::rethrow() {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-void PictureWriter::add(std::filesystem::path file, int width, int height, std::vector<uint8_t> rgba) {
+void PictureWriter::add(std::filesystem::path file, int width, int height, std::vector<uint8_t> rgba,
+                        std::function<void()> written) {
   constexpr size_t most_waiting = 8;
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return queue_.size() < most_waiting || failure_; });
   rethrow();
-  queue_.push_back({std::move(file), width, height, std::move(rgba)});
+  queue_.push_back({std::move(file), width, height, std::move(rgba), std::move(written)});
   changed_.notify_all();
 }
 
@@ -46,6 +47,7 @@ void PictureWriter::work() {
     std::exception_ptr failure;
     try {
       write_png(picture.file, picture.width, picture.height, picture.rgba);
+      if (picture.written) picture.written();
     } catch (...) {
       failure = std::current_exception();
     }

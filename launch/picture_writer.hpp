@@ -6,6 +6,7 @@
 #include <deque>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -21,7 +22,9 @@ class PictureWriter {
   PictureWriter& operator=(const PictureWriter&) = delete;
 
   /// rgba: width × height × 4 bytes, bottom row first. Throws what an earlier picture failed with.
-  void add(std::filesystem::path file, int width, int height, std::vector<uint8_t> rgba);
+  /// written: called, in the other thread and in the order of adding, once the file is there.
+  void add(std::filesystem::path file, int width, int height, std::vector<uint8_t> rgba,
+           std::function<void()> written = {});
   /// Waits until every picture is written; throws what failed.
   void finish();
 
@@ -30,6 +33,7 @@ class PictureWriter {
     std::filesystem::path file;
     int width, height;
     std::vector<uint8_t> rgba;
+    std::function<void()> written;
   };
   void work();
   void rethrow();

@@ -2,12 +2,15 @@
 
 #include "base/file.hpp"
 #include "base/inject.hpp"
+#include "base/notice.hpp"
 #include "launch/child_processes.hpp"
 #include "launch/temporary_folder.hpp"
+#include "measure/frame_journal.hpp"
 #include "nodes/inbox.hpp"
 #include "protocol/listener.hpp"
 
-#include <fmt/core.h>
+#include <algorithm>
+#include <array>
 #include <random>
 
 namespace triptych {
@@ -26,9 +29,45 @@ std::vector<std::string> shared_arguments(const SessionOptions& options, uint64_
   return arguments;
 }
 
+/// What a killed render node left half written.
+void remove_partial_pictures(const std::filesystem::path& folder, pid_t pid) {
+  if (folder.empty()) return;
+  const std::string end = fmt::format(".partial-{}", pid);
+  std::error_code ignored;  // the folder may be gone
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().string().ends_with(end)) std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
 void append(std::vector<std::string>& arguments, std::initializer_list<std::string> more) {
   arguments.insert(arguments.end(), more);
 }
+
+/// Starts each role, as often as it takes, and gathers what all of its processes recorded.
+class Cast {
+ public:
+  explicit Cast(const SessionOptions& options);
+  SessionOutcome play();
+
+ private:
+  static constexpr size_t count = all_roles.size();
+
+  void start(Role role);
+  std::vector<std::string> render_arguments() const;
+  std::vector<std::string> switch_arguments(Role role) const;
+  /// Starts a role again that was killed; Error where that happened too often to the render node.
+  void replace(Role role, const ChildProcesses::Ended& ended);
+  RoleRecord record_of(Role role) const;
+
+  const SessionOptions& options_;
+  Listener render_listener_, switch_listener_;
+  TemporaryFolder folder_;
+  std::filesystem::path journal_ = folder_.path() / "frames";
+  uint64_t session_ = std::random_device()() | 1u;
+  std::array<std::vector<std::filesystem::path>, count> files_;  ///< of each role, one a process
+  SessionOutcome outcome_;
+  ChildProcesses children_;
+};
 
 RoleRecord read_record(const std::filesystem::path& file) {
   try {
@@ -38,6 +77,110 @@ RoleRecord read_record(const std::filesystem::path& file) {
   }
 }
 
+/// As the command line names it.
+const std::string& short_name(Role role) {
+  static const std::array<std::string, 3> names = {"render", "switch 0", "switch 1"};
+  return names[static_cast<size_t>(role)];
+}
+
+Cast::Cast(const SessionOptions& options)
+    : options_(options),
+      render_listener_(Address{"127.0.0.1", options.port}),
+      switch_listener_(Address{"127.0.0.1", static_cast<uint16_t>(options.port ? options.port + 1 : 0)}) {}
+
+std::vector<std::string> Cast::render_arguments() const {
+  std::vector<std::string> arguments = {"role", "render"};
+  for (const std::string& argument : shared_arguments(options_, session_)) arguments.push_back(argument);
+  append(arguments, {"--journal", journal_.string(), "--begin", std::to_string(mend_frame_journal(journal_)),
+                     "--path", options_.run.path.string(), "--size",
+                     fmt::format("{}x{}", options_.run.size.width, options_.run.size.height), "--pixel-error",
+                     fmt::format("{}", options_.run.pixel_error()), "--listen-descriptor",
+                     std::to_string(render_listener_.descriptor()), "--loop", std::to_string(options_.loop),
+                     "--timeout", fmt::format("{}", options_.timeout_ms)});
+  if (options_.run.frames > 0) append(arguments, {"--frames", std::to_string(options_.run.frames)});
+  if (options_.rate > 0) append(arguments, {"--rate", fmt::format("{}", options_.rate)});
+  if (!options_.output.empty()) append(arguments, {"-o", options_.output.string()});
+  if (options_.hash) append(arguments, {"--hash"});
+  return arguments;
+}
+
+std::vector<std::string> Cast::switch_arguments(Role role) const {
+  std::vector<std::string> arguments = {"role", "switch"};
+  for (const std::string& argument : shared_arguments(options_, session_)) arguments.push_back(argument);
+  append(arguments,
+         {"--index", role == Role::switch_0 ? "0" : "1", "--batch", std::to_string(options_.batches.front()),
+          "--render", to_text(render_listener_.address())});
+  if (role == Role::switch_0) {
+    append(arguments, {"--listen-descriptor", std::to_string(switch_listener_.descriptor())});
+  } else {
+    append(arguments, {"--switch-0", to_text(switch_listener_.address())});
+  }
+  return arguments;
+}
+
+void Cast::start(Role role) {
+  std::vector<std::filesystem::path>& files = files_[static_cast<size_t>(role)];
+  files.push_back(folder_.path() / fmt::format("{}-{}.json", short_name(role), files.size()));
+  std::vector<std::string> arguments = role == Role::render ? render_arguments() : switch_arguments(role);
+  append(arguments, {"--json", files.back().string()});
+  render_listener_.set_inherited(role == Role::render);
+  switch_listener_.set_inherited(role == Role::switch_0);
+  const pid_t pid = children_.start(short_name(role), arguments);
+  render_listener_.set_inherited(false);
+  switch_listener_.set_inherited(false);
+  outcome_.roles.emplace_back(short_name(role), pid);
+  notice("role {} is process {}", short_name(role), pid);
+}
+
+void Cast::replace(Role role, const ChildProcesses::Ended& ended) {
+  remove_partial_pictures(options_.output, ended.pid);
+  if (files_[static_cast<size_t>(role)].size() > options_.restarts) {
+    const std::string place = fmt::format("{} (process {})", ended.name, ended.pid);
+    if (role == Role::render) fail(place, "{}, after {} restarts", ended.reason, options_.restarts);
+    notice("session: {}: {}, after {} restarts; goes on without it", place, ended.reason, options_.restarts);
+    return;
+  }
+  ++outcome_.restarts;
+  notice("session: {} (process {}) {}; starts it again", ended.name, ended.pid, ended.reason);
+  start(role);
+}
+
+RoleRecord Cast::record_of(Role role) const {
+  RoleRecord sum;
+  for (const std::filesystem::path& file : files_[static_cast<size_t>(role)]) {
+    if (!std::filesystem::exists(file)) continue;  // of a process that was killed
+    RoleRecord record = read_record(file);
+    add_sockets(sum.sockets, record.sockets);
+    sum.gl = record.gl;
+  }
+  if (role == Role::render) sum.frames = read_frame_journal(journal_);
+  return sum;
+}
+
+SessionOutcome Cast::play() {
+  for (const Role role : all_roles) start(role);
+  constexpr std::chrono::milliseconds grace(1000);
+  for (;;) {
+    const auto ended = children_.wait_for_one(stop_requested);
+    outcome_.stopped = !ended;
+    if (!ended) break;
+    const auto role = std::find_if(all_roles.begin(), all_roles.end(),
+                                   [&](Role candidate) { return short_name(candidate) == ended->name; });
+    if (ended->signal != 0) {
+      replace(*role, *ended);
+    } else if (ended->exit_code != 0) {
+      children_.end_all(grace);
+      fail(fmt::format("{} (process {})", ended->name, ended->pid), "{}", ended->reason);
+    } else if (*role == Role::render) {
+      break;
+    }
+  }
+  children_.end_all(grace);
+  mend_frame_journal(journal_);
+  for (const Role role : all_roles) outcome_.records.push_back(record_of(role));
+  return std::move(outcome_);
+}
+
 }  // namespace
 
 void add_session_flags(CLI::App& command, SessionOptions& options) {
@@ -45,6 +188,14 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
       ->check(CLI::PositiveNumber);
+  add_batch_flag(command, options.batches);
+  command
+      .add_option("--timeout", options.timeout_ms,
+                  "Milliseconds to wait for a frame's visible set before the render node goes on alone")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")
+      ->capture_default_str();
   command
       .add_option("--port", options.port,
                   "The render node's port; switch node 0 takes the next one (default: free ones)")
@@ -59,56 +210,7 @@ SessionOutcome run_session(const SessionOptions& options) {
     load_frames(options.run, pack.skeleton());
     if (!options.output.empty()) make_folder(options.output);
   }
-  Listener render_listener(Address{"127.0.0.1", options.port});
-  Listener switch_listener(Address{"127.0.0.1", static_cast<uint16_t>(options.port ? options.port + 1 : 0)});
-  const TemporaryFolder folder;
-  const uint64_t session = std::random_device()() | 1u;
-  const std::string render_address = to_text({"127.0.0.1", render_listener.port()});
-  const std::string switch_address = to_text({"127.0.0.1", switch_listener.port()});
-  const std::vector<std::string> names = {"render", "switch 0", "switch 1"};
-  std::vector<std::filesystem::path> files;
-  for (const char* name : {"render.json", "switch-0.json", "switch-1.json"})
-    files.push_back(folder.path() / name);
-
-  std::vector<std::string> render = {"role", "render"};
-  for (const std::string& argument : shared_arguments(options, session)) render.push_back(argument);
-  append(render, {"--json", files[0].string(), "--path", options.run.path.string(), "--size",
-                  fmt::format("{}x{}", options.run.size.width, options.run.size.height), "--pixel-error",
-                  fmt::format("{}", options.run.pixel_error()), "--listen-descriptor",
-                  std::to_string(render_listener.descriptor()), "--loop", std::to_string(options.loop)});
-  if (options.run.frames > 0) append(render, {"--frames", std::to_string(options.run.frames)});
-  if (options.rate > 0) append(render, {"--rate", fmt::format("{}", options.rate)});
-  if (!options.output.empty()) append(render, {"-o", options.output.string()});
-  if (options.hash) append(render, {"--hash"});
-
-  SessionOutcome outcome;
-  ChildProcesses children;
-  const auto start = [&](size_t role, const std::vector<std::string>& arguments) {
-    const pid_t pid = children.start(names[role], arguments);
-    outcome.roles.emplace_back(names[role], pid);
-    fmt::print(stderr, "role {} is process {}\n", names[role], pid);
-  };
-  render_listener.set_inherited(true);
-  start(0, render);
-  render_listener.set_inherited(false);
-  for (const int index : {0, 1}) {
-    std::vector<std::string> arguments = {"role", "switch"};
-    for (const std::string& argument : shared_arguments(options, session)) arguments.push_back(argument);
-    append(arguments, {"--index", std::to_string(index), "--json",
-                       files[static_cast<size_t>(index) + 1].string(), "--render", render_address});
-    if (index == 0) {
-      append(arguments, {"--listen-descriptor", std::to_string(switch_listener.descriptor())});
-      switch_listener.set_inherited(true);
-    } else {
-      append(arguments, {"--switch-0", switch_address});
-      switch_listener.set_inherited(false);
-    }
-    start(static_cast<size_t>(index) + 1, arguments);
-  }
-  outcome.stopped = !children.wait(stop_requested);
-  if (outcome.stopped) return outcome;
-  for (const std::filesystem::path& file : files) outcome.records.push_back(read_record(file));
-  return outcome;
+  return Cast(options).play();
 }
 
 }  // namespace triptych

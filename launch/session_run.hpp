@@ -10,23 +10,29 @@ namespace triptych {
 
 struct SessionOptions {
   RunOptions run;
-  std::filesystem::path output;  ///< folder for pictures; none where empty
+  std::filesystem::path output;                              ///< folder for pictures; none where empty
+  std::vector<size_t> batches = {CullOptions{}.packet_ids};  ///< ids a packet; a list where a command sweeps
   size_t loop = 1;
   double rate = 0;
-  uint16_t port = 0;  ///< the render node's; switch node 0 takes the next one. 0: any free ones
+  double timeout_ms = 500;  ///< after which the render node goes on alone
+  size_t restarts = 10;     ///< of a role that is killed, each
+  uint16_t port = 0;        ///< the render node's; switch node 0 takes the next one. 0: any free ones
   bool hash = false;
 };
 
 struct SessionOutcome {
   std::vector<std::pair<std::string, pid_t>> roles;  ///< "render", "switch 0", "switch 1"
-  std::vector<RoleRecord> records;                   ///< in the order of roles; empty where it was stopped
+  std::vector<RoleRecord> records;                   ///< render node, switch node 0, switch node 1
+  size_t restarts = 0;                               ///< roles that were killed and started again
   bool stopped = false;                              ///< by a signal, in good order
 };
 
-/// --loop, --rate, --port and the run flags.
+/// --loop, --rate, --port, --batch, --timeout, --restarts and the run flags.
 void add_session_flags(CLI::App& command, SessionOptions& options);
 
-/// Error that names the role which failed first and why; no process is left then.
+/// Starts the roles and looks after them: one that is killed by a signal is started again, a render node at
+/// the first frame that has no record and no picture yet. Error that names the role which failed and why; no
+/// process is left then.
 SessionOutcome run_session(const SessionOptions& options);
 
 }  // namespace triptych

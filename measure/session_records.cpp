@@ -2,15 +2,17 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 using nlohmann::json;
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, delta_body_bytes, delta_ids)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
-                                   cut_drawables, drawn_triangles, tests, added, removed, digest_mismatch,
-                                   fallback, visible, picture_hash)
+                                   cut_drawables, drawn_triangles, tests, added, removed, level_changes,
+                                   visible_count, digest_mismatch, fallback, visible, picture_hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GlNames, vendor, renderer, version)
 
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
@@ -23,11 +25,37 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
           {.name = fmt::format("{} to {}, {}", role_name(self), role_name(peer), channel_name(channel)),
            .bytes = figures.bytes_sent,
            .messages = figures.messages_sent,
+           .deltas = figures.deltas_sent,
            .delta_body_bytes = figures.delta_body_bytes_sent,
            .delta_ids = figures.delta_ids_sent});
     }
   }
   return sockets;
+}
+
+void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>& more) {
+  for (const SocketRecord& socket : more) {
+    const auto known =
+        std::find_if(sum.begin(), sum.end(), [&](const auto& other) { return other.name == socket.name; });
+    if (known == sum.end()) {
+      sum.push_back(socket);
+      continue;
+    }
+    for (const auto figure : {&SocketRecord::bytes, &SocketRecord::messages, &SocketRecord::deltas,
+                              &SocketRecord::delta_body_bytes, &SocketRecord::delta_ids}) {
+      (*known).*figure += socket.*figure;
+    }
+  }
+}
+
+json to_json(const FrameRecord& record) { return json(record); }
+
+FrameRecord frame_record_from_json(const json& document, const std::string& place) {
+  try {
+    return document.get<FrameRecord>();
+  } catch (const json::exception& error) {
+    fail(place, "is no frame's record: {}", error.what());
+  }
 }
 
 json to_json(const RoleRecord& record) {

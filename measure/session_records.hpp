@@ -15,7 +15,7 @@ namespace triptych {
 struct SocketRecord {
   std::string name;  ///< "switch node 0 to render node, nodes"
   uint64_t bytes = 0, messages = 0;
-  uint64_t delta_body_bytes = 0, delta_ids = 0;
+  uint64_t deltas = 0, delta_body_bytes = 0, delta_ids = 0;
 };
 
 struct RoleRecord {
@@ -27,6 +27,12 @@ struct RoleRecord {
 
 /// What the role has sent so far, socket by socket.
 std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);
+/// Adds figures of later connections to those of the same names.
+void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>& more);
+
+nlohmann::json to_json(const FrameRecord& record);
+/// Error (place) for JSON that is no frame's record.
+FrameRecord frame_record_from_json(const nlohmann::json& json, const std::string& place);
 
 nlohmann::json to_json(const RoleRecord& record);
 /// Error (place) for JSON that is no role's record.

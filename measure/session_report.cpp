@@ -4,7 +4,6 @@
 #include "measure/json.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace triptych {
 
@@ -19,7 +18,7 @@ double formula_bits_per_second(double ids_per_frame, double frames_per_second) {
 namespace {
 
 struct Delta {
-  double added = 0, removed = 0, set = 0;
+  double added = 0, removed = 0, level_changes = 0, set = 0;
 };
 
 Delta sum_deltas(const std::vector<FrameRecord>& frames) {
@@ -27,22 +26,10 @@ Delta sum_deltas(const std::vector<FrameRecord>& frames) {
   for (const FrameRecord& frame : frames) {
     sum.added += static_cast<double>(frame.added);
     sum.removed += static_cast<double>(frame.removed);
-    sum.set += static_cast<double>(frame.visible.size());
+    sum.set += static_cast<double>(frame.visible_count);
+    sum.level_changes += static_cast<double>(frame.level_changes);
   }
   return sum;
-}
-
-/// Of the ids that changed, those of scene nodes that stayed visible at another level of detail.
-double level_changes(const Skeleton& skeleton, const std::vector<FrameRecord>& frames) {
-  double changes = 0;
-  for (size_t i = 1; i < frames.size(); ++i) {
-    const VisibleDelta delta = difference(frames[i - 1].visible, frames[i].visible);
-    std::set<SceneNodeId> removed;
-    for (const DrawableId id : delta.removed) removed.insert(skeleton.drawables[id].scene_node);
-    for (const DrawableId id : delta.added)
-      changes += removed.count(skeleton.drawables[id].scene_node) ? 2 : 0;
-  }
-  return changes;
 }
 
 json stages_json(const std::vector<FrameRecord>& frames) {
@@ -66,11 +53,7 @@ double predicted_fps(const std::vector<FrameRecord>& one_process) {
   return cycle > 0 ? 1000 / cycle : 0;
 }
 
-}  // namespace
-
-json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles) {
-  const std::vector<FrameRecord>& frames = roles.front().frames;
-  const Delta sum = sum_deltas(frames);
+double delta_body_bytes_per_id(const std::vector<RoleRecord>& roles) {
   uint64_t bytes = 0, ids = 0;
   for (const RoleRecord& role : roles) {
     for (const SocketRecord& socket : role.sockets) {
@@ -78,12 +61,40 @@ json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles) 
       ids += socket.delta_ids;
     }
   }
+  return ids ? static_cast<double>(bytes) / static_cast<double>(ids) : 0.0;
+}
+
+}  // namespace
+
+json delta_json(const std::vector<RoleRecord>& roles) {
+  const std::vector<FrameRecord>& frames = roles.front().frames;
+  const Delta sum = sum_deltas(frames);
   const double count = std::max<double>(1, static_cast<double>(frames.size()));
   return {{"added_mean", sum.added / count},
           {"removed_mean", sum.removed / count},
-          {"level_changes_mean", level_changes(skeleton, frames) / count},
+          {"level_changes_mean", sum.level_changes / count},
           {"saved_percent", sum.set > 0 ? 100 * (1 - (sum.added + sum.removed) / sum.set) : 0.0},
-          {"body_bytes_per_id", ids ? static_cast<double>(bytes) / static_cast<double>(ids) : 0.0}};
+          {"body_bytes_per_id", delta_body_bytes_per_id(roles)}};
+}
+
+json batch_json(size_t packet_ids, const std::vector<RoleRecord>& roles) {
+  const std::vector<FrameRecord>& frames = roles.front().frames;
+  uint64_t bytes = 0, packets = 0;
+  for (const RoleRecord& role : roles) {
+    for (const SocketRecord& socket : role.sockets) {
+      bytes += socket.bytes;
+      packets += socket.deltas;
+    }
+  }
+  const double count = std::max<double>(1, static_cast<double>(frames.size()));
+  constexpr double receivers = 2;
+  return {
+      {"batch", packet_ids},
+      {"bytes_per_frame", static_cast<double>(bytes) / count},
+      {"packets_per_frame", static_cast<double>(packets) / receivers / count},
+      {"delta_body_bytes_per_id", delta_body_bytes_per_id(roles)},
+      {"camera_to_image_ms", distribution_json(frames, [](const auto& r) { return r.camera_to_image_ms; })},
+      {"frame_ms", distribution_json(frames, [](const auto& r) { return r.frame_ms; })}};
 }
 
 json session_report(const Pack& pack, const SessionMeasurement& measurement) {
@@ -116,11 +127,11 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
       {"frame_ms", distribution_json(frames, [](const auto& r) { return r.frame_ms; })},
       {"stages_ms", stages_json(frames)},
       {"camera_to_image_ms", distribution_json(frames, [](const auto& r) { return r.camera_to_image_ms; })},
-      {"visible", distribution_json(frames, [](const auto& r) { return r.visible.size(); })},
+      {"visible", distribution_json(frames, [](const auto& r) { return r.visible_count; })},
       {"cut", distribution_json(frames, [](const auto& r) { return r.cut_drawables; })},
       {"tests", distribution_json(frames, [](const auto& r) { return r.tests; })},
       {"drawn_triangles", distribution_json(frames, [](const auto& r) { return r.drawn_triangles; })},
-      {"delta", delta_json(pack.skeleton(), measurement.roles)},
+      {"delta", delta_json(measurement.roles)},
       {"bytes_per_frame", sockets},
       {"mbit_per_s",
        {{"measured", seconds > 0 ? static_cast<double>(total_bytes) * 8 / seconds / 1e6 : 0.0},

@@ -18,8 +18,11 @@ struct SessionMeasurement {
 /// Every key that docs/using.md lists for `measure session`.
 nlohmann::json session_report(const Pack& pack, const SessionMeasurement& measurement);
 
+/// A row of `batches`: what packets of so many ids cost and how soon pictures stand.
+nlohmann::json batch_json(size_t packet_ids, const std::vector<RoleRecord>& roles);
+
 /// The key `delta`: what sending changes saves. roles[0] is the render node, whose frames count.
-nlohmann::json delta_json(const Skeleton& skeleton, const std::vector<RoleRecord>& roles);
+nlohmann::json delta_json(const std::vector<RoleRecord>& roles);
 
 /// The paper's bandwidth for n node ids a frame at f frames a second, in bit/s: 8nf + nhf/b + 216f + 3hf
 /// bytes with headers of h = 50 bytes and b = 100 ids a packet (interactive-display-2003 §4.5).

@@ -50,6 +50,7 @@ FrameRecord Fallback::draw(const FrameRequest& frame) {
   const VisibleDelta delta = difference(previous, visible_);
   record.added = delta.added.size();
   record.removed = delta.removed.size();
+  record.visible_count = visible_.size();
   record.visible = visible_;
   return record;
 }

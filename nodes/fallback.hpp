@@ -29,6 +29,10 @@ class Fallback {
   /// Draws the frame; the picture stays in target() until the next one.
   FrameRecord draw(const FrameRequest& frame);
   const Target& target() const { return picture_.target(); }
+  /// Takes over from somebody else, who drew V(i−1).
+  void resume(VisibleSet previous) { visible_ = std::move(previous); }
+  /// For pictures of visible sets that come from elsewhere.
+  PictureStage& picture() { return picture_; }
   /// Starts over, as if nothing had been drawn; the next frame is incoherent.
   void forget() { visible_.clear(); }
 

@@ -52,8 +52,9 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
   inbox.mailbox().send(hardware_cull_role(frame.number), Channel::nodes, FullSetRequest{frame.number});
   result.visible = inbox.full_set(frame.number).visible;
   if (!matches(result.visible)) {
-    fail(fmt::format("frame {}", frame.number), "the full visible set of {} does not match its digest either",
-         role_name(hardware_cull_role(frame.number)));
+    throw PeerLost(
+        hardware_cull_role(frame.number),
+        fmt::format("frame {}: the full visible set does not match its digest either", frame.number));
   }
   return result;
 }

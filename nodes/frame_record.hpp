@@ -17,9 +17,11 @@ struct FrameRecord {
   double camera_to_image_ms = 0;  ///< from the camera's release to its picture
   uint64_t cut_drawables = 0, drawn_triangles = 0, tests = 0;
   uint64_t added = 0, removed = 0;
+  uint64_t level_changes = 0;  ///< of those, ids of scene nodes that stay visible at another level of detail
+  uint64_t visible_count = 0;  ///< drawables of V(i)
   bool digest_mismatch = false;
   bool fallback = false;      ///< drawn by the render node alone
-  VisibleSet visible{};       ///< V(i)
+  VisibleSet visible{};       ///< V(i), where it is kept
   uint64_t picture_hash = 0;  ///< XXH3-64 of the picture's RGBA bytes, where it was read back
 };
 

@@ -3,6 +3,7 @@
 
 #include "protocol/mailbox.hpp"
 
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -10,11 +11,12 @@
 
 namespace triptych {
 
-/// The session is over for this role: the render node left, or a signal asked to stop.
+/// The session is over for this role: a peer said so, or a signal asked to stop.
 struct SessionEnded {};
 
 /// Waits for one kind of message at a time and keeps the others in order. Requests for a full set are
-/// answered whenever they come.
+/// answered whenever they come. Throws SessionEnded at the end, and PeerLost for a peer that is gone, leaves
+/// alone, sends what nobody waits for without end, or keeps this role waiting beyond the time limit.
 class Inbox {
  public:
   explicit Inbox(Mailbox& mailbox) : mailbox_(mailbox) {}
@@ -22,7 +24,12 @@ class Inbox {
   /// Answers a peer that asks for V(frame); set by roles that can.
   std::function<void(Role peer, uint32_t frame)> answer_full_set;
 
-  /// The camera of the frame. Throws SessionEnded where none will come.
+  /// From now on all waiting together may take so long; nothing: for ever.
+  void limit_waiting(std::optional<std::chrono::milliseconds> limit);
+
+  /// The next camera that is a rehearsal's, or the first of a frame.
+  CameraMessage first_camera();
+  /// The camera of the frame.
   CameraMessage camera(uint32_t frame);
   /// The frame's next packet or its end, from HC.
   std::variant<DeltaMessage, Sentinel> packet(uint32_t frame);
@@ -36,16 +43,17 @@ class Inbox {
   Mailbox& mailbox() { return mailbox_; }
 
  private:
-  /// Takes the first message that `wanted` accepts; waits for it. Error if a peer is lost or leaves in
-  /// trouble.
-  Message wait(const std::function<bool(const Message&)>& wanted);
-  void receive();
+  /// Takes the first message that `wanted` accepts, which `from` owes; waits for it.
+  Message wait(Role from, const std::function<bool(const Message&)>& wanted);
+  void receive(Role from);
 
   Mailbox& mailbox_;
   std::deque<Message> kept_;
+  std::optional<std::chrono::milliseconds> limit_;
+  std::chrono::steady_clock::time_point deadline_;
 };
 
-/// Whether SIGTERM or SIGINT asked this process to end; the first call installs the handlers.
+/// Whether SIGTERM, SIGINT or SIGHUP asked this process to end; the first call installs the handlers.
 bool stop_requested();
 
 }  // namespace triptych

@@ -1,26 +1,48 @@
-// The render node: sends cameras, takes visible sets in, draws the pictures. It culls nothing itself.
+// The render node: sends cameras, takes visible sets in, draws the pictures; by itself where a switch node is
+// missing.
 #pragma once
 
 #include "nodes/frame_record.hpp"
-#include "nodes/inbox.hpp"
+#include "nodes/peers.hpp"
 #include "nodes/picture_stage.hpp"
 
 #include <functional>
 
 namespace triptych {
 
+/// What is to be drawn: frames `first` to `count` − 1.
+struct FrameSource {
+  uint32_t first = 0, count = 0;
+  std::function<FrameRequest(uint32_t)> frame;  ///< its number is the argument; all of one size
+};
+
 struct RenderNodeOptions {
   /// Cameras released a second; 0: as fast as frames come.
   double rate = 0;
-  /// Called after each frame with its picture; may complete the record.
-  std::function<void(FrameRecord&, const Target&)> on_picture;
+  /// A visible set that takes longer ends the epoch.
+  std::chrono::milliseconds timeout{500};
+  TestKind test = TestKind::storage;
+  CullOptions cull;
+  Peers::Connect connect;
+  Peers::OnEnd on_epoch_end;
+  /// Begin without waiting for switch nodes: another render node did so before this one.
+  bool begin_alone = false;
+  /// Called after each frame with its picture.
+  std::function<void(FrameRecord, const Target&)> on_picture;
 };
 
-/// Plays the frames, which must be numbered 0, 1, 2 …, and returns what each was. At most two are in flight:
-/// camera i+2 is sent when picture i stands. A context must be current, and the mailbox connected. PeerLost
-/// or Error where the session cannot go on; a signal ends it early, with the frames so far.
-std::vector<FrameRecord> run_render_node(const Pack& pack, Mailbox& mailbox,
-                                         const std::vector<FrameRequest>& frames,
-                                         const RenderNodeOptions& options);
+/// What a render node has done.
+struct RenderNodeSummary {
+  uint64_t frames = 0, alone = 0;  ///< of them, drawn by itself
+  uint64_t epochs = 0;
+};
+
+/// Draws every frame, in order. At most two are in flight: camera i+2 is sent when picture i stands. Where
+/// the visible set of a frame does not come in time, or a switch node is lost, this and the following frames
+/// are drawn by the fallback's stages in the same context, from the same cut, until both switch nodes are
+/// back; those records say so. A context must be current. Error where the first epoch does not come about; a
+/// signal ends it early, with a whole frame.
+RenderNodeSummary run_render_node(const Pack& pack, const FrameSource& frames,
+                                  const RenderNodeOptions& options);
 
 }  // namespace triptych

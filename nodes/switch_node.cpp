@@ -6,30 +6,40 @@
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 
-#include <algorithm>
 #include <optional>
-#include <utility>
 
 namespace triptych {
 
 namespace {
 
-class SwitchNode {
+/// What lasts longer than an epoch.
+struct Workshop {
+  Workshop(const Pack& of_pack, Role role, const SwitchNodeOptions& with)
+      : pack(of_pack), self(role), options(with), renderer(of_pack) {}
+  const Pack& pack;
+  Role self;
+  const SwitchNodeOptions& options;
+  Renderer renderer;
+  std::optional<OcclusionStage> stage;
+  int width = 0, height = 0;
+  SwitchNodeSummary summary;
+};
+
+class Epoch {
  public:
-  SwitchNode(const Pack& pack, Mailbox& mailbox, Role self, const SwitchNodeOptions& options)
-      : pack_(pack),
+  Epoch(Workshop& workshop, Mailbox& mailbox)
+      : shop_(workshop),
         inbox_(mailbox),
-        self_(self),
-        peer_(self == Role::switch_0 ? Role::switch_1 : Role::switch_0),
-        options_(options),
-        renderer_(pack) {
+        peer_(workshop.self == Role::switch_0 ? Role::switch_1 : Role::switch_0) {
     inbox_.answer_full_set = [this](Role asking, uint32_t frame) { answer(asking, frame); };
   }
 
-  void run() {
-    camera_ = inbox_.camera(0);
-    for (uint32_t frame = 0;; ++frame) {
-      if (hardware_cull_role(frame) == self_) {
+  [[noreturn]] void run() {
+    camera_ = inbox_.first_camera();
+    for (; camera_.rehearsal; camera_ = inbox_.first_camera()) rehearse();
+    if (hardware_cull_role(camera_.frame) == shop_.self) begin(camera_);
+    for (uint32_t frame = camera_.frame;; ++frame) {
+      if (hardware_cull_role(frame) == shop_.self) {
         cull(frame);
         if (camera_.last) inbox_.wait_for_end();
         // This node is OR in the next frame, whose camera it wants next.
@@ -47,34 +57,29 @@ class SwitchNode {
   }
 
   void begin(const CameraMessage& camera) {
-    if (!stage_ || stage_width_ != camera.view.width || stage_height_ != camera.view.height) {
-      stage_width_ = camera.view.width;
-      stage_height_ = camera.view.height;
-      stage_.emplace(renderer_, stage_width_, stage_height_, options_.test);
+    if (!shop_.stage || shop_.width != camera.view.width || shop_.height != camera.view.height) {
+      shop_.width = camera.view.width;
+      shop_.height = camera.view.height;
+      shop_.stage.emplace(shop_.renderer, shop_.width, shop_.height, shop_.options.test);
     }
-    stage_->begin(request(camera));
+    shop_.stage->begin(request(camera));
   }
 
-  /// Joins a part of the delta to what waits to be sent.
-  static void gather(CullPacket& packet, const CullPacket& part) {
-    packet.watermark = part.watermark;
-    for (const auto list : {&VisibleDelta::added, &VisibleDelta::removed}) {
-      auto& ids = packet.delta.*list;
-      const auto middle = ids.insert(ids.end(), (part.delta.*list).begin(), (part.delta.*list).end());
-      std::inplace_merge(ids.begin(), middle, ids.end());
-    }
+  /// Does what the frame will want, so that its geometry and programs are on the graphics card.
+  void rehearse() {
+    begin(camera_);
+    const CullResult result = shop_.stage->cull({}, shop_.options.cull, [](const CullPacket&) {});
+    begin(camera_);
+    shop_.stage->represent(result.visible);
+    shop_.stage->finish();
+    inbox_.mailbox().send(Role::render, Channel::nodes, Ready{camera_.frame});
   }
 
   /// HC in frame i: R(i) stands, V(i−1) is known.
   void cull(uint32_t frame) {
-    if (frame == 0) begin(camera_);
     const Stopwatch stopwatch;
     Sentinel sentinel{.frame = frame, .visible = 0, .added = 0, .removed = 0, .digest = 0, .times = {}};
-    CullPacket gathered;
-    const CullResult result = stage_->cull(visible_, options_.batches, [&](const CullPacket& part) {
-      gather(gathered, part);
-      if (gathered.delta.size() < options_.packet_ids && part.watermark != everything_decided) return;
-      CullPacket packet = std::exchange(gathered, {});
+    const CullResult result = shop_.stage->cull(visible_, shop_.options.cull, [&](CullPacket packet) {
       sentinel.added += static_cast<uint32_t>(packet.delta.added.size());
       sentinel.removed += static_cast<uint32_t>(packet.delta.removed.size());
       if (injected(Fault::wrong_delta) && !packet.delta.added.empty()) packet.delta.added.pop_back();
@@ -86,15 +91,17 @@ class SwitchNode {
     visible_ = result.visible;
     visible_frame_ = frame;
     sentinel.visible = static_cast<uint32_t>(visible_.size());
-    sentinel.digest = frame_digest(frame, camera_.view, camera_.pixel_error, pack_.content_hash(), visible_);
+    sentinel.digest =
+        frame_digest(frame, camera_.view, camera_.pixel_error, shop_.pack.content_hash(), visible_);
     sentinel.times = {.hardware_cull_ms = stopwatch.milliseconds(),
                       .occlusion_representation_ms = represent_ms_,
                       .waiting_ms = waiting_ms_,
                       .queries = static_cast<uint32_t>(result.tests),
-                      .cut_size = static_cast<uint32_t>(stage_->cut().drawables.size()),
+                      .cut_size = static_cast<uint32_t>(shop_.stage->cut().drawables.size()),
                       .sent_at_ms = steady_milliseconds()};
     inbox_.mailbox().send(peer_, Channel::nodes, sentinel);
     inbox_.mailbox().send(Role::render, Channel::nodes, sentinel);
+    ++shop_.summary.culled;
   }
 
   /// OR in frame i: V(i) comes in, R(i+1) is drawn from it.
@@ -106,13 +113,13 @@ class SwitchNode {
     const Stopwatch whole;
     begin(camera_);
     IntakeResult intake =
-        take_frame(inbox_, pack_.skeleton(), pack_.content_hash(), current, visible_,
-                   [&](const std::vector<DrawableId>& decided) { stage_->represent(decided); });
+        take_frame(inbox_, shop_.pack.skeleton(), shop_.pack.content_hash(), current, visible_,
+                   [&](const std::vector<DrawableId>& decided) { shop_.stage->represent(decided); });
     if (intake.digest_mismatch) {
       begin(camera_);
-      stage_->represent(intake.visible);
+      shop_.stage->represent(intake.visible);
     }
-    stage_->finish();
+    shop_.stage->finish();
     represent_ms_ = whole.milliseconds() - intake.waiting_ms;
     waiting_ms_ += intake.waiting_ms;
     previous_visible_ = std::move(visible_);
@@ -122,25 +129,22 @@ class SwitchNode {
                           SwitchReport{.frame = frame,
                                        .occlusion_representation_ms = represent_ms_,
                                        .waiting_ms = waiting_ms_,
-                                       .drawables = static_cast<uint32_t>(stage_->represented().size()),
-                                       .triangles = stage_->represented_triangles()});
+                                       .drawables = static_cast<uint32_t>(shop_.stage->represented().size()),
+                                       .triangles = shop_.stage->represented_triangles()});
+    ++shop_.summary.represented;
   }
 
   void answer(Role asking, uint32_t frame) {
     const bool current = frame == visible_frame_;
     if (!current && frame + 1 != visible_frame_) {
-      fail(role_name(asking), "asks for the visible set of frame {}, which is long over", frame);
+      throw PeerLost(asking, fmt::format("asks for the visible set of frame {}, which is long over", frame));
     }
     inbox_.mailbox().send(asking, Channel::nodes, FullSet{frame, current ? visible_ : previous_visible_});
   }
 
-  const Pack& pack_;
+  Workshop& shop_;
   Inbox inbox_;
-  Role self_, peer_;
-  SwitchNodeOptions options_;
-  Renderer renderer_;
-  std::optional<OcclusionStage> stage_;
-  int stage_width_ = 0, stage_height_ = 0;
+  Role peer_;
   CameraMessage camera_;  ///< of the frame at hand; after represent(), of the next one
   VisibleSet visible_, previous_visible_;
   uint32_t visible_frame_ = 0;
@@ -149,17 +153,26 @@ class SwitchNode {
 
 }  // namespace
 
-void run_switch_node(const Pack& pack, Mailbox& mailbox, Role self, const SwitchNodeOptions& options) {
-  try {
-    SwitchNode(pack, mailbox, self, options).run();
-  } catch (const SessionEnded&) {
-    mailbox.leave("");
-  } catch (const PeerLost&) {
-    mailbox.leave("");
-    throw;
-  } catch (const std::exception& error) {
-    mailbox.leave(error.what());
-    throw;
+SwitchNodeSummary run_switch_node(const Pack& pack, Role self, const SwitchNodeOptions& options) {
+  Workshop workshop(pack, self, options);
+  for (bool again = false;; again = true) {
+    const std::unique_ptr<Mailbox> mailbox = options.connect(again);
+    if (!mailbox) return workshop.summary;
+    ++workshop.summary.epochs;
+    try {
+      Epoch(workshop, *mailbox).run();
+    } catch (const SessionEnded&) {
+      // The session is over for the peers too, unless it is this role alone that was told to end.
+      mailbox->leave(stop_requested() ? "told to end" : "");
+      if (options.on_epoch_end) options.on_epoch_end(*mailbox, "");
+      return workshop.summary;
+    } catch (const PeerLost& lost) {
+      mailbox->leave(lost.what());
+      if (options.on_epoch_end) options.on_epoch_end(*mailbox, lost.what());
+    } catch (const std::exception& error) {
+      mailbox->leave(error.what());
+      throw;
+    }
   }
 }
 

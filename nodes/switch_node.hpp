@@ -1,21 +1,34 @@
-// A switch node: HC in every other frame, OR in the frames between.
+// A switch node: HC in every other frame, OR in the frames between, epoch after epoch.
 #pragma once
 
 #include "nodes/inbox.hpp"
 #include "nodes/occlusion_stage.hpp"
 
+#include <functional>
+#include <memory>
+
 namespace triptych {
 
 struct SwitchNodeOptions {
   TestKind test = TestKind::storage;
-  CullOptions batches;
-  /// A packet of the delta is sent when it holds so many ids, and at the end. Smaller packets let the render
-  /// node begin earlier and cost more bytes.
-  size_t packet_ids = 32;
+  CullOptions cull;
+  /// Connects both peers: for the first epoch, or for another one after a loss. Nothing where the session is
+  /// over.
+  std::function<std::unique_ptr<Mailbox>(bool again)> connect;
+  /// Called at the end of each epoch, with what ended it; empty at the end of the session.
+  std::function<void(const Mailbox&, const std::string& reason)> on_epoch_end;
 };
 
-/// Plays the role until the render node leaves or a signal asks to stop. A context must be current, and the
-/// mailbox connected. PeerLost where a peer goes without a word; Error for messages that do not fit.
-void run_switch_node(const Pack& pack, Mailbox& mailbox, Role self, const SwitchNodeOptions& options);
+/// What a switch node has done.
+struct SwitchNodeSummary {
+  uint64_t culled = 0, represented = 0;  ///< frames as HC and as OR
+  uint64_t epochs = 0;
+};
+
+/// Plays the role. An epoch ends when a peer is lost: then all links are closed, and connect is called again;
+/// it begins with an empty visible set, while geometry stays on the graphics card. Returns when the session
+/// is over or a signal asks to stop. A context must be current. Error from connect, and for what is this
+/// role's own trouble.
+SwitchNodeSummary run_switch_node(const Pack& pack, Role self, const SwitchNodeOptions& options);
 
 }  // namespace triptych

@@ -4,6 +4,7 @@
 #include <asio/steady_timer.hpp>
 #include <deque>
 #include <fcntl.h>
+#include <thread>
 
 namespace triptych {
 
@@ -14,10 +15,9 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr auto silence_limit = milliseconds(5000);  ///< for the Hello of whoever called
-constexpr auto hello_timeout = milliseconds(2000);  ///< for sending ours
+constexpr auto hello_timeout = milliseconds(500);   ///< for sending ours
 constexpr auto redial_pause = milliseconds(50);
 constexpr size_t waiting_callers_limit = 16;
-constexpr size_t strangers_limit = 10'000;
 
 std::string text_of(const tcp::endpoint& endpoint) {
   return to_text({endpoint.address().to_string(), endpoint.port()});
@@ -40,12 +40,20 @@ std::string difference_between(const Hello& own, const Hello& peer) {
   return {};
 }
 
+/// A peer went before all had met: all begin again.
+struct PeerWent {};
+/// A peer said that the session is over.
+struct SessionOver {};
+
 /// One role's way into the session; its callbacks throw what ends it.
 class Gathering {
  public:
   Gathering(const Hello& own, const Listener* listener, const std::map<Role, Address>& dial,
             milliseconds timeout);
-  std::unique_ptr<Mailbox> run();
+  /// Nothing once the deadline is over or `stop` says so.
+  std::unique_ptr<Mailbox> run(Clock::time_point deadline, const std::function<bool()>& stop);
+  /// Who is still missing, and what is known of them.
+  PeersMissing missing() const;
 
  private:
   void look_after_links();
@@ -67,12 +75,11 @@ class Gathering {
   [[noreturn]] void end(const std::shared_ptr<Link>& link, const std::string& place,
                         const std::string& reason);
   bool complete() const;
-  std::string missing() const;
 
   Hello own_;
   std::map<Role, Address> dial_;
   std::map<Role, tcp::resolver::results_type> endpoints_;
-  milliseconds timeout_;
+  milliseconds timeout_;  ///< for what is said
   std::unique_ptr<Mailbox> mailbox_ = std::make_unique<Mailbox>();
   tcp::acceptor acceptor_;
   std::string listening_at_;
@@ -83,7 +90,6 @@ class Gathering {
   std::deque<Caller> callers_;                     ///< accepted, no Hello yet; oldest first
   std::map<Role, std::shared_ptr<Link>> callees_;  ///< called, no answer yet
   std::map<Role, std::string> last_failure_;
-  size_t strangers_ = 0;
 };
 
 Gathering::Gathering(const Hello& own, const Listener* listener, const std::map<Role, Address>& dial,
@@ -106,22 +112,31 @@ void Gathering::listen(const Listener& listener) {
   if (error) fail(listening_at_, "cannot listen: {}", error.message());
 }
 
-std::unique_ptr<Mailbox> Gathering::run() {
-  const auto deadline = Clock::now() + timeout_;
+std::unique_ptr<Mailbox> Gathering::run(Clock::time_point deadline, const std::function<bool()>& stop) {
   try {
     if (acceptor_.is_open()) accept();
     for (const auto& [role, address] : dial_) {
       if (role < own_.role) call(role, address);
     }
     while (!complete()) {
-      mailbox_->context().run_one_until(std::min(deadline, Clock::now() + milliseconds(100)));
+      mailbox_->context().run_one_until(std::min(deadline, Clock::now() + milliseconds(50)));
       look_after_links();
-      if (Clock::now() >= deadline) {
-        fail(role_name(own_.role), "after {} ms still without {}", timeout_.count(), missing());
-      }
+      const bool stopped = stop && stop();
+      if (!stopped && Clock::now() < deadline) continue;
+      // Whoever stops a session says so; whoever waited in vain says for whom.
+      mailbox_->leave(stopped ? "" : missing().what());
+      close_strangers();
+      return nullptr;
     }
   } catch (const Error& error) {
     mailbox_->leave(error.what());
+    close_strangers();
+    throw;
+  } catch (const PeerWent&) {
+    close_strangers();
+    throw;
+  } catch (const SessionOver&) {
+    mailbox_->leave("");
     close_strangers();
     throw;
   }
@@ -140,9 +155,12 @@ void Gathering::look_after_links() {
   for (const Role role : all_roles) {
     if (role > own_.role) mailbox_->forget_if_broken(role);
   }
-  if (const auto reason = mailbox_->first_end()) {
-    fail(role_name(own_.role), "a peer left before the session was complete: {}", *reason);
-  }
+  const auto end = mailbox_->first_end();
+  if (!end) return;
+  if (!end->said_bye) throw PeerWent();
+  if (end->reason.empty()) throw SessionOver();
+  fail(role_name(own_.role), "the {} left before the session was complete: {}", role_name(end->peer),
+       end->reason);
 }
 
 void Gathering::close_strangers() {
@@ -156,8 +174,6 @@ void Gathering::accept() {
   acceptor_.async_accept([this](const asio::error_code& error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
     if (!error) {
-      if (++strangers_ > strangers_limit)
-        fail(listening_at_, "more than {} connections by strangers", strangers_limit);
       asio::error_code gone;
       const auto endpoint = socket.remote_endpoint(gone);
       if (!gone) greet(std::make_shared<Link>(std::move(socket), text_of(endpoint)));
@@ -185,12 +201,15 @@ void Gathering::greet(const std::shared_ptr<Link>& caller) {
 }
 
 void Gathering::answer(const std::shared_ptr<Link>& caller, const Hello& hello) {
-  if (hello.role <= own_.role || hello.called != own_.role) {
-    return refuse(caller, fmt::format("this is the {}; the {} calls the {}", role_name(own_.role),
-                                      role_name(hello.role), role_name(hello.called)));
+  const bool meant = hello.role > own_.role && hello.called == own_.role;
+  const std::string problem = meant ? difference_between(own_, hello) : "this is the " + role_name(own_.role);
+  if (!problem.empty()) {
+    // Our hello shows the caller the difference.
+    const Message reply = hello_for(hello.role, hello.channel);
+    caller->write(reply, encode(reply), milliseconds(0));
+    last_failure_[hello.role] = problem;
+    return refuse(caller, problem);
   }
-  const std::string problem = difference_between(own_, hello);
-  if (!problem.empty()) end(caller, caller->place(), problem);
   if (mailbox_->has(hello.role, hello.channel)) {
     // Is the other one dead, and this its successor?
     mailbox_->context().poll();
@@ -256,7 +275,12 @@ void Gathering::introduce(const std::shared_ptr<Link>& link, Role role, Channel 
       return redial(role, channel);
     }
     const Message& message = std::get<Link::Arrived>(outcome).message;
-    if (const auto* bye = std::get_if<Bye>(&message)) fail(link->place(), "refused: {}", bye->reason);
+    if (const auto* bye = std::get_if<Bye>(&message)) {
+      if (bye->reason.empty()) throw SessionOver();
+      link->close();
+      last_failure_[role] = bye->reason;
+      return redial(role, channel);
+    }
     const auto* answer = std::get_if<Hello>(&message);
     if (answer == nullptr) end(link, link->place(), "a connection starts with a hello");
     check_callee(link, role, *answer);
@@ -288,7 +312,7 @@ void Gathering::join(const std::shared_ptr<Link>& link, const Hello& hello) {
 
 void Gathering::end(const std::shared_ptr<Link>& link, const std::string& place, const std::string& reason) {
   refuse(link, reason);
-  throw Error(place, reason);
+  throw PeerDiffers(place, reason);
 }
 
 bool Gathering::complete() const {
@@ -300,25 +324,40 @@ bool Gathering::complete() const {
   return true;
 }
 
-std::string Gathering::missing() const {
+PeersMissing Gathering::missing() const {
   std::string text;
+  std::vector<Role> roles;
   for (const Role role : all_roles) {
     if (role == own_.role || (mailbox_->has(role, Channel::camera) && mailbox_->has(role, Channel::nodes)))
       continue;
+    roles.push_back(role);
     text += (text.empty() ? "the " : " and the ") + role_name(role);
     const auto called = dial_.find(role);
     text += role < own_.role ? " at " + to_text(called->second) : ", awaited at " + listening_at_;
     const auto failure = last_failure_.find(role);
     if (failure != last_failure_.end()) text += " (" + failure->second + ")";
   }
-  return text;
+  return {role_name(own_.role), fmt::format("after {} ms still without {}", timeout_.count(), text), roles};
 }
 
 }  // namespace
 
 std::unique_ptr<Mailbox> connect_session(const Hello& own, const Listener* listener,
-                                         const std::map<Role, Address>& dial, milliseconds timeout) {
-  return Gathering(own, listener, dial, timeout).run();
+                                         const std::map<Role, Address>& dial, milliseconds timeout,
+                                         const std::function<bool()>& stop) {
+  const auto deadline = Clock::now() + timeout;
+  for (;;) {
+    Gathering gathering(own, listener, dial, timeout);
+    try {
+      if (auto mailbox = gathering.run(deadline, stop)) return mailbox;
+      if (stop && stop()) return nullptr;
+      throw gathering.missing();
+    } catch (const SessionOver&) {
+      return nullptr;
+    } catch (const PeerWent&) {
+      std::this_thread::sleep_for(redial_pause);
+    }
+  }
 }
 
 }  // namespace triptych

@@ -127,6 +127,7 @@ std::string Link::write(const Message& message, const std::vector<std::byte>& by
   figures_.bytes_sent += bytes.size();
   figures_.wire_bytes_sent += wire_bytes(bytes.size());
   if (const auto* delta = std::get_if<DeltaMessage>(&message)) {
+    ++figures_.deltas_sent;
     figures_.delta_body_bytes_sent += bytes.size() - header_bytes;
     figures_.delta_ids_sent += ids_in(*delta);
   }

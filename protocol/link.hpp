@@ -24,7 +24,7 @@ struct LinkFigures {
   /// IPv4, TCP with timestamps); acknowledgements are not counted.
   uint64_t wire_bytes_sent = 0, wire_bytes_received = 0;
   /// Of delta messages alone: bodies (watermarks and encoded ids), and the ids in them.
-  uint64_t delta_body_bytes_sent = 0, delta_ids_sent = 0;
+  uint64_t deltas_sent = 0, delta_body_bytes_sent = 0, delta_ids_sent = 0;
   uint64_t delta_body_bytes_received = 0, delta_ids_received = 0;
 };
 

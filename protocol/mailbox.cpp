@@ -149,14 +149,14 @@ bool Mailbox::forget_if_broken(Role peer) {
   return true;
 }
 
-std::optional<std::string> Mailbox::first_end() const {
+std::optional<Mailbox::End> Mailbox::first_end() const {
   const auto found = std::find_if(queue_.begin(), queue_.end(), ends);
   if (found == queue_.end()) return std::nullopt;
   if (const auto* broken = std::get_if<Link::Broken>(&found->outcome)) {
-    return fmt::format("{}: {}", role_name(found->peer), broken->reason);
+    return End{found->peer, broken->reason, false};
   }
   const auto& message = std::get<Link::Arrived>(found->outcome).message;
-  return fmt::format("{}: {}", role_name(found->peer), std::get<Bye>(message).reason);
+  return End{found->peer, std::get<Bye>(message).reason, true};
 }
 
 void Mailbox::leave(const std::string& reason) {

@@ -21,8 +21,10 @@ namespace triptych {
 /// message.
 class PeerLost : public Error {
  public:
-  PeerLost(Role lost, const std::string& reason) : Error(role_name(lost) + " lost", reason), peer(lost) {}
+  PeerLost(Role lost, const std::string& reason, bool in_vain = false)
+      : Error(role_name(lost) + " lost", reason), peer(lost), too_late(in_vain) {}
   Role peer;
+  bool too_late;  ///< it may be there, but was waited for too long
 };
 
 struct Received {
@@ -60,8 +62,13 @@ class Mailbox {
   /// For the handshake: closes the links of a peer that was lost before anything was received from it, so
   /// that it can come again.
   bool forget_if_broken(Role peer);
-  /// For the handshake: why a peer has ended, if one has.
-  std::optional<std::string> first_end() const;
+  /// For the handshake: which peer has ended and why, if one has.
+  struct End {
+    Role peer;
+    std::string reason;
+    bool said_bye;
+  };
+  std::optional<End> first_end() const;
 
   /// Says Bye to every peer and closes all links; peers that are gone already are passed over.
   void leave(const std::string& reason);

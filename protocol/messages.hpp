@@ -15,7 +15,7 @@
 
 namespace triptych {
 
-inline constexpr uint32_t protocol_version = 1;
+inline constexpr uint32_t protocol_version = 2;
 
 /// The first message on every socket, in both directions.
 struct Hello {
@@ -36,6 +36,8 @@ struct CameraMessage {
   View view;
   double pixel_error = 1;  ///< pixels; 0 asks for full detail
   bool last = false;       ///< no frame follows
+  /// Not a frame, but what one will be like: switch nodes get their geometry ready and say so.
+  bool rehearsal = false;
   bool operator==(const CameraMessage&) const = default;
 };
 
@@ -94,14 +96,21 @@ struct SwitchReport {
   bool operator==(const SwitchReport&) const = default;
 };
 
-/// The sender leaves. An empty reason is a clean end; any other text says what went wrong, and can be shown.
+/// The sender leaves. An empty reason: the session is over, for everybody who hears it. Any other text says
+/// why the sender alone leaves, and can be shown.
 struct Bye {
   std::string reason;
   bool operator==(const Bye&) const = default;
 };
 
-using Message =
-    std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet, SwitchReport, Bye>;
+/// From a switch node to the render node: the rehearsal of the frame is over, frames can come.
+struct Ready {
+  uint32_t frame = 0;
+  bool operator==(const Ready&) const = default;
+};
+
+using Message = std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet,
+                             SwitchReport, Bye, Ready>;
 
 /// The frame that a message belongs to; 0 for Hello and Bye.
 uint32_t frame_of(const Message& message);

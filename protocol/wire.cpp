@@ -15,7 +15,7 @@ static_assert(sizeof(MessageHeader) == header_bytes);
 constexpr uint32_t tag_base = 'T' | 'R' << 8 | 'I' << 16;
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
-constexpr uint8_t last_mark = 1, orthographic_mark = 4;  // of a camera
+constexpr uint8_t last_mark = 1, rehearsal_mark = 2, orthographic_mark = 4;  // of a camera
 
 uint32_t checksum_of(const MessageHeader& header, std::span<const std::byte> body) {
   const uint32_t fields[] = {header.tag, header.frame, header.body_bytes};
@@ -94,8 +94,8 @@ void write_body(ByteWriter& out, const CameraMessage& message) {
   out.write(static_cast<uint32_t>(message.view.width));
   out.write(static_cast<uint32_t>(message.view.height));
   out.write(message.pixel_error);
-  out.write(
-      static_cast<uint8_t>((message.last ? last_mark : 0) | (camera.orthographic() ? orthographic_mark : 0)));
+  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.rehearsal ? rehearsal_mark : 0) |
+                                 (camera.orthographic() ? orthographic_mark : 0)));
 }
 
 CameraMessage read_camera(ByteReader& in, uint32_t frame) {
@@ -114,10 +114,10 @@ CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   message.view.width = static_cast<int>(width);
   message.view.height = static_cast<int>(height);
   message.pixel_error = read_not_negative(in, "the pixel error");
-  const auto marks = read_enum(in, static_cast<uint8_t>(last_mark | orthographic_mark), "camera mark");
-  if ((marks & ~(last_mark | orthographic_mark)) != 0)
-    fail(in.place(), "camera mark {} does not exist", marks);
+  const auto marks =
+      read_enum(in, static_cast<uint8_t>(last_mark | rehearsal_mark | orthographic_mark), "camera mark");
   message.last = (marks & last_mark) != 0;
+  message.rehearsal = (marks & rehearsal_mark) != 0;
   if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
   check_camera(camera, in.place());
   return message;
@@ -198,6 +198,8 @@ SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
 
 void write_body(ByteWriter& out, const Bye& message) { write_line(out, message.reason); }
 
+void write_body(ByteWriter&, const Ready&) {}
+
 uint32_t type_of(const Message& message) {
   const auto* delta = std::get_if<DeltaMessage>(&message);
   const bool all_decided = delta != nullptr && delta->watermark == everything_decided;
@@ -223,6 +225,8 @@ Message read_body(uint32_t type, uint32_t frame, ByteReader& in) {
       return read_switch_report(in, frame);
     case 7:
       return Bye{read_line(in)};
+    case 8:
+      return Ready{frame};
     default:
       fail(in.place(), "message type {} does not exist", type);
   }

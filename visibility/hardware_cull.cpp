@@ -53,10 +53,7 @@ class HardwareCull {
       test_batch();
       draw_found();
       decide();
-      if (queue_.empty() || packet_.delta.size() >= options_.packet_changes ||
-          kept_ >= options_.packet_kept) {
-        emit(take_packet());
-      }
+      if (queue_.empty() || packet_.delta.size() >= options_.packet_ids) emit(take_packet());
     } while (!queue_.empty());
     std::sort(result_.visible.begin(), result_.visible.end());
     return std::move(result_);
@@ -137,18 +134,13 @@ class HardwareCull {
     for (; next_previous_ < previous_.size() && previous_[next_previous_] < packet_.watermark;
          ++next_previous_) {
       const DrawableId id = previous_[next_previous_].id;
-      if (shown_[id]) {
-        ++kept_;
-      } else {
-        packet_.delta.removed.push_back(id);
-      }
+      if (!shown_[id]) packet_.delta.removed.push_back(id);
     }
   }
 
   CullPacket take_packet() {
     CullPacket packet = std::move(packet_);
     packet_ = {};
-    kept_ = 0;
     std::sort(packet.delta.added.begin(), packet.delta.added.end());
     std::sort(packet.delta.removed.begin(), packet.delta.removed.end());
     return packet;
@@ -170,7 +162,6 @@ class HardwareCull {
   std::vector<uint8_t> answers_;
   std::vector<DrawableId> found_;
   CullPacket packet_;  ///< what was decided since the last one was sent
-  size_t kept_ = 0;
   CullResult result_;
   bool withheld_ = false;
 };

@@ -20,8 +20,9 @@ struct CullOptions {
   /// representation holds less than half as many drawables as were visible one frame ago, or none: then what
   /// is found visible in front must hide what lies behind it.
   size_t batch = 512, incoherent_batch = 8;
-  /// A packet is sent once it decides so many drawables that change, or that stay.
-  size_t packet_changes = 100, packet_kept = 200;
+  /// A packet is emitted once it holds so many ids that change, and at the end. Smaller packets let receivers
+  /// begin earlier and cost more bytes; docs/protocol.md has figures.
+  size_t packet_ids = 32;
 };
 
 struct CullResult {

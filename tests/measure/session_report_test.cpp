@@ -17,10 +17,27 @@ Skeleton four_drawables() {
 
 RoleRecord three_frames() {
   RoleRecord record;
-  record.frames = {
-      {.number = 0, .frame_ms = 12.3456789, .cut_drawables = 9, .added = 2, .removed = 0, .visible = {0, 1}},
-      {.number = 1, .frame_ms = 2, .cut_drawables = 9, .added = 0, .removed = 0, .visible = {0, 1}},
-      {.number = 2, .frame_ms = 3, .cut_drawables = 8, .added = 1, .removed = 1, .visible = {0, 2}}};
+  record.frames = {{.number = 0,
+                    .frame_ms = 12.3456789,
+                    .cut_drawables = 9,
+                    .added = 2,
+                    .removed = 0,
+                    .visible_count = 2,
+                    .visible = {0, 1}},
+                   {.number = 1,
+                    .frame_ms = 2,
+                    .cut_drawables = 9,
+                    .added = 0,
+                    .removed = 0,
+                    .visible_count = 2,
+                    .visible = {0, 1}},
+                   {.number = 2,
+                    .frame_ms = 3,
+                    .cut_drawables = 8,
+                    .added = 1,
+                    .removed = 1,
+                    .visible_count = 2,
+                    .visible = {0, 2}}};
   return record;
 }
 

@@ -49,6 +49,7 @@ class HardwareCull : public testing::TestWithParam<std::string> {
  protected:
   const Skeleton& skeleton = scenes::pack(GetParam()).skeleton();
   const std::vector<View> views = scenes::path(skeleton, 320, 240);
+  static constexpr size_t packet_ids = 5;
   std::vector<CullPacket> packets;
 
   CullResult cull(size_t frame, OcclusionTester& tester, const VisibleSet& previous = {}, size_t batch = 48) {
@@ -56,7 +57,7 @@ class HardwareCull : public testing::TestWithParam<std::string> {
     packets.clear();
     const auto represented = map_to_cut(skeleton, eye_cell(skeleton, views[frame]), cut, previous);
     return hardware_cull(skeleton, views[frame], cut, tester, represented, previous,
-                         {.batch = batch, .incoherent_batch = batch},
+                         {.batch = batch, .incoherent_batch = batch, .packet_ids = packet_ids},
                          [&](const CullPacket& packet) { packets.push_back(packet); });
   }
   Cut cut_of(size_t frame) const { return select_cut(skeleton, views[frame], scenes::pixel_error(frame)); }
@@ -134,6 +135,7 @@ TEST_P(HardwareCull, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order
     std::vector<DrawableId> decided;
     VisibleSet set = previous;
     for (size_t i = 0; i < packets.size(); ++i) {
+      if (i + 1 < packets.size()) EXPECT_GE(packets[i].delta.size(), packet_ids) << "sent too early";
       if (i > 0) {
         EXPECT_LE(packets[i - 1].watermark, packets[i].watermark);
       }

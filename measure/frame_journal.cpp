@@ -1,0 +1,58 @@
+#include "measure/frame_journal.hpp"
+
+#include "base/descriptor.hpp"
+#include "base/error.hpp"
+#include "measure/session_records.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace triptych {
+
+FrameJournal::FrameJournal(const std::filesystem::path& path)
+    : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644)) {
+  if (descriptor_ < 0) fail(path.string(), "cannot be written: {}", std::strerror(errno));
+}
+
+FrameJournal::~FrameJournal() { ::close(descriptor_); }
+
+void FrameJournal::add(const FrameRecord& record) {
+  const std::string line = to_json(record).dump() + "\n";
+  write_all(descriptor_, std::as_bytes(std::span(line)), path_.string());
+}
+
+size_t mend_frame_journal(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  size_t lines = 0;
+  uint64_t whole = 0, read = 0;
+  std::vector<char> buffer(1 << 16);
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0) {
+    for (std::streamsize i = 0; i < in.gcount(); ++i) {
+      ++read;
+      if (buffer[static_cast<size_t>(i)] != '\n') continue;
+      ++lines;
+      whole = read;
+    }
+  }
+  if (whole < read) std::filesystem::resize_file(path, whole);
+  return lines;
+}
+
+std::vector<FrameRecord> read_frame_journal(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::vector<FrameRecord> records;
+  for (std::string line; std::getline(in, line);) {
+    const std::string place = fmt::format("{}: line {}", path.string(), records.size() + 1);
+    try {
+      records.push_back(frame_record_from_json(nlohmann::json::parse(line), place));
+    } catch (const nlohmann::json::exception& error) {
+      fail(place, "is no JSON: {}", error.what());
+    }
+  }
+  return records;
+}
+
+}  // namespace triptych
