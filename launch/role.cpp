@@ -14,6 +14,7 @@
 #include "nodes/render_node.hpp"
 #include "nodes/switch_node.hpp"
 #include "protocol/connect.hpp"
+#include "render/raster_certificate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +55,12 @@ void check_without_key(const Address& address, bool insecure) {
   notice("{}: not encrypted; whoever reaches it can read along and take a role", to_text(address));
 }
 
+/// Of the context that is current when it is first asked for.
+const std::string& raster_verdict() {
+  static const std::string& verdict = verdict_name(measure_raster().verdict());
+  return verdict;
+}
+
 /// How this role finds its peers, as often as it has to.
 class Meeting {
  public:
@@ -66,6 +73,7 @@ class Meeting {
     own_.gl_vendor = gl.vendor;
     own_.gl_renderer = gl.renderer;
     own_.gl_version = gl.version;
+    own_.raster = raster_verdict();
     if (command.listen_descriptor >= 0) {
       listener_.emplace(command.listen_descriptor);
     } else if (!command.listen.empty()) {
@@ -163,6 +171,7 @@ int run_switch(const RoleCommand& command) {
   const Meeting meeting(command, pack, context->names());
   RoleRecord record;
   record.gl = context->names();
+  record.raster = raster_verdict();
   SwitchNodeOptions options{
       .test = command.run.test, .cull = command.cull, .connect = {}, .on_epoch_end = {}};
   options.connect = [&](bool again) {
@@ -229,6 +238,7 @@ int run_render(const RoleCommand& command) {
   const Meeting meeting(command, pack, gl);
   RoleRecord role;
   role.gl = gl;
+  role.raster = raster_verdict();
   Records records(command);
   PictureWriter writer;
   RenderNodeSummary done;

@@ -1,6 +1,7 @@
 #include "lod/cut.hpp"
 
 #include "base/inject.hpp"
+#include "base/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,9 +105,8 @@ DrawableId coarsest(const Skeleton& skeleton, const SceneNode& node, double foca
   return no_id;
 }
 
-}  // namespace
-
-Cut select_cut(const Skeleton& skeleton, const View& view, double pixel_error, FrustumCulling culling) {
+[[gnu::noinline]] Cut select(const Skeleton& skeleton, const View& view, double pixel_error,
+                             FrustumCulling culling) {
   const EyeSpace eye_space(skeleton, view);
   const glm::ivec3 cell = eye_cell(skeleton, view);
   const double focal_length = view.focal_length();
@@ -136,6 +136,13 @@ Cut select_cut(const Skeleton& skeleton, const View& view, double pixel_error, F
   }
   sort_by_rank(skeleton, cell, cut.drawables);
   return cut;
+}
+
+}  // namespace
+
+Cut select_cut(const Skeleton& skeleton, const View& view, double pixel_error, FrustumCulling culling) {
+  const NearestRounding rounding;
+  return select(skeleton, view, pixel_error, culling);
 }
 
 }  // namespace triptych

@@ -86,17 +86,16 @@ FrameRecord frame_record_from_json(const json& document, const std::string& plac
 json clocks_json(const RoleRecord& record) { return record.clocks; }
 
 json to_json(const RoleRecord& record) {
-  return {{"sockets", record.sockets},
-          {"frames", record.frames},
-          {"gl", record.gl},
-          {"timeline", record.timeline},
-          {"clocks", record.clocks}};
+  return {{"sockets", record.sockets}, {"frames", record.frames},     {"gl", record.gl},
+          {"raster", record.raster},   {"timeline", record.timeline}, {"clocks", record.clocks}};
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
   try {
     return {document.at("sockets").get<std::vector<SocketRecord>>(),
-            document.at("frames").get<std::vector<FrameRecord>>(), document.at("gl").get<GlNames>(),
+            document.at("frames").get<std::vector<FrameRecord>>(),
+            document.at("gl").get<GlNames>(),
+            document.at("raster").get<std::string>(),
             document.at("timeline").get<ProcessTimeline>(),
             document.at("clocks").get<std::vector<PeerClock>>()};
   } catch (const json::exception& error) {

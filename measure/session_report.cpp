@@ -128,8 +128,9 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
     mismatches += frame.digest_mismatch;
     fallback_frames += frame.fallback;
   }
-  json sockets = json::object();
+  json sockets = json::object(), raster = json::array();
   for (const RoleRecord& role : measurement.roles) {
+    raster.push_back(role.raster);
     for (const SocketRecord& socket : role.sockets) {
       sockets[socket.name] = static_cast<double>(socket.bytes) / count;
       total_bytes += socket.bytes;
@@ -175,6 +176,7 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
         {"culling_efficiency", measurement.fallback.culling_efficiency()},
         {"series", frame_series(measurement.one_process)}}},
       {"series", frame_series(frames)},
+      {"raster", raster},
       {"gl",
        {{"vendor", measurement.roles.front().gl.vendor},
         {"renderer", measurement.roles.front().gl.renderer},

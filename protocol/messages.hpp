@@ -26,6 +26,7 @@ struct Hello {
   uint64_t session = 0;  ///< a number that whoever starts the session chose: roles of two sessions do not mix
   uint64_t pack_hash = 0;  ///< the content hash of the pack that the role has opened
   std::string gl_vendor, gl_renderer, gl_version;
+  std::string raster;  ///< the verdict of the sender's raster certificate: "exact" or "conservative"
   bool operator==(const Hello&) const = default;
 };
 

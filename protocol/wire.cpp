@@ -63,7 +63,8 @@ void write_body(ByteWriter& out, const Hello& hello) {
   out.write(hello.called);
   out.write(hello.session);
   out.write(hello.pack_hash);
-  for (const auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version}) write_line(out, *text);
+  for (const auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version, &hello.raster})
+    write_line(out, *text);
 }
 
 Hello read_hello(ByteReader& in) {
@@ -78,7 +79,8 @@ Hello read_hello(ByteReader& in) {
   }
   hello.session = in.read<uint64_t>();
   hello.pack_hash = in.read<uint64_t>();
-  for (auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version}) *text = read_line(in);
+  for (auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version, &hello.raster})
+    *text = read_line(in);
   return hello;
 }
 

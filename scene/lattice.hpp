@@ -25,8 +25,13 @@ struct Lattice {
   }
   /// The smallest lattice box that holds the box.
   LatticeBox enclosing(const Box& box) const {
-    return {glm::ivec3(glm::floor((box.lo - origin) / step)),
-            glm::ivec3(glm::ceil((box.hi - origin) / step))};
+    LatticeBox around{glm::ivec3(glm::floor((box.lo - origin) / step)),
+                      glm::ivec3(glm::ceil((box.hi - origin) / step))};
+    for (int axis = 0; axis < 3; ++axis) {  // the difference may have been rounded, inwards
+      if (position(around.lo)[axis] > box.lo[axis]) --around.lo[axis];
+      if (position(around.hi)[axis] < box.hi[axis]) ++around.hi[axis];
+    }
+    return around;
   }
   Box box(const LatticeBox& box) const { return {position(box.lo), position(box.hi)}; }
   /// The largest distance between a position and its nearest lattice point.

@@ -1,6 +1,7 @@
 #include "visibility/screen_bounds.hpp"
 
 #include "base/inject.hpp"
+#include "base/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,12 @@ BoxProjector::BoxProjector(const Skeleton& skeleton, const View& view)
       rotation_(view.rotation()) {}
 
 ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
-  const Box model_box = lattice_.box(box);
-  if (clip_.orthographic) return parallel_bounds(model_box);
+  const NearestRounding rounding;
+  const Box model_box = lattice_.box(box);  // exact
+  return clip_.orthographic ? parallel_bounds(model_box) : perspective_bounds(model_box);
+}
+
+[[gnu::noinline]] ScreenBounds BoxProjector::perspective_bounds(const Box& model_box) const {
   double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0;
   double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
   for (int i = 0; i < 8; ++i) {
@@ -58,7 +63,7 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
   return on_screen(left, right, bottom, top, clip_.depth(least_depth) * margin);
 }
 
-ScreenBounds BoxProjector::parallel_bounds(const Box& box) const {
+[[gnu::noinline]] ScreenBounds BoxProjector::parallel_bounds(const Box& box) const {
   const glm::dvec3 centre = rotation_ * ((box.lo + box.hi) * 0.5 - clip_.reference);
   const glm::dvec3 half = (box.hi - box.lo) * 0.5;
   // Rows of the rotation are the eye's axes.

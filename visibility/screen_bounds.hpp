@@ -40,6 +40,7 @@ class BoxProjector {
   ScreenBounds bounds(const LatticeBox& box) const;
 
  private:
+  ScreenBounds perspective_bounds(const Box& box) const;
   ScreenBounds parallel_bounds(const Box& box) const;
   ScreenBounds on_screen(double x0, double x1, double y0, double y1, double depth) const;
 

@@ -29,6 +29,7 @@ inline Hello sample_hello(Role role) {
   hello.gl_vendor = "Mesa";
   hello.gl_renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
   hello.gl_version = "4.5 (Core Profile) Mesa 22.3.6";
+  hello.raster = "exact";
   return hello;
 }
 

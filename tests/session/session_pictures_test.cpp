@@ -16,6 +16,7 @@ class SessionPictures : public SceneFiles {
     EXPECT_EQ(report["digest_mismatches"], 0);
     EXPECT_EQ(report["fallback_frames"], 0);
     EXPECT_EQ(report["missing_drawables"], 0);
+    EXPECT_EQ(report["raster"], nlohmann::json({"exact", "exact", "exact"}));
   }
 };
 
