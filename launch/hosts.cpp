@@ -74,6 +74,9 @@ Hosts read_hosts(const std::filesystem::path& path, const std::string& pack) {
   Texts all(path, "", &file);
   hosts.launch = all.get("launch", default_launch);
   if (hosts.launch.find("{host}") == std::string::npos) fail(path.string(), "launch does not say {{host}}");
+  if (hosts.launch.find("{command}") == std::string::npos &&
+      hosts.launch.find("{remote}") == std::string::npos)
+    fail(path.string(), "launch says neither {{command}} nor {{remote}}");
   const Host common{"", all.get("program", "triptych"), all.get("pack", pack), all.get("key_file", "")};
   all.expect_no_more();
   Texts render(path, "render", file["render"].as_table());

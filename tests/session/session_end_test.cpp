@@ -107,6 +107,14 @@ TEST_F(SessionEnd, a_starter_that_is_killed_takes_its_roles_along) {
   EXPECT_FALSE(program.anybody_left());
 }
 
+TEST_F(SessionEnd, a_role_that_was_started_from_elsewhere_ends_with_its_standard_input) {
+  const std::string role = std::string(TRIPTYCH_PROGRAM) + " role switch " + pack +
+                           " --index 1 --render 127.0.0.1:9 --switch-0 127.0.0.1:9 --connect-timeout 60";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(std::system(("sleep 0.5 | " + role + " --end-with-stdin 2>/dev/null").c_str()), 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
 TEST_F(SessionEnd, a_role_that_nobody_meets) {
   const std::string address = "127.0.0.1:" + std::to_string(12000 + 2 * (::getpid() % 8000));
   const std::string line =
