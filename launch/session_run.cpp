@@ -173,23 +173,25 @@ void Cast::replace(Role role, const ChildProcesses::Ended& ended) {
   start(role);
 }
 
+/// What a process of the role recorded, joined to what earlier ones did.
+void join(RoleRecord& sum, const RoleRecord& record) {
+  add_sockets(sum.sockets, record.sockets);
+  sum.gl = record.gl;
+  sum.timeline.process = record.timeline.process;
+  sum.timeline.spans.insert(sum.timeline.spans.end(), record.timeline.spans.begin(),
+                            record.timeline.spans.end());
+  sum.timeline.lost += record.timeline.lost;
+  if (!record.clocks.empty()) sum.clocks = record.clocks;
+}
+
 RoleRecord Cast::record_of(Role role) const {
   RoleRecord sum;
   for (const std::filesystem::path& file : files_[static_cast<size_t>(role)]) {
     if (!std::filesystem::exists(file)) continue;  // of a process that was killed
-    const RoleRecord record = parse_record(read_text_file(file), file.string());
-    add_sockets(sum.sockets, record.sockets);
-    sum.gl = record.gl;
+    join(sum, parse_record(read_text_file(file), file.string()));
   }
   for (const std::string& line : children_.records(short_name(role))) {
-    const RoleRecord record = parse_record(line, short_name(role));
-    add_sockets(sum.sockets, record.sockets);
-    sum.gl = record.gl;
-    sum.timeline.process = record.timeline.process;
-    sum.timeline.spans.insert(sum.timeline.spans.end(), record.timeline.spans.begin(),
-                              record.timeline.spans.end());
-    sum.timeline.lost += record.timeline.lost;
-    if (!record.clocks.empty()) sum.clocks = record.clocks;
+    join(sum, parse_record(line, short_name(role)));
   }
   if (role == Role::render) sum.frames = read_frame_journal(journal_);
   return sum;
