@@ -62,7 +62,7 @@ class Peers {
   std::unique_ptr<Mailbox> mailbox_;
   std::optional<Inbox> inbox_;
   std::set<Role> ready_;
-  bool patient_ = true;  ///< what keeps the peers away may pass
+  bool patient_ = true;                          ///< what keeps the peers away may pass
   std::chrono::steady_clock::time_point since_;  ///< of the rehearsal, or of the epoch
   uint32_t too_late_ = 0;                        ///< short epochs in a row that ended so
   uint64_t epochs_ = 0;
