@@ -1,5 +1,7 @@
 #include "protocol/connect.hpp"
 
+#include "protocol/hello_difference.hpp"
+
 #include <asio/connect.hpp>
 #include <asio/steady_timer.hpp>
 #include <deque>
@@ -21,23 +23,6 @@ constexpr size_t waiting_callers_limit = 16;
 
 std::string text_of(const tcp::endpoint& endpoint) {
   return to_text({endpoint.address().to_string(), endpoint.port()});
-}
-
-/// What keeps the two from one session; empty if nothing does.
-std::string difference_between(const Hello& own, const Hello& peer) {
-  const auto differ = [&](const char* what, const std::string& ours, const std::string& theirs) {
-    return fmt::format("{} differs: {} has {}, {} has {}", what, role_name(own.role), ours,
-                       role_name(peer.role), theirs);
-  };
-  if (own.version != peer.version) {
-    return differ("protocol version", std::to_string(own.version), std::to_string(peer.version));
-  }
-  if (own.session != peer.session)
-    return differ("session", std::to_string(own.session), std::to_string(peer.session));
-  if (own.pack_hash != peer.pack_hash) {
-    return differ("pack", fmt::format("{:016x}", own.pack_hash), fmt::format("{:016x}", peer.pack_hash));
-  }
-  return {};
 }
 
 /// A peer went before all had met: all begin again.
