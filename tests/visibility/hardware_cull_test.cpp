@@ -135,7 +135,9 @@ TEST_P(HardwareCull, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order
     std::vector<DrawableId> decided;
     VisibleSet set = previous;
     for (size_t i = 0; i < packets.size(); ++i) {
-      if (i + 1 < packets.size()) EXPECT_GE(packets[i].delta.size(), packet_ids) << "sent too early";
+      if (i + 1 < packets.size()) {
+        EXPECT_GE(packets[i].delta.size(), packet_ids) << "sent too early";
+      }
       if (i > 0) {
         EXPECT_LE(packets[i - 1].watermark, packets[i].watermark);
       }
