@@ -177,6 +177,7 @@ void Cast::replace(Role role, const ChildProcesses::Ended& ended) {
 void join(RoleRecord& sum, const RoleRecord& record) {
   add_sockets(sum.sockets, record.sockets);
   sum.gl = record.gl;
+  sum.raster = record.raster;
   sum.timeline.process = record.timeline.process;
   sum.timeline.spans.insert(sum.timeline.spans.end(), record.timeline.spans.begin(),
                             record.timeline.spans.end());
