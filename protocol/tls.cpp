@@ -17,11 +17,11 @@ constexpr const char* identity = "triptych";
 constexpr std::array<unsigned char, 2> aes_128_gcm_sha256 = {0x13, 0x01};
 constexpr int longest_take = 1 << 16;
 
-template <auto Free>
+template <auto release>
 struct Deleter {
   template <typename Object>
   void operator()(Object* object) const {
-    Free(object);
+    release(object);
   }
 };
 using Context = std::unique_ptr<SSL_CTX, Deleter<SSL_CTX_free>>;
