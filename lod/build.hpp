@@ -24,7 +24,7 @@ struct BuildOptions {
   /// many.
   uint32_t bucket_triangles = 1u << 18;
   /// Triangles of an inner scene node's coarsest drawable, roughly.
-  uint32_t hlod_triangles = 256;
+  uint32_t hlod_triangles = 64;
   HierarchyKind hierarchy = HierarchyKind::partition_cluster_partition;
   /// Simplifier and kind of bound; the other limits are the build's own.
   SimplifyLimits simplify = {};
