@@ -8,7 +8,7 @@
 namespace triptych {
 
 enum class Fault {
-  withheld_id,             ///< culling withholds one visible drawable of each frame
+  withheld_id,             ///< culling withholds every fourth drawable that it finds visible
   wrong_delta,             ///< a delta is changed after the digest was taken
   no_digest,               ///< receivers do not compare digests
   strict_depth_test,       ///< boxes are tested with a strict comparison

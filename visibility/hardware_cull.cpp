@@ -71,10 +71,8 @@ class HardwareCull {
 
   void show(SceneNodeId node) {
     const DrawableId id = cut_.choice[node];
-    if (injected(Fault::withheld_id) && !withheld_ && result_.visible.size() >= 3) {
-      withheld_ = true;
-      return;
-    }
+    // Many, since what is nearest is often a large box that owns no pixel.
+    if (injected(Fault::withheld_id) && ++found_visible_ % 4 == 0) return;
     if (injected(Fault::carried_hidden) && !previous_.empty() && !was_visible_[id]) return;
     result_.visible.push_back(id);
     shown_[id] = true;
@@ -164,7 +162,7 @@ class HardwareCull {
   std::vector<DrawableId> found_;
   CullPacket packet_;  ///< what was decided since the last one was sent
   CullResult result_;
-  bool withheld_ = false;
+  size_t found_visible_ = 0;
 };
 
 }  // namespace
