@@ -47,20 +47,20 @@ class ViewWindow : public SceneFiles {
 
   /// Waits for the window and gives it the keyboard.
   void find_window() {
-    window_ = xdotool("search --sync --onlyvisible --name room.tpk | head -n 1");
-    ASSERT_FALSE(window_.empty());
+    window = xdotool("search --sync --onlyvisible --name room.tpk | head -n 1");
+    ASSERT_FALSE(window.empty());
     // The first frame is drawn once the title has its figures.
     for (int tries = 0; tries < 2000 && title().find("culling") == std::string::npos; ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    xdotool("windowfocus --sync " + window_);
+    xdotool("windowfocus --sync " + window);
   }
-  std::string title() const { return xdotool("getwindowname " + window_); }
+  std::string title() const { return xdotool("getwindowname " + window); }
 
   /// What the window shows: F2 saves it.
   Picture look() {
     char name[40];
-    std::snprintf(name, sizeof(name), "pictures/picture-%03d.png", looks_++);
+    std::snprintf(name, sizeof(name), "pictures/picture-%03d.png", looks++);
     xdotool("key F2");
     for (int tries = 0; tries < 2000 && !std::filesystem::exists(folder.file(name)); ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -68,9 +68,9 @@ class ViewWindow : public SceneFiles {
     return read_picture(folder.file(name));
   }
 
-  Display display_;
-  std::string window_;
-  int looks_ = 0;
+  Display display;
+  std::string window;
+  int looks = 0;
 };
 
 TEST_F(ViewWindow, shows_what_a_person_does_and_culling_changes_no_pixel) {
@@ -104,13 +104,13 @@ TEST_F(ViewWindow, shows_what_a_person_does_and_culling_changes_no_pixel) {
   xdotool("key Escape");
   EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
   EXPECT_NE(program.errors().find("bird's-eye"), std::string::npos) << "H prints no help";
-  EXPECT_GE(json_of(json).at("frames").get<int>(), looks_);
+  EXPECT_GE(json_of(json).at("frames").get<int>(), looks);
 }
 
 TEST_F(ViewWindow, draws_in_the_size_that_the_window_has) {
   Program program(view());
   find_window();
-  xdotool("windowsize --sync " + window_ + " 400 200");
+  xdotool("windowsize --sync " + window + " 400 200");
   Picture picture;
   for (int tries = 0; tries < 20 && picture.width != 400; ++tries) picture = look();
   EXPECT_EQ(picture.width, 400u);
@@ -138,7 +138,7 @@ TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_ca
   const std::string before = title();
   xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
   EXPECT_NE(title(), before) << "W draws no other picture";
-  xdotool("windowsize --sync " + window_ + " 400 200 sleep 0.3");
+  xdotool("windowsize --sync " + window + " 400 200 sleep 0.3");
   xdotool("keydown a sleep 0.3 keyup a sleep 0.3 key c sleep 0.3");
   EXPECT_NE(title().find("culling off"), std::string::npos) << title();
   xdotool("key c key b sleep 0.3 key b sleep 0.3 key Escape");
