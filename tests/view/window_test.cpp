@@ -85,7 +85,7 @@ TEST_F(ViewWindow, shows_what_a_person_does_and_culling_changes_no_pixel) {
   xdotool("keydown w sleep 0.3 keyup w");
   const Picture walked = look();
   EXPECT_NE(walked, first) << "W does not move the eye";
-  xdotool("mousemove 100 100 mousedown 1 mousemove 160 120 mouseup 1");
+  xdotool("mousemove 100 100 sleep 0.2 mousedown 1 sleep 0.3 mousemove 160 120 sleep 0.3 mouseup 1");
   const Picture turned = look();
   EXPECT_NE(turned, walked) << "the mouse does not turn the eye";
   xdotool("mousemove 40 40");
