@@ -145,7 +145,9 @@ class Window::Implementation {
   void on_button(int button, int action) {
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     looking = action == GLFW_PRESS;
-    glfwGetCursorPos(window, &cursor_x, &cursor_y);
+    // Later on, the place of the last event: where the cursor is now can be ahead of the events.
+    if (!cursor_known) glfwGetCursorPos(window, &cursor_x, &cursor_y);
+    cursor_known = true;
   }
 
   void on_cursor(double x, double y) {
@@ -155,6 +157,7 @@ class Window::Implementation {
     }
     cursor_x = x;
     cursor_y = y;
+    cursor_known = true;
   }
 
   static Implementation& of(GLFWwindow* window) {
@@ -168,6 +171,7 @@ class Window::Implementation {
   std::vector<int> pressed;  ///< since the last poll, perhaps let go already
   bool moving = false, looking = false;
   double cursor_x = 0, cursor_y = 0;
+  bool cursor_known = false;
   Stopwatch since_poll;
 };
 
