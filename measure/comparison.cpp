@@ -14,17 +14,6 @@ double Comparison::culling_efficiency() const {
 }
 
 namespace {
-/// The drawables that own a pixel, ascending.
-VisibleSet owners(std::vector<uint32_t> items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-  VisibleSet ids;
-  for (const uint32_t item : items) {
-    if (item > 0) ids.push_back(item - 1);
-  }
-  return ids;
-}
-
 void add_frame(Comparison& comparison, const FrameRecord& record, uint64_t picture_hash,
                const VisibleSet& truth) {
   const bool identical = picture_hash == record.picture_hash;

@@ -85,4 +85,14 @@ std::vector<uint32_t> Target::read_items() const {
 
 std::vector<float> Target::read_depths() const { return read<float>(*this, GL_DEPTH_COMPONENT, GL_FLOAT, 1); }
 
+VisibleSet owners(std::vector<uint32_t> items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  VisibleSet ids;
+  for (const uint32_t item : items) {
+    if (item > 0) ids.push_back(item - 1);
+  }
+  return ids;
+}
+
 }  // namespace triptych

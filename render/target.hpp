@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/gl_objects.hpp"
+#include "visibility/visible_set.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -41,5 +42,8 @@ class Target {
   GlTexture color_, item_, depth_;
   GlFramebuffer framebuffer_;
 };
+
+/// The drawables that own at least one pixel of an item buffer, as read_items() gives it.
+VisibleSet owners(std::vector<uint32_t> items);
 
 }  // namespace triptych

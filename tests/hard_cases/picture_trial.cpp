@@ -2,6 +2,7 @@
 #include "base/inject.hpp"
 #include "nodes/fallback.hpp"
 #include "tests/hard_cases/trials.hpp"
+#include "tests/support/pictures.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -16,22 +17,6 @@ FallbackOptions options(const Trial& trial, CullMode cull, TestKind test = TestK
           .cull = cull,
           .test = test,
           .batches = {}};
-}
-
-size_t differing(const std::vector<uint8_t>& one, const std::vector<uint8_t>& other) {
-  size_t count = 0;
-  for (size_t i = 0; i < one.size(); i += 4) count += !std::equal(&one[i], &one[i] + 4, &other[i]);
-  return count;
-}
-
-VisibleSet owners(std::vector<uint32_t> items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-  VisibleSet ids;
-  for (const uint32_t item : items) {
-    if (item > 0) ids.push_back(item - 1);
-  }
-  return ids;
 }
 
 /// Puts one fault in for a while, beside those that are in already.
@@ -87,7 +72,7 @@ class PictureTrial {
         say(fmt::format("{} drawables show and are not in the visible set", missing.size()));
       if (twin_) {
         twin_->draw({static_cast<uint32_t>(i), trial_.twin->views[i], trial_.twin->pixel_error});
-        const size_t pixels = differing(picture, twin_->target().read_colors());
+        const size_t pixels = test::differing_pixels(picture, twin_->target().read_colors());
         if (pixels > 0) say(fmt::format("{} pixels differ from the twin's", pixels));
       }
       last_ = record.visible;
@@ -108,7 +93,7 @@ class PictureTrial {
   void compare(const std::vector<uint8_t>& picture, Fallback& other, const FrameRequest& request,
                const std::string& name) {
     other.draw(request);
-    const size_t pixels = differing(picture, other.target().read_colors());
+    const size_t pixels = test::differing_pixels(picture, other.target().read_colors());
     if (pixels > 0) say(fmt::format("{} pixels differ from {}", pixels, name));
   }
 

@@ -2,6 +2,7 @@
 #include "base/file.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/session/program.hpp"
+#include "tests/support/path_text.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -30,31 +31,13 @@ void refuse(const std::string& pack, const std::string& path, const std::string&
 
 }  // namespace
 
-std::string path_text(const std::vector<View>& views) {
-  json frames = json::array();
-  const auto list = [](const glm::dvec3& v) { return json{v.x, v.y, v.z}; };
-  for (const View& view : views) {
-    const Camera& camera = view.camera;
-    frames.push_back({{"eye", list(camera.eye)},
-                      {"target", list(camera.target)},
-                      {"up", list(camera.up)},
-                      {"near", camera.near}});
-    if (camera.orthographic()) {
-      frames.back()["orthographic_height"] = camera.top - camera.bottom;
-    } else {
-      frames.back()["off_axis"] = {camera.left, camera.right, camera.bottom, camera.top};
-    }
-  }
-  return json{{"triptych_path", 1}, {"frames", frames}}.dump();
-}
-
 Problems session_problems(const Trial& trial, const std::vector<std::string>& faults) {
   Problems problems;
   const BuiltTrial built(trial);
   const std::string pack = built.file().string(), path = pack + ".json", result = pack + ".result.json";
   for (const std::string& text : trial.refused_paths) refuse(pack, path, text, problems);
   if (!trial.views.empty()) {
-    write_file(path, path_text(trial.views));
+    write_file(path, test::path_text(trial.views));
     std::vector<std::string> arguments = {"measure",
                                           "session",
                                           pack,

@@ -43,7 +43,4 @@ Problems picture_problems(const Trial& trial, TestKind test);
 /// must be refused, what it says to them.
 Problems session_problems(const Trial& trial, const std::vector<std::string>& faults = {});
 
-/// The views as a path file.
-std::string path_text(const std::vector<View>& views);
-
 }  // namespace triptych::hard_cases

@@ -3,6 +3,7 @@
 
 #include "nodes/fallback.hpp"
 #include "render/context.hpp"
+#include "tests/support/pictures.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,6 +12,8 @@
 
 namespace triptych {
 
+using test::differing_pixels;
+
 /// The process's context: the environment's TRIPTYCH_TEST_CONTEXT says which, "osmesa" or else EGL.
 inline Context& test_context() {
   static const std::unique_ptr<Context> context = [] {
@@ -18,23 +21,6 @@ inline Context& test_context() {
     return make_context(kind && std::string(kind) == "osmesa" ? ContextKind::osmesa : ContextKind::egl);
   }();
   return *context;
-}
-
-inline size_t differing_pixels(const std::vector<uint8_t>& one, const std::vector<uint8_t>& other) {
-  size_t count = 0;
-  for (size_t i = 0; i < one.size(); i += 4) count += !std::equal(&one[i], &one[i] + 4, &other[i]);
-  return count;
-}
-
-/// The drawables that own a pixel.
-inline VisibleSet owners(std::vector<uint32_t> items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-  VisibleSet ids;
-  for (const uint32_t item : items) {
-    if (item > 0) ids.push_back(item - 1);
-  }
-  return ids;
 }
 
 /// The fallback and, beside it, the un-culled picture of the same cut.

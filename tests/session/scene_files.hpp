@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/session/program.hpp"
+#include "tests/support/path_text.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <fstream>
@@ -13,22 +14,9 @@ class SceneFiles : public testing::Test {
  protected:
   SceneFiles() {
     scenes::write_pack("room", pack);
-    nlohmann::json frames = nlohmann::json::array();
-    const auto list = [](const glm::dvec3& v) { return nlohmann::json{v.x, v.y, v.z}; };
-    for (const View& view : scenes::path(scenes::pack("room").skeleton(), 160, 120)) {
-      const Camera& camera = view.camera;
-      frames.push_back({{"eye", list(camera.eye)},
-                        {"target", list(camera.target)},
-                        {"up", list(camera.up)},
-                        {"near", camera.near}});
-      if (camera.orthographic()) {
-        frames.back()["orthographic_height"] = camera.top - camera.bottom;
-      } else {
-        frames.back()["off_axis"] = {camera.left, camera.right, camera.bottom, camera.top};
-      }
-    }
-    frame_count = frames.size();
-    std::ofstream(path) << nlohmann::json{{"triptych_path", 1}, {"frames", frames}};
+    const std::vector<View> views = scenes::path(scenes::pack("room").skeleton(), 160, 120);
+    frame_count = views.size();
+    std::ofstream(path) << path_text(views);
   }
 
   /// measure session, at a small size, with more arguments; whatever else the machine does, no role counts as
