@@ -2,6 +2,7 @@
 
 #include "base/inject.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
 
@@ -9,6 +10,7 @@ namespace triptych {
 
 DrawListBuilder::DrawListBuilder(const Skeleton& skeleton, const View& view)
     : skeleton_(skeleton),
+      view_(view),
       clip_(clip_space(skeleton, view)),
       rotation_(view.rotation()),
       projector_(skeleton, view),
@@ -44,14 +46,24 @@ const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform,
   return placed;
 }
 
+void DrawListBuilder::set_bound(const LatticeBox& box, DrawRecord& record) const {
+  DepthBound bound;
+  if (!injected(Fault::no_fragment_bound)) bound = projector_.depth_bound(box);
+  record.nearest = bound.nearest;
+  const glm::vec2 pixel(2.0f / static_cast<float>(view_.width), 2.0f / static_cast<float>(view_.height));
+  for (int i = 0; i < 3; ++i) {
+    const DepthPlane& plane = bound.planes[static_cast<size_t>(i)];
+    record.planes[i] = glm::vec3(plane.slope * pixel, plane.at(-1, -1));
+  }
+}
+
 void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableId> drawables,
                              DrawList& list) {
-  const bool unbounded = injected(Fault::no_fragment_bound);
   for (const DrawableId id : drawables) {
     const Drawable& drawable = skeleton_.drawables[id];
-    const ScreenBounds bounds = projector_.bounds(skeleton_.scene_nodes[drawable.scene_node].box);
-    const float nearest =
-        bounds.kind == ScreenBounds::Kind::rectangle && !unbounded ? bounds.rectangle.depth : 1.0f;
+    DrawRecord record{};
+    record.item = id;
+    set_bound(skeleton_.scene_nodes[drawable.scene_node].box, record);
     for (uint32_t i = 0; i < drawable.placement_count; ++i) {
       const Placement& placement = skeleton_.placements[drawable.first_placement + i];
       const DeviceScene::Range& range = scene.range(placement.chunk);
@@ -62,11 +74,9 @@ void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableI
                                .first_index = range.first_index,
                                .base_vertex = static_cast<int32_t>(range.base_vertex),
                                .base_instance = static_cast<uint32_t>(list.records.size())});
-      list.records.push_back({.rows = {placed.rows[0], placed.rows[1], placed.rows[2]},
-                              .cell = placed.cell,
-                              .nearest_depth = nearest,
-                              .item = id,
-                              .unused = {}});
+      std::copy(std::begin(placed.rows), std::end(placed.rows), record.rows);
+      record.cell = placed.cell;
+      list.records.push_back(record);
     }
     list.triangles += drawable.triangles;
   }

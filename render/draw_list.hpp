@@ -16,11 +16,13 @@ namespace triptych {
 struct DrawRecord {
   glm::vec4 rows[3];
   glm::ivec3 cell;
-  float nearest_depth;
   uint32_t item;
-  uint32_t unused[3];
+  /// DepthBound in window coordinates (pixels): slopes and what there is at (0, 0). Last, `nearest`.
+  glm::vec3 planes[3];
+  float nearest;
+  uint32_t unused[2];
 };
-static_assert(sizeof(DrawRecord) == 80);
+static_assert(sizeof(DrawRecord) == 112);
 
 struct DrawCommand {
   uint32_t index_count, instance_count, first_index;
@@ -50,8 +52,10 @@ class DrawListBuilder {
     glm::ivec3 cell;
   };
   const PlacedLattice& place(uint32_t transform, uint32_t lattice);
+  void set_bound(const LatticeBox& box, DrawRecord& record) const;
 
   const Skeleton& skeleton_;
+  View view_;
   ClipSpace clip_;
   glm::dmat3 rotation_;
   BoxProjector projector_;

@@ -1,6 +1,7 @@
 #include "render/gl_occlusion_tester.hpp"
 
 #include "base/inject.hpp"
+#include "render/rectangle_state.hpp"
 #include "render/shaders.hpp"
 
 namespace triptych {
@@ -33,15 +34,15 @@ void GlOcclusionTester::test(std::span<const ScreenRectangle> rectangles, std::s
   target_.bind();
   glBindVertexArray(vertex_array_);
   glUseProgram(program_);
+  glUniform2f(glGetUniformLocation(program_, "overlap"), 0.25f / static_cast<float>(target_.width()),
+              0.25f / static_cast<float>(target_.height()));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
-  glDepthMask(GL_FALSE);
-  glDepthFunc(injected(Fault::strict_depth_test) ? GL_GREATER : GL_GEQUAL);
+  const RectangleState state(injected(Fault::strict_depth_test) ? GL_GREATER : GL_GEQUAL);
   if (kind_ == TestKind::queries) {
     test_by_queries(rectangles.size(), visible);
   } else {
     test_by_storage(rectangles.size(), visible);
   }
-  glDepthMask(GL_TRUE);
 }
 
 void GlOcclusionTester::test_by_queries(size_t count, std::span<uint8_t> visible) {
@@ -53,7 +54,7 @@ void GlOcclusionTester::test_by_queries(size_t count, std::span<uint8_t> visible
   constexpr size_t flush_every = 500;  // some drivers answer late or spuriously where thousands are in flight
   for (size_t i = 0; i < count; ++i) {
     glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[i]);
-    glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, 1, static_cast<GLuint>(i));
+    glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, 4, static_cast<GLuint>(4 * i));
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     if (i % flush_every == flush_every - 1) glFlush();
   }
@@ -68,7 +69,7 @@ void GlOcclusionTester::test_by_storage(size_t count, std::span<uint8_t> visible
   std::vector<uint32_t> answers(count, 0);
   answers_.upload(std::span<const uint32_t>(answers));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, answers_binding, answers_);
-  glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count), 0);
+  glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(4 * count), 0);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(answers_, 0, static_cast<GLsizeiptr>(count * sizeof(uint32_t)), answers.data());
   for (size_t i = 0; i < count; ++i) visible[i] = answers[i] != 0;

@@ -25,6 +25,7 @@ class Numbers {
 };
 
 float device(double pixel) { return static_cast<float>(2 * pixel / side - 1); }
+float centre(int pixel) { return device(pixel + 0.5); }
 
 /// Squares whose right or left edges pass the centre of a pixel by k/4096 pixels: the largest k that makes no
 /// difference is how far snapping moves an edge.
@@ -122,13 +123,21 @@ TestTruth tests_against_readback() {
               y0 = static_cast<int>(numbers.number(0, side - 20));
     const int x1 = x0 + 1 + static_cast<int>(numbers.number(0, 16)),
               y1 = y0 + 1 + static_cast<int>(numbers.number(0, 16));
-    // Half of them at exactly a depth that stands there.
-    const float depth = i % 2 == 0 ? depths[static_cast<size_t>(y0 * side + x0)] : numbers.number(0.05, 0.9);
+    ScreenRectangle rectangle{device(x0), device(y0), device(x1), device(y1), {}};
+    DepthPlane& plane = rectangle.planes[0];
+    // A third of them at exactly a depth that stands there, a third sloping.
+    plane.middle =
+        i % 3 == 0 ? depths[static_cast<size_t>(y0 * side + x0)] : numbers.number(0.05f, 0.9f);
+    if (i % 3 == 1) plane.slope = {numbers.number(-8, 8), numbers.number(-8, 8)};
+    const float rounding = i % 3 == 1 ? static_cast<float>(17 * plane_rounding) : 0;
     bool shows = false;
     for (int y = y0; y < y1; ++y) {
-      for (int x = x0; x < x1; ++x) shows = shows || depth >= depths[static_cast<size_t>(y * side + x)];
+      for (int x = x0; x < x1; ++x) {
+        const float depth = plane.at(centre(x), centre(y)) - rounding;
+        shows = shows || (depth > 0 && depth >= depths[static_cast<size_t>(y * side + x)]);
+      }
     }
-    rectangles.push_back({device(x0), device(y0), device(x1), device(y1), depth});
+    rectangles.push_back(rectangle);
     truth.push_back(shows);
   }
   TestTruth found;

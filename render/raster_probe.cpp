@@ -1,6 +1,7 @@
 #include "render/raster_probe.hpp"
 
 #include "render/draw_list.hpp"
+#include "render/rectangle_state.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
 
@@ -95,14 +96,15 @@ std::vector<uint8_t> RasterProbe::test_by_queries(std::span<const ScreenRectangl
   bind();
   rectangles_.upload(rectangles);
   glUseProgram(queries_);
+  glUniform2f(glGetUniformLocation(queries_, "overlap"), 0.25f / static_cast<float>(width_),
+              0.25f / static_cast<float>(height_));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
-  glDepthMask(GL_FALSE);
-  glDepthFunc(GL_GEQUAL);
+  const RectangleState state;
   std::vector<GLuint> names(rectangles.size());
   glCreateQueries(GL_ANY_SAMPLES_PASSED, static_cast<GLsizei>(names.size()), names.data());
   for (size_t i = 0; i < names.size(); ++i) {
     glBeginQuery(GL_ANY_SAMPLES_PASSED, names[i]);
-    glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, 1, static_cast<GLuint>(i));
+    glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, 4, static_cast<GLuint>(4 * i));
     glEndQuery(GL_ANY_SAMPLES_PASSED);
   }
   std::vector<uint8_t> answers;
@@ -112,7 +114,6 @@ std::vector<uint8_t> RasterProbe::test_by_queries(std::span<const ScreenRectangl
     answers.push_back(passed != GL_FALSE);
   }
   glDeleteQueries(static_cast<GLsizei>(names.size()), names.data());
-  glDepthMask(GL_TRUE);
   return answers;
 }
 
@@ -122,15 +123,15 @@ std::vector<uint8_t> RasterProbe::test_by_storage(std::span<const ScreenRectangl
   std::vector<uint32_t> answers(rectangles.size(), 0);
   answers_.upload(std::span<const uint32_t>(answers));
   glUseProgram(storage_);
+  glUniform2f(glGetUniformLocation(storage_, "overlap"), 0.25f / static_cast<float>(width_),
+              0.25f / static_cast<float>(height_));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, answers_binding, answers_);
-  glDepthMask(GL_FALSE);
-  glDepthFunc(GL_GEQUAL);
-  glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(answers.size()), 0);
+  const RectangleState state;
+  glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(4 * answers.size()), 0);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(answers_, 0, static_cast<GLsizeiptr>(answers.size() * sizeof(uint32_t)),
                           answers.data());
-  glDepthMask(GL_TRUE);
   return {answers.begin(), answers.end()};
 }
 
@@ -149,8 +150,9 @@ double passes_that_disagree() {
                                    {-0x1.5p-26f, 0x1.1p-20f, 0x1.3p-25f, 0.002f},
                                    {0x1.1p-27f, -0x1.3p-25f, 0x1.2p-20f, -0.003f}},
                           .cell = {17, -29, 5},
-                          .nearest_depth = 1,
                           .item = 0,
+                          .planes = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+                          .nearest = 1,
                           .unused = {}};
   const glm::vec4 white(1);
   GlVertexArray vertex_array;

@@ -8,21 +8,24 @@ const std::string version = "#version 450\n";
 
 const std::string draw_record = R"(
 struct DrawRecord {
-  vec4 rows[3];         // chunk lattice, relative to the eye's cell, to eye space
-  ivec3 cell;           // the eye's cell, negated
-  float nearest_depth;  // no fragment of the drawable is nearer
+  vec4 rows[3];    // chunk lattice, relative to the eye's cell, to eye space
+  ivec3 cell;      // the eye's cell, negated
   uint item;
-  uint unused0, unused1, unused2;
+  float planes[9]; // no fragment of the drawable is nearer than any of three planes, over pixels
+  float nearest;   // nor than this
+  uint unused0, unused1;
 };
 layout(std430, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
 )";
 
 // A sliver seen edge-on has depth interpolated beyond its own vertices. Bounding every fragment by its
-// drawable's nearest corner, in every pass, is what makes the rectangle test exact. Written so that NaN is
-// dropped too.
+// drawable's box, in every pass, is what makes the rectangle test exact. Written so that NaN is dropped too.
 const std::string bounded = R"(
-flat in float nearest_depth;
-void bound_fragment() { if (!(gl_FragCoord.z <= nearest_depth)) discard; }
+flat in vec4 bound_x, bound_y, bound_z;
+void bound_fragment() {
+  vec3 planes = bound_x.xyz * gl_FragCoord.x + bound_y.xyz * gl_FragCoord.y + bound_z.xyz;
+  if (!(gl_FragCoord.z <= min(min(planes.x, planes.y), min(planes.z, bound_z.w)))) discard;
+}
 )";
 
 // The shaded colour of a fragment, the same text for every pass that draws colours.
@@ -52,7 +55,7 @@ uniform vec2 depth;    // perspective: the near plane; orthographic: scale and s
 invariant gl_Position;
 out vec3 eye_position;
 flat out vec4 base_color;
-flat out float nearest_depth;
+flat out vec4 bound_x, bound_y, bound_z;
 flat out uint item;
 void main() {
   DrawRecord draw = draws[gl_BaseInstanceARB];
@@ -70,7 +73,9 @@ void main() {
                      depth.x * eye_position.z + depth.y, 1.0);
 )") +
          R"(  base_color = palette[color_index];
-  nearest_depth = draw.nearest_depth;
+  bound_x = vec4(draw.planes[0], draw.planes[3], draw.planes[6], 0.0);
+  bound_y = vec4(draw.planes[1], draw.planes[4], draw.planes[7], 0.0);
+  bound_z = vec4(draw.planes[2], draw.planes[5], draw.planes[8], draw.nearest);
   item = draw.item;
 }
 )";
@@ -112,13 +117,29 @@ void main() {
 
 std::string rectangle_vertex_shader() {
   return version + "#extension GL_ARB_shader_draw_parameters : require\n" + R"(
-struct Rectangle { float left, bottom, right, top, depth; };
+struct Rectangle { float sides[4]; float planes[12]; };
 layout(std430, binding = 2) readonly buffer Rectangles { Rectangle rectangles[]; };
+uniform vec2 overlap;
 flat out uint slot;
+out float gl_ClipDistance[4];
 void main() {
-  slot = uint(gl_BaseInstanceARB + gl_InstanceID);
+  // Four times the same rectangle, each at one of its planes and cut to where that one is the least.
+  uint instance = uint(gl_BaseInstanceARB + gl_InstanceID);
+  slot = instance / 4u;
+  uint own = instance % 4u;
   Rectangle r = rectangles[slot];
-  gl_Position = vec4((gl_VertexID & 1) == 0 ? r.left : r.right, (gl_VertexID & 2) == 0 ? r.bottom : r.top, r.depth, 1.0);
+  float x = r.sides[(gl_VertexID & 1) == 0 ? 0 : 2], y = r.sides[(gl_VertexID & 2) == 0 ? 1 : 3];
+  vec3 plane = vec3(r.planes[own * 3], r.planes[own * 3 + 1], r.planes[own * 3 + 2]);
+  gl_Position = vec4(x, y, dot(plane, vec3(x, y, 1.0)), 1.0);
+  gl_ClipDistance[own] = gl_Position.z;  // beyond, there is nothing of the box
+  for (uint i = 0u; i < 4u; ++i) {
+    if (i == own) continue;
+    vec3 other = vec3(r.planes[i * 3], r.planes[i * 3 + 1], r.planes[i * 3 + 2]);
+    // Pieces overlap, lest snapping part them.
+    vec2 slope = abs(other.xy - plane.xy);
+    float rounding = 1e-6 * (dot(abs(other), vec3(1.0)) + dot(abs(plane), vec3(1.0)));
+    gl_ClipDistance[i] = dot(other, vec3(x, y, 1.0)) - gl_Position.z + dot(slope, overlap) + rounding;
+  }
 }
 )";
 }

@@ -18,21 +18,50 @@ constexpr double float_rounding = 0x1p-19;
 constexpr double depth_margin = 0x1p-14;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
 constexpr double near_margin = 1.001;
+
+/// Whether the rectangle is as near as can be, at its middle and its corners.
+bool says_nothing(const ScreenRectangle& r) {
+  return r.depth((r.left + r.right) / 2, (r.bottom + r.top) / 2) >= 1 && r.depth(r.left, r.bottom) >= 1 &&
+         r.depth(r.right, r.bottom) >= 1 && r.depth(r.left, r.top) >= 1 && r.depth(r.right, r.top) >= 1;
+}
 }  // namespace
 
 BoxProjector::BoxProjector(const Skeleton& skeleton, const View& view)
     : lattice_(skeleton.lattice()),
       view_(view),
       clip_(clip_space(skeleton, view)),
-      rotation_(view.rotation()) {}
+      rotation_(view.rotation()),
+      faces_(skeleton, view, clip_) {}
 
 ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
   const NearestRounding rounding;
   const Box model_box = lattice_.box(box);  // exact
-  return clip_.orthographic ? parallel_bounds(model_box) : perspective_bounds(model_box);
+  const Extent found = extent(model_box);
+  if (found.beyond) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+  ScreenRectangle rectangle{.left = static_cast<float>(found.left),
+                            .bottom = static_cast<float>(found.bottom),
+                            .right = static_cast<float>(found.right),
+                            .top = static_cast<float>(found.top),
+                            .planes = {}};
+  rectangle.planes[0].middle = static_cast<float>(found.nearest);
+  const auto faces = faces_.of(model_box, injected(Fault::no_dilation) ? 0 : 2);
+  std::copy(faces.begin(), faces.end(), rectangle.planes.begin() + 1);
+  if (says_nothing(rectangle)) return {};
+  return {.kind = ScreenBounds::Kind::rectangle, .rectangle = rectangle};
 }
 
-[[gnu::noinline]] ScreenBounds BoxProjector::perspective_bounds(const Box& model_box) const {
+DepthBound BoxProjector::depth_bound(const LatticeBox& box) const {
+  const NearestRounding rounding;
+  const Box model_box = lattice_.box(box);
+  const Extent found = extent(model_box);
+  return {.nearest = static_cast<float>(found.nearest), .planes = faces_.of(model_box, 1)};
+}
+
+BoxProjector::Extent BoxProjector::extent(const Box& box) const {
+  return clip_.orthographic ? parallel_extent(box) : perspective_extent(box);
+}
+
+[[gnu::noinline]] BoxProjector::Extent BoxProjector::perspective_extent(const Box& model_box) const {
   double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0;
   double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
   for (int i = 0; i < 8; ++i) {
@@ -51,7 +80,7 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
     greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
   }
   if (greatest_depth < clip_.near / near_margin)
-    return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+    return {.beyond = true};
   if (least_depth < clip_.near * near_margin) {
     if (!injected(Fault::no_near_rule)) return {};
     least_depth = greatest_depth;
@@ -63,7 +92,7 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
   return on_screen(left, right, bottom, top, clip_.depth(least_depth) * margin);
 }
 
-[[gnu::noinline]] ScreenBounds BoxProjector::parallel_bounds(const Box& box) const {
+[[gnu::noinline]] BoxProjector::Extent BoxProjector::parallel_extent(const Box& box) const {
   const glm::dvec3 centre = rotation_ * ((box.lo + box.hi) * 0.5 - clip_.reference);
   const glm::dvec3 half = (box.hi - box.lo) * 0.5;
   // Rows of the rotation are the eye's axes.
@@ -76,7 +105,7 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
   // Rounding of positions is relative to how far they are from the reference.
   const double rounding = float_rounding * (glm::length(centre) + glm::length(half));
   const double touch = depth_margin * clip_.range + rounding;
-  if (depth + reach.z < clip_.near - touch) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
+  if (depth + reach.z < clip_.near - touch) return {.beyond = true};
   if (depth - reach.z < clip_.near + touch) return {};
   if (!(2 * rounding * view_.focal_length() <= 0.25)) return {};
   const double margin = injected(Fault::no_dilation) ? 0 : touch / clip_.range;
@@ -84,8 +113,8 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
                    clip_.depth(depth - reach.z) + margin);
 }
 
-ScreenBounds BoxProjector::on_screen(double left, double right, double bottom, double top,
-                                     double depth) const {
+BoxProjector::Extent BoxProjector::on_screen(double left, double right, double bottom, double top,
+                                             double depth) const {
   const Camera& camera = view_.camera;
   const double margin_x = injected(Fault::no_dilation) ? 0 : 2.0 / view_.width;
   const double margin_y = injected(Fault::no_dilation) ? 0 : 2.0 / view_.height;
@@ -97,14 +126,12 @@ ScreenBounds BoxProjector::on_screen(double left, double right, double bottom, d
   };
   const double x0 = device_x(left) - margin_x, x1 = device_x(right) + margin_x;
   const double y0 = device_y(bottom) - margin_y, y1 = device_y(top) + margin_y;
-  if (x0 > 1 || x1 < -1 || y0 > 1 || y1 < -1)
-    return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
-  return {.kind = ScreenBounds::Kind::rectangle,
-          .rectangle = {.left = static_cast<float>(std::max(x0, -1.0)),
-                        .bottom = static_cast<float>(std::max(y0, -1.0)),
-                        .right = static_cast<float>(std::min(x1, 1.0)),
-                        .top = static_cast<float>(std::min(y1, 1.0)),
-                        .depth = static_cast<float>(std::min(1.0, depth))}};
+  if (x0 > 1 || x1 < -1 || y0 > 1 || y1 < -1) return {.beyond = true};
+  return {.left = std::max(x0, -1.0),
+          .bottom = std::max(y0, -1.0),
+          .right = std::min(x1, 1.0),
+          .top = std::min(y1, 1.0),
+          .nearest = std::min(1.0, depth)};
 }
 
 }  // namespace triptych

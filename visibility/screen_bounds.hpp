@@ -4,26 +4,33 @@
 #include "scene/camera.hpp"
 #include "scene/skeleton.hpp"
 #include "visibility/clip_space.hpp"
+#include "visibility/depth_bound.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace triptych {
 
-/// A rectangle in normalised device coordinates (−1 to 1, y up) and a depth in 0 to 1, reversed: 1 at the
-/// near plane, 0 at infinity. No fragment of the box's content lies outside the rectangle. Every pass drops
-/// fragments nearer than `depth`, so no drawn fragment is nearer than it: wherever the content is the nearest
-/// thing, a non-strict test of the rectangle passes. That is what makes culling exact (docs/algorithms.md has
-/// the argument).
+/// A rectangle in normalised device coordinates (−1 to 1, y up), and over it a depth, reversed: 1 at the near
+/// plane, 0 at infinity. No fragment of the box's content lies outside the rectangle. Every pass drops
+/// fragments that DepthBound does not allow, so no drawn fragment is nearer than `depth` there: wherever
+/// the content is the nearest thing, a non-strict test of the rectangle passes. That is what makes culling
+/// exact (docs/algorithms.md has the argument).
 struct ScreenRectangle {
   float left = -1, bottom = -1, right = 1, top = 1;
-  float depth = 1;
+  /// The least of these, clamped to 1; the box does not reach where it is below 0. The first one is level: the
+  /// depth of the nearest corner.
+  std::array<DepthPlane, 4> planes;
+  float depth(float x, float y) const {
+    return std::min({planes[0].at(x, y), planes[1].at(x, y), planes[2].at(x, y), planes[3].at(x, y)});
+  }
 };
 
 struct ScreenBounds {
   enum class Kind : uint8_t {
     off_screen,  ///< covers no pixel centre
-    unbounded,   ///< touches the near plane, or its projection is not known well enough: visible without a
-                 ///< test
+    unbounded,   ///< may be right before the eye, at every pixel: visible without a test
     rectangle,   ///< the rectangle holds
   };
   Kind kind = Kind::unbounded;
@@ -33,21 +40,33 @@ struct ScreenBounds {
 /// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by one pixel on
 /// each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, and the vertex stage's rounding
 /// is bounded below); the depth moves towards the eye by 2⁻¹⁴ of itself, orthographic of its range (float
-/// rounding of w and z).
+/// rounding of w and z). Boxes that touch the near plane, or whose projection is not known to a pixel, may be
+/// anywhere on the screen; their faces still bound their depth.
 class BoxProjector {
  public:
   BoxProjector(const Skeleton& skeleton, const View& view);
+  /// What the occlusion test draws.
   ScreenBounds bounds(const LatticeBox& box) const;
+  /// What fragments of the box's content are held to.
+  DepthBound depth_bound(const LatticeBox& box) const;
 
  private:
-  ScreenBounds perspective_bounds(const Box& box) const;
-  ScreenBounds parallel_bounds(const Box& box) const;
-  ScreenBounds on_screen(double x0, double x1, double y0, double y1, double depth) const;
+  /// Where the corners are: the rectangle, and one depth for all of it.
+  struct Extent {
+    bool beyond = false;  ///< off the screen
+    double left = -1, bottom = -1, right = 1, top = 1;
+    double nearest = 1;
+  };
+  Extent extent(const Box& box) const;
+  Extent perspective_extent(const Box& box) const;
+  Extent parallel_extent(const Box& box) const;
+  Extent on_screen(double x0, double x1, double y0, double y1, double depth) const;
 
   const Lattice& lattice_;
   View view_;
   ClipSpace clip_;
   glm::dmat3 rotation_;
+  FacePlanes faces_;
 };
 
 }  // namespace triptych

@@ -1,0 +1,27 @@
+// How OpenGL is set while rectangles are tested against a depth.
+#pragma once
+
+#include <glad/gl.h>
+
+namespace triptych {
+
+/// Depth is compared and not written; it is clamped at the near end, where a rectangle's plane may pass the
+/// eye, and cut at the far end. Undone when this goes.
+class RectangleState {
+ public:
+  explicit RectangleState(GLenum comparison = GL_GEQUAL) {
+    glDepthMask(GL_FALSE);
+    glDepthFunc(comparison);
+    glEnable(GL_DEPTH_CLAMP);
+    for (GLenum i = 0; i < 4; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
+  }
+  ~RectangleState() {
+    for (GLenum i = 0; i < 4; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
+    glDisable(GL_DEPTH_CLAMP);
+    glDepthMask(GL_TRUE);
+  }
+  RectangleState(const RectangleState&) = delete;
+  RectangleState& operator=(const RectangleState&) = delete;
+};
+
+}  // namespace triptych

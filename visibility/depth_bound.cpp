@@ -1,0 +1,90 @@
+#include "visibility/depth_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace triptych {
+
+namespace {
+/// The vertex stage puts a position off by at most 83 · 2⁻²⁴ of its distance (visibility/screen_bounds.cpp).
+constexpr double float_rounding = 0x1p-17;
+/// Of the depth: rounding of w and of the division; orthographic: of the range.
+constexpr double depth_rounding = 0x1p-14;
+/// Planes with larger terms say nothing; floats hold up to here.
+constexpr double greatest_term = 0x1p20;
+/// Orthographic: faces seen more obliquely than this say nothing.
+constexpr double least_cosine = 0x1p-10;
+
+double greatest_coordinate(const glm::dvec3& a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+}  // namespace
+
+FacePlanes::FacePlanes(const Skeleton& skeleton, const View& view, const ClipSpace& clip)
+    : view_(view), clip_(clip), rotation_(view.rotation()), stretch_(view.corner_stretch()) {
+  const Box model = skeleton.lattice().box(skeleton.scene_nodes[0].box);
+  tiny_ = 0x1p-34 * std::max({greatest_coordinate(view.camera.eye), greatest_coordinate(model.lo),
+                              greatest_coordinate(model.hi)});
+}
+
+std::array<DepthPlane, 3> FacePlanes::of(const Box& box, double slack) const {
+  std::array<DepthPlane, 3> planes;
+  for (int axis = 0; axis < 3; ++axis) {
+    planes[static_cast<size_t>(axis)] =
+        clip_.orthographic ? parallel(axis, box, slack) : perspective(axis, box, slack);
+  }
+  return planes;
+}
+
+/// Content is at least `distance` beyond the eye along the axis. A ray that goes `along` it by s for each unit
+/// of z gets there at z = distance / s, which is at depth near · s / distance; and s is affine over the screen.
+/// All terms, the slack's too, shrink as 1 / distance: boxes within this one have lower planes.
+DepthPlane FacePlanes::perspective(int axis, const Box& box, double slack) const {
+  const double low = box.lo[axis] - clip_.reference[axis], high = box.hi[axis] - clip_.reference[axis];
+  const double distance = std::max(low, -high);
+  if (!(distance > tiny_)) return {};
+  const double scale = (low > 0 ? 1 : -1) * clip_.near / distance;
+  const Camera& camera = view_.camera;
+  const glm::dvec3 along = rotation_[axis];  // right, up and backward
+  const glm::dvec2 slope =
+      scale * 0.5 *
+      glm::dvec2(along.x * (camera.right - camera.left), along.y * (camera.top - camera.bottom));
+  const double middle = scale * (along.x * 0.5 * (camera.left + camera.right) +
+                                 along.y * 0.5 * (camera.bottom + camera.top) - along.z);
+  return with_slack(slope * (1 + depth_rounding), middle * (1 + depth_rounding),
+                    std::abs(scale) * float_rounding * stretch_, slack);
+}
+
+/// The same where rays are parallel: on the face, how far a ray has come is affine in where it starts.
+DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
+  const glm::dvec3 along = rotation_[axis];
+  const double forward = -along.z;
+  if (std::abs(forward) < least_cosine) return {};
+  const double low = box.lo[axis] - clip_.reference[axis], high = box.hi[axis] - clip_.reference[axis];
+  const double start = (forward > 0 ? low : high) / forward;
+  const Camera& camera = view_.camera;
+  const double scale = 1 / (forward * clip_.range);
+  const glm::dvec2 slope =
+      scale * 0.5 *
+      glm::dvec2(along.x * (camera.right - camera.left), along.y * (camera.top - camera.bottom));
+  const double middle = clip_.depth(clip_.reference_depth + start) +
+                        scale * 0.5 *
+                            (along.x * (camera.left + camera.right) + along.y * (camera.bottom + camera.top));
+  const double distance = glm::length(glm::max(glm::abs(box.lo - clip_.reference), //
+                                               glm::abs(box.hi - clip_.reference)));
+  return with_slack(slope, middle,
+                    (depth_rounding * clip_.range + float_rounding * distance) * std::abs(scale), slack);
+}
+
+/// Snapping moves what is drawn by at most 1/16 pixel; the slope of 1/8 pixel is added.
+DepthPlane FacePlanes::with_slack(const glm::dvec2& slope, double middle, double rounding,
+                                  double slack) const {
+  const double terms = std::abs(slope.x) + std::abs(slope.y) + std::abs(middle);
+  if (!(terms + rounding < greatest_term)) return {};
+  const double added = rounding + std::abs(slope.x) / (4 * view_.width) + std::abs(slope.y) / (4 * view_.height) +
+                       plane_rounding * terms;
+  return {glm::vec2(slope), static_cast<float>(middle + slack * added)};
+}
+
+}  // namespace triptych

@@ -1,0 +1,53 @@
+// How near a box's content may come to the eye, pixel by pixel.
+#pragma once
+
+#include "scene/skeleton.hpp"
+#include "visibility/clip_space.hpp"
+
+#include <array>
+#include <glm/vec2.hpp>
+
+namespace triptych {
+
+/// A depth (reversed: 1 at the near plane) that is affine over the screen, as that of a plane is in every
+/// projection: slope · p + middle at p in normalised device coordinates (−1 to 1, y up).
+struct DepthPlane {
+  glm::vec2 slope{0};
+  float middle = 1;
+  float at(float x, float y) const { return slope.x * x + slope.y * y + middle; }
+};
+
+/// What evaluating a plane in floats may be off by, of the sum of its terms; the card's share included.
+inline constexpr double plane_rounding = 0x1p-20;
+
+/// What every pass holds its fragments to: those in front of `nearest`, or of any of the planes, are dropped.
+/// Planes beyond which nothing is dropped are 1 everywhere.
+struct DepthBound {
+  float nearest = 1;
+  std::array<DepthPlane, 3> planes;
+};
+
+/// The planes of the box's faces that look at the eye, at most one an axis: behind each of them lies all that
+/// the box holds. In normalised device coordinates they are affine because depth is near / z, or linear in z.
+class FacePlanes {
+ public:
+  FacePlanes(const Skeleton& skeleton, const View& view, const ClipSpace& clip);
+
+  /// Where each lies, and by how much content may seem to be in front of it: rounding and snapping move
+  /// vertices. `slack` times that much is added, so that planes of slack 2 are in front of those of slack 1,
+  /// on any machine, and of those of slack 1 of every box within this one.
+  std::array<DepthPlane, 3> of(const Box& model_box, double slack) const;
+
+ private:
+  DepthPlane perspective(int axis, const Box& box, double slack) const;
+  DepthPlane parallel(int axis, const Box& box, double slack) const;
+  DepthPlane with_slack(const glm::dvec2& slope, double middle, double rounding, double slack) const;
+
+  View view_;
+  ClipSpace clip_;
+  glm::dmat3 rotation_;
+  double stretch_;  ///< of rays against the view axis, at most
+  double tiny_;     ///< distances below this one are not known to a share of 2⁻¹⁶
+};
+
+}  // namespace triptych
