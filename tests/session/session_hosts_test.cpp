@@ -9,7 +9,8 @@ namespace {
 class SessionHosts : public SceneFiles {
  protected:
   SessionHosts() {
-    // Options, then the host; what follows is joined by spaces and goes to a shell.
+    // Options, then the host; what follows is joined by spaces and goes to a shell beyond, out of a
+    // terminal's reach.
     const std::string ssh = folder.file("ssh");
     std::ofstream(ssh)
         << "#!/bin/sh\n"
@@ -19,7 +20,7 @@ class SessionHosts : public SceneFiles {
                folder.file("called") +
                "\"\n"
                "shift\n"
-               "exec sh -c \"$*\"\n";
+               "setsid -w sh -c \"$*\" 2>&1 | cat\n";
     std::filesystem::permissions(ssh, std::filesystem::perms::owner_all);
     ::setenv("PATH", (std::filesystem::path(ssh).parent_path().string() + ":" + path_before).c_str(), 1);
   }
@@ -50,9 +51,21 @@ TEST_F(SessionHosts, a_machine_that_cannot_be_reached_ends_the_session_with_what
   const std::string hosts = write_hosts_file(folder.file("hosts.toml"), {.second = "nowhere"});
   Program program(session({"--hosts", hosts}));
   EXPECT_EQ(program.wait(std::chrono::seconds(30)), 1) << program.errors();
-  EXPECT_NE(program.errors().find("no route to host nowhere"), std::string::npos) << program.errors();
   ASSERT_EQ(program.complaints().size(), 1u) << program.errors();
+  EXPECT_NE(program.complaints()[0].find("no route to host nowhere"), std::string::npos) << program.errors();
   EXPECT_NE(program.complaints()[0].find("switch 1"), std::string::npos) << program.errors();
+  EXPECT_FALSE(program.anybody_left());
+}
+
+TEST_F(SessionHosts, ctrl_c_lets_the_other_machines_say_what_they_had_done) {
+  const std::string hosts = write_hosts_file(folder.file("hosts.toml"));
+  Program program(session({"--hosts", hosts, "--loop", "100000", "-o", folder.file("pictures")}));
+  for (int tries = 0; tries < 6000 && !std::filesystem::exists(folder.file("pictures/000009.png")); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ::kill(-program.pid(), SIGINT);  // as a terminal does: to all that are on it
+  ASSERT_EQ(program.wait(std::chrono::seconds(30)), 0) << program.errors();
+  for (const char* role : {"switch node 0: ", "switch node 1: "})
+    EXPECT_NE(program.errors().find(role), std::string::npos) << program.errors();
   EXPECT_FALSE(program.anybody_left());
 }
 
