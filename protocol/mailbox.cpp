@@ -123,7 +123,11 @@ void Mailbox::send(Role peer, Channel channel, const Message& message) {
   // What the peer sent before it went, perhaps its Bye, may still be on its way from the kernel.
   context_.poll();
   if (waiting_from(peer)) {
-    queue_.push_back({peer, channel, Link::Broken{reason, false}, steady_milliseconds()});
+    // Told once, however much more is sent meanwhile.
+    const bool told = std::any_of(queue_.begin(), queue_.end(), [&](const Entry& entry) {
+      return entry.peer == peer && std::holds_alternative<Link::Broken>(entry.outcome);
+    });
+    if (!told) queue_.push_back({peer, channel, Link::Broken{reason, false}, steady_milliseconds()});
     return;
   }
   drop(peer);
