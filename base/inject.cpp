@@ -1,6 +1,8 @@
 #include "base/inject.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace triptych {
 
@@ -20,7 +22,7 @@ const std::vector<std::string>& fault_names() {
       "float-positions",   "fixed-units",       "euclidean-depth",
       "dropped-stretch",   "perspective-rule",  "dropped-singular-value",
       "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
-      "shared-shears"};
+      "shared-shears",     "slow-render-node",  "slow-switch-node"};
   return names;
 }
 
@@ -40,6 +42,10 @@ std::vector<std::string> injected_names() {
     if (injected(static_cast<Fault>(i))) active.push_back(fault_names()[i]);
   }
   return active;
+}
+
+void dawdle(Fault fault) {
+  if (injected(fault)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 void clear_injected() { active_faults() = 0; }

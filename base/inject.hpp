@@ -30,6 +30,8 @@ enum class Fault {
   shrinking_bounds,        ///< an HLOD's error leaves out its children's
   unflipped_mirror,        ///< mirrored placements keep their winding
   shared_shears,           ///< meshes are shared under transforms that floats cannot place exactly
+  slow_render_node,        ///< the render node dawdles with each packet and frame: no picture may change
+  slow_switch_node,        ///< switch node 1 does: no picture may change
 };
 
 /// Turns a fault on for this process. Returns false for a name that is no fault ("withheld-id" names
@@ -40,6 +42,8 @@ bool injected(Fault fault);
 const std::vector<std::string>& fault_names();
 /// The names that were injected, for child processes.
 std::vector<std::string> injected_names();
+/// Sleeps for 20 ms where the fault is one of slowness and was injected.
+void dawdle(Fault fault);
 /// Forgets every injected fault; for tests.
 void clear_injected();
 

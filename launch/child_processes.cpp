@@ -56,15 +56,24 @@ pid_t ChildProcesses::launch(const std::string& name, const char* program, std::
     if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
     ::dup2(pipe[1], STDERR_FILENO);
     if (output == Output::as_error) ::dup2(pipe[1], STDOUT_FILENO);
-    if (own_input) ::dup2(input[0], STDIN_FILENO);
+    if (own_input) {
+      ::dup2(input[0], STDIN_FILENO);
+      // A terminal's signals are for this program: who carries what the other machine says stays till it has.
+      for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_IGN);
+    }
     ::execv(program, pointers.data());
     ::_exit(127);
   }
   const int problem = errno;
   ::close(pipe[1]);
   if (own_input) ::close(input[0]);
-  children_.push_back(
-      {.name = name, .pid = pid, .errors = pipe[0], .input = input[1], .line = {}, .complaint = {}});
+  children_.push_back({.name = name,
+                       .pid = pid,
+                       .errors = pipe[0],
+                       .input = input[1],
+                       .by_line = own_input,
+                       .line = {},
+                       .complaint = {}});
   if (pid < 0) {
     children_.back().running = false;
     fail(name, "cannot be started: {}", std::strerror(problem));
@@ -96,6 +105,7 @@ void ChildProcesses::take_lines(Child& child, const char* characters, size_t cou
     } else if (line.starts_with(record_prefix)) {
       child.record = line.substr(record_prefix.size());
     } else {
+      if (child.by_line && !line.empty()) child.said_last = line;
       notice("{}", line);
     }
   }
@@ -170,8 +180,9 @@ std::string ChildProcesses::failure(const Child& child) {
     return fmt::format("was killed by signal {} ({})", WTERMSIG(child.status),
                        ::strsignal(WTERMSIG(child.status)));
   }
-  return child.complaint.empty() ? fmt::format("ended with exit code {}", WEXITSTATUS(child.status))
-                                 : child.complaint;
+  if (!child.complaint.empty()) return child.complaint;
+  const std::string code = fmt::format("ended with exit code {}", WEXITSTATUS(child.status));
+  return child.said_last.empty() ? code : fmt::format("{}; it said: {}", code, child.said_last);
 }
 
 void ChildProcesses::read_the_rest(const Child& child) {

@@ -62,8 +62,10 @@ class ChildProcesses {
     pid_t pid = -1;
     int errors = -1;  ///< read end of its standard error
     int input = -1;   ///< write end of its standard input, where it is ours
+    bool by_line = false;
     std::string line;
     std::string complaint, record{};
+    std::string said_last{};  ///< of a line of /bin/sh: what an ssh complains about has no mark
     Stopwatch alive{};
     bool running = true;
     bool told = false;  ///< its end, by wait_for_one()

@@ -51,9 +51,19 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
-void replace_all(std::string& text, const std::string& mark, const std::string& by) {
-  for (size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += by.size())
-    text.replace(at, mark.size(), by);
+using Marks = std::vector<std::pair<std::string, std::string>>;
+
+/// The template with each mark replaced, in one pass: what a name brings in is no mark.
+std::string fill_in(const std::string& text, const Marks& marks) {
+  std::string filled;
+  for (size_t at = 0; at < text.size();) {
+    const auto mark = std::find_if(marks.begin(), marks.end(), [&](const auto& candidate) {
+      return text.compare(at, candidate.first.size(), candidate.first) == 0;
+    });
+    filled += mark == marks.end() ? text.substr(at, 1) : mark->second;
+    at += mark == marks.end() ? 1 : mark->first.size();
+  }
+  return filled;
 }
 
 }  // namespace
@@ -97,11 +107,9 @@ Hosts read_hosts(const std::filesystem::path& path, const std::string& pack) {
 std::string launch_line(const Hosts& hosts, const Host& host, const std::vector<std::string>& arguments) {
   std::string command = shell_word(host.program);
   for (const std::string& argument : arguments) command += " " + shell_word(argument);
-  std::string line = hosts.launch;
-  replace_all(line, "{host}", shell_word(host.name));
-  replace_all(line, "{remote}", shell_word(command));
-  replace_all(line, "{command}", command);
-  return "exec " + line;
+  return "exec " + fill_in(hosts.launch, {{"{host}", shell_word(host.name)},
+                                          {"{remote}", shell_word(command)},
+                                          {"{command}", command}});
 }
 
 }  // namespace triptych

@@ -2,6 +2,7 @@
 
 #include "base/file.hpp"
 #include "base/hashing.hpp"
+#include "base/notice.hpp"
 #include "launch/command.hpp"
 #include "launch/pictures.hpp"
 #include "measure/json.hpp"
@@ -9,6 +10,7 @@
 #include "render/png_file.hpp"
 
 #include <fmt/core.h>
+#include <set>
 
 namespace triptych {
 
@@ -27,7 +29,10 @@ class Replayer {
   Replayer(const ReplayCommand& command, const Pack& pack)
       : command_(command), pack_(pack), renderer_(pack) {}
 
-  bool wants(uint32_t frame) const { return !command_.frame || *command_.frame == frame; }
+  /// A frame that a killed render node drew and its successor drew again is wanted once.
+  bool wants(uint32_t frame) const {
+    return (!command_.frame || *command_.frame == frame) && drawn_.count(frame) == 0;
+  }
   bool done() const { return command_.frame && !frames_.empty(); }
 
   void draw(const ReplayedFrame& frame) {
@@ -43,6 +48,7 @@ class Replayer {
     const uint64_t hash = hash_values(std::span<const uint8_t>(colors));
     write_png(command_.frame ? command_.output : command_.output / picture_name(frame.request.number),
               view.width, view.height, colors);
+    drawn_.insert(frame.request.number);
     frames_.push_back({{"number", frame.request.number},
                        {"pixel_error", frame.request.pixel_error},
                        {"visible", frame.visible.size()},
@@ -58,6 +64,7 @@ class Replayer {
   const Pack& pack_;
   Renderer renderer_;
   std::optional<PictureStage> picture_;
+  std::set<uint32_t> drawn_;
   nlohmann::json frames_ = nlohmann::json::array();
 };
 
@@ -73,7 +80,7 @@ std::string play(const ReplayCommand& command, const Pack& pack, RecordingReader
       }
     }
   } catch (const RecordingCut& cut) {
-    if (!command.partial) throw;
+    if (!command.partial) throw Error(cut.what(), "--partial shows what it holds");
     return cut.what();
   }
   return {};
@@ -100,13 +107,16 @@ int run(const ReplayCommand& command) {
   std::string cut;
   for (const std::filesystem::path& file : files) {
     RecordingReader reader(file);
-    cut = play(command, pack, reader, file, replayer);
-    if (!cut.empty()) fmt::print(stderr, "replay: {}\n", cut);
+    const std::string here = play(command, pack, reader, file, replayer);
+    if (!here.empty()) cut += (cut.empty() ? "" : "; ") + here;
   }
   if (replayer.frames().empty()) {
-    if (command.frame) fail(command.folder.string(), "frame {} is not in the recording", *command.frame);
-    fail(command.folder.string(), "there is no whole frame in the recording");
+    const std::string because = cut.empty() ? "" : ": " + cut;
+    if (!command.frame) fail(command.folder.string(), "there is no whole frame in the recording{}", because);
+    fail(command.folder.string(), "frame {} is not {}in the recording{}", *command.frame,
+         cut.empty() ? "" : "whole ", because);
   }
+  if (!cut.empty()) notice("replay: {}", cut);
   const nlohmann::json& last = replayer.frames().back();
   if (command.frame) {
     fmt::print("frame {}: {} drawables, {} triangles, picture {:016x}\n", *command.frame,

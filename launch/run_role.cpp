@@ -49,6 +49,7 @@ int run_switch(const RoleCommand& command) {
   };
   options.on_epoch_end = [&](const Mailbox& mailbox, const std::string& reason) {
     add_sockets(record.sockets, sockets_of(command.self, mailbox));
+    add_waiting(record.most_waiting, mailbox.most_waiting());
     if (!reason.empty()) notice("{}: {}; looks for both peers again", role_name(command.self), reason);
   };
   const SwitchNodeSummary done = run_switch_node(pack, command.self, options);
@@ -129,6 +130,7 @@ int run_render(const RoleCommand& command) {
         .on_picture = {}};
     options.on_epoch_end = [&](const Mailbox& mailbox, const std::string&) {
       add_sockets(role.sockets, sockets_of(Role::render, mailbox));
+      add_waiting(role.most_waiting, mailbox.most_waiting());
     };
     options.on_clocks = [&](const std::vector<PeerClock>& clocks) { role.clocks = clocks; };
     options.show = [&](const FrameRequest& frame, const FrameRecord& record, Fallback& stages) {

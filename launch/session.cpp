@@ -1,6 +1,7 @@
 #include "base/notice.hpp"
 #include "launch/session_run.hpp"
 #include "measure/json.hpp"
+#include "measure/session_faults.hpp"
 #include "measure/session_report.hpp"
 
 #include <algorithm>
@@ -26,6 +27,13 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
       std::all_of(outcome.records.begin(), outcome.records.end(), [&](const RoleRecord& role) {
         return role.gl.vendor.empty() || role.gl == outcome.records.front().gl;
       });
+  nlohmann::json restarted = nlohmann::json::array(), waiting = nlohmann::json::object();
+  for (const RestartedRole& role : outcome.restarted)
+    restarted.push_back({{"role", role.role}, {"pid", role.pid}, {"reason", role.reason}});
+  for (size_t i = 0; i < all_roles.size(); ++i) {
+    const Waiting& most = outcome.records.at(i).most_waiting;
+    waiting[role_name(all_roles[i])] = {{"messages", most.messages}, {"bytes", most.bytes}};
+  }
   nlohmann::json report = {
       {"frames", frames.size()},
       {"frame_ms", distribution_json(frames, [](const FrameRecord& r) { return r.frame_ms; })},
@@ -34,7 +42,10 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
       {"delta", delta_json(outcome.records)},
       {"digest_mismatches", mismatches},
       {"fallback_frames", fallback_frames},
-      {"restarts", outcome.restarts},
+      {"faults", faults_json(frames)},
+      {"restarts", outcome.restarted.size()},
+      {"restarted", restarted},
+      {"most_waiting", waiting},
       {"pictures_are", same_gl ? "identical" : "conservative"},
       {"roles", roles}};
   if (options.hash) {
@@ -44,7 +55,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
   }
   fmt::print("{} frames, median {:.1f} ms, {} by the render node alone, {} digest mismatches, {} restarts\n",
              frames.size(), report["frame_ms"]["p50"].get<double>(), fallback_frames, mismatches,
-             outcome.restarts);
+             outcome.restarted.size());
   write_json(json, report);
   return 0;
 }

@@ -26,11 +26,18 @@ struct SessionOptions {
   bool window = false;  ///< a person at the render node gives the cameras
 };
 
+/// A process that was killed and has a successor.
+struct RestartedRole {
+  std::string role;  ///< "switch 0"
+  pid_t pid = -1;
+  std::string reason;
+};
+
 struct SessionOutcome {
   std::vector<std::pair<std::string, pid_t>> roles;  ///< "render", "switch 0", "switch 1"
   std::vector<RoleRecord> records;                   ///< render node, switch node 0, switch node 1
-  size_t restarts = 0;                               ///< roles that were killed and started again
-  bool stopped = false;                              ///< by a signal, in good order
+  std::vector<RestartedRole> restarted;
+  bool stopped = false;  ///< by a signal, in good order
 };
 
 /// --loop, --rate, --port, --batch, --timeout, --restarts, --hosts, --key-file, --insecure, --record,

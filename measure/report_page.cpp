@@ -193,8 +193,12 @@ std::string report_page(const Report& report) {
                   "Smaller packets let receivers begin earlier and cost more bytes (§6.1–6.2 of the paper).",
                   batch_table(report), entries_with(report, "batches"));
   body += section(report, "From camera to image", latency_note(report), latency_table(report), {"walk"});
-  body += section(report, "Faults seen and mended", "", faults_table(report),
-                  entries_with(report, "fallback_frames"));
+  const HtmlTable mended = mended_table(report);
+  body +=
+      section(report, "Faults seen and mended",
+              "What a session lost, and when it was whole again; its pictures are the right ones meanwhile.",
+              faults_table(report), entries_with(report, "fallback_frames"),
+              mended.rows.empty() ? "" : to_html(mended));
   body += section(report, "Stages", stages_note(report), stages_table(report), {"walk"});
   return html_page(report.title, body + command_list(report));
 }

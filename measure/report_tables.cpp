@@ -206,6 +206,26 @@ HtmlTable faults_table(const Report& report) {
   return table;
 }
 
+HtmlTable mended_table(const Report& report) {
+  HtmlTable table{{"session", "what was seen", "at frame", "seconds into the session",
+                   "frames by the render node alone", "for, ms", "all three again at frame"},
+                  {}};
+  for (const ReportEntry& entry : report.entries) {
+    for (size_t i = 0; i < rows_at(entry, "/faults"); ++i) {
+      const std::string at = "/faults/" + std::to_string(i);
+      const bool back = !entry.figures.at(nlohmann::json::json_pointer(at))
+                             .value("back_at_frame", nlohmann::json())
+                             .is_null();
+      table.rows.push_back({escape_html(entry.name), escape_html(entry.text(at + "/reason")),
+                            grouped(entry.figure(at + "/frame")), grouped(entry.figure(at + "/second"), 2),
+                            grouped(entry.figure(at + "/frames_alone")),
+                            grouped(entry.figure(at + "/alone_ms")),
+                            back ? grouped(entry.figure(at + "/back_at_frame")) : "–"});
+    }
+  }
+  return table;
+}
+
 HtmlTable stages_table(const Report& report) {
   HtmlTable table{{"", "mean", "p50", "p95", "p99", "max"}, {}};
   if (const ReportEntry* const walk = report.find("walk")) {

@@ -20,6 +20,8 @@ HtmlTable latency_table(const Report& report);
 HtmlTable batch_table(const Report& report);
 /// What went wrong in sessions, and that it was mended.
 HtmlTable faults_table(const Report& report);
+/// Each stretch of frames that a render node drew by itself: why, from when, till when.
+HtmlTable mended_table(const Report& report);
 HtmlTable stages_table(const Report& report);
 
 }  // namespace triptych

@@ -15,10 +15,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_repr
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
                                    latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,
                                    cut_drawables, drawn_triangles, tests, added, removed, level_changes,
-                                   visible_count, digest_mismatch, fallback, visible, picture_hash)
+                                   visible_count, digest_mismatch, fallback, lost, visible, picture_hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GlNames, vendor, renderer, version)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Waiting, messages, bytes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerClock, peer, ahead_ms, uncertainty_ms)
 
 std::string socket_name(Role from, Role to, Channel channel) {
@@ -73,6 +74,11 @@ void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>
   }
 }
 
+void add_waiting(Waiting& most, const Waiting& more) {
+  most.messages = std::max(most.messages, more.messages);
+  most.bytes = std::max(most.bytes, more.bytes);
+}
+
 json to_json(const FrameRecord& record) { return json(record); }
 
 FrameRecord frame_record_from_json(const json& document, const std::string& place) {
@@ -86,8 +92,25 @@ FrameRecord frame_record_from_json(const json& document, const std::string& plac
 json clocks_json(const RoleRecord& record) { return record.clocks; }
 
 json to_json(const RoleRecord& record) {
-  return {{"sockets", record.sockets}, {"frames", record.frames},     {"gl", record.gl},
-          {"raster", record.raster},   {"timeline", record.timeline}, {"clocks", record.clocks}};
+  return {{"sockets", record.sockets},
+          {"frames", record.frames},
+          {"gl", record.gl},
+          {"raster", record.raster},
+          {"timeline", record.timeline},
+          {"clocks", record.clocks},
+          {"most_waiting", record.most_waiting}};
+}
+
+void add_record(RoleRecord& sum, const RoleRecord& record) {
+  add_sockets(sum.sockets, record.sockets);
+  add_waiting(sum.most_waiting, record.most_waiting);
+  sum.gl = record.gl;
+  sum.raster = record.raster;
+  sum.timeline.process = record.timeline.process;
+  sum.timeline.spans.insert(sum.timeline.spans.end(), record.timeline.spans.begin(),
+                            record.timeline.spans.end());
+  sum.timeline.lost += record.timeline.lost;
+  if (!record.clocks.empty()) sum.clocks = record.clocks;
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
@@ -97,7 +120,8 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
             document.at("gl").get<GlNames>(),
             document.at("raster").get<std::string>(),
             document.at("timeline").get<ProcessTimeline>(),
-            document.at("clocks").get<std::vector<PeerClock>>()};
+            document.at("clocks").get<std::vector<PeerClock>>(),
+            document.at("most_waiting").get<Waiting>()};
   } catch (const json::exception& error) {
     fail(place, "is no role's record: {}", error.what());
   }

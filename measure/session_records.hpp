@@ -44,6 +44,7 @@ struct RoleRecord {
   std::string raster;  ///< verdict of the role's raster certificate
   ProcessTimeline timeline;
   std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own
+  Waiting most_waiting{};         ///< the most that had come to it and was not used yet
 };
 
 /// What this process kept so far.
@@ -54,6 +55,9 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);
 /// Adds figures of later connections to those of the same names.
 void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>& more);
 
+/// The larger of both, of messages and of bytes.
+void add_waiting(Waiting& most, const Waiting& more);
+
 nlohmann::json to_json(const FrameRecord& record);
 /// Error (place) for JSON that is no frame's record.
 FrameRecord frame_record_from_json(const nlohmann::json& json, const std::string& place);
@@ -62,6 +66,8 @@ FrameRecord frame_record_from_json(const nlohmann::json& json, const std::string
 nlohmann::json clocks_json(const RoleRecord& record);
 
 nlohmann::json to_json(const RoleRecord& record);
+/// Adds what a later process of the same role recorded; its frames excepted.
+void add_record(RoleRecord& sum, const RoleRecord& record);
 /// Error (place) for JSON that is no role's record.
 RoleRecord role_record_from_json(const nlohmann::json& json, const std::string& place);
 

@@ -2,6 +2,7 @@
 
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
+#include "measure/session_faults.hpp"
 #include "measure/session_traffic.hpp"
 
 #include <algorithm>
@@ -167,6 +168,7 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
       {"missing_drawables", measurement.session.missing_drawables},
       {"digest_mismatches", mismatches},
       {"fallback_frames", fallback_frames},
+      {"faults", faults_json(frames)},
       {"predicted_fps_three_machines", predicted_fps(measurement.one_process)},
       {"one_process",
        {{"frame_ms", distribution_json(measurement.one_process, [](const auto& r) { return r.frame_ms; })},

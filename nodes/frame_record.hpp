@@ -4,6 +4,7 @@
 #include "visibility/visible_set.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace triptych {
 
@@ -28,6 +29,7 @@ struct FrameRecord {
   uint64_t visible_count = 0;  ///< drawables of V(i)
   bool digest_mismatch = false;
   bool fallback = false;      ///< drawn by the render node alone
+  std::string lost{};         ///< why it was from this frame on
   VisibleSet visible{};       ///< V(i), where it is kept
   uint64_t picture_hash = 0;  ///< XXH3-64 of the picture's RGBA bytes, where it was read back
 };

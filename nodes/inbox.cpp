@@ -14,9 +14,6 @@ namespace {
 volatile std::sig_atomic_t stop_signal = 0;
 void note_signal(int signal) { stop_signal = signal; }
 
-/// No role keeps more: at most two frames are in flight.
-constexpr size_t most_kept = 4096;
-
 }  // namespace
 
 bool stop_requested() {
@@ -59,15 +56,33 @@ void Inbox::receive(Role from) {
     if (bye->reason.empty()) throw SessionEnded();
     throw PeerLost(received->peer, "left: " + bye->reason);
   } else {
-    if (kept_.size() == most_kept) throw PeerLost(received->peer, "sends messages that nobody waits for");
-    kept_.push_back(std::move(received->message));
+    keep(std::move(*received));
   }
+}
+
+void Inbox::keep(Received received) {
+  const Role peer = received.peer;
+  ++kept_size_.messages;
+  kept_size_.bytes += received.bytes;
+  mailbox_.note_kept(kept_size_);
+  kept_.push_back(std::move(received));
+  if (kept_size_.messages > inbox_limit.messages || kept_size_.bytes > inbox_limit.bytes)
+    throw PeerLost(peer, "sends messages that nobody waits for");
+}
+
+void Inbox::release(const Received& received) {
+  --kept_size_.messages;
+  kept_size_.bytes -= received.bytes;
+  mailbox_.note_kept(kept_size_);
 }
 
 Message Inbox::wait(Role from, const std::function<bool(const Message&)>& wanted) {
   for (;;) {
-    if (const auto found = std::find_if(kept_.begin(), kept_.end(), wanted); found != kept_.end()) {
-      Message message = std::move(*found);
+    const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                    [&](const Received& received) { return wanted(received.message); });
+    if (found != kept_.end()) {
+      release(*found);
+      Message message = std::move(found->message);
       kept_.erase(found);
       return message;
     }
@@ -133,10 +148,11 @@ double Inbox::ahead_ms(Role peer) const {
 
 std::optional<SwitchReport> Inbox::report(uint32_t frame) {
   std::optional<SwitchReport> found;
-  std::erase_if(kept_, [&](const Message& message) {
-    const auto* report = std::get_if<SwitchReport>(&message);
+  std::erase_if(kept_, [&](const Received& received) {
+    const auto* report = std::get_if<SwitchReport>(&received.message);
     if (!report || report->frame > frame) return false;
     if (report->frame == frame) found = *report;
+    release(received);
     return true;
   });
   return found;

@@ -22,9 +22,13 @@ struct PeerClock {
   double uncertainty_ms = 0;  ///< half of the shortest round trip: the truth lies within ± so much
 };
 
+/// An inbox keeps no more: at most two frames are in flight.
+constexpr Waiting inbox_limit{4096, mailbox_limit.bytes};
+
 /// Waits for one kind of message at a time and keeps the others in order. Requests for a full set are
 /// answered whenever they come. Throws SessionEnded at the end, and PeerLost for a peer that is gone, leaves
-/// alone, sends what nobody waits for without end, or keeps this role waiting beyond the time limit.
+/// alone, sends what nobody waits for without end (inbox_limit), or keeps this role waiting beyond the time
+/// limit.
 class Inbox {
  public:
   explicit Inbox(Mailbox& mailbox) : mailbox_(mailbox) {}
@@ -59,9 +63,13 @@ class Inbox {
   /// Takes the first message that `wanted` accepts, which `from` owes; waits for it.
   Message wait(Role from, const std::function<bool(const Message&)>& wanted);
   void receive(Role from);
+  void keep(Received received);
+  /// A kept message is used or dropped.
+  void release(const Received& received);
 
   Mailbox& mailbox_;
-  std::deque<Message> kept_;
+  std::deque<Received> kept_;
+  Waiting kept_size_;
   std::map<Role, double> ahead_ms_;
   std::optional<std::chrono::milliseconds> limit_;
   std::chrono::steady_clock::time_point deadline_;

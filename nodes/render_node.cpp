@@ -1,6 +1,7 @@
 #include "nodes/render_node.hpp"
 
 #include "base/clock.hpp"
+#include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "base/timeline.hpp"
 #include "nodes/fallback.hpp"
@@ -38,7 +39,11 @@ class RenderNode {
 
   void run() {
     first_ = frames_.frame(frames_.first);
-    if (!options_.begin_alone) peers_.wait(*first_);
+    if (options_.begin_alone) {
+      lost_ = "the render node before this one ended";
+    } else {
+      peers_.wait(*first_);
+    }
     clock_.restart();
     while (next_release_ < frames_.count || !released_.empty()) {
       if (stop_requested()) throw SessionEnded();
@@ -104,6 +109,7 @@ class RenderNode {
 
   void lose(uint32_t frame, const std::string& reason, bool too_late) {
     notice("render node: frame {}: {}; goes on alone", frame, reason);
+    if (lost_.empty()) lost_ = reason;
     peers_.lose(reason, too_late);
   }
 
@@ -111,6 +117,7 @@ class RenderNode {
     const VisibleSet before = visible_;
     FrameRecord record = play(frame);
     record.number = frame.request.number;
+    record.lost = std::exchange(lost_, {});
     record.frame_ms = done_ms_ - (summary_.frames == 0 ? frame.at_ms : last_done_ms_);
     record.camera_to_image_ms = done_ms_ - frame.at_ms;
     last_done_ms_ = done_ms_;
@@ -160,6 +167,7 @@ class RenderNode {
     double drawing_ms = 0;
     const auto draw_more = [&](const std::vector<DrawableId>& drawables) {
       const Stopwatch stopwatch;
+      dawdle(Fault::slow_render_node);
       picture.draw(drawables);
       drawing_ms += stopwatch.milliseconds();
     };
@@ -175,6 +183,7 @@ class RenderNode {
       draw_more(ordered);
     }
     const Stopwatch finishing;
+    dawdle(Fault::slow_render_node);
     picture.finish();
     done_ms_ = clock_.milliseconds();
     FrameRecord record;
@@ -225,6 +234,7 @@ class RenderNode {
   std::deque<Released> released_;      ///< cameras that are out, their pictures not yet
   std::optional<FrameRequest> first_;  ///< until it is released
   double done_ms_ = 0, last_done_ms_ = 0;
+  std::string lost_;  ///< what the next record tells of the epoch's end
   VisibleSet visible_;
   RenderNodeSummary summary_;
 };

@@ -75,6 +75,10 @@ class Epoch {
     inbox_.mailbox().send(Role::render, Channel::nodes, Ready{camera_.frame});
   }
 
+  void be_slow() const {
+    if (shop_.self == Role::switch_1) dawdle(Fault::slow_switch_node);
+  }
+
   /// HC in frame i: R(i) stands, V(i−1) is known.
   void cull(uint32_t frame) {
     const Stopwatch stopwatch;
@@ -84,6 +88,7 @@ class Epoch {
       sentinel.removed += static_cast<uint32_t>(packet.delta.removed.size());
       if (injected(Fault::wrong_delta) && !packet.delta.added.empty()) packet.delta.added.pop_back();
       const DeltaMessage message{frame, packet.watermark, encode_delta(packet.delta, visible_)};
+      be_slow();
       inbox_.mailbox().send(peer_, Channel::nodes, message);
       inbox_.mailbox().send(Role::render, Channel::nodes, message);
     });
@@ -111,9 +116,12 @@ class Epoch {
     const double began_at_ms = steady_milliseconds();
     const Stopwatch whole;
     begin(camera_);
-    IntakeResult intake =
-        take_frame(inbox_, shop_.pack.skeleton(), shop_.pack.content_hash(), current, visible_,
-                   [&](const std::vector<DrawableId>& decided) { shop_.stage->represent(decided); });
+    IntakeResult intake = take_frame(inbox_, shop_.pack.skeleton(), shop_.pack.content_hash(), current,
+                                     visible_, [&](const std::vector<DrawableId>& decided) {
+                                       be_slow();
+                                       shop_.stage->represent(decided);
+                                     });
+    be_slow();
     if (intake.digest_mismatch) {
       begin(camera_);
       shop_.stage->represent(intake.visible);

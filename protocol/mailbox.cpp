@@ -13,9 +13,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A role that does not keep up lets its peers wait rather than its memory grow.
-constexpr size_t queue_limit = size_t{2} * body_limit;
-
 void flip_a_byte_of_the_body(std::vector<std::byte>& bytes) {
   if (bytes.size() > header_bytes) bytes[(header_bytes + bytes.size()) / 2] ^= std::byte{0x10};
 }
@@ -56,15 +53,40 @@ void Mailbox::read_next(Key key) {
   links_.at(key)->read(body_limit, [this, key](Link::Outcome outcome) {
     const auto* arrived = std::get_if<Link::Arrived>(&outcome);
     const bool more = arrived != nullptr && !std::holds_alternative<Bye>(arrived->message);
-    if (arrived != nullptr) queued_bytes_ += arrived->body_bytes;
+    if (arrived != nullptr) {
+      ++queued_.messages;
+      queued_.bytes += header_bytes + arrived->body_bytes;
+      note_most();
+    }
     queue_.push_back({key.first, key.second, std::move(outcome), steady_milliseconds()});
     if (!more) return;
-    if (queued_bytes_ < queue_limit) {
-      read_next(key);
-    } else {
+    if (is_full()) {
       paused_.insert(key);
+    } else {
+      read_next(key);
     }
   });
+}
+
+bool Mailbox::is_full() const {
+  return queued_.messages >= mailbox_limit.messages || queued_.bytes >= mailbox_limit.bytes;
+}
+
+void Mailbox::uncount(const Entry& entry) {
+  const auto* arrived = std::get_if<Link::Arrived>(&entry.outcome);
+  if (arrived == nullptr) return;
+  --queued_.messages;
+  queued_.bytes -= header_bytes + arrived->body_bytes;
+}
+
+void Mailbox::note_most() {
+  most_waiting_.messages = std::max(most_waiting_.messages, queued_.messages + kept_.messages);
+  most_waiting_.bytes = std::max(most_waiting_.bytes, queued_.bytes + kept_.bytes);
+}
+
+void Mailbox::note_kept(Waiting kept) {
+  kept_ = kept;
+  note_most();
 }
 
 bool Mailbox::waiting_from(Role peer) const {
@@ -101,7 +123,11 @@ void Mailbox::send(Role peer, Channel channel, const Message& message) {
   // What the peer sent before it went, perhaps its Bye, may still be on its way from the kernel.
   context_.poll();
   if (waiting_from(peer)) {
-    queue_.push_back({peer, channel, Link::Broken{reason, false}, steady_milliseconds()});
+    // Told once, however much more is sent meanwhile.
+    const bool told = std::any_of(queue_.begin(), queue_.end(), [&](const Entry& entry) {
+      return entry.peer == peer && std::holds_alternative<Link::Broken>(entry.outcome);
+    });
+    if (!told) queue_.push_back({peer, channel, Link::Broken{reason, false}, steady_milliseconds()});
     return;
   }
   drop(peer);
@@ -138,14 +164,15 @@ std::optional<Received> Mailbox::take_first() {
       drop(entry.peer);
       throw PeerLost(entry.peer, std::get<Link::Broken>(entry.outcome).reason);
     }
-    if (!left_.insert(entry.peer).second) return std::nullopt;
   }
-  queued_bytes_ -= arrived->body_bytes;
-  if (queued_bytes_ < queue_limit) {
+  const size_t bytes = header_bytes + arrived->body_bytes;
+  uncount(entry);
+  if (ends(entry) && !left_.insert(entry.peer).second) return std::nullopt;
+  if (!is_full()) {
     for (const Key& key : std::exchange(paused_, {})) read_next(key);
   }
   if (observe) observe({entry.came_ms, false, entry.peer, entry.channel, arrived->message});
-  return Received{entry.peer, entry.channel, std::move(arrived->message)};
+  return Received{entry.peer, entry.channel, std::move(arrived->message), bytes};
 }
 
 bool Mailbox::forget_if_broken(Role peer, Channel channel) {
@@ -156,7 +183,11 @@ bool Mailbox::forget_if_broken(Role peer, Channel channel) {
   if (!broken) return false;
   links_.at({peer, channel})->close();
   links_.erase({peer, channel});
-  std::erase_if(queue_, of_link);
+  std::erase_if(queue_, [&](const Entry& entry) {
+    if (!of_link(entry)) return false;
+    uncount(entry);
+    return true;
+  });
   return true;
 }
 

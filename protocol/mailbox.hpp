@@ -33,7 +33,16 @@ struct Received {
   Role peer;
   Channel channel;
   Message message;
+  size_t bytes = 0;  ///< of it, on the wire
 };
+
+/// What has arrived and is not used yet.
+struct Waiting {
+  uint64_t messages = 0, bytes = 0;
+};
+
+/// A mailbox that holds so much reads no more from its sockets: whoever sends then waits.
+constexpr Waiting mailbox_limit{16'384, uint64_t{2} * body_limit};
 
 /// Reads all sockets in the background of receive() and send(); for one thread. Every message that arrived
 /// before a peer was lost is handed out before the loss is.
@@ -78,6 +87,10 @@ class Mailbox {
   /// Says Bye to every peer and closes all links; peers that are gone already are passed over.
   void leave(const std::string& reason);
 
+  /// The most that was there at one time: here, and kept by whoever receives, who says so.
+  Waiting most_waiting() const { return most_waiting_; }
+  void note_kept(Waiting kept);
+
   /// All zero for a link that never was.
   LinkFigures figures(Role peer, Channel channel) const;
   TcpFigures kernel_figures(Role peer, Channel channel) const;
@@ -101,6 +114,9 @@ class Mailbox {
   static bool ends(const Entry& entry);
   bool waiting_from(Role peer) const;
   std::optional<Received> take_first();
+  bool is_full() const;
+  void uncount(const Entry& entry);
+  void note_most();
   void drop(Role peer);
 
   asio::io_context context_;
@@ -110,7 +126,7 @@ class Mailbox {
   std::map<Role, Hello> hellos_;
   std::set<Role> left_;  ///< said Bye, or was reported as lost
   std::deque<Entry> queue_;
-  size_t queued_bytes_ = 0;
+  Waiting queued_, kept_, most_waiting_;
   std::set<Key> paused_;  ///< links that are not read until the queue is shorter
   std::chrono::milliseconds send_timeout_{10'000};
   uint64_t nodes_messages_ = 0;

@@ -73,8 +73,8 @@ std::string answer_of(const std::string& line) {
 }
 
 TEST_F(HostsFile, words_reach_the_program_whole_through_one_shell_and_through_two) {
-  const std::vector<std::string> words = {"%s|", "two words", "it's", "$HOME;`ls`", ""};
-  const std::string expected = "two words|it's|$HOME;`ls`||";
+  const std::vector<std::string> words = {"%s|", "two words", "it's", "$HOME;`ls`", "", "a {command}"};
+  const std::string expected = "two words|it's|$HOME;`ls`||a {command}|";
   for (const std::string launch : {"env HOST={host} {command}", "env HOST={host} sh -c {remote}"}) {
     Hosts hosts = read("launch = \"" + launch + "\"\nprogram = \"printf\"\n" + roles);
     EXPECT_EQ(answer_of(launch_line(hosts, hosts.switch_nodes[0], words)), expected) << launch;

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "measure/goals.hpp"
+#include "measure/html.hpp"
 #include "measure/report_page.hpp"
 
 #include <gtest/gtest.h>
@@ -194,6 +195,28 @@ TEST_F(ReportFiles, the_page_shows_traffic_by_socket_and_latency_by_stage) {
   EXPECT_TRUE(holds(page, "1.25&nbsp;% of it"));  // half a millisecond of 40 is left over
   EXPECT_TRUE(holds(page, "<td>77</td>") || holds(page, ">77<"));
   EXPECT_TRUE(holds(page, "Faults seen and mended"));
+}
+
+TEST_F(ReportFiles, the_page_tells_each_fault_and_when_it_was_mended) {
+  EXPECT_FALSE(holds(report_page(load()), "all three again")) << "nothing went wrong";
+  json walk = walk_figures();
+  walk["faults"] = {{{"frame", 1234},
+                     {"second", 5.678},
+                     {"reason", "switch node 1 lost: <closed>"},
+                     {"frames_alone", 56},
+                     {"alone_ms", 789.1},
+                     {"back_at_frame", 1290}},
+                    {{"frame", 2345},
+                     {"second", 6},
+                     {"reason", "too late"},
+                     {"frames_alone", 1},
+                     {"alone_ms", 2},
+                     {"back_at_frame", nullptr}}};
+  change("walk", walk);
+  const std::string page = report_page(load());
+  for (const char* part : {"switch node 1 lost: &lt;closed&gt;", grouped(1234).c_str(), "5.68", ">56<",
+                           ">789<", grouped(1290).c_str(), "too late", grouped(2345).c_str()})
+    EXPECT_TRUE(holds(page, part)) << part;
 }
 
 TEST_F(ReportFiles, targets_follow_the_figures_of_their_runs) {

@@ -1,6 +1,7 @@
 #include "measure/session_report.hpp"
 
 #include "measure/frame_series.hpp"
+#include "measure/session_faults.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,30 @@ TEST(SessionReport, bytes_an_id_count_what_every_role_sent) {
 TEST(SessionReport, the_formula_is_the_papers) {
   // 8nf + nhf/b + 216f + 3hf bytes, n = 4000, f = 30, h = 50, b = 100: the 8.3 Mbit/s that the paper names.
   EXPECT_NEAR(formula_bits_per_second(4000, 30) / 1e6, 8.25, 0.01);
+}
+
+TEST(SessionReport, faults_say_what_went_when_and_when_it_was_back) {
+  std::vector<FrameRecord> frames(10);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    frames[i].number = static_cast<uint32_t>(100 + i);
+    frames[i].frame_ms = 500;
+    frames[i].fallback = (i >= 2 && i < 5) || i >= 8;
+  }
+  EXPECT_TRUE(faults_json({}).empty());
+  frames[2].lost = "switch node 1 lost";
+  frames[4].lost = "and again";
+  frames[8].lost = "too late";
+  const nlohmann::json faults = faults_json(frames);
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0], (nlohmann::json{{"frame", 102},
+                                       {"second", 1.0},
+                                       {"reason", "switch node 1 lost; and again"},
+                                       {"frames_alone", 3},
+                                       {"alone_ms", 1500.0},
+                                       {"back_at_frame", 105}}));
+  EXPECT_EQ(faults[1]["reason"], "too late");
+  EXPECT_EQ(faults[1]["frames_alone"], 2);
+  EXPECT_TRUE(faults[1]["back_at_frame"].is_null());
 }
 
 TEST(SessionReport, a_series_has_one_value_a_frame) {

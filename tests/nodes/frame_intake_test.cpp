@@ -8,6 +8,7 @@
 
 #include <asio/connect.hpp>
 #include <gtest/gtest.h>
+#include <thread>
 
 namespace triptych {
 namespace {
@@ -143,6 +144,36 @@ TEST_F(FrameIntake, ends_in_an_error_where_the_switch_node_leaves_in_trouble) {
 TEST_F(FrameIntake, ends_without_an_error_where_the_switch_node_just_leaves) {
   switch_0.leave("");
   EXPECT_THROW(take(), SessionEnded);
+}
+
+TEST_F(FrameIntake, a_peer_that_sends_without_end_what_nobody_waits_for_is_lost) {
+  // Reports of frames to come, until the inbox is full.
+  for (uint32_t i = 0; i <= inbox_limit.messages; ++i) {
+    SwitchReport report;
+    report.frame = i;
+    send(report);
+  }
+  try {
+    take();
+    FAIL() << "nothing was said";
+  } catch (const PeerLost& lost) {
+    EXPECT_EQ(lost.peer, Role::switch_0);
+    EXPECT_NE(std::string(lost.what()).find("nobody waits"), std::string::npos) << lost.what();
+  }
+  EXPECT_LE(render.most_waiting().messages, inbox_limit.messages + mailbox_limit.messages);
+}
+
+TEST_F(FrameIntake, what_nobody_waits_for_is_kept_up_to_a_size) {
+  std::thread sender([&] {
+    try {
+      for (uint32_t i = 1; i <= 6; ++i)
+        send(DeltaMessage{i, everything_decided, std::vector<std::byte>(size_t{60} << 20)});
+    } catch (const PeerLost&) {
+    }
+  });
+  EXPECT_THROW(take(), PeerLost);
+  render.leave("");
+  sender.join();
 }
 
 }  // namespace

@@ -175,6 +175,57 @@ TEST_F(MailboxPair, a_peer_that_takes_nothing_is_lost_after_the_send_timeout) {
   }
 }
 
+/// Sends until the peer takes no more.
+void flood(Mailbox& mailbox, const Message& message) {
+  try {
+    while (!mailbox.first_end()) mailbox.send(Role::render, Channel::nodes, message);
+  } catch (const PeerLost&) {
+  }
+}
+
+/// Receives without taking anything, as a role does that waits to send, until the mailbox is full; and
+/// longer.
+void receive_till_full(Mailbox& mailbox) {
+  const auto full = [&] {
+    const Waiting most = mailbox.most_waiting();
+    return most.messages >= mailbox_limit.messages || most.bytes >= mailbox_limit.bytes;
+  };
+  for (int tries = 0; tries < 400 && !full(); ++tries) mailbox.context().run_for(50ms);
+  EXPECT_TRUE(full()) << "nothing was flooded";
+  mailbox.context().run_for(300ms);
+}
+
+TEST_F(MailboxPair, a_flood_of_empty_messages_waits_with_its_sender) {
+  std::thread sender([&] { flood(*switch_0, FullSetRequest{1}); });
+  receive_till_full(render);
+  EXPECT_EQ(render.most_waiting().messages, mailbox_limit.messages);
+  EXPECT_EQ(render.most_waiting().bytes, mailbox_limit.messages * header_bytes);
+  // It goes on where there is room again.
+  for (uint64_t taken = 0; taken < mailbox_limit.messages + 10; ++taken) next();
+  render.leave("");
+  sender.join();
+}
+
+TEST_F(MailboxPair, a_flood_of_large_messages_waits_with_its_sender) {
+  const DeltaMessage large{1, {5, 5}, std::vector<std::byte>(size_t{30} << 20)};
+  const size_t size = encode(large).size();
+  std::thread sender([&] { flood(*switch_0, large); });
+  receive_till_full(render);
+  EXPECT_LE(render.most_waiting().bytes, mailbox_limit.bytes + size)
+      << "the message that passes the limit is the last";
+  next();
+  render.leave("");
+  sender.join();
+}
+
+TEST_F(MailboxPair, what_a_receiver_keeps_counts_as_waiting) {
+  render.note_kept({3, 500});
+  switch_0->send(Role::render, Channel::nodes, FullSetRequest{1});
+  next();
+  EXPECT_EQ(render.most_waiting().messages, 4u);
+  EXPECT_EQ(render.most_waiting().bytes, 500 + header_bytes);
+}
+
 TEST_F(MailboxPair, a_flipped_byte_on_the_way_is_noticed) {
   inject("flipped-byte");
   for (int i = 0; i < 50; ++i) {

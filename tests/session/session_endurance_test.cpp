@@ -140,5 +140,53 @@ TEST_F(SessionEndurance, memory_stays_flat_while_roles_are_slow) {
   EXPECT_EQ(json_of(json)["digest_mismatches"], 0);
 }
 
+/// A session with a slow role, whose sets change much and go out in small packets.
+class SlowRole : public SessionEndurance, public testing::WithParamInterface<const char*> {};
+
+TEST_P(SlowRole, makes_no_queue_longer_and_changes_no_picture) {
+  run(session({"--hash", "--json", json, "--timeout", "60000"}));
+  const nlohmann::json right = json_of(json)["pictures"];
+  const auto play = [&](int loop) {
+    Program program(session({"--hash", "--json", json, "--timeout", "60000", "--batch", "1", "--loop",
+                             std::to_string(loop), "--inject", GetParam()}));
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    const nlohmann::json report = json_of(json);
+    EXPECT_EQ(report["fallback_frames"], 0);
+    EXPECT_EQ(report["pictures"].size(), static_cast<size_t>(loop) * frame_count);
+    for (size_t i = 0; i < report["pictures"].size(); ++i)
+      EXPECT_EQ(report["pictures"][i], right[i % frame_count]) << "frame " << i;
+    return report["most_waiting"];
+  };
+  // What two frames of this path can bring, at most: 60 messages, 8 kB. Four times as long, no more of it.
+  for (const int loop : {1, 4}) {
+    const nlohmann::json most = play(loop);
+    for (const char* role : {"render node", "switch node 0", "switch node 1"}) {
+      EXPECT_GT(most[role]["messages"].get<size_t>(), 0u) << most;
+      EXPECT_LE(most[role]["messages"].get<size_t>(), 60u) << role << most;
+      EXPECT_LE(most[role]["bytes"].get<size_t>(), 8'000u) << role << most;
+    }
+    if (std::getenv("TRIPTYCH_SOAK"))
+      std::printf("%s, %d times: %s\n", GetParam(), loop, most.dump().c_str());
+  }
+}
+
+TEST_P(SlowRole, lets_the_memory_of_the_fast_ones_be_flat) {
+  Program program(
+      session({"--loop", "1000000", "--timeout", "60000", "--batch", "1", "--inject", GetParam()}));
+  const std::vector<std::string> names = {"render", "switch 0", "switch 1"};
+  for (const std::string& name : names) ASSERT_GT(program.role(name), 0);
+  wait(std::chrono::milliseconds(4000));
+  std::map<std::string, size_t> before;
+  for (const std::string& name : names) before[name] = resident_bytes(program.role(name));
+  wait(std::chrono::milliseconds(8000));
+  for (const std::string& name : names)
+    EXPECT_LT(resident_bytes(program.role(name)), before[name] + (4 << 20))
+        << name << " grew from " << before[name];
+  program.signal(SIGTERM);
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SlowRole, testing::Values("slow-render-node", "slow-switch-node"));
+
 }  // namespace
 }  // namespace triptych::test

@@ -57,7 +57,16 @@ TEST_F(SessionRecovery, a_killed_switch_node_is_replaced) {
     wait_until_under_way(program);
     ::kill(program.role(role), SIGKILL);
     expect_recovery(program);
-    EXPECT_EQ(json_of(json)["restarts"], 1);
+    const nlohmann::json report = json_of(json);
+    EXPECT_EQ(report["restarts"], 1);
+    EXPECT_EQ(report["restarted"][0]["role"], role);
+    EXPECT_NE(report["restarted"][0]["reason"].get<std::string>().find("Killed"), std::string::npos);
+    size_t alone = 0;
+    for (const auto& fault : report["faults"]) alone += fault["frames_alone"].get<size_t>();
+    EXPECT_EQ(alone, report["fallback_frames"]);
+    const nlohmann::json& fault = report["faults"].front();
+    EXPECT_NE(fault["reason"].get<std::string>().find("switch node"), std::string::npos) << fault;
+    EXPECT_GT(fault["back_at_frame"].get<size_t>(), fault["frame"].get<size_t>());
   }
 }
 

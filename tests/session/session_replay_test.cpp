@@ -14,6 +14,14 @@ class SessionReplay : public SceneFiles {
   void record(std::vector<std::string> more = {}) const {
     run(with(session({"--record", recording, "-o", pictures}), std::move(more)));
   }
+  /// In the middle of its frames.
+  void kill_the_render_node(const Program& program) const {
+    const pid_t victim = program.role("render");
+    for (int tries = 0; tries < 6000 && !std::filesystem::exists(pictures + name(30)); ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ::kill(victim, SIGKILL);
+  }
   std::string render_recording() const { return recording + "/render.recording"; }
   static std::string name(size_t frame) {
     const std::string digits = std::to_string(frame);
@@ -73,6 +81,59 @@ TEST_F(SessionReplay, shows_frames_that_the_render_node_drew_alone_and_those_aft
   for (size_t i = 0; i < 6 * frame_count; ++i) {
     EXPECT_EQ(text_of(again + name(i)) == text_of(pictures + name(i)), true) << "frame " << i;
   }
+}
+
+TEST_F(SessionReplay, shows_every_frame_of_a_session_whose_render_node_was_killed) {
+  Program program(
+      session({"--loop", "6", "--rate", "40", "--record", recording, "-o", pictures, "--json", json}));
+  kill_the_render_node(program);
+  ASSERT_EQ(program.wait(), 0) << program.errors();
+  EXPECT_EQ(json_of(json).at("restarts"), 1);
+  const std::string line = failure({"replay", recording, "--frames", "all", "-o", again});
+  EXPECT_NE(line.find("render.recording byte "), std::string::npos) << line;
+  EXPECT_NE(line.find("--partial"), std::string::npos) << line;
+  const std::string replayed = folder.file("replayed.json");
+  run({"replay", recording, "--frames", "all", "--partial", "-o", again, "--json", replayed});
+  const nlohmann::json report = json_of(replayed);
+  EXPECT_EQ(report.at("cut"), true);
+  std::set<size_t> numbers, alone;
+  for (const auto& frame : report.at("frames")) {
+    numbers.insert(frame.at("number").get<size_t>());
+    if (frame.at("alone").get<bool>()) alone.insert(frame.at("number").get<size_t>());
+  }
+  EXPECT_EQ(report.at("frames").size(), numbers.size()) << "frames come twice";
+  ASSERT_EQ(numbers.size(), 6 * frame_count);
+  EXPECT_LT(alone.size(), numbers.size() - 10) << "what all three roles played before is not there";
+  for (size_t i = 0; i < 6 * frame_count; ++i) {
+    EXPECT_EQ(text_of(again + name(i)) == text_of(pictures + name(i)), true) << "frame " << i;
+  }
+}
+
+TEST_F(SessionReplay, shows_what_a_render_node_had_that_was_killed_for_good) {
+  Program program(
+      session({"--loop", "6", "--rate", "40", "--record", recording, "-o", pictures, "--restarts", "0"}));
+  kill_the_render_node(program);
+  ASSERT_EQ(program.wait(), 1) << program.errors();
+  size_t whole = 0;
+  for (; std::filesystem::exists(pictures + name(whole)); ++whole) {
+  }
+  ASSERT_GT(whole, 10u);
+  ASSERT_LT(whole, 6 * frame_count);
+  const auto replay = [&](size_t frame) -> std::vector<std::string> {
+    return {"replay", recording, "--partial", "--frame", std::to_string(frame), "-o", folder.file("x.png")};
+  };
+  for (const size_t frame : {size_t{0}, whole / 2, whole - 1}) {
+    run(replay(frame));
+    EXPECT_EQ(text_of(folder.file("x.png")) == text_of(pictures + name(frame)), true) << "frame " << frame;
+  }
+  std::filesystem::remove(folder.file("x.png"));
+  const size_t missing = whole + 30;  // frames may be drawn whose picture is not written
+  const std::string line = failure(replay(missing));
+  EXPECT_NE(line.find("frame " + std::to_string(missing) + " is not whole in the recording"),
+            std::string::npos)
+      << line;
+  EXPECT_NE(line.find("render.recording byte "), std::string::npos) << line;
+  EXPECT_FALSE(std::filesystem::exists(folder.file("x.png")));
 }
 
 TEST_F(SessionReplay, finds_the_pack_where_it_is_told) {

@@ -1,4 +1,5 @@
 // The program's window as a person has it before them: keys, mouse, size, and what is to be seen then.
+#include "tests/session/hosts_file.hpp"
 #include "tests/session/scene_files.hpp"
 #include "tests/view/display.hpp"
 
@@ -158,6 +159,25 @@ TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_ca
   EXPECT_EQ(end.width, 400u);
   EXPECT_GT(colors_in(first), 2u);
   EXPECT_GT(colors_in(end), 1u);
+}
+
+TEST_F(ViewWindow, of_a_session_shows_what_switch_nodes_on_other_machines_make_of_it) {
+  const std::string hosts =
+      write_hosts_file(folder.file("hosts.toml"), {.launch = "env MACHINE={host} {command}"});
+  Program program(
+      {"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json, "--hosts", hosts});
+  find_window();
+  const std::string before = title();
+  xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
+  EXPECT_NE(title(), before) << "W draws no other picture";
+  xdotool("windowsize --sync " + window + " 400 200 sleep 0.3");
+  xdotool("keydown a sleep 0.3 keyup a sleep 0.3 key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  const nlohmann::json report = json_of(json);
+  EXPECT_GT(report["frames"].get<int>(), 5);
+  EXPECT_EQ(report["digest_mismatches"], 0);
+  EXPECT_EQ(report["fallback_frames"], 0);
+  EXPECT_FALSE(program.anybody_left());
 }
 
 TEST_F(ViewWindow, of_a_session_needs_a_display_too) {

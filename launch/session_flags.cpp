@@ -1,0 +1,34 @@
+#include "launch/session_run.hpp"
+
+namespace triptych {
+
+void add_session_flags(CLI::App& command, SessionOptions& options) {
+  add_run_flags(command, options.run);
+  command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
+  command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
+      ->check(CLI::PositiveNumber);
+  add_batch_flag(command, options.batches);
+  command.add_option("--hosts", options.hosts, "Play the switch nodes on the machines that this file names")
+      ->type_name("HOSTS.toml");
+  command.add_option("--key-file", options.key_file, "Encrypt between the roles of this machine, too")
+      ->type_name("FILE")
+      ->excludes("--hosts");
+  command.add_flag("--insecure", options.insecure,
+                   "Allow other machines without a key: nothing is encrypted, anybody may take a role");
+  command
+      .add_option("--timeout", options.timeout_ms,
+                  "Milliseconds to wait for a frame's visible set before the render node goes on alone")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")
+      ->capture_default_str();
+  add_timeline_flag(command, options.timeline);
+  command.add_option("--record", options.record, "Folder to keep every message in; replay shows them again")
+      ->type_name("DIR");
+  command
+      .add_option("--port", options.port,
+                  "The render node's port; switch node 0 takes the next one (default: free ones)")
+      ->check(CLI::Range(1, 65534));
+}
+
+}  // namespace triptych

@@ -1,0 +1,54 @@
+// Calls to roles that listen, again and again until they answer.
+#pragma once
+
+#include "protocol/link.hpp"
+#include "protocol/listener.hpp"
+
+#include <asio/io_context.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace triptych {
+
+/// Between two attempts to reach somebody.
+constexpr auto redial_pause = std::chrono::milliseconds(50);
+/// For sending a Hello.
+constexpr auto hello_timeout = std::chrono::milliseconds(500);
+
+/// Dials roles, says Hello, and hands over what they answer; the camera channel first, then the nodes
+/// channel. Whoever is not there, or goes, is dialled again. For one thread; what `answered` throws comes out
+/// of the io_context.
+class Calls {
+ public:
+  /// Says who calls.
+  using Introduce = std::function<Hello(Role, Channel)>;
+  /// Within the io_context, with the first message of a callee. Returns why to try again, or nothing where
+  /// the link was taken over.
+  using Answered = std::function<std::string(const std::shared_ptr<Link>&, Role, const Message&)>;
+
+  /// key: null where nothing is encrypted. last_failure: where it is kept why each role is not there.
+  Calls(asio::io_context& context, const SharedKey* key, Introduce introduce, Answered answered,
+        std::map<Role, std::string>& last_failure);
+
+  /// Error (address) for a host that cannot be resolved.
+  void call(Role role, const Address& address);
+  /// Hangs up on those who have not answered yet.
+  void close();
+
+ private:
+  void dial(Role role, Channel channel);
+  void redial(Role role, Channel channel, const std::string& failure);
+  void introduce(const std::shared_ptr<Link>& link, Role role, Channel channel);
+
+  asio::io_context& context_;
+  const SharedKey* key_;
+  Introduce introduce_;
+  Answered answered_;
+  std::map<Role, std::string>& last_failure_;
+  std::map<Role, asio::ip::tcp::resolver::results_type> endpoints_;
+  std::map<Role, std::shared_ptr<Link>> waiting_;  ///< called, no answer yet
+};
+
+}  // namespace triptych
