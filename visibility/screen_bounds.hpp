@@ -32,8 +32,8 @@ struct ScreenBounds {
 
 /// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by one pixel on
 /// each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, and the vertex stage's rounding
-/// is bounded below); the depth moves towards the eye by 2⁻¹⁴ of itself, orthographic of its range (float
-/// rounding of w and z).
+/// is bounded), by more where views are so narrow that rounding is beyond a quarter of a pixel; the depth
+/// moves towards the eye by 2⁻¹⁴ of itself, orthographic of its range (float rounding of w and z).
 class BoxProjector {
  public:
   BoxProjector(const Skeleton& skeleton, const View& view);
@@ -42,7 +42,8 @@ class BoxProjector {
  private:
   ScreenBounds perspective_bounds(const Box& box) const;
   ScreenBounds parallel_bounds(const Box& box) const;
-  ScreenBounds on_screen(double x0, double x1, double y0, double y1, double depth) const;
+  ScreenBounds on_screen(double left, double right, double bottom, double top, double depth,
+                         double rounding) const;
 
   const Lattice& lattice_;
   View view_;
