@@ -25,7 +25,7 @@ std::vector<Corners> placed_triangles(const Model& model, size_t most) {
         corners[i] =
             instance.transform * glm::dvec4(model.meshes[instance.mesh].positions[triangle.vertices[i]], 1);
       }
-      if (!finite(corners[0]) || glm::length(corners[0]) > 1e100) continue;
+      if (!finite(corners[0]) || glm::length(corners[0]) > 1e50) continue;
       if (!result.empty() && result.back() == corners) continue;  // tells nothing new
       if (result.size() == most) return {};
       result.push_back(corners);
