@@ -173,9 +173,16 @@ RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_what_floats_make_of_its_poin
               ()) {
   Scene scene;
   Camera& camera = scene.view.camera;
+  // Aimed at one of the points.
+  const WideVector aim = scene.eye_point(in_range(0, Scene::points));
+  const double depth = static_cast<double>(-aim.z), w = camera.orthographic() ? 1 : depth;
+  if (!(depth > 0)) RC_DISCARD("a point behind the eye");
   const double narrow = std::exp2(-in_range(0, 18));
-  camera.right = camera.left + narrow * (camera.right - camera.left);
-  camera.top = camera.bottom + narrow * (camera.top - camera.bottom);
+  const double width = narrow * (camera.right - camera.left), height = narrow * (camera.top - camera.bottom);
+  camera.left = static_cast<double>(aim.x) / w - width * number(0, 1);
+  camera.right = camera.left + width;
+  camera.bottom = static_cast<double>(aim.y) / w - height * number(0, 1);
+  camera.top = camera.bottom + height;
   try {
     check_camera(camera, "");
   } catch (const std::exception&) {
