@@ -23,4 +23,16 @@ class NearestRounding {
   int before_;
 };
 
+template <typename Body>
+[[gnu::noinline]] auto call_apart(const Body& body) {
+  return body();
+}
+
+/// What the body returns, computed under it.
+template <typename Body>
+auto round_to_nearest(const Body& body) {
+  const NearestRounding rounding;
+  return call_apart(body);
+}
+
 }  // namespace triptych

@@ -1,5 +1,7 @@
 #include "base/threads.hpp"
 
+#include "base/rounding.hpp"
+
 #include <memory>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -24,7 +26,11 @@ void set_thread_count(unsigned count) {
 }
 
 void parallel_for(size_t count, const std::function<void(size_t)>& body) {
-  tbb::parallel_for(size_t{0}, count, body);
+  // Threads have the mode of whoever woke them first.
+  tbb::parallel_for(size_t{0}, count, [&](size_t i) {
+    const NearestRounding rounding;
+    body(i);
+  });
 }
 
 }  // namespace triptych

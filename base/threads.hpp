@@ -11,7 +11,8 @@ void set_thread_count(unsigned count);
 /// The limit that was set last; 0 is all cores.
 unsigned thread_count_limit();
 
-/// Calls body(0) … body(count − 1), in any order, side by side; the first exception is thrown again here.
+/// Calls body(0) … body(count − 1), in any order, side by side, each rounding to nearest; the first exception
+/// is thrown again here.
 void parallel_for(size_t count, const std::function<void(size_t)>& body);
 
 }  // namespace triptych

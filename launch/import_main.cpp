@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <locale>
 #include <new>
 #include <set>
 #include <string_view>
@@ -134,6 +135,7 @@ void print_formats() {
 
 int main(int count, char** arguments) {
   using namespace triptych;
+  std::locale::global(std::locale::classic());  // numbers have points
   try {
     const std::string_view first = count > 1 ? arguments[1] : "";
     if (count == 2 && first == "--formats") {

@@ -2,9 +2,12 @@
 #include "launch/command.hpp"
 
 #include <fmt/core.h>
+#include <locale>
 #include <new>
 
 int main(int argc, char** argv) {
+  // Numbers have points here, whatever libraries asked for before we came.
+  std::locale::global(std::locale::classic());
   CLI::App app{"Triptych: walk through models that are too big to draw"};
   app.require_subcommand(1);
   triptych::Action action;

@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/rounding.hpp"
 #include "lod/build_work.hpp"
 #include "lod/node_drawables.hpp"
 #include "lod/objects.hpp"
@@ -32,9 +33,7 @@ void add_nodes(Skeleton& skeleton, std::span<const HierarchyNode> nodes,
   }
 }
 
-}  // namespace
-
-BuildReport build_pack(Model model, const BuildOptions& options, const std::filesystem::path& file) {
+BuildReport build(Model model, const BuildOptions& options, const std::filesystem::path& file) {
   if (model.source_triangles() == 0 || model.instances.empty())
     fail(file.string(), "the model holds no triangles");
   // Units are as large as the memory lets them be: an earlier build's are the same only if they were as
@@ -95,6 +94,12 @@ BuildReport build_pack(Model model, const BuildOptions& options, const std::file
   });
   report.pack_bytes = std::filesystem::file_size(file);
   return report;
+}
+
+}  // namespace
+
+BuildReport build_pack(Model model, const BuildOptions& options, const std::filesystem::path& file) {
+  return round_to_nearest([&] { return build(std::move(model), options, file); });
 }
 
 }  // namespace triptych

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "base/rounding.hpp"
 #include "base/threads.hpp"
 #include "lod/check_distances.hpp"
 
@@ -151,7 +152,7 @@ void Checking::check_distances() {
 }  // namespace
 
 CheckReport check_pack(const Pack& pack, const CheckOptions& options) {
-  return Checking(pack, options).run();
+  return round_to_nearest([&] { return Checking(pack, options).run(); });
 }
 
 }  // namespace triptych

@@ -68,6 +68,7 @@ struct Search {
   const Placing* placing;
   glm::dvec3 point;  ///< less the translation
   double best, floor, margin;
+  double unit;  ///< of the floats that are searched
 };
 
 bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
@@ -87,7 +88,7 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   }
   const double radius = distance * search.placing->stretch + search.margin;
   if (!std::isfinite(radius)) return false;
-  arguments->query->radius = upward(radius);
+  arguments->query->radius = upward(radius / search.unit);
   return true;
 }
 
@@ -111,6 +112,7 @@ ChunkTree::ChunkTree(RTCDeviceTy* device, const Chunk& chunk, const Lattice& lat
   const Box box = lattice.box(chunk.box());
   center_ = (box.lo + box.hi) * 0.5;
   extent_ = glm::length(box.hi - box.lo);
+  if (extent_ > 0) unit_ = std::exp2(std::ilogb(extent_));
   positions_.reserve(chunk.vertices.size());
   for (const ChunkVertex& vertex : chunk.vertices) positions_.push_back(lattice.position(vertex.point));
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -119,7 +121,7 @@ ChunkTree::ChunkTree(RTCDeviceTy* device, const Chunk& chunk, const Lattice& lat
   auto* triangles = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangle_count()));
   for (size_t i = 0; i < positions_.size(); ++i) {
-    const glm::dvec3 local = positions_[i] - center_;
+    const glm::dvec3 local = (positions_[i] - center_) / unit_;
     for (int axis = 0; axis < 3; ++axis)
       floats[3 * i + static_cast<size_t>(axis)] = static_cast<float>(local[axis]);
   }
@@ -137,14 +139,14 @@ double ChunkTree::distance(const Placing& placing, const glm::dvec3& point, doub
   // Vertices and the point were rounded to floats: four units in the last place of the largest coordinate
   // cover both.
   const double margin = (extent_ + glm::length(local)) * 0x1p-21;
-  Search search{&positions_, &indices_, &placing, point - placing.transform[3], best, floor, margin};
+  Search search{&positions_, &indices_, &placing, point - placing.transform[3], best, floor, margin, unit_};
   RTCPointQuery query;
-  query.x = static_cast<float>(local.x);
-  query.y = static_cast<float>(local.y);
-  query.z = static_cast<float>(local.z);
+  query.x = static_cast<float>(local.x / unit_);
+  query.y = static_cast<float>(local.y / unit_);
+  query.z = static_cast<float>(local.z / unit_);
   query.time = 0;
   const double radius = best * placing.stretch + margin;
-  query.radius = std::isfinite(radius) ? upward(radius) : std::numeric_limits<float>::infinity();
+  query.radius = std::isfinite(radius) ? upward(radius / unit_) : std::numeric_limits<float>::infinity();
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(scene_, &query, &context, visit_triangle, &search);

@@ -52,6 +52,7 @@ class ChunkTree {
   std::vector<uint32_t> indices_;
   glm::dvec3 center_;
   double extent_;
+  double unit_ = 1;  ///< of the tree's floats, a power of two near the extent: squares of theirs are finite
 };
 
 /// The surfaces of a pack's drawables and of their sources. Safe to use from several threads; keeps the trees

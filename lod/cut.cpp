@@ -12,7 +12,8 @@ namespace triptych {
 
 glm::ivec3 eye_cell(const Skeleton& skeleton, const View& view) {
   const Lattice& lattice = skeleton.lattice();
-  const glm::dvec3 cell = glm::floor((view.camera.eye - lattice.origin) / lattice.step);
+  const glm::dvec3 cell =
+      glm::floor(round_to_nearest([&] { return (view.camera.eye - lattice.origin) / lattice.step; }));
   return glm::ivec3(glm::clamp(cell, glm::dvec3(-Lattice::limit), glm::dvec3(Lattice::limit)));
 }
 
@@ -141,8 +142,7 @@ DrawableId coarsest(const Skeleton& skeleton, const SceneNode& node, double foca
 }  // namespace
 
 Cut select_cut(const Skeleton& skeleton, const View& view, double pixel_error, FrustumCulling culling) {
-  const NearestRounding rounding;
-  return select(skeleton, view, pixel_error, culling);
+  return round_to_nearest([&] { return select(skeleton, view, pixel_error, culling); });
 }
 
 }  // namespace triptych

@@ -16,8 +16,8 @@ namespace triptych {
 namespace {
 
 constexpr int model_bits = 26, mesh_bits = 21;
-/// Beyond it squares of lengths would not be finite.
-constexpr double largest_coordinate = 1e100;
+/// Between them products of six lengths are finite and, down to a lattice step, do not vanish.
+constexpr double largest_coordinate = 1e50, least_extent = 1e-40;
 
 bool finite(const Affine& transform) {
   for (int column = 0; column < 4; ++column) {
@@ -33,6 +33,10 @@ bool finite(const Affine& transform) {
 /// Turned and stretched meshes are near 1; shears and what flattens a mesh are far above.
 bool well_conditioned(const Affine& transform) {
   constexpr double largest_condition = 8;
+  // Far beyond all units there are, the mesh as it was made may be too small or too large to be measured.
+  constexpr double largest_change = 1e20;
+  const double stretch = largest_stretch(transform);
+  if (!(stretch > 1 / largest_change && stretch < largest_change)) return false;
   const glm::dmat3 matrix(transform), inverse = glm::inverse(matrix);
   double sum = 0;
   for (int column = 0; column < 3; ++column) {
@@ -186,6 +190,9 @@ BuildPlan make_plan(const Model& model, bool share_instances) {
     plan.lattices.push_back(make_lattice(mesh.box, mesh_bits));
   }
   if (plan.box.empty()) fail("model", "holds no triangles");
+  const double extent = glm::length(plan.box.hi - plan.box.lo);
+  if (extent < least_extent)
+    fail("model", "is {} units large, which is less than numbers bear: give it other units", extent);
   plan.lattices[0] = make_lattice(plan.box, model_bits);
   return plan;
 }

@@ -170,9 +170,7 @@ void Explainer::name_what_is_in_front(DrawableExplanation& explanation) {
   std::map<uint32_t, uint64_t> owners;
   for (int y = pixel(rectangle.bottom, height); y < std::min(pixel(rectangle.top, height) + 1, height); ++y) {
     for (int x = pixel(rectangle.left, width); x < std::min(pixel(rectangle.right, width) + 1, width); ++x) {
-      const auto device = [](int at, int side) {
-        return static_cast<float>((2 * at + 1.0) / side - 1);
-      };
+      const auto device = [](int at, int side) { return static_cast<float>((2 * at + 1.0) / side - 1); };
       if (rectangle.depth(device(x, width), device(y, height)) < 0) continue;
       ++owners[items()[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]];
     }

@@ -126,8 +126,7 @@ TestTruth tests_against_readback() {
     ScreenRectangle rectangle{device(x0), device(y0), device(x1), device(y1), {}};
     DepthPlane& plane = rectangle.planes[0];
     // A third of them at exactly a depth that stands there, a third sloping.
-    plane.middle =
-        i % 3 == 0 ? depths[static_cast<size_t>(y0 * side + x0)] : numbers.number(0.05f, 0.9f);
+    plane.middle = i % 3 == 0 ? depths[static_cast<size_t>(y0 * side + x0)] : numbers.number(0.05f, 0.9f);
     if (i % 3 == 1) plane.slope = {numbers.number(-8, 8), numbers.number(-8, 8)};
     const float rounding = i % 3 == 1 ? static_cast<float>(17 * plane_rounding) : 0;
     bool shows = false;

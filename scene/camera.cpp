@@ -1,6 +1,7 @@
 #include "scene/camera.hpp"
 
 #include "base/error.hpp"
+#include "base/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,11 +59,20 @@ void check_camera(const Camera& camera, const std::string& place) {
     fail(place, "the camera's near plane must be in front of it");
 }
 
-glm::dmat3 View::rotation() const {
+namespace {
+
+/// Rows are the eye's axes.
+glm::dmat3 rotation_of(const Camera& camera) {
   const glm::dvec3 backward = -direction(camera.target - camera.eye);
   const glm::dvec3 side = glm::normalize(glm::cross(direction(camera.up), backward));
   const glm::dvec3 upward = glm::cross(backward, side);
   return glm::transpose(glm::dmat3(side, upward, backward));
+}
+
+}  // namespace
+
+glm::dmat3 View::rotation() const {
+  return round_to_nearest([&] { return rotation_of(camera); });
 }
 
 double View::focal_length() const { return std::max(focal_x(), focal_y()); }

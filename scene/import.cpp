@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "base/rounding.hpp"
 #include "scene/import_file.hpp"
 
 #include <algorithm>
@@ -55,7 +56,9 @@ std::vector<std::string> known_extensions() {
   return known;
 }
 
-Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
+namespace {
+
+Model import(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
   if (files.empty()) fail("import", "no model file was named");
   for (const auto& file : files) importer_of(file);  // before the first long read
   Model model;
@@ -68,6 +71,12 @@ Model import_model(const std::vector<std::filesystem::path>& files, const Import
     progress.advance();
   }
   return model;
+}
+
+}  // namespace
+
+Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
+  return round_to_nearest([&] { return import(files, options); });
 }
 
 }  // namespace triptych

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <cstdlib>
+#include <locale.h>
+#include <stdlib.h>
 
 namespace triptych {
 
@@ -101,8 +102,12 @@ std::optional<double> to_number(std::string_view word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || end != word.data() + word.size()) return std::nullopt;
-  // from_chars does not say whether the number was too large or too small; strtod does.
-  if (error == std::errc::result_out_of_range) return std::strtod(std::string(word).c_str(), nullptr);
+  // from_chars does not say whether the number was too large or too small; strtod does. A program around us
+  // may speak a language with a decimal comma.
+  if (error == std::errc::result_out_of_range) {
+    static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
+    return ::strtod_l(std::string(word).c_str(), nullptr, plain);
+  }
   return error == std::errc() ? std::optional(value) : std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <utility>
+#include <tuple>
 
 namespace triptych {
 
@@ -26,12 +26,24 @@ class Tree {
     search(0, order_.size(), index, count, heap);
     std::sort_heap(heap.begin(), heap.end());
     std::vector<uint32_t> found;
-    for (const Candidate& candidate : heap) found.push_back(candidate.second);
+    for (const Candidate& candidate : heap) found.push_back(candidate.index);
     return found;
   }
 
  private:
-  using Candidate = std::pair<double, uint32_t>;
+  struct Candidate {
+    double distance;  ///< squared
+    uint32_t away;    ///< how far its index is from that of the point
+    uint32_t index;
+    bool operator<(const Candidate& other) const {
+      return std::tie(distance, away, index) < std::tie(other.distance, other.away, other.index);
+    }
+  };
+
+  /// Equal coordinates are in the order of their indices.
+  bool before(uint32_t a, uint32_t b, int axis) const {
+    return points_[a][axis] != points_[b][axis] ? points_[a][axis] < points_[b][axis] : a < b;
+  }
 
   void build(size_t first, size_t end) {
     if (end - first < 2) return;
@@ -41,9 +53,8 @@ class Tree {
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const size_t middle = (first + end) / 2;
     const auto at = [&](size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(first), at(middle), at(end), [&](uint32_t a, uint32_t b) {
-      return points_[a][axis] != points_[b][axis] ? points_[a][axis] < points_[b][axis] : a < b;
-    });
+    std::nth_element(at(first), at(middle), at(end),
+                     [&](uint32_t a, uint32_t b) { return before(a, b, axis); });
     axes_[middle] = static_cast<uint8_t>(axis);
     build(first, middle);
     build(middle + 1, end);
@@ -55,7 +66,7 @@ class Tree {
     const uint32_t other = order_[middle];
     if (other != index) {
       const glm::dvec3 apart = points_[other] - points_[index];
-      const Candidate candidate{glm::dot(apart, apart), other};
+      const Candidate candidate{glm::dot(apart, apart), index > other ? index - other : other - index, other};
       if (heap.size() < count) {
         heap.push_back(candidate);
         std::push_heap(heap.begin(), heap.end());
@@ -67,9 +78,9 @@ class Tree {
     }
     const int axis = axes_[middle];
     const double beyond = points_[index][axis] - points_[other][axis];
-    const bool low_first = beyond < 0;
+    const bool low_first = before(index, other, axis);
     search(low_first ? first : middle + 1, low_first ? middle : end, index, count, heap);
-    if (heap.size() < count || beyond * beyond < heap.front().first) {
+    if (heap.size() < count || beyond * beyond < heap.front().distance) {
       search(low_first ? middle + 1 : first, low_first ? end : middle, index, count, heap);
     }
   }

@@ -9,7 +9,8 @@
 namespace triptych {
 
 /// For each point the indices of its `count` nearest other points (fewer where there are not so many),
-/// nearest first. Of equally near points any may be chosen, but always the same. A balanced tree of medians
+/// nearest first. Of equally near points any may be chosen, but always the same; of those in one place,
+/// which can be all, each point has others, so that their graph hangs together. A balanced tree of medians
 /// (Bentley 1975); run on all cores.
 std::vector<std::vector<uint32_t>> nearest_neighbours(std::span<const glm::dvec3> points, uint32_t count);
 

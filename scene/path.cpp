@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/rounding.hpp"
 
 #include <cmath>
 #include <glm/vec4.hpp>
@@ -78,7 +79,9 @@ View Path::view(size_t i, int width, int height, double default_near) const {
   return view;
 }
 
-Path load_path(const std::filesystem::path& file) {
+namespace {
+
+Path load(const std::filesystem::path& file) {
   const std::string place = file.string();
   json document;
   try {
@@ -108,6 +111,12 @@ Path load_path(const std::filesystem::path& file) {
     check_camera(path.view(path.frames.size() - 1, 1, 1, 1).camera, frame_place);
   }
   return path;
+}
+
+}  // namespace
+
+Path load_path(const std::filesystem::path& file) {
+  return round_to_nearest([&] { return load(file); });
 }
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 #include "visibility/clip_space.hpp"
 
 #include "base/inject.hpp"
+#include "base/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,8 @@ namespace {
 constexpr double near_limit = 0x1p60;
 /// Room on both sides of an orthographic view's depths, as a share of the model's diagonal.
 constexpr double depth_room = 0x1p-8;
-}  // namespace
 
-ClipSpace clip_space(const Skeleton& skeleton, const View& view) {
+ClipSpace compute(const Skeleton& skeleton, const View& view) {
   const Camera& camera = view.camera;
   ClipSpace clip{.reference = camera.eye, .orthographic = camera.orthographic()};
   // Lattices have about 2^26 steps along the model's longest side.
@@ -35,6 +35,12 @@ ClipSpace clip_space(const Skeleton& skeleton, const View& view) {
   clip.near = std::max(clip.near, middle - diagonal * (0.5 + depth_room));
   clip.range = diagonal * (1 + 2 * depth_room);
   return clip;
+}
+
+}  // namespace
+
+ClipSpace clip_space(const Skeleton& skeleton, const View& view) {
+  return round_to_nearest([&] { return compute(skeleton, view); });
 }
 
 }  // namespace triptych

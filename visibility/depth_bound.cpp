@@ -37,9 +37,9 @@ std::array<DepthPlane, 3> FacePlanes::of(const Box& box, double slack) const {
   return planes;
 }
 
-/// Content is at least `distance` beyond the eye along the axis. A ray that goes `along` it by s for each unit
-/// of z gets there at z = distance / s, which is at depth near · s / distance; and s is affine over the screen.
-/// All terms, the slack's too, shrink as 1 / distance: boxes within this one have lower planes.
+/// Content is at least `distance` beyond the eye along the axis. A ray that goes `along` it by s for each
+/// unit of z gets there at z = distance / s, which is at depth near · s / distance; and s is affine over the
+/// screen. All terms, the slack's too, shrink as 1 / distance: boxes within this one have lower planes.
 DepthPlane FacePlanes::perspective(int axis, const Box& box, double slack) const {
   const double low = box.lo[axis] - clip_.reference[axis], high = box.hi[axis] - clip_.reference[axis];
   const double distance = std::max(low, -high);
@@ -68,10 +68,10 @@ DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
   const glm::dvec2 slope =
       scale * 0.5 *
       glm::dvec2(along.x * (camera.right - camera.left), along.y * (camera.top - camera.bottom));
-  const double middle = clip_.depth(clip_.reference_depth + start) +
-                        scale * 0.5 *
-                            (along.x * (camera.left + camera.right) + along.y * (camera.bottom + camera.top));
-  const double distance = glm::length(glm::max(glm::abs(box.lo - clip_.reference), //
+  const double middle =
+      clip_.depth(clip_.reference_depth + start) +
+      scale * 0.5 * (along.x * (camera.left + camera.right) + along.y * (camera.bottom + camera.top));
+  const double distance = glm::length(glm::max(glm::abs(box.lo - clip_.reference),  //
                                                glm::abs(box.hi - clip_.reference)));
   return with_slack(slope, middle,
                     (depth_rounding * clip_.range + float_rounding * distance) * std::abs(scale), slack);
@@ -82,8 +82,8 @@ DepthPlane FacePlanes::with_slack(const glm::dvec2& slope, double middle, double
                                   double slack) const {
   const double terms = std::abs(slope.x) + std::abs(slope.y) + std::abs(middle);
   if (!(terms + rounding < greatest_term)) return {};
-  const double added = rounding + std::abs(slope.x) / (4 * view_.width) + std::abs(slope.y) / (4 * view_.height) +
-                       plane_rounding * terms;
+  const double added = rounding + std::abs(slope.x) / (4 * view_.width) +
+                       std::abs(slope.y) / (4 * view_.height) + plane_rounding * terms;
   return {glm::vec2(slope), static_cast<float>(middle + slack * added)};
 }
 

@@ -12,9 +12,14 @@ namespace triptych {
 namespace {
 /// The vertex stage works in 32-bit floats relative to the eye. A position is off by at most 11 · 2⁻²⁴ of its
 /// distance under the identity, by 83 · 2⁻²⁴ under the worst matrix that a build shares a mesh under
-/// (lod/plan.cpp): where the bound below allows a quarter of a pixel, by 0.65 pixels, which with 1/16 of
-/// snapping is within the margin of one.
+/// (lod/plan.cpp), which is 2.6 times this.
 constexpr double float_rounding = 0x1p-19;
+/// Where the bound on rounding is a quarter of a pixel, positions are off by 0.65 pixels at most, which with
+/// 1/16 of snapping is within a margin of one. Where pixels are finer than that, as below a degree of view,
+/// the margin grows with the bound.
+constexpr double pixels_of_margin = 4;
+/// Beyond it rounding in w may reach the margin of depths.
+constexpr double greatest_narrow_tangent = 8;
 constexpr double depth_margin = 0x1p-14;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
 constexpr double near_margin = 1.001;
@@ -79,17 +84,17 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
     top = std::max(top, y);
     greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
   }
-  if (greatest_depth < clip_.near / near_margin)
-    return {.beyond = true};
+  if (greatest_depth < clip_.near / near_margin) return {.beyond = true};
   if (least_depth < clip_.near * near_margin) {
     if (!injected(Fault::no_near_rule)) return {};
     least_depth = greatest_depth;
   }
   // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
   // (p and w).
-  if (!(2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length() <= 0.25)) return {};
+  const double rounding = 2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length();
+  if (!(rounding <= 0.25 || greatest_tangent <= greatest_narrow_tangent)) return {};
   const double margin = injected(Fault::no_dilation) ? 1 : 1 + depth_margin;
-  return on_screen(left, right, bottom, top, clip_.depth(least_depth) * margin);
+  return on_screen(left, right, bottom, top, clip_.depth(least_depth) * margin, rounding);
 }
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::parallel_extent(const Box& box) const {
@@ -107,17 +112,17 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   const double touch = depth_margin * clip_.range + rounding;
   if (depth + reach.z < clip_.near - touch) return {.beyond = true};
   if (depth - reach.z < clip_.near + touch) return {};
-  if (!(2 * rounding * view_.focal_length() <= 0.25)) return {};
   const double margin = injected(Fault::no_dilation) ? 0 : touch / clip_.range;
   return on_screen(centre.x - reach.x, centre.x + reach.x, centre.y - reach.y, centre.y + reach.y,
-                   clip_.depth(depth - reach.z) + margin);
+                   clip_.depth(depth - reach.z) + margin, 2 * rounding * view_.focal_length());
 }
 
 BoxProjector::Extent BoxProjector::on_screen(double left, double right, double bottom, double top,
-                                             double depth) const {
+                                             double depth, double rounding) const {
   const Camera& camera = view_.camera;
-  const double margin_x = injected(Fault::no_dilation) ? 0 : 2.0 / view_.width;
-  const double margin_y = injected(Fault::no_dilation) ? 0 : 2.0 / view_.height;
+  const double pixels = injected(Fault::no_dilation) ? 0 : std::max(1.0, pixels_of_margin * rounding);
+  if (!std::isfinite(pixels)) return {};
+  const double margin_x = 2 * pixels / view_.width, margin_y = 2 * pixels / view_.height;
   const auto device_x = [&](double side) {
     return 2 * (side - camera.left) / (camera.right - camera.left) - 1;
   };

@@ -19,8 +19,8 @@ namespace triptych {
 /// exact (docs/algorithms.md has the argument).
 struct ScreenRectangle {
   float left = -1, bottom = -1, right = 1, top = 1;
-  /// The least of these, clamped to 1; the box does not reach where it is below 0. The first one is level: the
-  /// depth of the nearest corner.
+  /// The least of these, clamped to 1; the box does not reach where it is below 0. The first one is level:
+  /// the depth of the nearest corner.
   std::array<DepthPlane, 4> planes;
   float depth(float x, float y) const {
     return std::min({planes[0].at(x, y), planes[1].at(x, y), planes[2].at(x, y), planes[3].at(x, y)});
@@ -39,9 +39,10 @@ struct ScreenBounds {
 
 /// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by one pixel on
 /// each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, and the vertex stage's rounding
-/// is bounded below); the depth moves towards the eye by 2⁻¹⁴ of itself, orthographic of its range (float
-/// rounding of w and z). Boxes that touch the near plane, or whose projection is not known to a pixel, may be
-/// anywhere on the screen; their faces still bound their depth.
+/// is bounded), by more where views are so narrow that rounding is beyond a quarter of a pixel; the depth
+/// moves towards the eye by 2⁻¹⁴ of itself, orthographic of its range (float rounding of w and z). Boxes that
+/// touch the near plane, or that are extremely oblique, may be anywhere on the screen; their faces still
+/// bound their depth.
 class BoxProjector {
  public:
   BoxProjector(const Skeleton& skeleton, const View& view);
@@ -60,7 +61,7 @@ class BoxProjector {
   Extent extent(const Box& box) const;
   Extent perspective_extent(const Box& box) const;
   Extent parallel_extent(const Box& box) const;
-  Extent on_screen(double x0, double x1, double y0, double y1, double depth) const;
+  Extent on_screen(double x0, double x1, double y0, double y1, double depth, double rounding) const;
 
   const Lattice& lattice_;
   View view_;

@@ -94,8 +94,8 @@ unsigned long long fingerprint(uint32_t seed, int mode) {
   Hash hash;
   for (int i = 0; i < 40; ++i) {
     const View view = make_view(numbers, i);
-    const BoxProjector projector(skeleton, view);
     std::fesetround(mode);
+    const BoxProjector projector(skeleton, view);
     for (const double pixel_error : {0.5, 1.0, 4.0}) {
       for (const DrawableId id : select_cut(skeleton, view, pixel_error).drawables) hash.add(id);
     }

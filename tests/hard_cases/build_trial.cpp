@@ -25,7 +25,8 @@ std::vector<Corners> placed_triangles(const Model& model, size_t most) {
         corners[i] =
             instance.transform * glm::dvec4(model.meshes[instance.mesh].positions[triangle.vertices[i]], 1);
       }
-      if (!finite(corners[0]) || glm::length(corners[0]) > 1e100) continue;
+      if (!finite(corners[0]) || glm::length(corners[0]) > 1e50) continue;
+      if (!result.empty() && result.back() == corners) continue;  // tells nothing new
       if (result.size() == most) return {};
       result.push_back(corners);
     }
@@ -132,6 +133,8 @@ Problems build_problems(const Trial& trial) {
   bool said = false;
   for (const std::string& warning : built.report().import.warnings)
     said = said || warning.starts_with(left_out);
+  if (skeleton.drawables.size() > trial.most_drawables)
+    problems.push_back(fmt::format("{} drawables", skeleton.drawables.size()));
   if (trial.left_out > 0 && !said) problems.push_back("the build does not say \"" + left_out + "\"");
   return problems;
 }

@@ -138,4 +138,14 @@ std::vector<View> house_views(Size size) {
   return views;
 }
 
+Trial house_elsewhere(double scale, const glm::dvec3& by) {
+  Trial trial;
+  trial.model = moved(scaled(small_house(), scale), by);
+  trial.views = moved(scaled(house_views(), scale), by);
+  trial.twin = std::make_shared<Trial>();
+  trial.twin->model = small_house();
+  trial.twin->views = house_views();
+  return trial;
+}
+
 }  // namespace triptych::hard_cases

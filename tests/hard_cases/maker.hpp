@@ -57,5 +57,8 @@ std::vector<View> scaled(std::vector<View> views, double factor);
 Model small_house(uint32_t seed = 1);
 /// A walk through it of eight frames.
 std::vector<View> house_views(Size size = {});
+/// The house and the walk in other units and then elsewhere; their twin is the house as it is. Equal where
+/// both are exact in double: a power of two, coordinates of few bits.
+Trial house_elsewhere(double scale, const glm::dvec3& by = {});
 
 }  // namespace triptych::hard_cases

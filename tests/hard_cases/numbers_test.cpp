@@ -73,10 +73,13 @@ struct Scene {
     }
   }
 
+  /// Its corners and some points between them.
+  glm::ivec3 cell(int i) const {
+    return i < 8 ? box.corner(i) : box.lo + glm::ivec3(glm::dvec3(box.hi - box.lo) * (0.13 * (i - 8)));
+  }
   /// A point of the box in eye space; the rotation is taken as it is, everything after it is wide.
   WideVector eye_point(int i) const {
-    const glm::ivec3 cell =
-        i < 8 ? box.corner(i) : box.lo + glm::ivec3(glm::dvec3(box.hi - box.lo) * (0.13 * (i - 8)));
+    const glm::ivec3 cell = this->cell(i);
     const glm::dmat3 rotation = view.rotation();
     Wide relative[3], turned[3] = {0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
@@ -141,6 +144,63 @@ RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_its_points_with_half_a_pixel
     RC_ASSERT(r.top >= 1 || Wide(r.top) >= y + half_y);
     const Wide exact = clip.orthographic ? 1 - (depth - clip.near) / clip.range : clip.near / depth;
     RC_ASSERT(r.depth >= 1 || Wide(r.depth) >= exact * (1 + 0x1p-16));
+  }
+}
+
+/// Where the vertex stage puts the point of the lattice in 32-bit floats, in normalised device coordinates;
+/// the arithmetic of render/draw_list.cpp and render/shaders.cpp.
+std::array<float, 2> drawn_at(const Scene& scene, const ClipSpace& clip, const glm::ivec3& point) {
+  const Lattice& lattice = scene.skeleton.lattice();
+  const glm::dvec3 cell = glm::clamp(glm::round((clip.reference - lattice.origin) / lattice.step),
+                                     double{-Lattice::limit}, double{Lattice::limit});
+  const glm::dmat3 rotation = scene.view.rotation();
+  const glm::mat3 rows = glm::transpose(glm::mat3(rotation * (lattice.step / clip.unit)));
+  const glm::vec3 shift = rotation * ((lattice.origin + lattice.step * cell - clip.reference) / clip.unit);
+  const glm::vec3 p(point - glm::ivec3(cell));
+  const glm::vec3 eye(glm::dot(rows[0], p) + shift.x, glm::dot(rows[1], p) + shift.y,
+                      glm::dot(rows[2], p) + shift.z);
+  const Camera& camera = scene.view.camera;
+  const auto device = [&](float at, double low, double high) {
+    const double scale = camera.orthographic() ? clip.unit : 1;
+    const auto stretch = static_cast<float>(2 * scale / (high - low));
+    const auto move = static_cast<float>((high + low) / (high - low));
+    return camera.orthographic() ? stretch * at - move : (stretch * at + move * eye.z) / -eye.z;
+  };
+  return {device(eye.x, camera.left, camera.right), device(eye.y, camera.bottom, camera.top)};
+}
+
+RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_what_floats_make_of_its_points_in_the_narrowest_views,
+              ()) {
+  Scene scene;
+  Camera& camera = scene.view.camera;
+  // Aimed at one of the points.
+  const WideVector aim = scene.eye_point(in_range(0, Scene::points));
+  const double depth = static_cast<double>(-aim.z), w = camera.orthographic() ? 1 : depth;
+  if (!(depth > 0)) RC_DISCARD("a point behind the eye");
+  const double narrow = std::exp2(-in_range(0, 18));
+  const double width = narrow * (camera.right - camera.left), height = narrow * (camera.top - camera.bottom);
+  camera.left = static_cast<double>(aim.x) / w - width * number(0, 1);
+  camera.right = camera.left + width;
+  camera.bottom = static_cast<double>(aim.y) / w - height * number(0, 1);
+  camera.top = camera.bottom + height;
+  try {
+    check_camera(camera, "");
+  } catch (const std::exception&) {
+    RC_DISCARD("a camera that is refused");
+  }
+  const ScreenBounds found = BoxProjector(scene.skeleton, scene.view).bounds(scene.box);
+  if (found.kind == ScreenBounds::Kind::unbounded) return;
+  const ClipSpace clip = clip_space(scene.skeleton, scene.view);
+  const float snap_x = 0.125f / static_cast<float>(scene.view.width);
+  const float snap_y = 0.125f / static_cast<float>(scene.view.height);
+  for (int i = 0; i < Scene::points; ++i) {
+    if (-scene.eye_point(i).z < clip.near) continue;
+    const auto [x, y] = drawn_at(scene, clip, scene.cell(i));
+    if (!(std::abs(x) <= 1 && std::abs(y) <= 1)) continue;
+    RC_ASSERT(found.kind == ScreenBounds::Kind::rectangle);
+    const ScreenRectangle& r = found.rectangle;
+    RC_ASSERT(r.left <= std::max(-1.0f, x - snap_x) && r.right >= std::min(1.0f, x + snap_x));
+    RC_ASSERT(r.bottom <= std::max(-1.0f, y - snap_y) && r.top >= std::min(1.0f, y + snap_y));
   }
 }
 

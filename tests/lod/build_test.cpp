@@ -269,6 +269,19 @@ TEST(Build, a_model_without_triangles_is_refused_and_leaves_no_file) {
   EXPECT_FALSE(std::filesystem::exists(file_of("empty")));
 }
 
+TEST(Build, a_model_too_small_to_be_measured_is_refused_and_one_too_large_left_out_and_counted) {
+  const auto placed = [](double scale) {
+    Model model = awkward::model_of({awkward::sphere(4)});
+    model.instances[0].transform = Affine(glm::dmat4x3(scale, 0, 0, 0, scale, 0, 0, 0, scale, 0, 0, 0));
+    return model;
+  };
+  EXPECT_NO_THROW(build_pack(placed(1e-38), {}, file_of("small")));
+  EXPECT_NO_THROW(build_pack(placed(1e49), {}, file_of("large")));
+  for (const double scale : {1e-41, 1e-200, 1e51, 1e200})
+    EXPECT_THROW(build_pack(placed(scale), {}, file_of("beyond")), Error) << scale;
+  EXPECT_FALSE(std::filesystem::exists(file_of("beyond")));
+}
+
 TEST(Build, singular_placements_are_pressed_flat_and_those_that_are_not_finite_left_out_and_counted) {
   Model model = awkward::model_of({awkward::box({0, 0, 0}, {1, 1, 1})});
   model.instances.resize(4, model.instances[0]);

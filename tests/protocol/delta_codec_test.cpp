@@ -2,6 +2,7 @@
 #include "protocol/delta_codec.hpp"
 
 #include "base/error.hpp"
+#include "protocol/digest.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -38,6 +39,49 @@ RC_GTEST_PROP(DeltaCodec, changes_of_crowded_sets_come_back, ()) {
   };
   const VisibleSet before = shifted(*crowd);
   RC_ASSERT(comes_back(before, difference(before, shifted(*crowd))));
+}
+
+/// Runs of ids and single ones, up to the last id that there is.
+Ids some_runs() {
+  Ids ids;
+  for (int runs = *rc::gen::inRange(0, 8); runs > 0; --runs) {
+    const auto first = *rc::gen::oneOf(rc::gen::arbitrary<DrawableId>(), rc::gen::inRange<DrawableId>(0, 200),
+                                       rc::gen::inRange<DrawableId>(no_id - 40, no_id));
+    const auto length = *rc::gen::element<DrawableId>(1, 2, 33, 64);
+    for (DrawableId i = 0; i < std::min(length, no_id - first + 1); ++i) ids.insert(first + i);
+  }
+  return ids;
+}
+
+RC_GTEST_PROP(DeltaCodec, changes_of_runs_come_back_also_to_nothing_to_all_and_to_the_same, ()) {
+  const VisibleSet before = in_order(some_runs()), after = in_order(some_runs());
+  for (const VisibleSet& from : {before, after, VisibleSet()}) {
+    for (const VisibleSet& to : {before, after, VisibleSet()})
+      RC_ASSERT(comes_back(from, difference(from, to)));
+  }
+}
+
+RC_GTEST_PROP(DeltaCodec, what_is_cut_short_or_flipped_is_refused_or_told_by_the_digest, ()) {
+  const VisibleSet before = in_order(some_runs()), after = in_order(some_runs());
+  const auto bytes = encode_delta(difference(before, after), before);
+  if (bytes.empty()) RC_DISCARD("nothing to damage");
+  auto damaged = bytes;
+  if (*rc::gen::arbitrary<bool>()) {
+    damaged.resize(*rc::gen::inRange<size_t>(0, bytes.size()));
+  } else {
+    for (int flips = *rc::gen::inRange(1, 4); flips > 0; --flips) {
+      const auto bit = *rc::gen::inRange<size_t>(0, 8 * bytes.size());
+      damaged[bit / 8] ^= std::byte{1} << (bit % 8);
+    }
+  }
+  VisibleSet found = before;
+  try {
+    if (!apply_delta(decode_delta(damaged, before, "test"), found)) RC_SUCCEED("refused");
+  } catch (const Error&) {
+    RC_SUCCEED("refused");
+  }
+  const auto digest = [](const VisibleSet& set) { return frame_digest(3, View{}, 1, 7, set); };
+  RC_ASSERT((digest(found) == digest(after)) == (found == after));
 }
 
 RC_GTEST_PROP(DeltaCodec, any_bytes_are_refused_or_are_the_one_encoding_of_a_delta,

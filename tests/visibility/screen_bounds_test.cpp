@@ -66,6 +66,20 @@ TEST_F(ScreenBoundsOf, a_flat_box_and_a_point_are_rectangles_too) {
   EXPECT_FLOAT_EQ(point.rectangle.right - point.rectangle.left, 4.0f / 512) << "a pixel on each side";
 }
 
+TEST_F(ScreenBoundsOf, a_box_in_a_narrow_view_are_known_with_as_many_pixels_of_margin_as_rounding_asks_for) {
+  view.width = view.height = 1080;
+  for (const double side : {0x1p-2, 0x1p-7, 0x1p-10}) {
+    view.camera.right = view.camera.top = side;
+    view.camera.left = view.camera.bottom = -side;
+    const ScreenBounds found = bounds({-side, -side, -2}, {side, side, -2});
+    ASSERT_EQ(found.kind, Kind::rectangle) << side;
+    const double rounding = 0x1p-18 * view.focal_length();
+    const double edge = 0.5 + 2.0 / 1080 * std::max(1.0, 4 * rounding);
+    EXPECT_GE(found.rectangle.right, edge * 0.9999) << side;
+  }
+  EXPECT_LT(bounds({0, 0, -2}, {0, 0, -2}).rectangle.right, 0.1f) << "the margin is no more than it must be";
+}
+
 /// At any place and under any lopsided frustum.
 View some_view(scenes::Random& random) {
   View view;

@@ -8,15 +8,7 @@ const InGallery far_astronomical({.name = "far_astronomical",
                                   .breaks = "Products of four lengths in units of a parsec overflow single "
                                             "precision: normals, and with them shades, go.",
                                   .faults = {"fixed-units"},
-                                  .make = [] {
-                                    Trial trial;
-                                    trial.model = scaled(small_house(), 0x1p55);
-                                    trial.views = scaled(house_views(), 0x1p55);
-                                    trial.twin = std::make_shared<Trial>();
-                                    trial.twin->model = small_house();
-                                    trial.twin->views = house_views();
-                                    return trial;
-                                  }});
+                                  .make = [] { return house_elsewhere(0x1p55); }});
 
 }  // namespace
 }  // namespace triptych::hard_cases

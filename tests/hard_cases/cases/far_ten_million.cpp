@@ -9,13 +9,7 @@ const InGallery far_ten_million({.name = "far_ten_million",
                                            "centimetres, and double barely knows the lattice.",
                                  .faults = {"float-bounds", "float-positions"},
                                  .make = [] {
-                                   Trial trial;
-                                   trial.model = moved(small_house(), glm::dvec3(1e7, -1e7, 1e7));
-                                   trial.views = moved(house_views(), glm::dvec3(1e7, -1e7, 1e7));
-                                   trial.twin = std::make_shared<Trial>();
-                                   trial.twin->model = small_house();
-                                   trial.twin->views = house_views();
-                                   return trial;
+                                   return house_elsewhere(1, {1e7, -1e7, 1e7});
                                  }});
 
 }  // namespace
