@@ -31,7 +31,7 @@ double turned(double from, double to) { return std::remainder(to - from, glm::tw
 /// Looks ahead along the way; the head turns smoothly.
 std::vector<double> headings(const Line& line, size_t count) {
   constexpr size_t ahead = 32;  // frames: 1.5 metres
-  const double most = glm::radians(0.98), more = glm::radians(0.05);
+  const double most = glm::radians(0.8), more = glm::radians(0.05);
   std::vector<double> result;
   double heading = 0, speed = 0;
   for (size_t i = 0; i < count; ++i) {

@@ -37,4 +37,11 @@ struct BasicBox {
 using Box = BasicBox<glm::dvec3>;         ///< model or mesh space, doubles
 using LatticeBox = BasicBox<glm::ivec3>;  ///< lattice coordinates
 
+/// Half of the surface: how often a box is seen goes with it, from anywhere and in any direction. The box is
+/// not empty.
+inline double half_area(const Box& box) {
+  const glm::dvec3 size = box.hi - box.lo;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
 }  // namespace triptych

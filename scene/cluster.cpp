@@ -19,11 +19,6 @@ struct Edge {
   }
 };
 
-double half_area(const Box& box) {
-  const glm::dvec3 size = box.hi - box.lo;
-  return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 /// Disjoint sets of objects, each with what the criterion wants to know.
 class Forest {
  public:

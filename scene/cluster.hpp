@@ -20,7 +20,7 @@ struct ClusterLimits {
   /// Clusters merge only where that is no dearer to draw than to draw each of them when its box is seen (the
   /// argument of the surface area heuristic, MacDonald and Booth 1990): what a test and a draw cost beside
   /// the triangles, in triangles. Infinite: they merge wherever the other limits let them.
-  double drawable_cost = 256;
+  double drawable_cost = 32;
   /// The surface of a cluster's box is at most so many times that of the smaller one it merges with: what is
   /// small stays small, and is hidden where what is large is not.
   double growth = 4;

@@ -1,7 +1,9 @@
 #include "scene/hierarchy.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace triptych {
 
@@ -24,7 +26,33 @@ class Splitter {
     return {range.first(range.size() / 2), range.subspan(range.size() / 2)};
   }
 
+  /// At the median along the axis, and for odd counts on the side, where what is expected to be seen is
+  /// least: objects times the surface of their box.
+  std::vector<Range> small_halves(Range range) const {
+    const size_t middle = range.size() / 2;
+    std::pair<int, size_t> best;  // axis, and how many come first
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      sort(range, axis);
+      for (size_t first = middle; first <= range.size() - middle; ++first) {
+        const double seen = seen_of(range.first(first)) + seen_of(range.subspan(first));
+        if (seen < least) {
+          least = seen;
+          best = {axis, first};
+        }
+      }
+    }
+    sort(range, best.first);
+    return {range.first(best.second), range.subspan(best.second)};
+  }
+
  private:
+  double seen_of(Range range) const { return half_area(box_of(range)) * static_cast<double>(range.size()); }
+  Box box_of(Range range) const {
+    Box box;
+    for (const uint32_t object : range) box.extend(boxes_[object]);
+    return box;
+  }
   void sort(Range range, int axis) const {
     std::sort(range.begin(), range.end(), [&](uint32_t a, uint32_t b) {
       return centers_[a][axis] != centers_[b][axis] ? centers_[a][axis] < centers_[b][axis] : a < b;
@@ -38,11 +66,11 @@ class Splitter {
 /// Up to four ranges: the halves of the halves.
 std::vector<Range> quarters(const Splitter& splitter, Range range) {
   std::vector<Range> quarters;
-  for (const Range half : splitter.halves(range)) {
+  for (const Range half : splitter.small_halves(range)) {
     if (half.size() < 2) {
       quarters.push_back(half);
     } else {
-      for (const Range quarter : splitter.halves(half)) quarters.push_back(quarter);
+      for (const Range quarter : splitter.small_halves(half)) quarters.push_back(quarter);
     }
   }
   return quarters;

@@ -52,7 +52,8 @@ DepthPlane FacePlanes::perspective(int axis, const Box& box, double slack) const
       glm::dvec2(along.x * (camera.right - camera.left), along.y * (camera.top - camera.bottom));
   const double middle = scale * (along.x * 0.5 * (camera.left + camera.right) +
                                  along.y * 0.5 * (camera.bottom + camera.top) - along.z);
-  return with_slack(slope * (1 + depth_rounding), middle * (1 + depth_rounding),
+  const double nearer = 1 + slack * depth_rounding;
+  return with_slack(slope * nearer, middle * nearer,
                     std::abs(scale) * float_rounding * stretch_, slack);
 }
 
@@ -77,13 +78,13 @@ DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
                     (depth_rounding * clip_.range + float_rounding * distance) * std::abs(scale), slack);
 }
 
-/// Snapping moves what is drawn by at most 1/16 pixel; the slope of 1/8 pixel is added.
+/// Snapping moves what is drawn by at most 1/16 pixel; a quarter of a pixel's slope is added.
 DepthPlane FacePlanes::with_slack(const glm::dvec2& slope, double middle, double rounding,
                                   double slack) const {
   const double terms = std::abs(slope.x) + std::abs(slope.y) + std::abs(middle);
   if (!(terms + rounding < greatest_term)) return {};
-  const double added = rounding + std::abs(slope.x) / (4 * view_.width) +
-                       std::abs(slope.y) / (4 * view_.height) + plane_rounding * terms;
+  const double added = rounding + std::abs(slope.x) / (2 * view_.width) +
+                       std::abs(slope.y) / (2 * view_.height) + plane_rounding * terms;
   return {glm::vec2(slope), static_cast<float>(middle + slack * added)};
 }
 

@@ -143,7 +143,14 @@ RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_its_points_with_half_a_pixel
     RC_ASSERT(r.bottom <= -1 || Wide(r.bottom) <= y - half_y);
     RC_ASSERT(r.top >= 1 || Wide(r.top) >= y + half_y);
     const Wide exact = clip.orthographic ? 1 - (depth - clip.near) / clip.range : clip.near / depth;
-    RC_ASSERT(r.depth >= 1 || Wide(r.depth) >= exact * (1 + 0x1p-16));
+    const float allowed = r.depth(static_cast<float>(x), static_cast<float>(y));
+    RC_ASSERT(allowed >= 1 || Wide(allowed) >= exact);
+    const DepthBound bound = BoxProjector(scene.skeleton, scene.view).depth_bound(scene.box);
+    RC_ASSERT(bound.nearest >= 1 || Wide(bound.nearest) >= exact * (1 + 0x1p-16));
+    for (const DepthPlane& plane : bound.planes) {
+      const float beyond = plane.at(static_cast<float>(x), static_cast<float>(y));
+      RC_ASSERT(beyond >= 1 || Wide(beyond) >= exact);
+    }
   }
 }
 

@@ -42,7 +42,9 @@ bool always(const ScreenRectangle&) { return true; }
 bool never(const ScreenRectangle&) { return false; }
 /// Some are visible and some are not, at random but each rectangle always the same.
 bool some(const ScreenRectangle& rectangle) {
-  return static_cast<int>(std::abs(rectangle.left + rectangle.top) * 1000 + rectangle.depth * 1e5f) % 3 != 0;
+  return static_cast<int>(std::abs(rectangle.left + rectangle.top) * 1000 + rectangle.depth(0, 0) * 1e5f) %
+             3 !=
+         0;
 }
 
 class HardwareCull : public testing::TestWithParam<std::string> {

@@ -7,7 +7,7 @@ const InGallery views_orthographic(
     {.name = "views_orthographic",
      .group = "views",
      .breaks = "Without perspective depth is linear, and deviations are as large far away as near by.",
-     .faults = {"perspective-rule", "strict-depth-test+no-dilation"},
+     .faults = {"perspective-rule"},
      .make = [] {
        Trial trial;
        Maker maker;
