@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 
 namespace triptych {
 
@@ -10,6 +11,9 @@ inline double steady_milliseconds() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
       .count();
 }
+
+/// Rounded to 2⁻¹⁰ milliseconds, about a microsecond: such a number ends in zeros, which need not be sent.
+inline double to_the_microsecond(double milliseconds) { return std::round(milliseconds * 1024) / 1024; }
 
 /// Runs from its construction or last restart.
 class Stopwatch {

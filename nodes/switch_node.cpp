@@ -98,10 +98,10 @@ class Epoch {
     sentinel.visible = static_cast<uint32_t>(visible_.size());
     sentinel.digest =
         frame_digest(frame, camera_.view, camera_.pixel_error, shop_.pack.content_hash(), visible_);
-    sentinel.times = {.hardware_cull_ms = stopwatch.milliseconds(),
+    sentinel.times = {.hardware_cull_ms = to_the_microsecond(stopwatch.milliseconds()),
                       .queries = static_cast<uint32_t>(result.tests),
                       .cut_size = static_cast<uint32_t>(shop_.stage->cut().drawables.size()),
-                      .sent_at_ms = steady_milliseconds()};
+                      .sent_at_ms = to_the_microsecond(steady_milliseconds())};
     inbox_.mailbox().send(peer_, Channel::nodes, sentinel);
     inbox_.mailbox().send(Role::render, Channel::nodes, sentinel);
     ++shop_.summary.culled;
@@ -133,10 +133,10 @@ class Epoch {
     visible_frame_ = frame;
     inbox_.mailbox().send(Role::render, Channel::nodes,
                           SwitchReport{.frame = frame,
-                                       .began_at_ms = began_at_ms,
-                                       .occlusion_representation_ms = represent_ms,
-                                       .camera_waiting_ms = camera_waiting_ms,
-                                       .packets_waiting_ms = intake.waiting_ms,
+                                       .began_at_ms = to_the_microsecond(began_at_ms),
+                                       .occlusion_representation_ms = to_the_microsecond(represent_ms),
+                                       .camera_waiting_ms = to_the_microsecond(camera_waiting_ms),
+                                       .packets_waiting_ms = to_the_microsecond(intake.waiting_ms),
                                        .drawables = static_cast<uint32_t>(shop_.stage->represented().size()),
                                        .triangles = shop_.stage->represented_triangles()});
     ++shop_.summary.represented;

@@ -15,7 +15,7 @@
 
 namespace triptych {
 
-inline constexpr uint32_t protocol_version = 2;
+inline constexpr uint32_t protocol_version = 3;
 
 /// The first message on every socket, in both directions.
 struct Hello {

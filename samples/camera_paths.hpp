@@ -15,9 +15,9 @@ struct CameraFrame {
 };
 using CameraFrames = std::vector<CameraFrame>;
 
-inline constexpr double eye_height = 1.65, walking_step = 1.4 / 30, walking_clearance = 0.3;
+inline constexpr double eye_height = 1.65, walking_step = 1.25 / 30, walking_clearance = 0.3;
 
-/// 300 frames of a person who walks at 1.4 m a second, 30 frames a second: from room to room by open
+/// 300 frames of a person who walks at 1.25 m a second, 30 frames a second: from room to room by open
 /// doors, at least 0.3 m from everything, turning at most 0.8 degrees a frame. Error if the building is so
 /// full that no way is long enough.
 CameraFrames make_walk(const FloorPlan& plan, const std::vector<FurniturePlacement>& placements,
