@@ -63,6 +63,12 @@ void check_scene_nodes(const Skeleton& skeleton, const std::string& place) {
 }
 
 void check_drawables(const Skeleton& skeleton, const std::string& place) {
+  for (size_t i = 0; i < skeleton.placements.size(); ++i) {
+    const Placement& placement = skeleton.placements[i];
+    if (placement.chunk >= skeleton.chunks.size() || placement.transform >= skeleton.transforms.size()) {
+      fail(place, "placement {} names a chunk or a transform that does not exist", i);
+    }
+  }
   for (size_t i = 0; i < skeleton.drawables.size(); ++i) {
     const Drawable& drawable = skeleton.drawables[i];
     const std::string here = fmt::format("{}: drawable {}", place, i);
@@ -72,12 +78,12 @@ void check_drawables(const Skeleton& skeleton, const std::string& place) {
     if (i - node.first_drawable >= node.drawable_count) fail(here, "is not its scene node's");
     if (!in_range(drawable.first_placement, drawable.placement_count, skeleton.placements.size()))
       fail(here, "names placements that do not exist");
-  }
-  for (size_t i = 0; i < skeleton.placements.size(); ++i) {
-    const Placement& placement = skeleton.placements[i];
-    if (placement.chunk >= skeleton.chunks.size() || placement.transform >= skeleton.transforms.size()) {
-      fail(place, "placement {} names a chunk or a transform that does not exist", i);
-    }
+    uint64_t triangles = 0;
+    for (uint32_t placement = 0; placement < drawable.placement_count; ++placement)
+      triangles +=
+          skeleton.chunks[skeleton.placements[drawable.first_placement + placement].chunk].triangle_count;
+    if (triangles != drawable.triangles)
+      fail(here, "says {} triangles, its chunks hold {}", drawable.triangles, triangles);
   }
 }
 

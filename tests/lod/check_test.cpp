@@ -51,6 +51,7 @@ TEST(Check, a_larger_error_is_no_violation_but_shows_in_the_ratio) {
 TEST(Check, a_piece_that_vanished_is_found_though_what_is_left_lies_on_the_source) {
   SmallPack pack = small_pack();
   pack.skeleton.drawables[0].placement_count = 1;  // the root forgets the second leaf
+  pack.skeleton.drawables[0].triangles /= 2;
   EXPECT_EQ(check(pack).bound_violations, 1u);
 }
 
@@ -150,6 +151,7 @@ TEST(CheckSurfaces, the_tree_finds_what_a_full_search_finds_under_any_transform)
   const Chunk chunk = test::grid_chunk({100'000'000, -5, 7}, 12, 9, 5);
   SmallPack pack = small_pack();
   pack.chunks[2] = chunk;
+  pack.skeleton.drawables[3].triangles = static_cast<uint32_t>(chunk.triangle_count());
   Affine sheared(1);  // a shear, a mirror and a scale that differs along the axes
   sheared[0] = {0.5, 0.1, 0};
   sheared[1] = {0.7, -3, 0.2};

@@ -198,6 +198,7 @@ TEST(Pack, a_skeleton_that_does_not_hold_together_is_refused) {
   refused([](Skeleton& s) { s.drawables[1].scene_node = 2; });
   refused([](Skeleton& s) { s.drawables[1].scene_node = 77; });
   refused([](Skeleton& s) { s.drawables[1].placement_count = 0xffffffff; });
+  refused([](Skeleton& s) { ++s.drawables[1].triangles; });
   refused([](Skeleton& s) { s.placements[0].chunk = 3; });
   refused([](Skeleton& s) { s.placements[0].transform = 3; });
   refused([](Skeleton& s) { s.transforms[1][2].y = std::numeric_limits<double>::infinity(); });
@@ -209,6 +210,7 @@ TEST(Pack, a_skeleton_that_does_not_hold_together_is_refused) {
 TEST(PackSkeleton, bytes_cut_anywhere_or_changed_anywhere_never_crash) {
   Skeleton skeleton = small_pack().skeleton;
   skeleton.chunks.assign(3, ChunkInfo{.size = 10, .box = {{0, 0, 0}, {1, 1, 1}}});
+  for (Drawable& drawable : skeleton.drawables) drawable.triangles = 0;
   const auto bytes = encode_skeleton(skeleton);
   EXPECT_NO_THROW(decode_skeleton(bytes, 100, "skeleton"));
   for (size_t length = 0; length < bytes.size(); ++length) {
