@@ -3,10 +3,10 @@
 #include "base/inject.hpp"
 #include "base/threads.hpp"
 #include "launch/choice_flag.hpp"
+#include "launch/positive_number.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fmt/core.h>
 
 namespace triptych {
@@ -26,15 +26,6 @@ PictureSize parse_size(const std::string& text) {
   }
   return size;
 }
-
-const CLI::Validator positive_number(
-    [](std::string& text) {
-      double value = 0;
-      const bool number = CLI::detail::lexical_cast(text, value);
-      return number && value > 0 && std::isfinite(value) ? std::string()
-                                                         : "\"" + text + "\" is no number above 0";
-    },
-    "NUMBER>0");
 
 }  // namespace
 
@@ -101,7 +92,7 @@ void add_path_flags(CLI::App& command, RunOptions& options) {
       ->default_str("512x512");
   command.add_option("--pixel-error", options.pixel_errors, "How far surfaces may deviate, in pixels")
       ->delimiter(',')
-      ->check(positive_number)
+      ->check(positive_number())
       ->default_str("1");
   command.add_option("--frames", options.frames, "Only the first frames of the path")
       ->check(CLI::PositiveNumber);

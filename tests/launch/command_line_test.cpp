@@ -1,4 +1,4 @@
-// What `--help` says of flags whose value is one of a few words.
+// What every command line has in common: the words of its flags, and which numbers are none.
 #include "launch/command.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace triptych {
 namespace {
 
-TEST(Help, lists_the_words_of_a_flag_and_nothing_of_how_they_are_stored) {
+TEST(CommandLine, help_lists_the_words_of_a_flag_and_nothing_of_how_they_are_stored) {
   CLI::App app;
   Action action;
   for (const auto add : {add_build, add_render, add_session, add_replay, add_role, add_selftest, add_measure})
@@ -20,12 +20,25 @@ TEST(Help, lists_the_words_of_a_flag_and_nothing_of_how_they_are_stored) {
   EXPECT_EQ(help.find("->"), std::string::npos);
 }
 
-TEST(Help, numbers_are_not_taken_for_words) {
+TEST(CommandLine, numbers_are_not_taken_for_words) {
   CLI::App app;
   Action action;
   add_selftest(app, action);
   EXPECT_THROW(app.parse("selftest --context 1", false), CLI::ValidationError);
   EXPECT_NO_THROW(app.parse("selftest --context osmesa", false));
+}
+
+TEST(CommandLine, times_and_rates_are_finite_numbers_above_0) {
+  for (const std::string flag : {"--timeout", "--rate"}) {
+    for (const std::string value : {"nan", "inf", "0", "-1"}) {
+      CLI::App app;
+      Action action;
+      add_session(app, action);
+      EXPECT_THROW(app.parse("session pack.tpk --path walk.json " + flag + " " + value, false),
+                   CLI::ValidationError)
+          << flag << " " << value;
+    }
+  }
 }
 
 }  // namespace
