@@ -28,6 +28,14 @@ Container read_whole(const std::filesystem::path& path) {
   if (failed) fail(path.string(), "cannot be read: {}", std::strerror(errno));
   return contents;
 }
+/// A file is put in place of what has its name: where that is a device or a pipe, it would be gone.
+void check_replaceable(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (std::filesystem::is_directory(status)) fail(path.string(), "is a folder, not a file");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    fail(path.string(), "is no regular file, and nothing is put in its place");
+}
 }  // namespace
 
 std::vector<std::byte> read_file(const std::filesystem::path& path) {
@@ -42,8 +50,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path_, error)) fail(path_.string(), "is a folder, not a file");
+  check_replaceable(path_);
   partial_ = path_.string() + ".partial-" + std::to_string(::getpid());
   file_ = std::fopen(partial_.c_str(), "wb");
   if (!file_) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
@@ -56,9 +63,8 @@ AtomicFile::~AtomicFile() {
 
 AtomicFile::AtomicFile(std::filesystem::path path, std::filesystem::path partial, uint64_t keep)
     : path_(std::move(path)), partial_(std::move(partial)), size_(keep) {
+  check_replaceable(path_);
   std::error_code error;
-  if (std::filesystem::is_directory(path_, error)) fail(path_.string(), "is a folder, not a file");
-  error.clear();  // a pack that is not there yet is none
   if (keep > 0) std::filesystem::resize_file(partial_, keep, error);
   if (!error) file_ = std::fopen(partial_.c_str(), keep > 0 ? "r+b" : "wb");
   if (!file_ || std::fseek(file_, 0, SEEK_END) != 0) {

@@ -8,8 +8,13 @@
 
 namespace triptych {
 
+/// A check that admits these words alone; the error lists them, the help text does not.
+inline CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::Validator(CLI::IsMember(words)).description("");
+}
+
 /// A flag that sets `target` to what the word on the command line names; any other word is a usage error that
-/// lists them. `names` and `target` must live as long as the command.
+/// lists them, as does the help text: a|b|c. `target` must live as long as the command.
 template <typename Target, typename Value>
 CLI::Option* add_choice_flag(CLI::App& command, const std::string& flag, Target& target,
                              const std::map<std::string, Value>& names, const std::string& help) {
@@ -17,8 +22,9 @@ CLI::Option* add_choice_flag(CLI::App& command, const std::string& flag, Target&
   for (const auto& [word, value] : names) words.push_back(word);
   return command
       .add_option_function<std::string>(
-          flag, [&target, &names](const std::string& word) { target = names.at(word); }, help)
-      ->check(CLI::IsMember(words));
+          flag, [&target, names](const std::string& word) { target = names.at(word); }, help)
+      ->check(one_of(words))
+      ->type_name(CLI::detail::join(words, "|"));
 }
 
 }  // namespace triptych

@@ -2,10 +2,11 @@
 
 #include "base/inject.hpp"
 #include "base/threads.hpp"
+#include "launch/choice_flag.hpp"
+#include "launch/positive_number.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fmt/core.h>
 
 namespace triptych {
@@ -26,15 +27,6 @@ PictureSize parse_size(const std::string& text) {
   return size;
 }
 
-const CLI::Validator positive_number(
-    [](std::string& text) {
-      double value = 0;
-      const bool number = CLI::detail::lexical_cast(text, value);
-      return number && value > 0 && std::isfinite(value) ? std::string()
-                                                         : "\"" + text + "\" is no number above 0";
-    },
-    "NUMBER>0");
-
 }  // namespace
 
 void add_common_flags(CLI::App& command, std::filesystem::path& json) {
@@ -45,8 +37,9 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
           [](const std::vector<std::string>& names) {
             for (const std::string& name : names) inject(name);
           },
-          "Put a fault in on purpose; shows that the checks can fail")
-      ->check(CLI::IsMember(fault_names()))
+          "Put a fault in on purpose; shows that the checks can fail (any other word lists them)")
+      ->check(one_of(fault_names()))
+      ->type_name("NAME")
       ->allow_extra_args(false);
   command
       .add_option_function<unsigned>(
@@ -56,10 +49,8 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
 }
 
 void add_context_flag(CLI::App& command, ContextKind& context) {
-  command.add_option("--context", context, "Where OpenGL comes from")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ContextKind>{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}}))
-      ->default_str("egl");
+  const std::map<std::string, ContextKind> names{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}};
+  add_choice_flag(command, "--context", context, names, "Where OpenGL comes from")->default_str("egl");
 }
 
 void add_window_flag(CLI::App& command, bool& window) {
@@ -80,11 +71,9 @@ void add_timeline_flag(CLI::App& command, std::filesystem::path& file) {
 
 void add_context_flags(CLI::App& command, RunOptions& options) {
   add_context_flag(command, options.context);
-  command
-      .add_option("--test", options.test,
+  const std::map<std::string, TestKind> names{{"queries", TestKind::queries}, {"storage", TestKind::storage}};
+  add_choice_flag(command, "--test", options.test, names,
                   "How boxes are tested: occlusion queries, or a draw that marks a storage buffer")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, TestKind>{{"queries", TestKind::queries}, {"storage", TestKind::storage}}))
       ->default_str("storage");
 }
 
@@ -103,7 +92,7 @@ void add_path_flags(CLI::App& command, RunOptions& options) {
       ->default_str("512x512");
   command.add_option("--pixel-error", options.pixel_errors, "How far surfaces may deviate, in pixels")
       ->delimiter(',')
-      ->check(positive_number)
+      ->check(positive_number())
       ->default_str("1");
   command.add_option("--frames", options.frames, "Only the first frames of the path")
       ->check(CLI::PositiveNumber);

@@ -1,6 +1,7 @@
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "base/timeline.hpp"
+#include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
 #include "launch/pictures.hpp"
 #include "measure/frame_series.hpp"
@@ -82,10 +83,9 @@ void add_render(CLI::App& app, Action& action) {
   sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
   add_run_flags(*sub, command->run);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
-  sub->add_option("--cull", command->cull, "What is left out: occlusion, frustum or none")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, CullMode>{
-          {"occlusion", CullMode::occlusion}, {"frustum", CullMode::frustum}, {"none", CullMode::none}}))
-      ->default_str("occlusion");
+  const std::map<std::string, CullMode> modes{
+      {"occlusion", CullMode::occlusion}, {"frustum", CullMode::frustum}, {"none", CullMode::none}};
+  add_choice_flag(*sub, "--cull", command->cull, modes, "What is left out")->default_str("occlusion");
   add_timeline_flag(*sub, command->timeline);
   sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");

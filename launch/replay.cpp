@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "base/hashing.hpp"
 #include "base/notice.hpp"
+#include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
 #include "launch/pictures.hpp"
 #include "measure/json.hpp"
@@ -138,7 +139,10 @@ void add_replay(CLI::App& app, Action& action) {
   add_common_flags(*sub, command->json);
   sub->add_option("folder", command->folder, "What session --record left")->required()->type_name("DIR");
   auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file");
-  sub->add_option("--frames", "All of them; -o is a folder")->check(CLI::IsMember({"all"}))->excludes(frame);
+  sub->add_option("--frames", "All of them; -o is a folder")
+      ->check(one_of({"all"}))
+      ->type_name("all")
+      ->excludes(frame);
   sub->add_option("-o,--output", command->output, "Where the picture goes")->required()->type_name("PATH");
   sub->add_option("--pack", command->pack, "The pack, where it is not where it was")->type_name("FILE.tpk");
   add_context_flag(*sub, command->context);

@@ -1,3 +1,4 @@
+#include "launch/positive_number.hpp"
 #include "launch/session_run.hpp"
 
 namespace triptych {
@@ -6,7 +7,7 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   add_run_flags(command, options.run);
   command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   add_batch_flag(command, options.batches);
   command.add_option("--hosts", options.hosts, "Play the switch nodes on the machines that this file names")
       ->type_name("HOSTS.toml");
@@ -18,7 +19,7 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command
       .add_option("--timeout", options.timeout_ms,
                   "Milliseconds to wait for a frame's visible set before the render node goes on alone")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")
       ->capture_default_str();

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <limits>
+#include <sys/stat.h>
 
 namespace triptych {
 namespace {
@@ -150,6 +151,19 @@ TEST(File, folders_missing_files_and_places_that_cannot_be_written_are_errors_th
   EXPECT_THROW(AtomicFile{folder}, Error);
   write_file(folder / "file", "");
   EXPECT_THROW(make_folder(folder / "file" / "below"), Error);
+}
+
+TEST(File, a_pipe_or_a_device_is_not_replaced) {
+  const fs::path folder = test_folder(), pipe = folder / "pipe", link = folder / "link";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink(pipe, link);
+  for (const fs::path& file : {pipe, link}) {
+    EXPECT_NE(message_of([&] { write_file(file, "text"); }).find("no regular file"), std::string::npos);
+    EXPECT_THROW(AtomicFile(file, folder / "partial", 0), Error);
+  }
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_FALSE(fs::exists(folder / "partial"));
 }
 
 TEST(Hashing, depends_on_every_bit_on_the_length_and_on_the_seed) {

@@ -71,6 +71,16 @@ TEST_F(MeasureCommands, build_has_the_figures_of_the_build_alone_and_keeps_the_p
   EXPECT_EQ(folder.files(), 5u) << "something else was left behind";
 }
 
+TEST_F(MeasureCommands, a_build_does_not_take_the_place_of_its_model) {
+  const std::string before = text_of(model);
+  EXPECT_NE(failure({"build", model, "-o", model}).find("file of the model"), std::string::npos);
+  EXPECT_NE(failure({"build", model, "-o", folder.file("x.tpk"), "--json", folder.file("./model.obj")})
+                .find("file of the model"),
+            std::string::npos);
+  EXPECT_EQ(text_of(model), before);
+  EXPECT_EQ(folder.files(), 2u);
+}
+
 TEST_F(MeasureCommands, build_of_a_broken_model_is_one_line_and_leaves_nothing) {
   std::ofstream(model) << "v 0 0 0\nf 1 2 900\n";
   const std::string line = failure(measure("build", {"--keep", folder.file("kept.tpk")}));
