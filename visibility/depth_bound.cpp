@@ -53,8 +53,7 @@ DepthPlane FacePlanes::perspective(int axis, const Box& box, double slack) const
   const double middle = scale * (along.x * 0.5 * (camera.left + camera.right) +
                                  along.y * 0.5 * (camera.bottom + camera.top) - along.z);
   const double nearer = 1 + slack * depth_rounding;
-  return with_slack(slope * nearer, middle * nearer,
-                    std::abs(scale) * float_rounding * stretch_, slack);
+  return with_slack(slope * nearer, middle * nearer, std::abs(scale) * float_rounding * stretch_, slack);
 }
 
 /// The same where rays are parallel: on the face, how far a ray has come is affine in where it starts.
