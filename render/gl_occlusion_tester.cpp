@@ -33,11 +33,9 @@ void GlOcclusionTester::test(std::span<const ScreenRectangle> rectangles, std::s
   rectangles_.upload(rectangles);
   target_.bind();
   glBindVertexArray(vertex_array_);
-  glUseProgram(program_);
-  glUniform2f(glGetUniformLocation(program_, "overlap"), 0.25f / static_cast<float>(target_.width()),
-              0.25f / static_cast<float>(target_.height()));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
-  const RectangleState state(injected(Fault::strict_depth_test) ? GL_GREATER : GL_GEQUAL);
+  const RectangleState state(program_, target_.width(), target_.height(),
+                             injected(Fault::strict_depth_test) ? GL_GREATER : GL_GEQUAL);
   if (kind_ == TestKind::queries) {
     test_by_queries(rectangles.size(), visible);
   } else {

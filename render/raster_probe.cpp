@@ -95,11 +95,8 @@ uint64_t RasterProbe::fragments_that_pass_again(const std::vector<ProbeVertex>& 
 std::vector<uint8_t> RasterProbe::test_by_queries(std::span<const ScreenRectangle> rectangles) {
   bind();
   rectangles_.upload(rectangles);
-  glUseProgram(queries_);
-  glUniform2f(glGetUniformLocation(queries_, "overlap"), 0.25f / static_cast<float>(width_),
-              0.25f / static_cast<float>(height_));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
-  const RectangleState state;
+  const RectangleState state(queries_, width_, height_);
   std::vector<GLuint> names(rectangles.size());
   glCreateQueries(GL_ANY_SAMPLES_PASSED, static_cast<GLsizei>(names.size()), names.data());
   for (size_t i = 0; i < names.size(); ++i) {
@@ -122,12 +119,9 @@ std::vector<uint8_t> RasterProbe::test_by_storage(std::span<const ScreenRectangl
   rectangles_.upload(rectangles);
   std::vector<uint32_t> answers(rectangles.size(), 0);
   answers_.upload(std::span<const uint32_t>(answers));
-  glUseProgram(storage_);
-  glUniform2f(glGetUniformLocation(storage_, "overlap"), 0.25f / static_cast<float>(width_),
-              0.25f / static_cast<float>(height_));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, answers_binding, answers_);
-  const RectangleState state;
+  const RectangleState state(storage_, width_, height_);
   glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(4 * answers.size()), 0);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(answers_, 0, static_cast<GLsizeiptr>(answers.size() * sizeof(uint32_t)),

@@ -1,4 +1,4 @@
-// How OpenGL is set while rectangles are tested against a depth.
+// How OpenGL is set while rectangles are tested against a depth, and with what program.
 #pragma once
 
 #include <glad/gl.h>
@@ -9,7 +9,12 @@ namespace triptych {
 /// eye, and cut at the far end. Undone when this goes.
 class RectangleState {
  public:
-  explicit RectangleState(GLenum comparison = GL_GEQUAL) {
+  /// The program has rectangle_vertex_shader(); the target is so many pixels wide and high.
+  RectangleState(GLuint program, int width, int height, GLenum comparison = GL_GEQUAL) {
+    glUseProgram(program);
+    constexpr float eighth_pixel = 0.25f;  // the screen is two units wide
+    glUniform2f(glGetUniformLocation(program, "overlap"), eighth_pixel / static_cast<float>(width),
+                eighth_pixel / static_cast<float>(height));
     glDepthMask(GL_FALSE);
     glDepthFunc(comparison);
     glEnable(GL_DEPTH_CLAMP);

@@ -30,7 +30,7 @@ class Splitter {
   /// least: objects times the surface of their box.
   std::vector<Range> small_halves(Range range) const {
     const size_t middle = range.size() / 2;
-    std::pair<int, size_t> best;  // axis, and how many come first
+    std::pair<int, size_t> best{0, middle};  // axis, and how many come first
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
       sort(range, axis);

@@ -9,8 +9,6 @@ namespace triptych {
 namespace {
 /// The vertex stage puts a position off by at most 83 · 2⁻²⁴ of its distance (visibility/screen_bounds.cpp).
 constexpr double float_rounding = 0x1p-17;
-/// Of the depth: rounding of w and of the division; orthographic: of the range.
-constexpr double depth_rounding = 0x1p-14;
 /// Planes with larger terms say nothing; floats hold up to here.
 constexpr double greatest_term = 0x1p20;
 /// Orthographic: faces seen more obliquely than this say nothing.
@@ -52,7 +50,7 @@ DepthPlane FacePlanes::perspective(int axis, const Box& box, double slack) const
       glm::dvec2(along.x * (camera.right - camera.left), along.y * (camera.top - camera.bottom));
   const double middle = scale * (along.x * 0.5 * (camera.left + camera.right) +
                                  along.y * 0.5 * (camera.bottom + camera.top) - along.z);
-  const double nearer = 1 + slack * depth_rounding;
+  const double nearer = 1 + slack * share_of_depth;
   return with_slack(slope * nearer, middle * nearer, std::abs(scale) * float_rounding * stretch_, slack);
 }
 
@@ -74,7 +72,7 @@ DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
   const double distance = glm::length(glm::max(glm::abs(box.lo - clip_.reference),  //
                                                glm::abs(box.hi - clip_.reference)));
   return with_slack(slope, middle,
-                    (depth_rounding * clip_.range + float_rounding * distance) * std::abs(scale), slack);
+                    (share_of_depth * clip_.range + float_rounding * distance) * std::abs(scale), slack);
 }
 
 /// Snapping moves what is drawn by at most 1/16 pixel; a quarter of a pixel's slope is added.

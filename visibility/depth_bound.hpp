@@ -17,6 +17,9 @@ struct DepthPlane {
   float at(float x, float y) const { return slope.x * x + slope.y * y + middle; }
 };
 
+/// What rounding of w, of z and of their quotient may do to a depth: of itself, orthographic of its range.
+inline constexpr double share_of_depth = 0x1p-14;
+
 /// What evaluating a plane in floats may be off by, of the sum of its terms; the card's share included.
 inline constexpr double plane_rounding = 0x1p-20;
 

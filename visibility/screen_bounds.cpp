@@ -20,7 +20,6 @@ constexpr double float_rounding = 0x1p-19;
 constexpr double pixels_of_margin = 4;
 /// Beyond it rounding in w may reach the margin of depths.
 constexpr double greatest_narrow_tangent = 8;
-constexpr double depth_margin = 0x1p-14;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
 constexpr double near_margin = 1.001;
 
@@ -93,7 +92,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   // (p and w).
   const double rounding = 2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length();
   if (!(rounding <= 0.25 || greatest_tangent <= greatest_narrow_tangent)) return {};
-  const double margin = injected(Fault::no_dilation) ? 1 : 1 + depth_margin;
+  const double margin = injected(Fault::no_dilation) ? 1 : 1 + share_of_depth;
   return on_screen(left, right, bottom, top, clip_.depth(least_depth) * margin, rounding);
 }
 
@@ -109,7 +108,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   const double depth = clip_.reference_depth - centre.z;
   // Rounding of positions is relative to how far they are from the reference.
   const double rounding = float_rounding * (glm::length(centre) + glm::length(half));
-  const double touch = depth_margin * clip_.range + rounding;
+  const double touch = share_of_depth * clip_.range + rounding;
   if (depth + reach.z < clip_.near - touch) return {.beyond = true};
   if (depth - reach.z < clip_.near + touch) return {};
   const double margin = injected(Fault::no_dilation) ? 0 : touch / clip_.range;
