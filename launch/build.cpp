@@ -1,4 +1,4 @@
-#include "lod/build.hpp"
+#include "lod/preprocess/build.hpp"
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
@@ -7,7 +7,7 @@
 #include "launch/command.hpp"
 #include "launch/import_flags.hpp"
 #include "measure/json.hpp"
-#include "scene/import.hpp"
+#include "scene/import/import.hpp"
 
 #include <fmt/core.h>
 

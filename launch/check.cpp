@@ -1,4 +1,4 @@
-#include "lod/check.hpp"
+#include "lod/check/check.hpp"
 
 #include "base/error.hpp"
 #include "launch/command.hpp"

@@ -1,6 +1,6 @@
 // triptych-import: reads one model file with Assimp and writes a .glb to descriptor 3. A process of its own,
-// as Assimp crashes on some hostile files; triptych starts it (scene/converter.hpp). Warnings and at most one
-// complaint go to standard error, a line each, as "warning: ..." and "triptych: ...".
+// as Assimp crashes on some hostile files; triptych starts it (scene/import/converter.hpp). Warnings and at
+// most one complaint go to standard error, a line each, as "warning: ..." and "triptych: ...".
 #include "base/error.hpp"
 #include "launch/import_glb.hpp"
 

@@ -1,10 +1,10 @@
 #include "base/threads.hpp"
 #include "launch/command.hpp"
 #include "measure/json.hpp"
-#include "samples/building.hpp"
-#include "samples/isosurface.hpp"
-#include "samples/plant.hpp"
-#include "samples/statue.hpp"
+#include "samples/building/building.hpp"
+#include "samples/plant/plant.hpp"
+#include "samples/surfaces/isosurface.hpp"
+#include "samples/surfaces/statue.hpp"
 
 #include <fmt/core.h>
 

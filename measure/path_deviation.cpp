@@ -1,7 +1,7 @@
 #include "measure/path_deviation.hpp"
 
 #include "base/error.hpp"
-#include "lod/check_distances.hpp"
+#include "lod/check/check_distances.hpp"
 #include "lod/cut.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "samples/camera_paths.hpp"
 
 #include "base/error.hpp"
-#include "samples/free_space.hpp"
+#include "samples/building/free_space.hpp"
 #include "samples/polyline.hpp"
 
 #include <algorithm>

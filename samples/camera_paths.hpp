@@ -1,8 +1,8 @@
 // The four camera paths through a sample building.
 #pragma once
 
-#include "samples/floor_plan.hpp"
-#include "samples/furnisher.hpp"
+#include "samples/building/floor_plan.hpp"
+#include "samples/building/furnisher.hpp"
 
 #include <glm/glm.hpp>
 #include <string>

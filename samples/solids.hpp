@@ -1,8 +1,8 @@
 // Closed bodies that buildings are made of: boxes, and slabs with rectangular holes.
 #pragma once
 
-#include "samples/floor_plan.hpp"
-#include "samples/obj_furniture.hpp"
+#include "samples/building/floor_plan.hpp"
+#include "samples/building/obj_furniture.hpp"
 
 namespace triptych {
 

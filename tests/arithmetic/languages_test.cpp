@@ -1,8 +1,8 @@
 // In a program that speaks a language with a decimal comma, or that rounds otherwise, the same files give the
 // same bytes.
-#include "lod/build.hpp"
-#include "lod/check.hpp"
-#include "scene/import.hpp"
+#include "lod/check/check.hpp"
+#include "lod/preprocess/build.hpp"
+#include "scene/import/import.hpp"
 #include "scene/pack.hpp"
 #include "scene/path.hpp"
 #include "tests/session/program.hpp"

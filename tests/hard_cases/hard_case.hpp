@@ -1,7 +1,7 @@
 // A hard case: a small scene with cameras on which something breaks easily, and the faults that it catches.
 #pragma once
 
-#include "lod/build.hpp"
+#include "lod/preprocess/build.hpp"
 #include "scene/camera.hpp"
 #include "scene/model.hpp"
 

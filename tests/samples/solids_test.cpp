@@ -1,7 +1,7 @@
 // The building's bodies are closed surfaces that face outward.
 #include "samples/solids.hpp"
 
-#include "samples/shell.hpp"
+#include "samples/building/shell.hpp"
 
 #include <gtest/gtest.h>
 #include <map>

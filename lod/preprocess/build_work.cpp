@@ -1,0 +1,40 @@
+#include "lod/preprocess/build_work.hpp"
+
+#include <array>
+
+namespace triptych {
+
+BuildWork::BuildWork(const std::filesystem::path& pack, const std::string& fingerprint)
+    : folder_(pack, fingerprint),
+      journal_(folder_),
+      left_to_replay_(journal_.replayable()),
+      parts_(folder_.file("parts"), kept(0)),
+      surfaces_(folder_.file("surfaces"), kept(1)),
+      pack_(pack, folder_.file("pack"), kept(2)) {}
+
+void BuildWork::unit(const std::function<void(ByteWriter&)>& work,
+                     const std::function<void(ByteReader&)>& take) {
+  const std::string place = folder_.file("journal").string();
+  if (const auto record = journal_.replay()) {
+    --left_to_replay_;
+    ByteReader reader(*record, place);
+    for (const ChunkInfo& chunk : reader.read_all<ChunkInfo>(reader.read<uint64_t>())) pack_.adopt(chunk);
+    take(reader);
+    reader.expect_end();
+    return;
+  }
+  const size_t first_chunk = pack_.chunks().size();
+  ByteWriter result;
+  work(result);
+  const auto added = std::span(pack_.chunks()).subspan(first_chunk);
+  ByteWriter record;
+  record.write(uint64_t{added.size()});
+  record.write_all(added);
+  record.write_all(std::span<const std::byte>(result.bytes()));
+  journal_.append(record.bytes(), std::array{parts_.size(), surfaces_.size(), pack_.flush()});
+  ByteReader reader(result.bytes(), place);
+  take(reader);
+  reader.expect_end();
+}
+
+}  // namespace triptych

@@ -1,0 +1,220 @@
+#include "lod/preprocess/node_drawables.hpp"
+
+#include "base/inject.hpp"
+#include "base/progress.hpp"
+#include "base/threads.hpp"
+#include "lod/preprocess/hlod.hpp"
+
+#include <algorithm>
+
+namespace triptych {
+
+namespace {
+
+/// Inner nodes of one unit of work.
+constexpr size_t unit_nodes = 256;
+
+/// A drawable of an inner node, as it stands in the pack.
+struct WrittenHlod {
+  double error = 0;
+  uint32_t chunk = 0, triangles = 0;
+  LatticeBox box;
+};
+
+/// What the parent of a node begins with.
+struct Coarsest {
+  double error = 0;
+  std::vector<uint32_t> levels;  ///< of a leaf: LeafDrawable::levels of its last drawable
+  SpoolPlace baked;              ///< of an inner node: its last drawable
+};
+
+class NodeDrawables {
+ public:
+  NodeDrawables(const Parts& parts, const Objects& objects, std::span<const HierarchyNode> nodes,
+                std::span<const PartLevels> levels, const BuildOptions& options, BuildWork& work)
+      : contents(nodes.size()),
+        parts_(parts),
+        objects_(objects),
+        nodes_(nodes),
+        levels_(levels),
+        options_(options),
+        work_(work),
+        coarsest_(nodes.size()) {
+    span_borders();
+  }
+
+  void run() {
+    Progress progress("hierarchical LODs", nodes_.size());
+    std::vector<size_t> leaves;
+    for (size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].child_count == 0) leaves.push_back(i);
+    }
+    parallel_for(leaves.size(), [&](size_t i) { make_leaf(leaves[i]); });
+    progress.advance(leaves.size());
+    // From the deepest level up. Nodes are in breadth-first order: those of one depth are contiguous.
+    std::vector<uint32_t> depths(nodes_.size(), 0);
+    for (size_t i = 1; i < nodes_.size(); ++i) depths[i] = depths[nodes_[i].parent] + 1;
+    for (size_t end = nodes_.size(); end > 0;) {
+      const uint32_t depth = depths[end - 1];
+      std::vector<size_t> inner;
+      for (; end > 0 && depths[end - 1] == depth; --end) {
+        if (nodes_[end - 1].child_count > 0) inner.push_back(end - 1);
+      }
+      std::reverse(inner.begin(), inner.end());
+      for (size_t first = 0; first < inner.size(); first += unit_nodes) {
+        const auto unit = std::span(inner).subspan(first, std::min(unit_nodes, inner.size() - first));
+        simplify_unit(unit, progress);
+      }
+    }
+  }
+
+  std::vector<NodeContent> contents;
+  uint64_t stuck = 0;
+
+ private:
+  /// Where the points of borders are: instance by instance, the span of leaves that share each of them.
+  void span_borders() {
+    border_spans_.resize(parts_.border_counts.size());
+    for (size_t i = 0; i < border_spans_.size(); ++i) border_spans_[i].resize(parts_.border_counts[i]);
+    for (const HierarchyNode& node : nodes_) {
+      if (node.child_count > 0) continue;
+      for (const uint32_t member : objects_.members[node.object]) {
+        const PlacedPart& placed = parts_.placed[member];
+        for (const uint32_t border : parts_.borders[placed.part]) {
+          border_spans_[placed.instance][border].extend({node.first_place, node.first_place});
+        }
+      }
+    }
+  }
+
+  void make_leaf(size_t node) {
+    NodeContent& content = contents[node];
+    const auto& members = objects_.members[nodes_[node].object];
+    for (const uint32_t member : members) content.box.extend(parts_.boxes[member]);
+    auto leaf_levels = leaf_drawables(parts_, levels_, members, exit_triangles(options_));
+    for (const LeafDrawable& leaf : leaf_levels) {
+      Drawable drawable;
+      drawable.error = leaf.error;
+      drawable.triangles = leaf.triangles;
+      drawable.first_placement = static_cast<uint32_t>(content.placements.size());
+      drawable.placement_count = static_cast<uint32_t>(members.size());
+      for (size_t i = 0; i < members.size(); ++i) {
+        const PlacedPart& placed = parts_.placed[members[i]];
+        content.placements.push_back({levels_[placed.part].levels[leaf.levels[i]].chunk, placed.transform});
+      }
+      content.drawables.push_back(drawable);
+    }
+    coarsest_[node] = {content.drawables.back().error, std::move(leaf_levels.back().levels), {}};
+  }
+
+  void simplify_unit(std::span<const size_t> unit, Progress& progress) {
+    work_.unit(
+        [&](ByteWriter& record) {
+          std::vector<Hlod> hlods(unit.size());
+          parallel_for(unit.size(), [&](size_t i) {
+            hlods[i] = simplify_children(unit[i]);
+            progress.advance();
+          });
+          for (const Hlod& hlod : hlods) put(record, hlod);
+        },
+        [&](ByteReader& record) {
+          for (const size_t node : unit) take(record, node);
+        });
+  }
+
+  Hlod simplify_children(size_t node) {
+    Baker baker(parts_.lattices[0]);
+    double error = 0;
+    const uint32_t first = nodes_[node].first_child;
+    for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
+      if (!injected(Fault::shrinking_bounds)) error = std::max(error, coarsest_[child].error);
+      if (nodes_[child].child_count == 0) {
+        bake_leaf(child, baker);
+      } else {
+        const Baked baked = load_baked(work_.surfaces(), coarsest_[child].baked);
+        baker.add(baked.surface, baked.spans);
+      }
+    }
+    return make_hlod(baker.finish(error), nodes_[node].first_place, nodes_[node].end_place,
+                     parts_.lattices[0], options_.hlod_triangles, options_.simplify);
+  }
+
+  /// Collects the coarsest drawable of a leaf.
+  void bake_leaf(size_t leaf, Baker& baker) const {
+    const auto& members = objects_.members[nodes_[leaf].object];
+    for (size_t i = 0; i < members.size(); ++i) {
+      const PlacedPart& placed = parts_.placed[members[i]];
+      const Part part = load_part(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
+      std::vector<LeafSpan> spans(part.surface.points.size());
+      for (const BorderPoint& border : part.borders) {
+        spans[border.point] = border_spans_[placed.instance][parts_.borders[placed.part][border.ordinal]];
+      }
+      if (placed.transform == 0) {
+        baker.add(part.surface, spans);
+      } else {
+        const Lattice& lattice = parts_.lattices[parts_.parts[placed.part].lattice];
+        baker.add(part.surface, lattice, parts_.transforms[placed.transform], spans);
+      }
+    }
+  }
+
+  void put(ByteWriter& record, const Hlod& hlod) {
+    record.write(uint64_t{hlod.stuck});
+    record.write(hlod.coarsest.error);
+    record.write(store(work_.surfaces(), hlod.coarsest));
+    record.write(uint64_t{hlod.drawables.size()});
+    for (const HlodDrawable& level : hlod.drawables) {
+      const EncodedChunk& chunk = level.chunk;
+      record.write(WrittenHlod{level.error, append(work_.pack(), chunk, 0), chunk.triangles, chunk.box});
+    }
+  }
+
+  void take(ByteReader& record, size_t node) {
+    NodeContent& content = contents[node];
+    stuck += record.read<uint64_t>();
+    coarsest_[node].error = record.read<double>();
+    coarsest_[node].baked = record.read<SpoolPlace>();
+    for (const WrittenHlod& level : record.read_all<WrittenHlod>(record.read<uint64_t>())) {
+      Drawable drawable;
+      drawable.error = level.error;
+      drawable.triangles = level.triangles;
+      drawable.first_placement = static_cast<uint32_t>(content.placements.size());
+      drawable.placement_count = 1;
+      content.placements.push_back({level.chunk, 0});
+      content.drawables.push_back(drawable);
+      content.box.extend(level.box);
+    }
+    const uint32_t first = nodes_[node].first_child;
+    for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
+      content.box.extend(contents[child].box);
+      coarsest_[child] = {};
+    }
+  }
+
+  const Parts& parts_;
+  const Objects& objects_;
+  std::span<const HierarchyNode> nodes_;
+  std::span<const PartLevels> levels_;
+  const BuildOptions& options_;
+  BuildWork& work_;
+  std::vector<Coarsest> coarsest_;
+  std::vector<std::vector<LeafSpan>> border_spans_;  ///< by instance, by border number
+};
+
+}  // namespace
+
+size_t exit_triangles(const BuildOptions& options) {
+  return std::max<size_t>(options.hlod_triangles / 32, 16);
+}
+
+std::vector<NodeContent> make_node_drawables(const Parts& parts, const Objects& objects,
+                                             std::span<const HierarchyNode> nodes,
+                                             std::span<const PartLevels> levels, const BuildOptions& options,
+                                             BuildWork& work, ImportReport& report) {
+  NodeDrawables drawables(parts, objects, nodes, levels, options, work);
+  drawables.run();
+  report.stuck_groups += drawables.stuck;
+  return std::move(drawables.contents);
+}
+
+}  // namespace triptych

@@ -1,0 +1,288 @@
+#include "lod/preprocess/parts.hpp"
+
+#include "base/error.hpp"
+#include "base/progress.hpp"
+#include "base/threads.hpp"
+#include "lod/preprocess/buckets.hpp"
+#include "lod/preprocess/divide.hpp"
+#include "scene/weld.hpp"
+
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <optional>
+
+namespace triptych {
+
+namespace {
+
+/// A lattice box, on the model's lattice, that holds the surface under the transform.
+LatticeBox placed_box(const Surface& surface, const Lattice& lattice, const Affine& transform,
+                      const Lattice& model) {
+  Box box;
+  for (const glm::ivec3& point : surface.points) {
+    box.extend(transform * glm::dvec4(lattice.position(point), 1));
+  }
+  LatticeBox enclosing = model.enclosing(box);
+  enclosing.lo -= 1;  // rounding in the transform
+  enclosing.hi += 1;
+  return enclosing;
+}
+
+/// What one mesh, or one bucket of it, came to.
+struct Divided {
+  std::vector<Part> parts;
+  std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
+  uint64_t dropped_triangles = 0, welded_vertices = 0;
+};
+
+class PartMaker {
+ public:
+  PartMaker(const Model& model, const BuildPlan& plan, const BuildOptions& options, BuildWork& work)
+      : model_(model), plan_(plan), options_(options), work_(work), unit_triangles_(unit_triangles(options)) {
+    // Borders between parts stay as they are in all levels, and that costs triangles: a mesh that is small in
+    // the model, such as a piece of furniture, is parted only if it has a great many.
+    const double diagonal = glm::length(plan.box.hi - plan.box.lo);
+    small_ = diagonal / 32;
+    large_ = diagonal / 6;
+  }
+
+  void run() {
+    uint64_t total = 0;
+    for (const PlannedMesh& mesh : plan_.meshes) total += mesh.triangles;
+    Progress progress("partitioning", total);
+    const auto count = static_cast<uint32_t>(plan_.meshes.size());
+    for (uint32_t first = 0; first < count;) {
+      if (plan_.meshes[first].triangles > options_.bucket_triangles) {
+        divide_in_buckets(first++, progress);
+        continue;
+      }
+      uint64_t triangles = 0;
+      uint32_t end = first;
+      for (; end < count && plan_.meshes[end].triangles <= options_.bucket_triangles; ++end) {
+        if (end > first && triangles + plan_.meshes[end].triangles > unit_triangles_) break;
+        triangles += plan_.meshes[end].triangles;
+      }
+      unit(
+          end - first, [] {}, [&](uint32_t i) { return divide_whole(first + i); },
+          [&](uint32_t i) { return first + i; });
+      progress.advance(triangles);
+      first = end;
+    }
+  }
+
+  std::vector<PartInfo> infos;
+  std::vector<uint32_t> meshes;                  ///< for each part its planned mesh
+  std::vector<std::vector<glm::ivec3>> borders;  ///< for each part its border points
+  std::vector<std::vector<LatticeBox>> boxes;
+  uint64_t dropped_triangles = 0, welded_vertices = 0;
+
+ private:
+  /// Meshes or buckets side by side; their parts go to the spool file in order.
+  template <typename Prepare, typename Divide, typename MeshOf>
+  void unit(uint32_t count, const Prepare& prepare, const Divide& divide_one, const MeshOf& mesh_of) {
+    work_.unit(
+        [&](ByteWriter& record) {
+          prepare();
+          std::vector<Divided> results(count);
+          parallel_for(count, [&](size_t i) { results[i] = divide_one(static_cast<uint32_t>(i)); });
+          for (uint32_t i = 0; i < count; ++i) put(record, mesh_of(i), results[i]);
+        },
+        [&](ByteReader& record) {
+          for (uint32_t i = 0; i < count; ++i) take(record);
+        });
+  }
+
+  void put(ByteWriter& record, uint32_t mesh, const Divided& divided) {
+    record.write(mesh);
+    record.write(divided.dropped_triangles);
+    record.write(divided.welded_vertices);
+    record.write(uint64_t{divided.parts.size()});
+    std::vector<glm::ivec3> points;
+    for (size_t i = 0; i < divided.parts.size(); ++i) {
+      const Part& part = divided.parts[i];
+      record.write(PartInfo{store(work_.parts(), part), plan_.meshes[mesh].lattice,
+                            static_cast<uint32_t>(part.surface.triangles.size())});
+      points.clear();
+      for (const BorderPoint& border : part.borders) points.push_back(part.surface.points[border.point]);
+      record.write(uint64_t{points.size()});
+      record.write_all(std::span<const glm::ivec3>(points));
+      record.write(uint64_t{divided.boxes[i].size()});
+      record.write_all(std::span<const LatticeBox>(divided.boxes[i]));
+    }
+  }
+
+  void take(ByteReader& record) {
+    const auto mesh = record.read<uint32_t>();
+    dropped_triangles += record.read<uint64_t>();
+    welded_vertices += record.read<uint64_t>();
+    for (auto count = record.read<uint64_t>(); count > 0; --count) {
+      meshes.push_back(mesh);
+      infos.push_back(record.read<PartInfo>());
+      borders.push_back(record.read_all<glm::ivec3>(record.read<uint64_t>()));
+      boxes.push_back(record.read_all<LatticeBox>(record.read<uint64_t>()));
+    }
+  }
+
+  PartitionLimits limits(const PlannedMesh& mesh, uint64_t triangles) const {
+    PartitionLimits limits;
+    const Lattice& lattice = plan_.lattices[mesh.lattice];
+    limits.triangles = options_.part_triangles;
+    if (glm::length(mesh.box.hi - mesh.box.lo) * mesh.stretch < small_ &&
+        triangles <= uint64_t{options_.part_triangles} * 8) {
+      limits.triangles = triangles;
+    }
+    limits.diagonal = large_ / (mesh.stretch * lattice.step);
+    return limits;
+  }
+
+  Divided finish(const PlannedMesh& mesh, Welded welded, const PartitionLimits& limits,
+                 std::span<const glm::ivec3> shared) const {
+    Divided divided;
+    divided.dropped_triangles = welded.dropped_triangles;
+    divided.welded_vertices = welded.welded_vertices;
+    divided.parts = divide(std::move(welded.surface), limits, shared);
+    const Lattice& lattice = plan_.lattices[mesh.lattice];
+    for (const Part& part : divided.parts) {
+      auto& part_boxes = divided.boxes.emplace_back();
+      for (const uint32_t instance : mesh.instances) {
+        const uint32_t transform = plan_.instances[instance].transform;
+        part_boxes.push_back(mesh.lattice == 0 ? part.surface.box()
+                                               : placed_box(part.surface, lattice,
+                                                            plan_.transforms[transform], plan_.lattices[0]));
+      }
+    }
+    return divided;
+  }
+
+  Divided divide_whole(uint32_t index) const {
+    const PlannedMesh& mesh = plan_.meshes[index];
+    if (mesh.triangles == 0) return {};
+    Welded welded =
+        weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
+    const uint64_t triangles = welded.surface.triangles.size();
+    return finish(mesh, std::move(welded), limits(mesh, triangles), {});
+  }
+
+  void divide_in_buckets(uint32_t index, Progress& progress) {
+    const PlannedMesh& mesh = plan_.meshes[index];
+    const ToLattice to_lattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
+    SpoolFile spool(work_.file("buckets"));
+    std::optional<Buckets> buckets;
+    std::vector<uint64_t> sizes;
+    uint64_t not_finite = 0;
+    const auto fill_buckets = [&] {
+      if (buckets) return;
+      std::vector<LatticeTriangle> batch;
+      buckets.emplace(
+          [&](const std::function<void(std::span<const LatticeTriangle>)>& take) {
+            not_finite = read_mesh(model_.meshes[mesh.mesh], [&](std::span<const CornerTriangle> triangles) {
+              batch.clear();
+              for (const CornerTriangle& triangle : triangles) batch.push_back(to_lattice(triangle));
+              take(batch);
+            });
+          },
+          mesh.triangles, options_.bucket_triangles, spool);
+    };
+    // A unit of its own: where an earlier run finished all of the mesh, nothing is read again.
+    work_.unit(
+        [&](ByteWriter& record) {
+          fill_buckets();
+          record.write(not_finite);
+          record.write(uint64_t{buckets->count()});
+          for (size_t i = 0; i < buckets->count(); ++i) record.write(buckets->triangles(i));
+        },
+        [&](ByteReader& record) {
+          dropped_triangles += record.read<uint64_t>();
+          sizes = record.read_all<uint64_t>(record.read<uint64_t>());
+        });
+    const PartitionLimits part_limits = limits(mesh, mesh.triangles);
+    for (uint32_t first = 0; first < sizes.size();) {
+      uint32_t end = first;
+      uint64_t triangles = 0;
+      for (; end < sizes.size(); ++end) {
+        if (end > first && triangles + sizes[end] > unit_triangles_) break;
+        triangles += sizes[end];
+      }
+      unit(
+          end - first, fill_buckets,
+          [&](uint32_t i) {
+            Bucket bucket = buckets->load(first + i);
+            Welded welded = weld(bucket.triangles);
+            bucket.triangles = {};
+            return finish(mesh, std::move(welded), part_limits, bucket.shared);
+          },
+          [&](uint32_t) { return index; });
+      progress.advance(triangles);
+      first = end;
+    }
+    std::error_code ignored;  // at the latest it goes with its folder
+    std::filesystem::remove(spool.path(), ignored);
+  }
+
+  const Model& model_;
+  const BuildPlan& plan_;
+  const BuildOptions& options_;
+  BuildWork& work_;
+  const uint64_t unit_triangles_;
+  double small_ = 0, large_ = 0;
+};
+
+/// Numbers for the border points of one mesh, whose parts are `first` up to, not including, `end`. Returns
+/// how many.
+uint32_t number_borders(std::vector<std::vector<glm::ivec3>>& points, size_t first, size_t end,
+                        std::vector<std::vector<uint32_t>>& numbers) {
+  std::vector<glm::ivec3> all;
+  for (size_t part = first; part < end; ++part) {
+    all.insert(all.end(), points[part].begin(), points[part].end());
+  }
+  std::sort(all.begin(), all.end(), before);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (size_t part = first; part < end; ++part) {
+    for (const glm::ivec3& point : points[part]) {
+      const auto found = std::lower_bound(all.begin(), all.end(), point, before);
+      numbers[part].push_back(static_cast<uint32_t>(found - all.begin()));
+    }
+    points[part] = {};
+  }
+  return static_cast<uint32_t>(all.size());
+}
+
+}  // namespace
+
+Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options, BuildWork& work,
+                 ImportReport& report) {
+  PartMaker maker(model, plan, options, work);
+  maker.run();
+  report.dropped_triangles += maker.dropped_triangles;
+  report.welded_vertices += maker.welded_vertices;
+
+  // The parts of one mesh came one after the other.
+  Parts parts;
+  parts.borders.resize(maker.infos.size());
+  std::vector<uint32_t> first(plan.meshes.size() + 1, 0), border_counts(plan.meshes.size(), 0);
+  for (const uint32_t mesh : maker.meshes) ++first[mesh + 1];
+  for (size_t mesh = 0; mesh < plan.meshes.size(); ++mesh) {
+    first[mesh + 1] += first[mesh];
+    border_counts[mesh] = number_borders(maker.borders, first[mesh], first[mesh + 1], parts.borders);
+  }
+  std::vector<uint32_t> ordinals(plan.meshes.size(), 0);  // of the next instance of each mesh
+  for (uint32_t i = 0; i < plan.instances.size(); ++i) {
+    const PlannedInstance& instance = plan.instances[i];
+    const uint32_t ordinal = ordinals[instance.mesh]++;
+    parts.border_counts.push_back(border_counts[instance.mesh]);
+    for (uint32_t part = first[instance.mesh]; part < first[instance.mesh + 1]; ++part) {
+      parts.placed.push_back({part, instance.transform, i});
+      parts.boxes.push_back(maker.boxes[part][ordinal]);
+    }
+    if (first[instance.mesh + 1] > first[instance.mesh]) ++parts.instances;
+  }
+  if (parts.placed.empty()) fail("model", "holds no triangle that has an area");
+  parts.parts = std::move(maker.infos);
+  parts.transforms = std::move(plan.transforms);
+  parts.stretches = std::move(plan.stretches);
+  parts.lattices = std::move(plan.lattices);
+  parts.palette = std::move(plan.palette);
+  return parts;
+}
+
+}  // namespace triptych

@@ -1,0 +1,271 @@
+#include "lod/simplify/collapse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace triptych {
+
+namespace {
+
+/// Where star and fan cannot be seen along one direction, a triangle may turn no further than this cosine.
+constexpr double least_cosine = 0.2;
+/// Above rounding.
+constexpr double slack = 1 + 1e-9;
+
+glm::dvec3 difference(const glm::ivec3& to, const glm::ivec3& from) {
+  return glm::dvec3(to) - glm::dvec3(from);
+}
+
+double squared(const glm::dvec3& v) { return glm::dot(v, v); }
+
+/// How far along the line from p to q the origin is nearest to it.
+double nearest_on_line(const glm::dvec3& p, const glm::dvec3& q) {
+  return -glm::dot(p, q - p) / squared(q - p);
+}
+
+}  // namespace
+
+const Collapse* Collapser::find(ShrinkingMesh& mesh, uint32_t point, uint32_t target) {
+  if (!star_.read(mesh, point)) return nullptr;
+  collapse_.point = point;
+  look_around(mesh);
+  if (target != any) return try_target(mesh, target) ? &collapse_ : nullptr;
+  list_choices();
+  for (size_t i = 0; i < choices_.size(); ++i) {
+    // In order, as far as it is needed: the first is as good as the best of several, nearly always.
+    size_t best = i;
+    for (size_t j = i + 1; j < choices_.size(); ++j) {
+      if (choices_[j].estimate < choices_[best].estimate) best = j;
+    }
+    std::swap(choices_[i], choices_[best]);
+    if (try_target(mesh, choices_[i].target)) return &collapse_;
+  }
+  return nullptr;
+}
+
+/// Corners, marks, and each fan along its direction.
+void Collapser::look_around(const ShrinkingMesh& mesh) {
+  const auto spokes = star_.spokes();
+  const glm::ivec3 origin = mesh.point(collapse_.point);
+  ++mark_;
+  from_.clear(), to_.clear(), before_.clear();
+  for (const Spoke& spoke : spokes) {
+    marks_[spoke.from] = marks_[spoke.to] = mark_;
+    from_.push_back(difference(mesh.point(spoke.from), origin));
+    to_.push_back(difference(mesh.point(spoke.to), origin));
+    before_.push_back(spoke.error);
+  }
+  if (projected_.size() < star_.fans().size()) projected_.resize(star_.fans().size());
+  projects_.assign(star_.fans().size(), 0);
+}
+
+void Collapser::list_choices() {
+  const auto spokes = star_.spokes();
+  const size_t fan_count = star_.fans().size();
+  // The mean squared distance from the planes of the triangles, as a quadratic form.
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, area = 0;
+  choices_.clear();
+  for (const Star::Fan& fan : star_.fans()) {
+    for (size_t i = fan.begin; i < fan.end; ++i) {
+      const glm::dvec3 normal = glm::cross(from_[i], to_[i]);
+      const double length = glm::length(normal);
+      if (!(length > 0)) continue;
+      const glm::dvec3 scaled = normal / length;
+      xx += normal.x * scaled.x, xy += normal.x * scaled.y, xz += normal.x * scaled.z;
+      yy += normal.y * scaled.y, yz += normal.y * scaled.z, zz += normal.z * scaled.z;
+      area += length;
+    }
+  }
+  const auto estimate = [&](const glm::dvec3& d) {
+    const double planes = xx * d.x * d.x + yy * d.y * d.y + zz * d.z * d.z +
+                          2 * (xy * d.x * d.y + xz * d.x * d.z + yz * d.y * d.z);
+    return std::max(planes, 0.0) / area + 1e-6 * squared(d);
+  };
+  const bool simple = fan_count == 1 && star_.fans()[0].closed;
+  const auto add = [&](uint32_t target, const glm::dvec3& d) {
+    double squared_distance = estimate(d);
+    if (!simple) {
+      for (const Choice& choice : choices_) {
+        if (choice.target == target) return;
+      }
+      for (const Star::Fan& fan : star_.fans()) {
+        if (fan.closed) continue;
+        const bool first = spokes[fan.begin].from == target, last = spokes[fan.end - 1].to == target;
+        const glm::dvec3 &p = from_[fan.begin], &q = to_[fan.end - 1];
+        const double along = first != last ? nearest_on_line(p, q) : -1;
+        squared_distance =
+            std::max(squared_distance, along > 0 && along < 1 ? squared(p + (q - p) * along) : squared(d));
+      }
+    }
+    choices_.push_back({squared_distance, target});
+  };
+  for (size_t i = 0; i < spokes.size(); ++i) {
+    add(spokes[i].from, from_[i]);
+    if (!simple) add(spokes[i].to, to_[i]);
+  }
+}
+
+bool Collapser::try_target(ShrinkingMesh& mesh, uint32_t target) {
+  if (!joins_well(mesh, target)) return false;
+  collapse_.target = target;
+  collapse_.beside.clear();
+  collapse_.errors.assign(before_.size(), -1);
+  way_ = difference(mesh.point(target), mesh.point(collapse_.point));
+  length_ = glm::length(way_) * slack;
+  pending_.clear();
+  for (const Star::Fan& fan : star_.fans()) {
+    if (!(fan.closed ? map_closed(fan, target) : map_open(fan, target)) && !move_fan(mesh, fan, target))
+      return false;
+  }
+  for (const auto& [spoke, error] : pending_) {
+    if (!cover(mesh, star_.spokes()[spoke], target, error)) return false;
+  }
+  collapse_.bound = *std::max_element(collapse_.errors.begin(), collapse_.errors.end());
+  for (const auto& [triangle, error] : collapse_.beside) collapse_.bound = std::max(collapse_.bound, error);
+  collapse_.error_before = *std::max_element(before_.begin(), before_.end());
+  collapse_.cost = collapse_.bound + length_weight * length_;
+  return true;
+}
+
+/// The neighbours that both ends share are the third corners of the triangles between them, and no triangle
+/// of the target lies where one will be.
+bool Collapser::joins_well(ShrinkingMesh& mesh, uint32_t target) {
+  const auto is_third = [&](uint32_t corner) {
+    for (const Spoke& spoke : star_.spokes()) {
+      if ((spoke.from == target && spoke.to == corner) || (spoke.to == target && spoke.from == corner))
+        return true;
+    }
+    return false;
+  };
+  for (const uint32_t triangle : mesh.star(target)) {
+    const auto& corners = mesh.face(triangle).corners;
+    if (corners[0] == collapse_.point || corners[1] == collapse_.point || corners[2] == collapse_.point)
+      continue;
+    int shared = 0;
+    for (const uint32_t corner : corners) {
+      if (corner == target || marks_[corner] != mark_) continue;
+      if (++shared == 2 || !is_third(corner)) return false;
+    }
+  }
+  return true;
+}
+
+bool Collapser::map_closed(const Star::Fan& fan, uint32_t target) {
+  const auto spokes = star_.spokes();
+  const auto fan_index = static_cast<size_t>(&fan - star_.fans().data());
+  const size_t count = fan.end - fan.begin;
+  size_t apex = 0;
+  while (apex < count && spokes[fan.begin + apex].from != target) ++apex;
+  if (apex == count || count < 3) return false;
+  ProjectedStar& projected = projected_[fan_index];
+  if (projects_[fan_index] == 0) {
+    glm::dvec3 direction{0};
+    for (size_t i = fan.begin; i < fan.end; ++i) {
+      const glm::dvec3 normal = glm::cross(from_[i], to_[i]);
+      const double length = glm::length(normal);
+      if (length > 0) direction += normal / length;
+    }
+    projects_[fan_index] = projected.project({from_.data() + fan.begin, count}, true, direction) ? 1 : 2;
+  }
+  return projects_[fan_index] == 1 &&
+         projected.fan_errors(apex, {before_.data() + fan.begin, count},
+                              std::span<double>(collapse_.errors).subspan(fan.begin, count));
+}
+
+bool Collapser::map_open(const Star::Fan& fan, uint32_t target) {
+  const auto spokes = star_.spokes();
+  const bool first = spokes[fan.begin].from == target, last = spokes[fan.end - 1].to == target;
+  if (first == last) return false;
+  const glm::dvec3 &p = from_[fan.begin], &q = to_[fan.end - 1];
+  const double along = nearest_on_line(p, q);
+  if (!(along > 1e-6 && along < 1 - 1e-6)) return false;
+  const glm::dvec3 foot = p + (q - p) * along;
+  const double moved = glm::length(foot) * slack;
+  const size_t count = fan.end - fan.begin;
+  if (count == 1) {
+    pending_.push_back({fan.begin, before_[fan.begin] + moved});
+    return true;
+  }
+  ring_.clear();
+  for (size_t i = fan.begin; i < fan.end; ++i) ring_.push_back(from_[i] - foot);
+  ring_.push_back(q - foot);
+  glm::dvec3 direction{0};
+  for (size_t i = 0; i + 1 < ring_.size(); ++i) {
+    const glm::dvec3 normal = glm::cross(ring_[i], ring_[i + 1]);
+    const double length = glm::length(normal);
+    if (length > 0) direction += normal / length;
+  }
+  const auto errors = std::span<double>(collapse_.errors).subspan(fan.begin, count);
+  if (!along_.project(ring_, false, direction) ||
+      !along_.fan_errors(first ? 0 : count, {before_.data() + fan.begin, count}, errors)) {
+    std::fill(errors.begin(), errors.end(), -1);
+    return false;
+  }
+  for (size_t i = 0; i < count; ++i) {
+    if (i != (first ? 0 : count - 1)) errors[i] += moved;
+  }
+  return true;
+}
+
+/// Moves the point, and with it the triangles, straight to the target: nothing moves further than it does.
+bool Collapser::move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target) {
+  const auto spokes = star_.spokes();
+  for (size_t i = fan.begin; i < fan.end; ++i) {
+    const Spoke& spoke = spokes[i];
+    if (spoke.from == target || spoke.to == target) {
+      pending_.push_back({i, before_[i] + length_});
+      collapse_.errors[i] = -1;
+      continue;
+    }
+    if (degenerate(mesh.point(target), mesh.point(spoke.from), mesh.point(spoke.to))) return false;
+    const glm::dvec3 before = glm::cross(from_[i], to_[i]),
+                     after = glm::cross(from_[i] - way_, to_[i] - way_);
+    if (!(glm::dot(before, after) > least_cosine * glm::length(before) * glm::length(after))) return false;
+    collapse_.errors[i] = before_[i] + length_;
+  }
+  return true;
+}
+
+/// A triangle that goes became a side of others: one of its material has to be there.
+bool Collapser::cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, double error) {
+  const uint32_t third = gone.from == target ? gone.to : gone.from;
+  const auto spokes = star_.spokes();
+  for (size_t i = 0; i < spokes.size(); ++i) {
+    if (collapse_.errors[i] < 0 || spokes[i].material != gone.material) continue;
+    if (spokes[i].from != third && spokes[i].to != third) continue;
+    collapse_.errors[i] = std::max(collapse_.errors[i], error);
+    return true;
+  }
+  for (const uint32_t triangle : mesh.star(target)) {
+    const auto& face = mesh.face(triangle);
+    const auto holds = [&](uint32_t corner) {
+      return face.corners[0] == corner || face.corners[1] == corner || face.corners[2] == corner;
+    };
+    if (face.material != gone.material || !holds(third) || holds(collapse_.point)) continue;
+    collapse_.beside.push_back({triangle, std::max(error, face.error)});
+    return true;
+  }
+  return false;
+}
+
+void Collapser::apply(ShrinkingMesh& mesh) {
+  std::array<uint32_t, Star::most_spokes> moving;
+  size_t count = 0;
+  const auto spokes = star_.spokes();
+  for (size_t i = 0; i < spokes.size(); ++i) {
+    if (collapse_.errors[i] < 0) {
+      mesh.remove(spokes[i].triangle);
+    } else {
+      mesh.face(spokes[i].triangle).error = collapse_.errors[i];
+      moving[count++] = spokes[i].triangle;
+    }
+  }
+  for (const auto& [triangle, error] : collapse_.beside) {
+    mesh.face(triangle).error = std::max(mesh.face(triangle).error, error);
+  }
+  mesh.move({moving.data(), count}, collapse_.point, collapse_.target);
+}
+
+}  // namespace triptych

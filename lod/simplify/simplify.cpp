@@ -1,0 +1,149 @@
+#include "lod/simplify/simplify.hpp"
+
+#include "lod/simplify/reducer.hpp"
+#include "lod/simplify/vertex_clustering.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+namespace triptych {
+
+namespace {
+
+/// A level must have at most this share of the triangles of the one before it, or it is not worth its place.
+constexpr double worth_it = 0.75;
+/// Halving a surface about doubles its distance; where it takes so many times more, clustering may be nearer.
+constexpr double steep = 16;
+/// Where levels are measured in a hurry the bound may be so many times the truth.
+constexpr double hurried = 2;
+/// And so many where they are measured against the source.
+constexpr double tight = 1.6;
+
+/// What the chain has arrived at, and the reducer that goes on from there.
+class ChainMaker {
+ public:
+  ChainMaker(const Surface& source, std::span<const uint8_t> locked, const SimplifyLimits& limits)
+      : source_(source), limits_(limits), locked_(locked.begin(), locked.end()) {
+    current_.piece.surface = source;
+    current_.piece.sources.resize(source.points.size());
+    std::iota(current_.piece.sources.begin(), current_.piece.sources.end(), 0u);
+    const LatticeBox box = source.box();
+    small_ = glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo)) / 1024;
+    start();
+    detached_triangles_ = reducer_->detached_triangles();
+  }
+
+  size_t triangles() const { return current_.piece.surface.triangles.size(); }
+  size_t detached_triangles() const { return detached_triangles_; }
+  /// The last `next` gave nothing because of the largest bound.
+  bool at_limit() const { return at_limit_; }
+
+  /// Goes on to about `goal` triangles; nothing if that is not possible.
+  std::optional<Level> next(size_t goal) {
+    const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
+    Level reduced = reduce(goal);
+    const bool got_there = reduced.piece.surface.triangles.size() <= enough;
+    at_limit_ = !got_there && reduced_further_;
+    if (!got_there || (is_steep(reduced) && clusters_better(goal, reduced.bound))) {
+      // From where the reducer got stuck, or, where it went too far, from before.
+      Level clustered = cluster(got_there ? current_ : reduced, goal);
+      const size_t count = clustered.piece.surface.triangles.size();
+      if (count <= enough && (!got_there || clustered.bound < reduced.bound)) {
+        current_ = std::move(clustered);
+        start();
+        return measured();
+      }
+    }
+    if (!got_there) return std::nullopt;
+    current_ = std::move(reduced);
+    return measured();
+  }
+
+ private:
+  void start() {
+    start_ = current_;
+    start_locked_ = locked_of(start_.piece);
+    reducer_ = make_reducer(limits_.simplifier, start_.piece.surface, start_locked_);
+  }
+
+  /// The reducer's next surface, with its fast bound.
+  Level reduce(size_t goal) {
+    // The tight bound may be that much smaller.
+    const double largest = limits_.largest_bound * (limits_.bound == Bound::tight ? 4 : 1);
+    Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
+    reduced_further_ = reduced.further;
+    Level level{std::move(reduced.piece), 0};
+    level.bound = reduced.bound ? start_.bound + *reduced.bound
+                                : current_.bound + distance_bound(current_.piece.surface, level.piece.surface,
+                                                                  limits_.colors, {hurried});
+    for (uint32_t& source : level.piece.sources) source = start_.piece.sources[source];
+    return level;
+  }
+
+  std::vector<uint8_t> locked_of(const Piece& piece) const {
+    std::vector<uint8_t> locked;
+    if (!locked_.empty()) {
+      for (const uint32_t source : piece.sources) locked.push_back(locked_[source]);
+    }
+    return locked;
+  }
+
+  Level cluster(const Level& from, size_t goal) const {
+    Clustered clustered = cluster_to(from.piece.surface, locked_of(from.piece), goal, limits_.colors);
+    Level level{std::move(clustered.piece), from.bound + clustered.bound};
+    for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
+    return level;
+  }
+
+  bool is_steep(const Level& next) const { return next.bound > steep * std::max(current_.bound, 1.0); }
+
+  /// Clustering moves points by about a cell: one clustering says whether it is worth to look for the best.
+  bool clusters_better(size_t goal, double bound) const {
+    const double cell = bound - current_.bound;
+    return cluster_vertices(current_.piece.surface, locked_of(current_.piece), cell, limits_.colors)
+               .piece.surface.triangles.size() <= goal;
+  }
+
+  Level measured() {
+    Level level = current_;
+    if (limits_.bound == Bound::tight) {
+      if (!meter_) meter_.emplace(source_, limits_.colors);
+      level.bound = meter_->bound(level.piece.surface, {tight, level.bound});
+    }
+    level.bound = last_bound_ = std::max(level.bound, last_bound_);
+    return level;
+  }
+
+  const Surface& source_;
+  const SimplifyLimits& limits_;
+  std::vector<uint8_t> locked_;  ///< for each point of the source
+  Level start_, current_;        ///< where the reducer began, where it is; sources in the source; fast bounds
+  std::vector<uint8_t> start_locked_;
+  std::unique_ptr<Reducer> reducer_;
+  std::optional<DistanceMeter> meter_;
+  double small_ = 0;       ///< bounds below it are never steep
+  double last_bound_ = 0;  ///< of the levels given
+  size_t detached_triangles_ = 0;
+  bool reduced_further_ = false, at_limit_ = false;
+};
+
+}  // namespace
+
+Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits) {
+  Chain chain;
+  if (surface.triangles.size() <= limits.triangles) return chain;
+  ChainMaker maker(surface, locked, limits);
+  while (maker.triangles() > limits.triangles) {
+    auto level = maker.next(std::max(maker.triangles() / 2, limits.triangles * 2 / 3));
+    chain.stuck = !level && !maker.at_limit();
+    if (!level || level->bound > limits.largest_bound) break;
+    chain.levels.push_back(std::move(*level));
+  }
+  chain.detached_triangles = maker.detached_triangles();
+  return chain;
+}
+
+}  // namespace triptych

@@ -1,0 +1,125 @@
+#include "lod/simplify/star.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace triptych {
+
+bool Star::read(ShrinkingMesh& mesh, uint32_t point) {
+  mesh.star(point, spokes_);
+  fans_.clear();
+  crowd_ = 0;
+  if (spokes_.empty() || spokes_.size() > most_spokes) return false;
+  if (order_closed()) {
+    fans_.push_back({0, spokes_.size(), true});
+  } else {
+    order_fans(mesh, point);
+  }
+  return true;
+}
+
+/// The usual case, fast: chains the spokes in place; false, and in any order, if they are no single fan of
+/// one material, all turned the same way. Each step finds exactly one that goes on, so no two have the same
+/// `from`.
+bool Star::order_closed() {
+  const size_t count = spokes_.size();
+  if (count < 3) return false;
+  for (size_t i = 0; i + 1 < count; ++i) {
+    size_t next = count;
+    for (size_t j = i + 1; j < count; ++j) {
+      if (spokes_[j].from != spokes_[i].to) continue;
+      if (next != count) return false;
+      next = j;
+    }
+    if (next == count || spokes_[next].material != spokes_[i].material) return false;
+    if (spokes_[i].to == spokes_.front().from) return false;  // around, and not all of it
+    std::swap(spokes_[i + 1], spokes_[next]);
+  }
+  return spokes_.back().to == spokes_.front().from;
+}
+
+void Star::order_fans(const ShrinkingMesh& mesh, uint32_t point) {
+  join_ends(mesh, point);
+  ordered_.clear();
+  done_.assign(spokes_.size(), 0);
+  for (End end = 0; end < mates_.size(); ++end) {
+    if (mates_[end] == none && !done_[end / 2]) follow(end, false);
+  }
+  for (End end = 0; end < mates_.size(); end += 2) {
+    if (!done_[end / 2]) follow(end, true);
+  }
+  spokes_.swap(ordered_);
+}
+
+/// Finds for each end of a spoke the one that it shares an edge with.
+void Star::join_ends(const ShrinkingMesh& mesh, uint32_t point) {
+  const auto key = [&](End end) { return uint64_t{corner(end)} << 32 | spokes_[end / 2].material; };
+  ends_.resize(2 * spokes_.size());
+  for (End end = 0; end < ends_.size(); ++end) ends_[end] = end;
+  std::sort(ends_.begin(), ends_.end(), [&](End a, End b) {
+    const uint64_t key_a = key(a), key_b = key(b);
+    return key_a != key_b ? key_a < key_b : spokes_[a / 2].triangle < spokes_[b / 2].triangle;
+  });
+  for (size_t i = 2; i < ends_.size(); ++i) {
+    const uint32_t own = corner(ends_[i]);
+    crowd_ += own > point && own == corner(ends_[i - 2]);
+  }
+  mates_.assign(ends_.size(), none);
+  for (size_t first = 0, end = 0; first < ends_.size(); first = end) {
+    while (end < ends_.size() && key(ends_[end]) == key(ends_[first])) ++end;
+    if (end - first >= 2) join_flattest(mesh, point, {ends_.data() + first, end - first});
+  }
+}
+
+/// Of the ends at one edge.
+void Star::join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<const End> ends) {
+  // Two are the usual case; more than a few are a hub of sheets that nothing can order.
+  if (ends.size() > 8) return;
+  const auto origin = glm::dvec3(mesh.point(point));
+  const glm::dvec3 edge = glm::dvec3(mesh.point(corner(ends[0]))) - origin;
+  struct Pair {
+    double cosine;
+    size_t a, b;
+  };
+  std::array<Pair, 28> pairs;
+  size_t count = 0;
+  for (size_t a = 0; a < ends.size(); ++a) {
+    for (size_t b = a + 1; b < ends.size(); ++b) {
+      const uint32_t beyond_a = corner(ends[a] ^ 1), beyond_b = corner(ends[b] ^ 1);
+      if (beyond_a == beyond_b) continue;
+      double cosine = 0;
+      if (ends.size() > 2) {
+        const glm::dvec3 normal_a = glm::cross(edge, glm::dvec3(mesh.point(beyond_a)) - origin),
+                         normal_b = glm::cross(edge, glm::dvec3(mesh.point(beyond_b)) - origin);
+        cosine = glm::dot(normal_a, normal_b) / (glm::length(normal_a) * glm::length(normal_b));
+        // Of sheets that cover each other those that are turned the same way belong together.
+        if ((ends[a] & 1) == (ends[b] & 1)) cosine += 1e-3;
+      }
+      pairs[count++] = {cosine, a, b};
+    }
+  }
+  std::sort(pairs.begin(), pairs.begin() + count, [](const Pair& x, const Pair& y) {
+    return x.cosine != y.cosine ? x.cosine < y.cosine : x.a != y.a ? x.a < y.a : x.b < y.b;
+  });
+  for (size_t i = 0; i < count; ++i) {
+    const End a = ends[pairs[i].a], b = ends[pairs[i].b];
+    if (mates_[a] != none || mates_[b] != none || (ends.size() > 2 && pairs[i].cosine > 0.5)) continue;
+    mates_[a] = b;
+    mates_[b] = a;
+  }
+}
+
+/// Puts the fan that begins with this end of a spoke into `ordered_`.
+void Star::follow(End end, bool closed) {
+  const size_t begin = ordered_.size();
+  while (end != none && !done_[end / 2]) {
+    done_[end / 2] = 1;
+    Spoke spoke = spokes_[end / 2];
+    if (end & 1) std::swap(spoke.from, spoke.to);
+    ordered_.push_back(spoke);
+    end = mates_[end ^ 1];
+  }
+  fans_.push_back({begin, ordered_.size(), closed});
+}
+
+}  // namespace triptych

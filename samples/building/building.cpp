@@ -1,0 +1,165 @@
+#include "samples/building/building.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/progress.hpp"
+#include "base/threads.hpp"
+#include "samples/building/shell.hpp"
+#include "samples/gltf_writer.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace triptych {
+namespace {
+
+constexpr int furniture_a_floor = 2000;
+constexpr double mean_triangles = 4300;
+constexpr uint64_t most_unique_triangles = 2'700'000, least_unique_triangles = 150'000;
+
+// Streams of random numbers.
+enum : uint64_t { for_pools, for_plan, for_furniture, for_walk, for_spin, for_jump };
+
+/// Reads the models that may be placed; one that cannot be read is left out and counted.
+void read_pools(BuildingDesign& design, const RolePools& pools) {
+  std::set<size_t> needed;
+  for (const auto& pool : pools.pieces) needed.insert(pool.begin(), pool.end());
+  const std::vector<size_t> pieces(needed.begin(), needed.end());
+  std::vector<std::string> errors(pieces.size());
+  design.meshes.resize(design.furniture.pieces.size());
+  Progress progress("reading furniture", pieces.size());
+  parallel_for(pieces.size(), [&](size_t i) {
+    const FurniturePiece& piece = design.furniture.pieces[pieces[i]];
+    try {
+      design.meshes[pieces[i]] = read_furniture(piece, *design.furniture.catalogues[piece.catalogue].archive);
+    } catch (const Error& error) {
+      errors[i] = error.what();
+    }
+    progress.advance();
+  });
+  for (const auto& error : errors)
+    if (!error.empty()) ++design.skipped_models[error];
+  if (design.furniture.without_model > 0)
+    design.skipped_models["no model in the archive"] = design.furniture.without_model;
+}
+
+using Json = nlohmann::ordered_json;
+
+/// Who made what, under which licence: into the scene, and as a text file.
+void write_attribution(const BuildingDesign& design, const std::set<size_t>& used, GltfWriter& gltf,
+                       const std::filesystem::path& folder) {
+  std::string text =
+      "The furniture comes from the catalogues of Sweet Home 3D (https://www.sweethome3d.com).\n";
+  Json catalogues = Json::array(), models = Json::array();
+  for (size_t number = 0; number < design.furniture.catalogues.size(); ++number) {
+    const FurnitureCatalogue& catalogue = design.furniture.catalogues[number];
+    catalogues.push_back({{"name", catalogue.name}, {"license", catalogue.license}});
+    text += fmt::format("\n{}\n{}\n", catalogue.name, catalogue.license);
+    for (const size_t i : used) {
+      const FurniturePiece& piece = design.furniture.pieces[i];
+      if (piece.catalogue != number) continue;
+      models.push_back(
+          {{"id", piece.id}, {"name", piece.name}, {"creator", piece.creator}, {"license", piece.license}});
+      text += fmt::format("  {} ({}), by {}", piece.name, piece.model, piece.creator);
+      text += piece.license == catalogue.license ? "\n" : fmt::format("; {}\n", piece.license);
+    }
+  }
+  gltf.set_attribution(
+      "Furniture by the creators named in asset.extras.models, under the licences named there",
+      {{"catalogues", catalogues}, {"models", models}});
+  write_file(folder / "ATTRIBUTION.txt", text);
+}
+
+uint64_t triangles_of(const std::vector<MeshPart>& parts) {
+  uint64_t count = 0;
+  for (const MeshPart& part : parts) count += part.indices.size() / 3;
+  return count;
+}
+
+void write_shell(const FloorPlan& plan, GltfWriter& gltf, SampleReport& report) {
+  for (const ShellObject& object : make_shell(plan)) {
+    const size_t mesh = gltf.add_mesh(object.name, object.parts);
+    for (const auto& place : object.places) gltf.add_node(object.name, mesh, place);
+    const uint64_t triangles = triangles_of(object.parts);
+    ++report.shell_meshes;
+    report.unique_triangles += triangles;
+    report.shell_placements += object.places.size();
+    report.placed_triangles += triangles * object.places.size();
+  }
+}
+
+std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf, SampleReport& report) {
+  std::map<size_t, size_t> numbers;
+  std::set<size_t> used;
+  Progress progress("placing furniture", design.furnishing.placements.size());
+  for (const FurniturePlacement& placement : design.furnishing.placements) {
+    const FurniturePiece& piece = design.furniture.pieces[placement.piece];
+    const FurnitureMesh& mesh = design.meshes[placement.piece];
+    if (used.insert(placement.piece).second) {
+      numbers[placement.piece] = gltf.add_mesh(piece.id, mesh.parts);
+      ++report.furniture_meshes;
+      report.unique_triangles += mesh.triangles;
+      report.collapsed_triangles += mesh.collapsed_triangles;
+      report.undecoded_images += mesh.undecoded_images;
+      report.undefined_materials += mesh.undefined_materials;
+      report.transparent_materials += mesh.transparent_materials;
+    }
+    const Room& room = design.plan.rooms[static_cast<size_t>(placement.room)];
+    gltf.add_node(fmt::format("{} {}: {}", room.name, room_type_name(room.type), piece.name),
+                  numbers[placement.piece], placement_transform(placement));
+    report.placed_triangles += mesh.triangles;
+    progress.advance();
+  }
+  report.placements = design.furnishing.placements.size();
+  return used;
+}
+
+}  // namespace
+
+BuildingDesign design_building(const BuildingOptions& options) {
+  constexpr int most_furniture = 1'000'000;
+  if (options.furniture && (*options.furniture < 0 || *options.furniture > most_furniture))
+    fail("sample building", "{} pieces of furniture; 0 to {} can be placed", *options.furniture,
+         most_furniture);
+  const Random random(options.seed);
+  BuildingDesign design;
+  design.plan = make_floor_plan(options.floors, random.fork(for_plan));
+  design.furniture = load_furniture(options.catalogues);
+  const auto wanted = static_cast<size_t>(options.furniture.value_or(furniture_a_floor * options.floors));
+
+  // A small building has few models: it is to be made, built and tested in seconds.
+  const uint64_t budget = std::clamp<uint64_t>(wanted * 300, least_unique_triangles, most_unique_triangles);
+  const size_t models = std::max<size_t>(60, wanted / 6);
+  const RolePools pools = choose_pools(design.furniture, budget, models, random.fork(for_pools));
+  read_pools(design, pools);
+  std::vector<uint64_t> triangles;
+  for (const FurnitureMesh& mesh : design.meshes) triangles.push_back(mesh.triangles);
+  design.furnishing = furnish_building(design.furniture, pools, triangles, design.plan, wanted,
+                                       mean_triangles, random.fork(for_furniture));
+  const auto& placements = design.furnishing.placements;
+  design.walk = make_walk(design.plan, placements, random.fork(for_walk));
+  design.fly = make_fly(design.plan);
+  design.spin = make_spin(design.plan, placements, random.fork(for_spin));
+  design.jump = make_jump(design.plan, placements, random.fork(for_jump));
+  return design;
+}
+
+SampleReport make_building(const BuildingOptions& options, const std::filesystem::path& folder) {
+  const BuildingDesign design = design_building(options);
+  SampleReport report;
+  report.rooms = design.plan.rooms.size();
+  report.skipped_models = design.skipped_models;
+  GltfWriter gltf(folder, "triptych sample building");
+  write_shell(design.plan, gltf, report);
+  const auto used = write_furniture(design, gltf, report);
+  write_attribution(design, used, gltf, folder);
+  gltf.finish();
+  write_file(folder / "walk.json", path_json(design.walk));
+  write_file(folder / "fly.json", path_json(design.fly));
+  write_file(folder / "spin.json", path_json(design.spin));
+  write_file(folder / "jump.json", path_json(design.jump));
+  return report;
+}
+
+}  // namespace triptych

@@ -1,0 +1,53 @@
+// The sample `building`: an office building in the manner of Soda Hall, furnished with real models.
+#pragma once
+
+#include "samples/building/floor_plan.hpp"
+#include "samples/building/furnish.hpp"
+#include "samples/building/furniture_catalog.hpp"
+#include "samples/building/obj_furniture.hpp"
+#include "samples/camera_paths.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct BuildingOptions {
+  int floors = 7;
+  std::optional<int> furniture;  ///< wanted placements; without it 2000 a floor
+  uint64_t seed = 1;             ///< decides everything: equal options give equal files
+  std::filesystem::path catalogues = furniture_folder;
+};
+
+struct SampleReport {
+  size_t rooms = 0;
+  size_t placements = 0;        ///< of furniture
+  size_t shell_placements = 0;  ///< of slabs, walls, doors, windows, stairs
+  size_t furniture_meshes = 0, shell_meshes = 0;
+  uint64_t placed_triangles = 0, unique_triangles = 0;  ///< furniture and shell
+  std::map<std::string, size_t> skipped_models;         ///< reason: how many
+  uint64_t collapsed_triangles = 0, undecoded_images = 0, undefined_materials = 0, transparent_materials = 0;
+};
+
+/// What make_building writes, before it is written.
+struct BuildingDesign {
+  Furniture furniture;
+  std::vector<FurnitureMesh> meshes;  ///< by piece; empty where the piece was not read
+  FloorPlan plan;
+  Furnishing furnishing;
+  CameraFrames walk, fly, spin, jump;
+  std::map<std::string, size_t> skipped_models;
+};
+
+/// Error for options out of range (floors 1 to 100, furniture 0 to 1,000,000) and where no catalogues are
+/// installed.
+BuildingDesign design_building(const BuildingOptions& options);
+
+/// Writes `scene.gltf`, `scene.bin`, `walk.json`, `fly.json`, `spin.json`, `jump.json` and `ATTRIBUTION.txt`.
+SampleReport make_building(const BuildingOptions& options, const std::filesystem::path& folder);
+
+}  // namespace triptych

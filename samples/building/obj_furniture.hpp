@@ -1,0 +1,36 @@
+// A furniture model as the sample scenes use it: OBJ and MTL from a catalogue's archive, scaled to catalogue
+// size.
+#pragma once
+
+#include "samples/building/furniture_catalog.hpp"
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// Triangles of one colour. Positions in metres, y up.
+struct MeshPart {
+  glm::dvec3 colour{0.8};  ///< linear light, 0 to 1
+  std::vector<glm::vec3> positions;
+  std::vector<uint32_t> indices;
+};
+
+struct FurnitureMesh {
+  std::vector<MeshPart> parts;  ///< one a material, in the order of first use; none is empty
+  uint64_t triangles = 0;
+  uint64_t collapsed_triangles = 0;  ///< dropped: two corners at one place
+  uint64_t undecoded_images =
+      0;  ///< textures that are missing or unreadable: the material's own colour stands
+  uint64_t undefined_materials = 0;    ///< used but nowhere defined: a light grey stands
+  uint64_t transparent_materials = 0;  ///< drawn opaque
+};
+
+/// Reads the piece's model. Polygons become fans; the model is turned by the catalogue's rotation, and its
+/// box scaled to the catalogue's size, centred on x and z, standing on y = 0 (Sweet Home 3D's convention).
+/// Error (place: archive, file, line) for a model that cannot be read or has no triangles.
+FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& archive);
+
+}  // namespace triptych
