@@ -29,4 +29,14 @@ struct KeyHash {
   static size_t finish(uint64_t hash) { return hash ^ hash >> 32; }
 };
 
+/// Whether two such keys are the same, in place: the standard library compares arrays by a call.
+struct KeyEqual {
+  template <size_t count>
+  bool operator()(const std::array<uint32_t, count>& a, const std::array<uint32_t, count>& b) const {
+    uint32_t difference = 0;
+    for (size_t i = 0; i < count; ++i) difference |= a[i] ^ b[i];
+    return difference == 0;
+  }
+};
+
 }  // namespace triptych

@@ -13,7 +13,7 @@ Welded weld(std::span<const LatticeTriangle> triangles) {
   Welded welded;
   Surface& surface = welded.surface;
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places;
-  tsl::robin_set<std::array<uint32_t, 3>, KeyHash> seen;
+  tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual> seen;
   places.reserve(triangles.size() / 2 + 4);
   seen.reserve(triangles.size());
   surface.triangles.reserve(triangles.size());

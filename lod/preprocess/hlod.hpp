@@ -58,7 +58,7 @@ class Baker {
   const Lattice& lattice_;
   Baked baked_;
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> points_;
-  tsl::robin_set<std::array<uint32_t, 3>, KeyHash> triangles_;
+  tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual> triangles_;
   double moved_ = 0;  ///< lattice steps
 };
 

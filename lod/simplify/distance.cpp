@@ -29,7 +29,7 @@ constexpr double rounding_allowance = 1e-5;
 /// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
 constexpr size_t cuts_a_triangle = 6;
 
-using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, KeyHash>;
+using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual>;
 
 /// The largest distance of polygons from the triangles of a tree, by branch and bound: the polygon with the
 /// largest bound is cut until that bound is nearly reached by some point, or the work is no longer worth it.

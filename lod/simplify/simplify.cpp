@@ -103,8 +103,7 @@ class ChainMaker {
   /// Clustering moves points by about a cell: one clustering says whether it is worth to look for the best.
   bool clusters_better(size_t goal, double bound) const {
     const double cell = bound - current_.bound;
-    return cluster_vertices(current_.piece.surface, locked_of(current_.piece), cell, limits_.colors)
-               .piece.surface.triangles.size() <= goal;
+    return clusters_within(current_.piece.surface, locked_of(current_.piece), cell, goal, limits_.colors);
   }
 
   Level measured() {

@@ -23,6 +23,10 @@ struct Clustered {
 Clustered cluster_vertices(const Surface& surface, std::span<const uint8_t> locked, double cell,
                            Colors colors);
 
+/// Whether the same has at most so many triangles; cheaper.
+bool clusters_within(const Surface& surface, std::span<const uint8_t> locked, double cell, size_t triangles,
+                     Colors colors);
+
 /// The result with the finest cells that has at most so many triangles, or the coarsest one there is.
 Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, size_t triangles,
                      Colors colors);
