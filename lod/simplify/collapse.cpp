@@ -18,6 +18,10 @@ glm::dvec3 difference(const glm::ivec3& to, const glm::ivec3& from) {
   return glm::dvec3(to) - glm::dvec3(from);
 }
 
+bool holds(const ShrinkingMesh::Face& face, uint32_t point) {
+  return face.corners[0] == point || face.corners[1] == point || face.corners[2] == point;
+}
+
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
 /// How far along the line from p to q the origin is nearest to it.
@@ -50,9 +54,13 @@ void Collapser::look_around(const ShrinkingMesh& mesh) {
   const auto spokes = star_.spokes();
   const glm::ivec3 origin = mesh.point(collapse_.point);
   ++mark_;
-  from_.clear(), to_.clear(), before_.clear();
+  from_.clear(), to_.clear(), before_.clear(), neighbours_.clear();
   for (const Spoke& spoke : spokes) {
-    marks_[spoke.from] = marks_[spoke.to] = mark_;
+    for (const uint32_t corner : {spoke.from, spoke.to}) {
+      if (marks_[corner] == mark_) continue;
+      marks_[corner] = mark_;
+      neighbours_.push_back(corner);
+    }
     from_.push_back(difference(mesh.point(spoke.from), origin));
     to_.push_back(difference(mesh.point(spoke.to), origin));
     before_.push_back(spoke.error);
@@ -139,17 +147,31 @@ bool Collapser::joins_well(ShrinkingMesh& mesh, uint32_t target) {
     }
     return false;
   };
-  for (const uint32_t triangle : mesh.star(target)) {
+  const auto fits = [&](uint32_t triangle) {
     const auto& corners = mesh.face(triangle).corners;
-    if (corners[0] == collapse_.point || corners[1] == collapse_.point || corners[2] == collapse_.point)
-      continue;
+    if (holds(mesh.face(triangle), collapse_.point)) return true;
     int shared = 0;
     for (const uint32_t corner : corners) {
       if (corner == target || marks_[corner] != mark_) continue;
       if (++shared == 2 || !is_third(corner)) return false;
     }
+    return true;
+  };
+  // Of a hub the star is large; all that matters there is also in the stars of the point's neighbours.
+  if (mesh.degree(target) > Star::most_spokes) {
+    size_t around = 0;
+    for (const uint32_t corner : neighbours_) around += corner == target ? 0 : mesh.degree(corner);
+    if (around < mesh.degree(target)) {
+      return std::all_of(neighbours_.begin(), neighbours_.end(), [&](uint32_t corner) {
+        const auto triangles = mesh.star(corner);
+        return corner == target || std::all_of(triangles.begin(), triangles.end(), [&](uint32_t triangle) {
+                 return !holds(mesh.face(triangle), target) || fits(triangle);
+               });
+      });
+    }
   }
-  return true;
+  const auto triangles = mesh.star(target);
+  return std::all_of(triangles.begin(), triangles.end(), fits);
 }
 
 bool Collapser::map_closed(const Star::Fan& fan, uint32_t target) {
@@ -238,12 +260,12 @@ bool Collapser::cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, d
     collapse_.errors[i] = std::max(collapse_.errors[i], error);
     return true;
   }
-  for (const uint32_t triangle : mesh.star(target)) {
+  // Both ends of the edge hold what lies beside it; a hub holds much else.
+  for (const uint32_t triangle : mesh.star(mesh.degree(third) < mesh.degree(target) ? third : target)) {
     const auto& face = mesh.face(triangle);
-    const auto holds = [&](uint32_t corner) {
-      return face.corners[0] == corner || face.corners[1] == corner || face.corners[2] == corner;
-    };
-    if (face.material != gone.material || !holds(third) || holds(collapse_.point)) continue;
+    if (face.material != gone.material || !holds(face, third) || !holds(face, target) ||
+        holds(face, collapse_.point))
+      continue;
     collapse_.beside.push_back({triangle, std::max(error, face.error)});
     return true;
   }

@@ -54,7 +54,6 @@ class Collapser {
   void list_choices();
   bool try_target(ShrinkingMesh& mesh, uint32_t target);
   bool joins_well(ShrinkingMesh& mesh, uint32_t target);
-  bool change_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target);
   bool map_closed(const Star::Fan& fan, uint32_t target);
   bool map_open(const Star::Fan& fan, uint32_t target);
   bool move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target);
@@ -74,6 +73,7 @@ class Collapser {
   std::vector<glm::dvec3> ring_;
   std::vector<uint32_t> marks_;  ///< for each point the last star whose corner it was
   uint32_t mark_ = 0;
+  std::vector<uint32_t> neighbours_;  ///< of the point, each once
 };
 
 }  // namespace triptych

@@ -22,6 +22,7 @@ ShrinkingMesh::ShrinkingMesh(const Surface& surface)
     for (const uint32_t corner : faces_[i].corners) {
       Slot& slot = slots_[corner];
       places_[slot.first + slot.count++] = i;
+      ++slot.alive;
     }
   }
   packed_size_ = places_.size();
@@ -30,32 +31,29 @@ ShrinkingMesh::ShrinkingMesh(const Surface& surface)
 std::span<const uint32_t> ShrinkingMesh::star(uint32_t point) {
   Slot& slot = slots_[point];
   uint32_t* const places = places_.data() + slot.first;
-  uint32_t kept = 0;
-  for (uint32_t i = 0; i < slot.count; ++i) {
-    if (faces_[places[i]].corners[0] != gone) places[kept++] = places[i];
+  if (slot.count > slot.alive) {
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < slot.count; ++i) {
+      if (faces_[places[i]].corners[0] != gone) places[kept++] = places[i];
+    }
+    slot.count = kept;
   }
-  slot.count = kept;
-  return {places, kept};
+  return {places, slot.count};
 }
 
 void ShrinkingMesh::star(uint32_t point, std::vector<Spoke>& spokes) {
-  Slot& slot = slots_[point];
-  uint32_t* const places = places_.data() + slot.first;
-  uint32_t kept = 0;
-  spokes.resize(slot.count);
-  for (uint32_t i = 0; i < slot.count; ++i) {
-    const Face& face = faces_[places[i]];
-    if (face.corners[0] == gone) continue;
-    const size_t own = face.corners[0] == point ? 0 : face.corners[1] == point ? 1 : 2;
-    spokes[kept] = {places[i], face.corners[own == 2 ? 0 : own + 1], face.corners[own == 0 ? 2 : own - 1],
-                    face.material, face.error};
-    places[kept++] = places[i];
+  const auto own = star(point);
+  spokes.resize(own.size());
+  for (size_t i = 0; i < own.size(); ++i) {
+    const Face& face = faces_[own[i]];
+    const size_t at = face.corners[0] == point ? 0 : face.corners[1] == point ? 1 : 2;
+    spokes[i] = {own[i], face.corners[at == 2 ? 0 : at + 1], face.corners[at == 0 ? 2 : at - 1],
+                 face.material, face.error};
   }
-  slot.count = kept;
-  spokes.resize(kept);
 }
 
 void ShrinkingMesh::remove(uint32_t triangle) {
+  for (const uint32_t corner : faces_[triangle].corners) --slots_[corner].alive;
   faces_[triangle].corners[0] = gone;
   --alive_;
 }
@@ -65,25 +63,32 @@ void ShrinkingMesh::move(std::span<const uint32_t> triangles, uint32_t from, uin
     auto& corners = faces_[triangle].corners;
     *std::find(corners.begin(), corners.end(), from) = to;
   }
-  const auto added = static_cast<uint32_t>(triangles.size());
-  const auto own = star(to);
-  Slot &slot = slots_[to], &left = slots_[from];
-  if (slot.count + added > slot.capacity) {
-    // The star that is left behind may have the room; otherwise the end has.
-    const bool into_left = slot.count + added <= left.capacity;
-    const uint32_t count = slot.count;
-    const auto first = into_left ? left.first : static_cast<uint32_t>(places_.size());
-    const uint32_t capacity = into_left ? left.capacity : count + added;
-    const auto before = slot.first;
-    if (!into_left) places_.resize(places_.size() + capacity);
-    std::copy_n(places_.begin() + before, own.size(), places_.begin() + first);
-    slot = {first, count, capacity};
-    if (into_left) left.capacity = 0;
-  }
+  make_room(to, static_cast<uint32_t>(triangles.size()), slots_[from]);
+  Slot& slot = slots_[to];
   std::copy(triangles.begin(), triangles.end(), places_.begin() + slot.first + slot.count);
-  slot.count += added;
-  left.count = 0;
+  slot.count += static_cast<uint32_t>(triangles.size());
+  slot.alive += static_cast<uint32_t>(triangles.size());
+  slots_[from].count = slots_[from].alive = 0;
   if (places_.size() > 2 * packed_size_ + 64) pack();
+}
+
+/// In the star of the point, for so many more; the star that is left behind may have it, otherwise the end
+/// has.
+void ShrinkingMesh::make_room(uint32_t point, uint32_t added, Slot& left) {
+  Slot& slot = slots_[point];
+  if (slot.count + added <= slot.capacity) return;
+  const auto own = star(point);
+  if (slot.count + added <= slot.capacity) return;
+  const bool into_left = slot.count + added <= left.capacity;
+  // A hub that grows by a few at a time is not copied each time.
+  const uint32_t capacity = into_left ? left.capacity : slot.count + std::max(added, slot.count / 4);
+  const auto first = into_left ? left.first : static_cast<uint32_t>(places_.size());
+  const auto before = slot.first;
+  if (!into_left) places_.resize(places_.size() + capacity);
+  std::copy_n(places_.begin() + before, own.size(), places_.begin() + first);
+  slot.first = first;
+  slot.capacity = capacity;
+  if (into_left) left.capacity = 0;
 }
 
 void ShrinkingMesh::pack() {
@@ -91,8 +96,8 @@ void ShrinkingMesh::pack() {
   packed.reserve(3 * alive_);
   for (uint32_t i = 0; i < slots_.size(); ++i) {
     const auto own = star(i);
-    slots_[i] = {static_cast<uint32_t>(packed.size()), static_cast<uint32_t>(own.size()),
-                 static_cast<uint32_t>(own.size())};
+    const auto size = static_cast<uint32_t>(own.size());
+    slots_[i] = {static_cast<uint32_t>(packed.size()), size, size, size};
     packed.insert(packed.end(), own.begin(), own.end());
   }
   places_ = std::move(packed);

@@ -33,6 +33,8 @@ class ShrinkingMesh {
   Face& face(uint32_t index) { return faces_[index]; }
   const Face& face(uint32_t index) const { return faces_[index]; }
 
+  /// How many triangles hold the point.
+  size_t degree(uint32_t point) const { return slots_[point].alive; }
   /// The triangles that hold the point, and no others; valid until something is removed or moved.
   std::span<const uint32_t> star(uint32_t point);
   /// The same as spokes.
@@ -47,13 +49,15 @@ class ShrinkingMesh {
 
  private:
   struct Slot {
-    uint32_t first, count, capacity;
+    uint32_t first, count, capacity, alive;
   };
+  void make_room(uint32_t point, uint32_t added, Slot& left);
   void pack();
 
   std::vector<glm::ivec3> points_;
   std::vector<Face> faces_;
-  std::vector<Slot> slots_;  ///< for each point its triangles in places_, gone ones among them
+  std::vector<Slot>
+      slots_;  ///< for each point its triangles in places_, the first `count`, gone ones among them
   std::vector<uint32_t> places_;
   size_t alive_ = 0, packed_size_ = 0;
 };

@@ -6,10 +6,10 @@
 namespace triptych {
 
 bool Star::read(ShrinkingMesh& mesh, uint32_t point) {
-  mesh.star(point, spokes_);
   fans_.clear();
   crowd_ = 0;
-  if (spokes_.empty() || spokes_.size() > most_spokes) return false;
+  if (mesh.degree(point) == 0 || mesh.degree(point) > most_spokes) return false;
+  mesh.star(point, spokes_);
   if (order_closed()) {
     fans_.push_back({0, spokes_.size(), true});
   } else {
