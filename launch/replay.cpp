@@ -5,6 +5,7 @@
 #include "base/notice.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
+#include "launch/named_files.hpp"
 #include "launch/pictures.hpp"
 #include "measure/json.hpp"
 #include "nodes/picture_stage.hpp"
@@ -95,6 +96,10 @@ int run(const ReplayCommand& command) {
   if (pack.content_hash() != header.own.pack_hash) {
     fail(files.front().string(), "was recorded with another pack: its hash is {:016x}, this one's {:016x}",
          header.own.pack_hash, pack.content_hash());
+  }
+  for (const std::filesystem::path& output : {command.output, command.json}) {
+    check_is_none_of(output, files, "a part of the recording");
+    check_is_none_of(output, {header.pack}, "the pack of the recording");
   }
   if (!command.frame) make_folder(command.output);
   const auto context = make_context(command.context);
