@@ -6,6 +6,7 @@
 #include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
 #include "launch/named_files.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/pictures.hpp"
 #include "measure/json.hpp"
 #include "nodes/picture_stage.hpp"
@@ -143,7 +144,8 @@ void add_replay(CLI::App& app, Action& action) {
   sub->footer("Example: triptych replay recording --frame 17 -o frame-17.png");
   add_common_flags(*sub, command->json);
   sub->add_option("folder", command->folder, "What session --record left")->required()->type_name("DIR");
-  auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file");
+  auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file")
+                    ->check(whole_number(0, most_frames));
   sub->add_option("--frames", "All of them; -o is a folder")
       ->check(one_of({"all"}))
       ->type_name("all")
