@@ -1,11 +1,11 @@
 #include "lod/preprocess/build.hpp"
 
 #include "base/clock.hpp"
-#include "base/error.hpp"
 #include "base/memory.hpp"
 #include "launch/build_flags.hpp"
 #include "launch/command.hpp"
 #include "launch/import_flags.hpp"
+#include "launch/named_files.hpp"
 #include "measure/json.hpp"
 #include "scene/import/import.hpp"
 
@@ -46,24 +46,16 @@ nlohmann::json report_json(const BuildReport& report, double seconds) {
           {"import", to_json(report.import)}};
 }
 
-/// Neither the pack nor the report may take the place of what it is made from.
-void check_is_no_input(const std::filesystem::path& output,
-                       const std::vector<std::filesystem::path>& inputs) {
-  for (const std::filesystem::path& input : inputs) {
-    std::error_code ignored;  // what is not there is not the same
-    if (std::filesystem::equivalent(output, input, ignored))
-      fail(output.string(), "is a file of the model, which would be lost");
-  }
-}
-
 int run(const BuildCommand& command) {
   const Stopwatch stopwatch;
   ImportOptions import = command.flags.import;
   import.temporary_folder = std::filesystem::absolute(command.output).parent_path();
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
-  check_is_no_input(command.output, model.files);
-  check_is_no_input(command.json, model.files);
+  // Neither the pack nor the report may take the place of what it is made from; a model names files of its
+  // own.
+  for (const std::filesystem::path& output : {command.output, command.json})
+    check_is_none_of(output, model.files, "a file of the model");
   BuildOptions options = command.flags.options();
   options.fingerprint = build_fingerprint(command.flags, model.files);
   BuildReport report = build_pack(std::move(model), options, command.output);

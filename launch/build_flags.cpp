@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/import_flags.hpp"
+#include "launch/number_flags.hpp"
 
 #include <fmt/core.h>
 #include <map>
@@ -97,17 +98,17 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
                    "Make every placement geometry of its own, instead of sharing meshes");
   command
       .add_option("--part-triangles", flags.defaults.part_triangles, "Triangles of a part of a mesh, at most")
-      ->check(CLI::Range(least_triangles, most_triangles))
+      ->check(whole_number(least_triangles, most_triangles))
       ->capture_default_str();
   command
       .add_option("--leaf-triangles", flags.defaults.leaf_triangles,
                   "Triangles of a leaf of the hierarchy, roughly")
-      ->check(CLI::Range(least_triangles, most_triangles))
+      ->check(whole_number(least_triangles, most_triangles))
       ->capture_default_str();
   command
       .add_option("--hlod-triangles", flags.defaults.hlod_triangles,
                   "Triangles of an inner scene node's coarsest level, roughly")
-      ->check(CLI::Range(least_triangles, most_triangles))
+      ->check(whole_number(least_triangles, most_triangles))
       ->capture_default_str();
 }
 

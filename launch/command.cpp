@@ -3,7 +3,7 @@
 #include "base/inject.hpp"
 #include "base/threads.hpp"
 #include "launch/choice_flag.hpp"
-#include "launch/positive_number.hpp"
+#include "launch/number_flags.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -45,7 +45,7 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
       .add_option_function<unsigned>(
           "--threads", [](unsigned count) { set_thread_count(count); },
           "Threads to work with (default: all cores)")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
 }
 
 void add_context_flag(CLI::App& command, ContextKind& context) {
@@ -90,12 +90,12 @@ void add_path_flags(CLI::App& command, RunOptions& options) {
           "Width and height of the picture in pixels")
       ->type_name("WxH")
       ->default_str("512x512");
-  command.add_option("--pixel-error", options.pixel_errors, "How far surfaces may deviate, in pixels")
-      ->delimiter(',')
+  take_one(
+      command.add_option("--pixel-error", options.pixel_errors, "How far surfaces may deviate, in pixels"))
       ->check(positive_number())
       ->default_str("1");
   command.add_option("--frames", options.frames, "Only the first frames of the path")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1, most_frames));
 }
 
 void add_run_flags(CLI::App& command, RunOptions& options) {
@@ -105,12 +105,14 @@ void add_run_flags(CLI::App& command, RunOptions& options) {
 }
 
 namespace {
+constexpr uint64_t most_batch = uint64_t{1} << 32;
+
 template <typename Target>
 CLI::Option* add_batch(CLI::App& command, Target& target) {
   return command
       .add_option("--batch", target, "Ids a packet of a delta: smaller ones come earlier and cost more bytes")
       ->type_name("IDS")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1, most_batch));
 }
 }  // namespace
 
@@ -118,7 +120,7 @@ void add_batch_flag(CLI::App& command, size_t& packet_ids) {
   add_batch(command, packet_ids)->capture_default_str();
 }
 void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids) {
-  add_batch(command, packet_ids)->delimiter(',')->default_str(std::to_string(packet_ids.front()));
+  take_one(add_batch(command, packet_ids))->default_str(std::to_string(packet_ids.front()));
 }
 
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {

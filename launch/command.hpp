@@ -26,7 +26,7 @@ struct PictureSize {
 struct RunOptions {
   std::filesystem::path pack, path, json;
   PictureSize size;
-  std::vector<double> pixel_errors = {1};
+  std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
   ContextKind context = ContextKind::egl;
   TestKind test = TestKind::storage;
   size_t frames = 0;  ///< the first so many; 0 is all

@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "launch/command.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/text_table.hpp"
 #include "measure/explanation.hpp"
 #include "measure/json.hpp"
@@ -172,12 +173,15 @@ void add_explain(CLI::App& app, Action& action) {
       app.add_subcommand("explain", "Why a pixel shows what it shows, and why something is not there");
   sub->footer("Example: triptych explain scene.tpk --path walk.json --frame 17 --pixel 250,300");
   add_run_flags(*sub, command->run);
-  sub->add_option("--frame", command->frame, "The frame of the path")->required();
+  sub->add_option("--frame", command->frame, "The frame of the path")
+      ->required()
+      ->check(whole_number(0, most_frames));
   sub->add_option("--pixel", command->pixel, "The pixel, counted from the left and the top")
       ->delimiter(',')
       ->expected(2)
       ->type_name("X,Y");
-  sub->add_option("--drawable", command->drawable, "A drawable by its id: what became of it");
+  sub->add_option("--drawable", command->drawable, "A drawable by its id: what became of it")
+      ->check(whole_number(0, no_id));
   sub->callback([command, sub, &action] {
     if (sub->count("--pixel") + sub->count("--drawable") == 0) {
       throw CLI::RequiredError("--pixel or --drawable");

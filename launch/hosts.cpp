@@ -1,6 +1,7 @@
 #include "launch/hosts.hpp"
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 
 #include <algorithm>
 #include <toml++/toml.h>
@@ -70,8 +71,9 @@ std::string fill_in(const std::string& text, const Marks& marks) {
 
 Hosts read_hosts(const std::filesystem::path& path, const std::string& pack) {
   toml::table file;
+  const std::string text = read_text_file(path);  // which says better than the parser why there is none
   try {
-    file = toml::parse_file(path.string());
+    file = toml::parse(text);
   } catch (const toml::parse_error& error) {
     fail(path.string(), "line {}: {}", error.source().begin.line, error.description());
   }

@@ -1,5 +1,6 @@
 // The program `triptych`: one file a subcommand; errors end here, in one line.
 #include "launch/command.hpp"
+#include "launch/named_files.hpp"
 
 #include <fmt/core.h>
 #include <locale>
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : usage;
   }
   try {
+    triptych::check_files_differ(app);
     return action();
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "triptych: memory: there is not enough\n");

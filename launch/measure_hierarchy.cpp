@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "launch/measure.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/run_program.hpp"
 #include "launch/temporary_folder.hpp"
 #include "launch/text_table.hpp"
@@ -110,7 +111,7 @@ void add_measure_hierarchy(CLI::App& measure, Action& action) {
   add_context_flags(*sub, command->run);
   add_path_flags(*sub, command->run);
   sub->add_option("--rounds", command->rounds, "How often the path is drawn")
-      ->check(CLI::Range(1, 1000))
+      ->check(whole_number(1, 1000))
       ->capture_default_str();
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -1,6 +1,7 @@
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
 #include "launch/measure.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/session_run.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
@@ -133,6 +134,7 @@ void add_measure_session(CLI::App& measure, Action& action) {
       "session", "A session measured, every frame compared with the un-culled picture of the same cut");
   session->footer("Example: triptych measure session scene.tpk --path walk.json --json session.json");
   add_session_flags(*session, *options);
+  take_list(session->get_option("--batch"));
   session->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "launch/measure.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/run_program.hpp"
 #include "launch/temporary_folder.hpp"
 #include "launch/text_table.hpp"
@@ -148,9 +149,10 @@ void add_measure_simplifiers(CLI::App& measure_app, Action& action) {
   add_build_flags(*sub, command->flags);
   add_context_flags(*sub, command->run);
   add_path_flags(*sub, command->run);
+  take_list(sub->get_option("--pixel-error"));
   sub->add_option("--points", command->points,
                   "Points at which distances are measured, over all drawables of a pack")
-      ->check(CLI::Range(uint64_t{1000}, uint64_t{1} << 40))
+      ->check(whole_number(1000, uint64_t{1} << 40))
       ->capture_default_str();
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -3,6 +3,7 @@
 #include "base/timeline.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/pictures.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
@@ -91,7 +92,7 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
   sub->add_option("--every", command->every,
                   "Only every so many frames of the path, each as if it were the next one")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1, most_frames));
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

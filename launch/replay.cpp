@@ -5,6 +5,8 @@
 #include "base/notice.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
+#include "launch/named_files.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/pictures.hpp"
 #include "measure/json.hpp"
 #include "nodes/picture_stage.hpp"
@@ -96,6 +98,10 @@ int run(const ReplayCommand& command) {
     fail(files.front().string(), "was recorded with another pack: its hash is {:016x}, this one's {:016x}",
          header.own.pack_hash, pack.content_hash());
   }
+  for (const std::filesystem::path& output : {command.output, command.json}) {
+    check_is_none_of(output, files, "a part of the recording");
+    check_is_none_of(output, {header.pack}, "the pack of the recording");
+  }
   if (!command.frame) make_folder(command.output);
   const auto context = make_context(command.context);
   if (context->names().renderer != header.own.gl_renderer ||
@@ -138,7 +144,8 @@ void add_replay(CLI::App& app, Action& action) {
   sub->footer("Example: triptych replay recording --frame 17 -o frame-17.png");
   add_common_flags(*sub, command->json);
   sub->add_option("folder", command->folder, "What session --record left")->required()->type_name("DIR");
-  auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file");
+  auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file")
+                    ->check(whole_number(0, most_frames));
   sub->add_option("--frames", "All of them; -o is a folder")
       ->check(one_of({"all"}))
       ->type_name("all")

@@ -1,5 +1,6 @@
 #include "base/file.hpp"
 #include "launch/command.hpp"
+#include "launch/named_files.hpp"
 #include "measure/goals.hpp"
 #include "measure/json.hpp"
 #include "measure/report_page.hpp"
@@ -19,6 +20,11 @@ int run(const ReportCommand& command) {
   // Everything is made before anything is written: what lacks a figure leaves no page.
   const std::string page = report_page(report);
   const nlohmann::json merged = report_json(report);
+  std::vector<std::filesystem::path> sources = {command.manifest};
+  for (const ReportEntry& entry : report.entries) sources.push_back(entry.file);
+  for (const char* name : {"report.html", "report.json"})
+    check_is_none_of(command.output / name, sources, "what the report is made from");
+  check_is_none_of(command.json, sources, "what the report is made from");
   make_folder(command.output);
   write_file(command.output / "report.html", page);
   write_json(command.output / "report.json", merged);

@@ -1,4 +1,4 @@
-#include "launch/positive_number.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/role_command.hpp"
 
 namespace triptych {
@@ -25,7 +25,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
                 "Allow other machines without a key: nothing is encrypted, anybody may take a role");
   role.add_option("--session", command.session, "A number that the roles of one session share");
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
-      ->check(positive_number())
+      ->check(number_between(0.001, most_seconds))
       ->capture_default_str();
 }
 
@@ -69,12 +69,13 @@ void add_role(CLI::App& app, Action& action) {
   add_connection_flags(*render, *render_command);
   render->add_option("-o,--output", render_command->output, "Folder for the PNG files")->type_name("DIR");
   render->add_option("--loop", render_command->loop, "How often the path is played")
-      ->check(CLI::PositiveNumber);
-  render->add_option("--rate", render_command->rate, "Cameras released a second")->check(positive_number());
+      ->check(whole_number(1, most_frames));
+  render->add_option("--rate", render_command->rate, "Cameras released a second")
+      ->check(number_between(least_rate, most_rate));
   render
       ->add_option("--timeout", render_command->timeout_ms,
                    "Milliseconds to wait for a frame's visible set before going on alone")
-      ->check(positive_number())
+      ->check(number_between(1, 1000 * most_seconds))
       ->capture_default_str();
   render->add_option("--journal", render_command->journal, "Append each frame's record here, not to the JSON")
       ->type_name("FILE");

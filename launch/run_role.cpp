@@ -3,6 +3,7 @@
 #include "base/progress.hpp"
 #include "base/timeline.hpp"
 #include "launch/meeting.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/picture_writer.hpp"
 #include "launch/pictures.hpp"
 #include "launch/window_source.hpp"
@@ -83,8 +84,9 @@ class Records {
   std::vector<FrameRecord> kept_;
 };
 
-/// The path's frames, over and over.
+/// The path's frames, over and over. Error where those are more than frame numbers.
 FrameSource path_frames(std::vector<FrameRequest> once, uint32_t first, size_t loop) {
+  if (loop > most_frames / once.size()) fail("--loop", "{} times {} frames are too many", loop, once.size());
   const auto count = static_cast<uint32_t>(once.size() * loop);
   return {.first = first, .count = count, .frame = [once = std::move(once)](uint32_t number) {
             FrameRequest frame = once[number % once.size()];

@@ -1,5 +1,6 @@
 #include "base/threads.hpp"
 #include "launch/command.hpp"
+#include "launch/number_flags.hpp"
 #include "measure/json.hpp"
 #include "samples/building/building.hpp"
 #include "samples/plant/plant.hpp"
@@ -73,9 +74,11 @@ void add_sample_flags(CLI::App& app, SampleCommand& command, Options& options, u
       ->required()
       ->type_name("DIR");
   app.add_option("--triangles", options.triangles, "About how many triangles in all")
-      ->check(CLI::Range(least, most))
+      ->check(whole_number(least, most))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Decides everything that is random")->capture_default_str();
+  app.add_option("--seed", options.seed, "Decides everything that is random")
+      ->check(whole_number(0))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -93,11 +96,12 @@ void add_sample(CLI::App& app, Action& action) {
       ->required()
       ->type_name("DIR");
   building->add_option("--floors", command->building.floors, "Storeys")
-      ->check(CLI::Range(1, 100))
+      ->check(whole_number(1, 100))
       ->capture_default_str();
   building->add_option("--furniture", command->furniture, "Pieces of furniture (default: 2000 a floor)")
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_number(1, 1000000));
   building->add_option("--seed", command->building.seed, "Decides everything that is random")
+      ->check(whole_number(0))
       ->capture_default_str();
   building->callback([command, &action] { action = [command] { return run_building(*command); }; });
 

@@ -1,13 +1,14 @@
-#include "launch/positive_number.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/session_run.hpp"
 
 namespace triptych {
 
 void add_session_flags(CLI::App& command, SessionOptions& options) {
   add_run_flags(command, options.run);
-  command.add_option("--loop", options.loop, "How often the path is played")->check(CLI::PositiveNumber);
+  command.add_option("--loop", options.loop, "How often the path is played")
+      ->check(whole_number(1, most_frames));
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
-      ->check(positive_number());
+      ->check(number_between(least_rate, most_rate));
   add_batch_flag(command, options.batches);
   command.add_option("--hosts", options.hosts, "Play the switch nodes on the machines that this file names")
       ->type_name("HOSTS.toml");
@@ -19,9 +20,10 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command
       .add_option("--timeout", options.timeout_ms,
                   "Milliseconds to wait for a frame's visible set before the render node goes on alone")
-      ->check(positive_number())
+      ->check(number_between(1, 1000 * most_seconds))
       ->capture_default_str();
   command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")
+      ->check(whole_number(0, most_frames))
       ->capture_default_str();
   add_timeline_flag(command, options.timeline);
   command.add_option("--record", options.record, "Folder to keep every message in; replay shows them again")
@@ -29,7 +31,7 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command
       .add_option("--port", options.port,
                   "The render node's port; switch node 0 takes the next one (default: free ones)")
-      ->check(CLI::Range(1, 65534));
+      ->check(whole_number(1, 65534));
 }
 
 }  // namespace triptych

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "scene/known_keys.hpp"
 
 namespace triptych {
 
@@ -73,14 +74,22 @@ Report load_report(const std::filesystem::path& manifest) {
   const std::string place = manifest.string();
   const json document = read_json(manifest);
   const std::filesystem::path folder = manifest.parent_path();
+  expect_known_keys(document, {"title", "note", "held_to", "entries", "pictures"}, place);
   Report report;
   report.title = member(document, "title", place);
   if (document.contains("note")) report.note = member(document, "note", place);
+  if (document.contains("held_to")) {
+    const std::string held_to = member(document, "held_to", place);
+    if (held_to != "exactness" && held_to != "everything")
+      fail(place, "\"held_to\" is neither \"everything\" nor \"exactness\"");
+    report.held_to_exactness_alone = held_to == "exactness";
+  }
   for (const json& item : list(document, "entries", place)) {
     ReportEntry entry{.name = member(item, "name", place),
                       .command = member(item, "command", place),
                       .file = folder / member(item, "json", place),
                       .figures = {}};
+    expect_known_keys(item, {"name", "command", "json"}, place + ": entry " + entry.name);
     if (report.find(entry.name)) fail(place, "names \"{}\" twice", entry.name);
     entry.figures = read_json(entry.file);
     report.entries.push_back(std::move(entry));
@@ -89,6 +98,8 @@ Report load_report(const std::filesystem::path& manifest) {
   for (const json& item : list(document, "pictures", place)) {
     report.pictures.push_back(
         {member(item, "file", place), member(item, "caption", place), member(item, "command", place)});
+    expect_known_keys(item, {"file", "caption", "command"},
+                      place + ": picture " + report.pictures.back().file);
     const std::filesystem::path picture = folder / report.pictures.back().file;
     if (!std::filesystem::is_regular_file(picture)) fail(picture.string(), "is not there");
   }

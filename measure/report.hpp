@@ -28,7 +28,8 @@ struct ReportPicture {
 
 struct Report {
   std::string title;
-  std::string note;  ///< what a reader should know first; may be empty
+  std::string note;                      ///< what a reader should know first; may be empty
+  bool held_to_exactness_alone = false;  ///< the run is not of what the other targets are set for
   std::vector<ReportEntry> entries;
   std::vector<ReportPicture> pictures;
 
@@ -36,9 +37,10 @@ struct Report {
   const ReportEntry* find(const std::string& name) const;
 };
 
-/// Reads a manifest {"title", "note", "entries": [{"name", "command", "json"}], "pictures": [{"file",
-/// "caption", "command"}]} and the JSON files that it names, relative to it. Error for a file that is missing
-/// or broken, a name used twice, and a picture that is not there.
+/// Reads a manifest {"title", "note", "held_to", "entries": [{"name", "command", "json"}], "pictures":
+/// [{"file", "caption", "command"}]} and the JSON files that it names, relative to it. "held_to" is
+/// "everything", as where it is missing, or "exactness". Error for a file that is missing or broken, a key
+/// that is not known, a name used twice, and a picture that is not there.
 Report load_report(const std::filesystem::path& manifest);
 
 }  // namespace triptych

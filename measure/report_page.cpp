@@ -31,15 +31,21 @@ std::string targets_section(const Report& report) {
   HtmlTable table{{"target", "outcome"}, {}};
   Names names;
   for (const Goal& target : targets) {
-    table.rows.push_back({escape_html(target.what),
-                          fmt::format("<span class=\"{}\">{}</span>", target.met() ? "met" : "missed",
-                                      escape_html(target.verdict()))});
+    table.rows.push_back({escape_html(target.what), fmt::format("<span class=\"{}\">{}</span>",
+                                                                !target.held   ? "quiet"
+                                                                : target.met() ? "met"
+                                                                               : "missed",
+                                                                escape_html(target.verdict()))});
     names.insert(names.end(), target.entries.begin(), target.entries.end());
   }
-  const auto met =
-      std::count_if(targets.begin(), targets.end(), [](const Goal& target) { return target.met(); });
-  return fmt::format("<h2>Targets: {} of {} met</h2>\n", met, targets.size()) + to_html(table) +
-         commands(report, names);
+  const auto held =
+      std::count_if(targets.begin(), targets.end(), [](const Goal& target) { return target.held; });
+  const auto met = std::count_if(targets.begin(), targets.end(),
+                                 [](const Goal& target) { return target.held && target.met(); });
+  const auto others = static_cast<std::ptrdiff_t>(targets.size()) - held;
+  return fmt::format("<h2>Targets: {} of {} met{}</h2>\n", met, held,
+                     others > 0 ? fmt::format(", {} not held to", others) : "") +
+         to_html(table) + commands(report, names);
 }
 
 std::string pictures_section(const Report& report) {
@@ -207,11 +213,12 @@ nlohmann::json report_json(const Report& report) {
   nlohmann::json targets = nlohmann::json::array(), entries = targets, pictures = targets;
   bool all_met = true;
   for (const Goal& target : judge(report)) {
-    all_met = all_met && target.met();
+    all_met = all_met && (target.met() || !target.held);
     targets.push_back({{"what", target.what},
                        {"value", target.value},
                        {"limit", target.limit},
                        {"relation", target.at_least ? "at least" : "at most"},
+                       {"held", target.held},
                        {"met", target.met()},
                        {"entries", target.entries}});
   }

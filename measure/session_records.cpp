@@ -92,7 +92,8 @@ FrameRecord frame_record_from_json(const json& document, const std::string& plac
 json clocks_json(const RoleRecord& record) { return record.clocks; }
 
 json to_json(const RoleRecord& record) {
-  return {{"sockets", record.sockets},
+  return {{"role_record", role_record_version},
+          {"sockets", record.sockets},
           {"frames", record.frames},
           {"gl", record.gl},
           {"raster", record.raster},
@@ -114,6 +115,14 @@ void add_record(RoleRecord& sum, const RoleRecord& record) {
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
+  if (!document.is_object()) fail(place, "is no role's record");
+  // Those of the first builds did not say which they are.
+  const json version = document.value("role_record", json(0));
+  if (version != role_record_version) {
+    fail(place,
+         "is the record of a role of another build of the program: its version is {}, and {} is wanted here",
+         version.dump(), role_record_version);
+  }
   try {
     return {document.at("sockets").get<std::vector<SocketRecord>>(),
             document.at("frames").get<std::vector<FrameRecord>>(),

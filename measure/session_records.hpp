@@ -37,6 +37,9 @@ struct ProcessTimeline {
   uint64_t lost = 0;  ///< spans that were too many
 };
 
+/// Of the JSON of a RoleRecord: a higher one whenever its keys change, or those of what it holds.
+constexpr int role_record_version = 1;
+
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
   std::vector<FrameRecord> frames;    ///< the render node's
@@ -68,7 +71,8 @@ nlohmann::json clocks_json(const RoleRecord& record);
 nlohmann::json to_json(const RoleRecord& record);
 /// Adds what a later process of the same role recorded; its frames excepted.
 void add_record(RoleRecord& sum, const RoleRecord& record);
-/// Error (place) for JSON that is no role's record.
+/// Error (place) for JSON that is no role's record, or one of another version, as a program of another build
+/// writes it.
 RoleRecord role_record_from_json(const nlohmann::json& json, const std::string& place);
 
 }  // namespace triptych

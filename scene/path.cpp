@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/rounding.hpp"
+#include "scene/known_keys.hpp"
 
 #include <cmath>
 #include <glm/vec4.hpp>
@@ -32,7 +33,12 @@ glm::vec<count, double> vector(const json& object, const std::string& place, con
   return result;
 }
 
-/// Settings that stand at the top or on a frame.
+/// Besides the settings, which may stand at the top and on a frame.
+void expect_keys(const json& object, std::vector<std::string_view> known, const std::string& place) {
+  known.insert(known.end(), {"near", "fov_y_degrees", "off_axis", "orthographic_height", "time_seconds"});
+  expect_known_keys(object, known, place);
+}
+
 void read_settings(const json& object, const std::string& place, PathFrame& frame) {
   const bool orthographic = object.contains("orthographic_height");
   if (orthographic && (object.contains("fov_y_degrees") || object.contains("off_axis"))) {
@@ -50,6 +56,7 @@ void read_settings(const json& object, const std::string& place, PathFrame& fram
       fail(place, "\"fov_y_degrees\" must be between 0 and 180");
     frame.orthographic_height.reset();
   }
+  if (object.contains("time_seconds")) number(object["time_seconds"], place, "time_seconds");
   if (object.contains("near")) frame.near = number(object["near"], place, "near");
   if (object.contains("off_axis")) {
     frame.off_axis = vector<4>(object, place, "off_axis");
@@ -96,12 +103,14 @@ Path load(const std::filesystem::path& file) {
   const auto frames = document.find("frames");
   if (frames == document.end() || !frames->is_array() || frames->empty())
     fail(place, "the path has no frames");
+  expect_keys(document, {"triptych_path", "frames"}, place);
   PathFrame defaults;
   read_settings(document, place, defaults);
   Path path;
   for (const json& object : *frames) {
     const std::string frame_place = fmt::format("{} frame {}", place, path.frames.size());
     if (!object.is_object()) fail(frame_place, "must be an object");
+    expect_keys(object, {"eye", "target", "up"}, frame_place);
     PathFrame frame = defaults;
     frame.eye = vector<3>(object, frame_place, "eye");
     frame.target = vector<3>(object, frame_place, "target");

@@ -26,8 +26,9 @@ struct Path {
   View view(size_t i, int width, int height, double default_near) const;
 };
 
-/// Error (file and frame) for a file that is missing, is no path, has no frames, or holds a camera without a
-/// direction or with numbers that are not finite, or names two projections at once.
+/// Error (file and frame) for a file that is missing, is no path, has no frames, holds a key that is not
+/// known, a camera without a direction or with numbers that are not finite, or names two projections at once.
+/// A "time_seconds" (a number) and a "comment" may stand at the top and on frames; nothing comes of them.
 Path load_path(const std::filesystem::path& file);
 
 }  // namespace triptych

@@ -1,10 +1,12 @@
 // What keeps the house in order: where includes may point, how long a file may be, what the tree may name.
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,16 +28,18 @@ std::vector<std::string> lines_of(const fs::path& file) {
   return lines;
 }
 
-/// Our own files, without what was built.
+/// Our own files of these kinds, or of all where none is named; without what was built.
 std::vector<fs::path> files(const std::vector<std::string>& extensions) {
   std::vector<fs::path> found;
   for (auto entry = fs::recursive_directory_iterator(source_dir); entry != fs::recursive_directory_iterator();
        ++entry) {
     const std::string name = entry->path().filename();
+    if (name == ".git" && entry->is_regular_file()) continue;  // of a worktree
     if (entry->is_directory() && (name == ".git" || name == "build" || name == "out")) {
       entry.disable_recursion_pending();
     } else if (entry->is_regular_file() &&
-               std::count(extensions.begin(), extensions.end(), entry->path().extension())) {
+               (extensions.empty() ||
+                std::count(extensions.begin(), extensions.end(), entry->path().extension()))) {
       found.push_back(entry->path());
     }
   }
@@ -93,6 +97,54 @@ TEST(House, nothing_names_a_machine_or_calls_itself_unfinished) {
       EXPECT_FALSE(std::regex_search(lines[i], machine)) << place(file, i) << ": " << lines[i];
       EXPECT_FALSE(std::regex_search(lines[i], unfinished)) << place(file, i) << ": " << lines[i];
     }
+  }
+}
+
+/// What is tracked; where there is no git, what lies there. Relative to the top.
+std::vector<fs::path> tracked_files() {
+  const std::string command = "git -C '" + source_dir.string() + "' ls-files 2>/dev/null";
+  std::string list;
+  if (FILE* pipe = fs::exists(source_dir / ".git") ? ::popen(command.c_str(), "r") : nullptr) {
+    char part[4096];
+    for (size_t count; (count = std::fread(part, 1, sizeof(part), pipe)) > 0;) list.append(part, count);
+    ::pclose(pipe);
+  }
+  std::vector<fs::path> found;
+  std::istringstream lines(list);
+  for (std::string line; std::getline(lines, line);) found.emplace_back(line);
+  if (!found.empty()) return found;
+  for (const fs::path& file : files({})) found.push_back(fs::relative(file, source_dir));
+  return found;
+}
+
+/// What may lie in which folder, by the whole path.
+const std::vector<std::string> places = {
+    R"(README\.md|LICENSE|CMakeLists\.txt|CMakePresets\.json|\.gitignore|\.clang-(format|tidy)|\.ci/run)",
+    R"((base|scene|lod|visibility|protocol|render|nodes|measure|samples|view|launch)/(\w+/)?\w+\.[ch]pp)",
+    R"((\w+/)+CMakeLists\.txt)",
+    R"(launch/(packages\.txt|compile|demo|install))",
+    R"(cmake/[\w-]+\.cmake)",
+    R"(docs/[\w-]+\.(md|png)|docs/hard-cases/\w+\.png)",
+    R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_names|fuzz/run))",
+    R"(tests/fuzz/findings/README\.md|tests/fuzz/findings/\w+/[\w.-]+)"};
+
+TEST(House, everything_lies_in_its_place_and_no_note_was_left_behind) {
+  const std::vector<fs::path> tracked = tracked_files();
+  EXPECT_GT(tracked.size(), 500u) << "the tree was not found";
+  for (const fs::path& file : tracked) {
+    EXPECT_TRUE(std::any_of(
+        places.begin(), places.end(),
+        [&](const std::string& place) { return std::regex_match(file.string(), std::regex(place)); }))
+        << file << " has no place in the tree (tests/house knows them)";
+  }
+}
+
+TEST(House, every_page_of_the_docs_can_be_found_from_the_readme) {
+  std::string readme;
+  for (const std::string& line : lines_of(source_dir / "README.md")) readme += line;
+  for (const fs::path& file : tracked_files()) {
+    if (file.extension() != ".md" || *file.begin() != "docs") continue;
+    EXPECT_NE(readme.find("(" + file.string() + ")"), std::string::npos) << file << " is linked nowhere";
   }
 }
 

@@ -28,9 +28,9 @@ TEST(CommandLine, numbers_are_not_taken_for_words) {
   EXPECT_NO_THROW(app.parse("selftest --context osmesa", false));
 }
 
-TEST(CommandLine, times_and_rates_are_finite_numbers_above_0) {
+TEST(CommandLine, times_and_rates_are_numbers_that_a_clock_can_count) {
   for (const std::string flag : {"--timeout", "--rate"}) {
-    for (const std::string value : {"nan", "inf", "0", "-1"}) {
+    for (const std::string value : {"nan", "inf", "0", "-1", "1e300", "1e-300", "1s"}) {
       CLI::App app;
       Action action;
       add_session(app, action);
@@ -38,6 +38,49 @@ TEST(CommandLine, times_and_rates_are_finite_numbers_above_0) {
                    CLI::ValidationError)
           << flag << " " << value;
     }
+  }
+}
+
+TEST(CommandLine, counts_are_whole_numbers_in_decimal_digits) {
+  for (const std::string flag : {"--frames", "--loop", "--batch", "--restarts", "--port"}) {
+    for (const std::string value :
+         {"-1", "99999999999999999999999", "010", "1.5", "1e3", "0x10", "nan", "many"}) {
+      CLI::App app;
+      Action action;
+      add_session(app, action);
+      try {
+        app.parse("session pack.tpk --path walk.json " + flag + " " + value, false);
+        ADD_FAILURE() << flag << " " << value;
+      } catch (const CLI::ValidationError& error) {
+        EXPECT_NE(std::string(error.what()).find("is no whole number from"), std::string::npos);
+        EXPECT_LT(std::string(error.what()).size(), 100u);
+      }
+    }
+  }
+}
+
+TEST(CommandLine, flags_may_stand_before_what_they_are_about) {
+  for (const std::string line : {"render --pixel-error 2 pack.tpk --path walk.json -o pictures",
+                                 "session --batch 7 pack.tpk --path walk.json",
+                                 "measure session --batch 7,8 pack.tpk --path walk.json",
+                                 "measure simplifiers --pixel-error 1,2 scene.gltf --path walk.json"}) {
+    CLI::App app;
+    Action action;
+    for (const auto add : {add_render, add_session, add_measure}) add(app, action);
+    EXPECT_NO_THROW(app.parse(line, false)) << line;
+  }
+}
+
+TEST(CommandLine, a_list_is_refused_where_one_value_is_used) {
+  for (const std::string line :
+       {"render pack.tpk --path walk.json -o pictures --pixel-error 1,2",
+        "render pack.tpk --path walk.json -o pictures --pixel-error 1 --pixel-error 2",
+        "session pack.tpk --path walk.json --batch 1,2",
+        "measure session pack.tpk --path walk.json --pixel-error 1,2"}) {
+    CLI::App app;
+    Action action;
+    for (const auto add : {add_render, add_session, add_measure}) add(app, action);
+    EXPECT_THROW(app.parse(line, false), CLI::ParseError) << line;
   }
 }
 

@@ -63,6 +63,20 @@ TEST_F(HostsFile, names_what_is_wrong_with_it) {
   EXPECT_NE(refusal("launch = \"ssh {host} triptych\"\n" + roles).find("{command}"), std::string::npos);
 }
 
+TEST_F(HostsFile, that_is_a_folder_or_missing_is_named_with_the_reason) {
+  const auto refused = [](const std::filesystem::path& path) -> std::string {
+    try {
+      read_hosts(path, "scene.tpk");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refused(testing::TempDir()), testing::TempDir() + ": is a folder, not a file");
+  EXPECT_EQ(refused("/nonexistent/hosts.toml"),
+            "/nonexistent/hosts.toml: cannot be opened: No such file or directory");
+}
+
 /// What a shell makes of the line.
 std::string answer_of(const std::string& line) {
   FILE* pipe = ::popen(line.c_str(), "r");

@@ -73,12 +73,18 @@ TEST_F(MeasureCommands, build_has_the_figures_of_the_build_alone_and_keeps_the_p
 
 TEST_F(MeasureCommands, a_build_does_not_take_the_place_of_its_model) {
   const std::string before = text_of(model);
-  EXPECT_NE(failure({"build", model, "-o", model}).find("file of the model"), std::string::npos);
+  EXPECT_NE(failure({"build", model, "-o", model}).find("--output would be written over"), std::string::npos);
   EXPECT_NE(failure({"build", model, "-o", folder.file("x.tpk"), "--json", folder.file("./model.obj")})
-                .find("file of the model"),
+                .find("--json would be written over"),
             std::string::npos);
   EXPECT_EQ(text_of(model), before);
-  EXPECT_EQ(folder.files(), 2u);
+  // Nor that of a file which the model names.
+  const std::string materials = folder.file("model.mtl");
+  std::ofstream(materials) << "newmtl grey\n";
+  std::ofstream(model) << "mtllib model.mtl\n" << before;
+  EXPECT_NE(failure({"build", model, "-o", materials}).find("file of the model"), std::string::npos);
+  EXPECT_EQ(text_of(materials), "newmtl grey\n");
+  EXPECT_EQ(folder.files(), 3u);
 }
 
 TEST_F(MeasureCommands, build_of_a_broken_model_is_one_line_and_leaves_nothing) {

@@ -177,6 +177,22 @@ TEST_F(ReportFiles, a_missed_target_is_shown_as_missed_and_by_how_much) {
   EXPECT_FALSE(report_json(report)["all_met"].get<bool>());
 }
 
+TEST_F(ReportFiles, a_run_that_targets_are_not_set_for_is_held_to_exactness_alone) {
+  json walk = walk_figures();
+  walk["delta"]["saved_percent"] = 88.8;
+  change("walk", walk);
+  manifest["held_to"] = "exactness";
+  const std::string page = report_page(load());
+  EXPECT_TRUE(holds(page, "not held to: 88.8 (at least 93.0)"));
+  EXPECT_TRUE(holds(page, "Targets: 4 of 4 met, 6 not held to"));
+  EXPECT_FALSE(holds(page, "class=\"missed\""));
+  EXPECT_TRUE(report_json(load())["all_met"].get<bool>());
+  walk["identical_frames"] = 2;
+  change("walk", walk);
+  EXPECT_TRUE(holds(report_page(load()), "Targets: 3 of 4 met, 6 not held to"));
+  EXPECT_FALSE(report_json(load())["all_met"].get<bool>());
+}
+
 TEST_F(ReportFiles, the_page_shows_traffic_by_socket_and_latency_by_stage) {
   json walk = walk_figures();
   walk["batches"] = {{{"batch", 77},
@@ -272,6 +288,16 @@ TEST_F(ReportFiles, a_manifest_that_makes_no_sense_is_refused) {
   EXPECT_EQ(complaint(), place + ": lacks the text \"name\"");
   manifest["entries"] = json::array();
   EXPECT_EQ(complaint(), place + ": names no entries");
+  manifest["held_to"] = "nothing";
+  EXPECT_TRUE(holds(complaint(), "\"held_to\""));
+}
+
+TEST_F(ReportFiles, a_key_that_is_not_known_is_named_with_its_place) {
+  manifest["entries"][0]["jason"] = "walk.json";
+  EXPECT_TRUE(holds(complaint(), "manifest.json: entry walk: \"jason\" is not known")) << complaint();
+  manifest["entries"][0].erase("jason");
+  manifest["picture"] = manifest["pictures"];
+  EXPECT_TRUE(holds(complaint(), "manifest.json: \"picture\" is not known")) << complaint();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "measure/session_report.hpp"
 
+#include "base/error.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/session_faults.hpp"
 
@@ -79,6 +80,62 @@ TEST(SessionReport, faults_say_what_went_when_and_when_it_was_back) {
   EXPECT_EQ(faults[1]["reason"], "too late");
   EXPECT_EQ(faults[1]["frames_alone"], 2);
   EXPECT_TRUE(faults[1]["back_at_frame"].is_null());
+}
+
+TEST(RoleRecord, is_read_as_it_was_written) {
+  RoleRecord record = three_frames();
+  record.raster = "exact";
+  record.sockets = {{.name = "a", .bytes = 10, .messages = 1}};
+  EXPECT_EQ(to_json(role_record_from_json(to_json(record), "here")), to_json(record));
+}
+
+TEST(RoleRecord, of_another_build_is_named_with_both_versions) {
+  const auto refused = [](const nlohmann::json& document) -> std::string {
+    try {
+      role_record_from_json(document, "switch 0");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  nlohmann::json document = to_json(three_frames());
+  document["role_record"] = role_record_version + 1;
+  document["sockets"] = "of another kind";
+  EXPECT_EQ(refused(document),
+            fmt::format("switch 0: is the record of a role of another build of the program: its "
+                        "version is {}, and {} is wanted here",
+                        role_record_version + 1, role_record_version));
+  document.erase("role_record");
+  EXPECT_NE(refused(document).find("its version is 0"), std::string::npos) << refused(document);
+  EXPECT_EQ(refused(nlohmann::json::array()), "switch 0: is no role's record");
+}
+
+TEST(RoleRecord, its_version_goes_up_when_its_keys_change) {
+  RoleRecord record = three_frames();
+  record.frames.resize(1);
+  record.sockets.resize(1);
+  record.clocks.resize(1);
+  record.timeline.spans.resize(1);
+  std::string keys;
+  const nlohmann::json flat = to_json(record).flatten();
+  for (const auto& [key, value] : flat.items()) keys += key + " ";
+  // Where these differ now, raise role_record_version and write the new ones down here.
+  EXPECT_EQ(role_record_version, 1);
+  EXPECT_EQ(keys,
+            "/clocks/0/ahead_ms /clocks/0/peer /clocks/0/uncertainty_ms /frames/0/added "
+            "/frames/0/camera_to_image_ms /frames/0/cut_drawables /frames/0/digest_mismatch "
+            "/frames/0/drawn_triangles /frames/0/fallback /frames/0/frame_ms /frames/0/hardware_cull_ms "
+            "/frames/0/latency_known /frames/0/latency_network_ms /frames/0/latency_render_ms "
+            "/frames/0/latency_waiting_ms /frames/0/level_changes /frames/0/lost /frames/0/network_ms "
+            "/frames/0/number /frames/0/occlusion_representation_ms /frames/0/picture_hash "
+            "/frames/0/removed /frames/0/render_ms /frames/0/tests /frames/0/visible/0 "
+            "/frames/0/visible/1 /frames/0/visible_count /frames/0/waiting_ms /gl/renderer /gl/vendor "
+            "/gl/version /most_waiting/bytes /most_waiting/messages /raster /role_record /sockets/0/bytes "
+            "/sockets/0/delta_body_bytes /sockets/0/delta_ids /sockets/0/deltas /sockets/0/kernel_bytes "
+            "/sockets/0/least_round_trip_ms /sockets/0/messages /sockets/0/name "
+            "/sockets/0/retransmissions /sockets/0/round_trip_ms /timeline/lost /timeline/process "
+            "/timeline/spans/0/begin_ms /timeline/spans/0/end_ms /timeline/spans/0/frame "
+            "/timeline/spans/0/stage ");
 }
 
 TEST(SessionReport, a_series_has_one_value_a_frame) {

@@ -120,6 +120,24 @@ TEST(Path, a_path_without_frames_or_of_another_kind_is_refused) {
             std::string::npos);
 }
 
+TEST(Path, a_key_that_is_not_known_is_named_with_its_frame) {
+  EXPECT_NE(error_of([] { load_frames(good, R"("lens": 60)"); }).find(".json: \"lens\" is not known"),
+            std::string::npos);
+  const std::string misspelt = R"({"eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "Near": 1})";
+  EXPECT_NE(error_of([&] { load_frames(good + "," + misspelt); }).find("frame 1: \"Near\" is not known"),
+            std::string::npos);
+  EXPECT_NE(error_of([] { load_frames(good, R"("eye": [0,0,0])"); }).find("\"eye\" is not known"),
+            std::string::npos);
+  EXPECT_NE(error_of([] { load_frames(good, R"("time_seconds": "now")"); }), "");
+}
+
+TEST(Path, times_and_comments_change_no_view) {
+  const std::string timed =
+      R"({"eye": [1, 2, 3], "target": [1, 2, 2], "up": [0, 1, 0], "time_seconds": 0.5, "comment": "stairs"})";
+  const Path path = load_frames(good + "," + timed, R"("time_seconds": 0, "comment": ["by", "hand"])");
+  EXPECT_EQ(path.view(1, 10, 10, 1).camera.top, path.view(0, 10, 10, 1).camera.top);
+}
+
 TEST(Path, impossible_settings_are_refused) {
   for (const char* settings :
        {R"("fov_y_degrees": 0)", R"("fov_y_degrees": 180)", R"("fov_y_degrees": "wide")", R"("near": 0)",

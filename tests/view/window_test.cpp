@@ -58,6 +58,27 @@ class ViewWindow : public SceneFiles {
   }
   std::string title() const { return xdotool("getwindowname " + window); }
 
+  /// Finds the window, walks, makes it 400x200 and walks on: a session's cameras as a person gives them.
+  void walk_and_resize() {
+    find_window();
+    const std::string before = title();
+    xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
+    EXPECT_NE(title(), before) << "W draws no other picture";
+    xdotool("windowsize --sync " + window + " 400 200 sleep 0.3");
+    xdotool("keydown a sleep 0.3 keyup a sleep 0.3");
+  }
+
+  /// What a session says that ends with nothing lost and nobody left.
+  nlohmann::json whole_session(Program& program) const {
+    EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+    nlohmann::json report = json_of(json);
+    EXPECT_GT(report["frames"].get<int>(), 5);
+    EXPECT_EQ(report["digest_mismatches"], 0);
+    EXPECT_EQ(report["fallback_frames"], 0);
+    EXPECT_FALSE(program.anybody_left());
+    return report;
+  }
+
   /// What the window shows: F2 saves it.
   Picture look() {
     char name[40];
@@ -135,20 +156,11 @@ TEST_F(ViewWindow, looks_at_the_model_from_outside_where_there_is_no_path) {
 TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_cameras) {
   Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
                    "--record", folder.file("recording")});
-  find_window();
-  const std::string before = title();
-  xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
-  EXPECT_NE(title(), before) << "W draws no other picture";
-  xdotool("windowsize --sync " + window + " 400 200 sleep 0.3");
-  xdotool("keydown a sleep 0.3 keyup a sleep 0.3 key c sleep 0.3");
+  walk_and_resize();
+  xdotool("key c sleep 0.3");
   EXPECT_NE(title().find("culling off"), std::string::npos) << title();
   xdotool("key c key b sleep 0.3 key b sleep 0.3 key Escape");
-  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
-  const nlohmann::json report = json_of(json);
-  EXPECT_GT(report["frames"].get<int>(), 5);
-  EXPECT_EQ(report["digest_mismatches"], 0);
-  EXPECT_EQ(report["fallback_frames"], 0);
-  EXPECT_FALSE(program.anybody_left());
+  const nlohmann::json report = whole_session(program);
   // What the window showed is in the recording, in both sizes.
   run({"replay", folder.file("recording"), "--frames", "all", "-o", folder.file("replayed")});
   const Picture first = read_picture(folder.file("replayed/000000.png"));
@@ -166,18 +178,9 @@ TEST_F(ViewWindow, of_a_session_shows_what_switch_nodes_on_other_machines_make_o
       write_hosts_file(folder.file("hosts.toml"), {.launch = "env MACHINE={host} {command}"});
   Program program(
       {"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json, "--hosts", hosts});
-  find_window();
-  const std::string before = title();
-  xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
-  EXPECT_NE(title(), before) << "W draws no other picture";
-  xdotool("windowsize --sync " + window + " 400 200 sleep 0.3");
-  xdotool("keydown a sleep 0.3 keyup a sleep 0.3 key Escape");
-  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
-  const nlohmann::json report = json_of(json);
-  EXPECT_GT(report["frames"].get<int>(), 5);
-  EXPECT_EQ(report["digest_mismatches"], 0);
-  EXPECT_EQ(report["fallback_frames"], 0);
-  EXPECT_FALSE(program.anybody_left());
+  walk_and_resize();
+  xdotool("key Escape");
+  whole_session(program);
 }
 
 TEST_F(ViewWindow, of_a_session_needs_a_display_too) {

@@ -1,0 +1,68 @@
+// Flags whose value is a number: what CLI11 itself would take for one (NaN, -1 as the largest of all, 010 as
+// 8) is a usage error here, or what a person means by it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fmt/core.h>
+#include <limits>
+#include <string>
+
+namespace triptych {
+
+/// Admits finite numbers above 0.
+inline CLI::Validator positive_number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double value = 0;
+        const bool number = CLI::detail::lexical_cast(text, value);
+        return number && value > 0 && std::isfinite(value) ? std::string()
+                                                           : fmt::format("\"{}\" is no number above 0", text);
+      },
+      "NUMBER>0");
+}
+
+/// Admits numbers of a range: times and rates that clocks can count.
+inline CLI::Validator number_between(double least, double most) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        double value = 0;
+        const bool number = CLI::detail::lexical_cast(text, value);
+        return number && value >= least && value <= most
+                   ? std::string()
+                   : fmt::format("\"{}\" is no number from {} to {}", text, least, most);
+      },
+      "NUMBER");
+}
+
+/// Admits whole numbers in decimal digits; a 0 before them would make them octal.
+inline CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_limits<uint64_t>::max()) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        uint64_t value = 0;
+        const char* const end = text.data() + text.size();
+        const auto read = std::from_chars(text.data(), end, value);
+        const bool number = read.ec == std::errc() && read.ptr == end && (text.front() != '0' || value == 0);
+        return number && value >= least && value <= most
+                   ? std::string()
+                   : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
+      },
+      "");
+}
+
+/// The most frames, or rounds over a path, that a command counts.
+constexpr uint64_t most_frames = std::numeric_limits<uint32_t>::max();
+
+/// A day is more than anybody waits, and cameras that come at other rates than these are not meant.
+constexpr double most_seconds = 86400, least_rate = 0.001, most_rate = 1e6;
+
+/// Of a flag for a vector: it takes one word, and what comes after that is not its own.
+inline CLI::Option* take_one(CLI::Option* option) { return option->expected(1)->allow_extra_args(false); }
+/// The same, where the word may be a list of values with commas between them.
+inline CLI::Option* take_list(CLI::Option* option) {
+  return option->expected(1, CLI::detail::expected_max_vector_size)->delimiter(',')->allow_extra_args(false);
+}
+
+}  // namespace triptych

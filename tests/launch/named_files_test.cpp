@@ -1,0 +1,109 @@
+// What a command writes is none of the other files that it was given.
+#include "launch/named_files.hpp"
+
+#include "base/error.hpp"
+#include "launch/command.hpp"
+#include "tests/session/program.hpp"
+
+#include <set>
+
+namespace triptych::test {
+namespace {
+
+void add_all(CLI::App& app, Action& action) {
+  for (const auto add : {add_sample, add_build, add_info, add_check, add_render, add_view, add_session,
+                         add_replay, add_explain, add_role, add_measure, add_report, add_selftest})
+    add(app, action);
+}
+
+class NamedFiles : public testing::Test {
+ protected:
+  NamedFiles() {
+    for (const std::string& file : {pack, path}) std::ofstream(file) << "something";
+  }
+  /// What is said about the command line; empty where it may run.
+  static std::string refusal(std::vector<std::string> words) {
+    CLI::App app;
+    Action action;
+    add_all(app, action);
+    std::reverse(words.begin(), words.end());
+    app.parse(std::move(words));
+    try {
+      check_files_differ(app);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  Folder folder;
+  const std::string pack = folder.file("x.tpk"), path = folder.file("walk.json"), fresh = folder.file("new");
+};
+
+TEST_F(NamedFiles, an_output_is_no_input_of_the_same_command) {
+  EXPECT_EQ(refusal({"info", pack, "--json", pack}),
+            pack + ": --json would be written over " + pack + ", which the same command line names as pack");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"render", pack, "--path", path, "-o", fresh, "--json", path},
+           {"render", pack, "--path", path, "-o", fresh, "--timeline", pack},
+           {"session", pack, "--path", path, "--key-file", path, "--timeline", path},
+           {"session", pack, "--path", path, "--record", pack},
+           {"measure", "session", pack, "--path", path, "--hosts", path, "--json", path},
+           {"measure", "build", path, pack, "--keep", pack},
+           {"measure", "hierarchy", pack, "--path", path, "--json", pack},
+           {"explain", pack, "--path", path, "--frame", "1", "--pixel", "1,1", "--json", path},
+           {"replay", folder.file(""), "--pack", pack, "--frame", "1", "-o", pack},
+           {"role", "switch", pack, "--index", "1", "--render", "a:1", "--switch-0", "b:1", "--json", pack},
+           {"report", path, "-o", fresh, "--json", path}})
+    EXPECT_NE(refusal(words), "") << words[0] << " " << words.back();
+}
+
+TEST_F(NamedFiles, two_outputs_are_two_files_also_where_neither_is_there) {
+  EXPECT_NE(refusal({"build", pack, "-o", fresh, "--json", fresh}), "");
+  EXPECT_NE(refusal({"build", pack, "-o", fresh, "--json", folder.file("./new")}), "");
+  EXPECT_NE(refusal({"render", pack, "--path", path, "-o", fresh, "--timeline", fresh}), "");
+}
+
+TEST_F(NamedFiles, links_lead_to_the_same_file) {
+  std::filesystem::create_symlink(pack, folder.file("symbolic"));
+  std::filesystem::create_hard_link(pack, folder.file("hard"));
+  std::filesystem::create_directory_symlink(folder.file("."), folder.file("elsewhere"));
+  for (const char* name : {"symbolic", "hard", "elsewhere/x.tpk"})
+    EXPECT_NE(refusal({"info", pack, "--json", folder.file(name)}), "") << name;
+  EXPECT_NE(refusal({"build", pack, "-o", fresh, "--json", folder.file("elsewhere/new")}), "");
+}
+
+TEST_F(NamedFiles, what_differs_may_run) {
+  EXPECT_EQ(refusal({"build", pack, pack, "-o", fresh, "--json", folder.file("other")}), "");
+  EXPECT_EQ(refusal({"session", pack, "--path", path, "-o", fresh, "--record", fresh}), "")
+      << "pictures and recordings have names of their own";
+  EXPECT_EQ(refusal({"info", folder.file("none.tpk"), "--json", fresh}), "");
+}
+
+TEST_F(NamedFiles, nothing_is_written_by_a_command_that_is_refused) {
+  EXPECT_NE(failure({"info", pack, "--json", pack}).find("--json would be written over"), std::string::npos);
+  EXPECT_EQ(text_of(pack), "something");
+  EXPECT_EQ(folder.files(), 2u);
+}
+
+void collect(const CLI::App& app, std::set<std::string>& read, std::set<std::string>& written,
+             std::set<std::string>& others) {
+  for (const CLI::Option* option : app.get_options())
+    (!names_files(*option) ? others : is_written(*option) ? written : read).insert(option->get_name());
+  for (const CLI::App* command : app.get_subcommands({})) collect(*command, read, written, others);
+}
+
+TEST_F(NamedFiles, of_every_command_are_known_as_read_or_written) {
+  CLI::App app;
+  Action action;
+  add_all(app, action);
+  std::set<std::string> read, written, others;
+  collect(app, read, written, others);
+  using Names = std::set<std::string>;
+  EXPECT_EQ(read,
+            (Names{"--hosts", "--key-file", "--pack", "--path", "folder", "input", "manifest", "pack"}));
+  EXPECT_EQ(written, (Names{"--journal", "--json", "--keep", "--output", "--record", "--timeline"}));
+  for (const std::string& name : read) EXPECT_EQ(others.count(name), 0u) << name << " is of two kinds";
+}
+
+}  // namespace
+}  // namespace triptych::test
