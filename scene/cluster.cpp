@@ -42,9 +42,8 @@ class Forest {
     joined.box.extend(extents_[b].box);
     joined.triangles += extents_[b].triangles;
     if (joined.triangles > limits_.triangles) return;
-    const double smaller = std::min(half_area(extents_[a].box), half_area(extents_[b].box));
-    if (half_area(joined.box) > limits_.growth * smaller) return;
-    if (cost(joined) > cost(extents_[a]) + cost(extents_[b])) return;
+    if (cost(joined) > limits_.cost * (cost(extents_[a]) + cost(extents_[b]))) return;
+    if (volume(joined.box) > limits_.volume * (volume(extents_[a].box) + volume(extents_[b].box))) return;
     parents_[b] = a;
     extents_[a] = joined;
     internal_[a] = edge.weight;  // edges come in ascending order
@@ -57,9 +56,12 @@ class Forest {
     return internal_[cluster] + limits_.scale / std::max(share, 1.0 / 64);
   }
 
-  /// How often it is seen, as its surface says, times what it then costs.
-  double cost(const ObjectExtent& cluster) const {
-    return half_area(cluster.box) * (limits_.drawable_cost + static_cast<double>(cluster.triangles));
+  static double cost(const ObjectExtent& cluster) {
+    return expected_cost(cluster.box, 1, static_cast<double>(cluster.triangles));
+  }
+  static double volume(const Box& box) {
+    const glm::dvec3 size = box.hi - box.lo;
+    return size.x * size.y * size.z;
   }
 
   const ClusterLimits& limits_;

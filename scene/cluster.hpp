@@ -3,7 +3,7 @@
 // 2).
 #pragma once
 
-#include "scene/partition.hpp"
+#include "scene/object_extent.hpp"
 
 #include <cstdint>
 #include <span>
@@ -17,13 +17,10 @@ struct ClusterLimits {
   /// w <= min(Int(C1) + k / |C1|, Int(C2) + k / |C2|); |C| counts triangles in shares of `triangles`, at
   /// least 1/64.
   double scale = 1;
-  /// Clusters merge only where that is no dearer to draw than to draw each of them when its box is seen (the
-  /// argument of the surface area heuristic, MacDonald and Booth 1990): what a test and a draw cost beside
-  /// the triangles, in triangles. Infinite: they merge wherever the other limits let them.
-  double drawable_cost = 32;
-  /// The surface of a cluster's box is at most so many times that of the smaller one it merges with: what is
-  /// small stays small, and is hidden where what is large is not.
-  double growth = 4;
+  /// Clusters merge only where their box costs at most so many times what theirs do (expected_cost), and has
+  /// at most so many times the volume that theirs have: what a box of air holds is drawn where nothing of it
+  /// is seen.
+  double cost = 1, volume = 1.5;
   uint32_t neighbours = 12;  ///< edges of each object, to those with the nearest centres
 };
 

@@ -13,8 +13,8 @@ using Range = std::span<uint32_t>;
 
 class Splitter {
  public:
-  explicit Splitter(std::span<const Box> boxes) : boxes_(boxes) {
-    for (const Box& box : boxes) centers_.push_back((box.lo + box.hi) * 0.5);
+  explicit Splitter(std::span<const ObjectExtent> objects) : objects_(objects) {
+    for (const auto& [box, triangles] : objects) centers_.push_back((box.lo + box.hi) * 0.5);
   }
 
   /// At the median along the longest axis of the centres.
@@ -26,8 +26,7 @@ class Splitter {
     return {range.first(range.size() / 2), range.subspan(range.size() / 2)};
   }
 
-  /// At the median along the axis, and for odd counts on the side, where what is expected to be seen is
-  /// least: objects times the surface of their box.
+  /// At the median along the axis, and for odd counts on the side, where the expected cost is least.
   std::vector<Range> small_halves(Range range) const {
     const size_t middle = range.size() / 2;
     std::pair<int, size_t> best{0, middle};  // axis, and how many come first
@@ -35,9 +34,9 @@ class Splitter {
     for (int axis = 0; axis < 3; ++axis) {
       sort(range, axis);
       for (size_t first = middle; first <= range.size() - middle; ++first) {
-        const double seen = seen_of(range.first(first)) + seen_of(range.subspan(first));
-        if (seen < least) {
-          least = seen;
+        const double cost = cost_of(range.first(first)) + cost_of(range.subspan(first));
+        if (cost < least) {
+          least = cost;
           best = {axis, first};
         }
       }
@@ -47,11 +46,14 @@ class Splitter {
   }
 
  private:
-  double seen_of(Range range) const { return half_area(box_of(range)) * static_cast<double>(range.size()); }
-  Box box_of(Range range) const {
+  double cost_of(Range range) const {
     Box box;
-    for (const uint32_t object : range) box.extend(boxes_[object]);
-    return box;
+    double triangles = 0;
+    for (const uint32_t object : range) {
+      box.extend(objects_[object].box);
+      triangles += static_cast<double>(objects_[object].triangles);
+    }
+    return expected_cost(box, static_cast<double>(range.size()), triangles);
   }
   void sort(Range range, int axis) const {
     std::sort(range.begin(), range.end(), [&](uint32_t a, uint32_t b) {
@@ -59,7 +61,7 @@ class Splitter {
     });
   }
 
-  std::span<const Box> boxes_;
+  std::span<const ObjectExtent> objects_;
   std::vector<glm::dvec3> centers_;
 };
 
@@ -78,7 +80,7 @@ std::vector<Range> quarters(const Splitter& splitter, Range range) {
 
 }  // namespace
 
-std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects, HierarchyKind kind) {
+std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects, HierarchyKind kind) {
   const Splitter splitter(objects);
   std::vector<uint32_t> order(objects.size());
   std::iota(order.begin(), order.end(), 0u);

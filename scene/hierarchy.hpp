@@ -1,7 +1,7 @@
 // The AABB hierarchy over the final objects, top-down (section 2.2 of Manocha 2003, step 4).
 #pragma once
 
-#include "scene/box.hpp"
+#include "scene/object_extent.hpp"
 #include "scene/skeleton.hpp"
 
 #include <cstdint>
@@ -28,10 +28,10 @@ struct HierarchyNode {
 
 /// Nodes breadth first: a parent before its children, the children of one parent side by side. Ranges are cut
 /// at the median of their boxes' centres, so that the tree is balanced whatever the boxes are, along the axis
-/// that gives the halves the least surface: that is how often they are seen. Two levels of cuts make one of
+/// that gives the halves the least expected cost. Two levels of cuts make one of
 /// up to four children. With HierarchyKind::median_split each cut is along the longest axis and makes a
-/// level. At least one box must be given; one box gives a root that is a leaf.
-std::vector<HierarchyNode> build_hierarchy(std::span<const Box> objects,
+/// level. At least one object must be given; one gives a root that is a leaf.
+std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects,
                                            HierarchyKind kind = HierarchyKind::partition_cluster_partition);
 
 }  // namespace triptych

@@ -2,7 +2,7 @@
 // Manocha, Interactive Display of Complex Environments, 2003, steps 1 and 3).
 #pragma once
 
-#include "scene/box.hpp"
+#include "scene/object_extent.hpp"
 #include "scene/surface.hpp"
 
 #include <cstdint>
@@ -24,12 +24,6 @@ struct PartitionLimits {
 /// would be lopsided. Every triangle is in exactly one part; the parts, and the triangles in them, are in a
 /// fixed order.
 std::vector<std::vector<uint32_t>> partition_triangles(const Surface& surface, const PartitionLimits& limits);
-
-/// What partition and clustering know of an object.
-struct ObjectExtent {
-  Box box;
-  uint64_t triangles = 0;
-};
 
 /// Splits the group in the same way by the centres of its members' boxes, until no part holds more triangles
 /// (single objects stay whole). Returns indices into `objects`.

@@ -73,7 +73,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });
   model = {};
   stage("cluster and partition", [&] { objects = make_objects(parts, options); });
-  stage("hierarchy", [&] { nodes = build_hierarchy(objects.boxes, options.hierarchy); });
+  stage("hierarchy", [&] { nodes = build_hierarchy(objects.extents, options.hierarchy); });
   stage("leaf LODs",
         [&] { levels = make_part_levels(parts, options, exit_triangles(options), work, skeleton.import); });
   stage("HLODs", [&] {

@@ -52,10 +52,11 @@ Objects original_objects(const Parts& parts, std::span<const ObjectExtent> exten
   for (uint32_t i = 0; i < extents.size(); ++i) {
     if (i == 0 || parts.placed[i].instance != parts.placed[i - 1].instance) {
       objects.members.emplace_back();
-      objects.boxes.emplace_back();
+      objects.extents.emplace_back();
     }
     objects.members.back().push_back(i);
-    objects.boxes.back().extend(extents[i].box);
+    objects.extents.back().box.extend(extents[i].box);
+    objects.extents.back().triangles += extents[i].triangles;
   }
   const uint64_t count = objects.members.size();
   objects.counts = {count, count, count, count};
@@ -99,8 +100,11 @@ Objects make_objects(const Parts& parts, const BuildOptions& options) {
     std::move(pieces.begin(), pieces.end(), std::back_inserter(objects.members));
   }
   for (const auto& members : objects.members) {
-    Box& box = objects.boxes.emplace_back();
-    for (const uint32_t member : members) box.extend(extents[member].box);
+    ObjectExtent& extent = objects.extents.emplace_back();
+    for (const uint32_t member : members) {
+      extent.box.extend(extents[member].box);
+      extent.triangles += extents[member].triangles;
+    }
   }
   objects.counts = {parts.instances, parts.placed.size(), clusters.size(), objects.members.size()};
   return objects;

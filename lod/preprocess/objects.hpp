@@ -3,6 +3,7 @@
 
 #include "lod/preprocess/build.hpp"
 #include "lod/preprocess/parts.hpp"
+#include "scene/object_extent.hpp"
 
 #include <cstdint>
 #include <span>
@@ -12,7 +13,7 @@ namespace triptych {
 
 struct Objects {
   std::vector<std::vector<uint32_t>> members;  ///< of each object the indices of its placed parts, ascending
-  std::vector<Box> boxes;                      ///< of each object, model space
+  std::vector<ObjectExtent> extents;           ///< of each object, model space
   ObjectCounts counts;
 };
 
