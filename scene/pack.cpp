@@ -150,8 +150,11 @@ void Pack::read_table() {
   const Section* skeleton = nullptr;
   const auto sections = reader.read_all<Section>(header.section_count);
   for (const Section& section : sections) {  // sections of other types are left to programs that know them
-    if (section.type == geometry_type) geometry = &section;
-    if (section.type == skeleton_type) skeleton = &section;
+    for (const auto& [type, found] : {std::pair(geometry_type, &geometry), {skeleton_type, &skeleton}}) {
+      if (section.type != type) continue;
+      if (*found) fail(table_place, "names two {} sections", std::string_view(type.data(), type.size()));
+      *found = &section;
+    }
   }
   if (!geometry || !skeleton) fail(table_place, "names no {} section", geometry ? "SKEL" : "GEOM");
   if (geometry->version != 1 || skeleton->version != 1)

@@ -53,11 +53,14 @@ Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
   welded.dropped_triangles += not_finite;
   if (!mesh.stream) {
     std::vector<uint8_t> used(mesh.positions.size(), 0);
-    for (const Triangle& triangle : mesh.triangles) {
-      for (const uint32_t vertex : triangle.vertices) used[vertex] = 1;
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+      // A triangle without area leaves no points behind, and that is no welding.
+      const bool dropped = not_finite == 0 && degenerate(triangles[i].corners[0], triangles[i].corners[1],
+                                                         triangles[i].corners[2]);
+      if (dropped) continue;
+      for (const uint32_t vertex : mesh.triangles[i].vertices) used[vertex] = 1;
     }
     const auto vertices = static_cast<uint64_t>(std::count(used.begin(), used.end(), 1));
-    // Vertices of dropped triangles may have left no point behind.
     welded.welded_vertices = vertices - std::min<uint64_t>(vertices, welded.surface.points.size());
   }
   return welded;

@@ -107,7 +107,7 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   }
   Hlod hlod;
   SimplifyLimits limits = how;
-  limits.triangles = triangles + locked_count;  // what lies between the borders gets its full share
+  limits.triangles = triangles + locked_share * locked_count;  // between the borders: the full share
   limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
   Chain chain = simplify(children.surface, locked, limits);
   hlod.stuck = chain.stuck && chain.levels.empty();

@@ -188,7 +188,8 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
 };
 
 /// Adds the triangles to the mesh; one that meets the others in a way half-edges cannot express goes into
-/// another sheet with points of its own, so that it is there all the same. Returns how many triangles did.
+/// another sheet with points of its own, so that it is there all the same. Where sheets meet they stay, or
+/// they would part. Returns how many triangles went into others than the first.
 size_t fill(HalfEdgeMesh& mesh, const Surface& surface, std::span<const uint8_t> locked) {
   constexpr size_t sheets = 4;  // beyond it each triangle stands alone
   const glm::ivec3 origin = surface.points[0];
@@ -203,6 +204,7 @@ size_t fill(HalfEdgeMesh& mesh, const Surface& surface, std::span<const uint8_t>
   std::vector<uint32_t> waiting(surface.triangles.size()), refused;
   for (uint32_t i = 0; i < waiting.size(); ++i) waiting[i] = i;
   size_t detached = 0;
+  std::vector<HalfEdgeMesh::VertexHandle> first(surface.points.size());
   for (size_t sheet = 0; !waiting.empty(); ++sheet) {
     std::vector<HalfEdgeMesh::VertexHandle> vertices(surface.points.size());
     refused.clear();
@@ -217,6 +219,13 @@ size_t fill(HalfEdgeMesh& mesh, const Surface& surface, std::span<const uint8_t>
       const auto face = mesh.add_face(corners[0], corners[1], corners[2]);
       if (face.is_valid()) {
         mesh.data(face).color = triangle.material;
+        for (size_t i = 0; i < 3; ++i) {
+          auto& meets = first[triangle.vertices[i]];
+          if (!meets.is_valid()) meets = corners[i];
+          if (meets == corners[i]) continue;
+          mesh.status(meets).set_locked(true);
+          mesh.status(corners[i]).set_locked(true);
+        }
       } else {
         refused.push_back(index);
       }

@@ -34,6 +34,11 @@ struct SimplifyLimits {
   Bound bound = Bound::fast;
 };
 
+/// Triangles that a chain should leave for each locked point, beyond those for the rest. A surface could do
+/// with one, but what goes below two is paid for with many times the error, and what is made of it pays
+/// again.
+constexpr size_t locked_share = 2;
+
 struct Level {
   Piece piece;  ///< sources: indices into the points of the surface that the chain began with
   double bound =

@@ -79,6 +79,19 @@ TEST(House, every_room_is_known) {
   }
 }
 
+TEST(House, every_test_is_built) {
+  std::string lists;
+  for (const fs::path& file : files({".txt"})) {
+    if (file.filename() != "CMakeLists.txt") continue;
+    for (const std::string& line : lines_of(file)) lists += line + "\n";
+  }
+  for (const fs::path& file : files({".cpp"})) {
+    const std::string name = file.filename();
+    if (!name.ends_with("_test.cpp")) continue;
+    EXPECT_NE(lists.find(name), std::string::npos) << place(file, 0);
+  }
+}
+
 TEST(House, a_file_does_one_thing_in_at_most_400_lines) {
   for (const fs::path& file : files({".cpp", ".hpp"})) {
     EXPECT_LE(lines_of(file).size(), 400u) << place(file, 0);

@@ -27,13 +27,20 @@ TEST(BuildResume, twenty_kills_leave_the_same_bytes_and_the_work_done_before_cou
   test::run(build_arguments(model, whole));
 
   std::mt19937 random(7);
-  int kills = 0, resumed = 0, finished = 0;
+  int kills = 0, resumed = 0;
+  uint64_t done = 0;  // units of work that a run found done; they only become more until one finishes
   while (kills < 20) {
     Program build(build_arguments(model, killed));
     std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 400));
     build.signal(SIGKILL);
     const int code = build.wait();
-    resumed += build.errors().find("resuming") != std::string::npos;
+    const std::string said = build.errors();
+    if (const size_t at = said.find("resuming: "); at != std::string::npos) {
+      ++resumed;
+      const uint64_t found = std::stoull(said.substr(at + 10));
+      EXPECT_GE(found, done) << "work that had been done was lost";
+      done = found;
+    }
     if (code == -SIGKILL) {
       ++kills;
       EXPECT_FALSE(std::filesystem::exists(killed)) << "a pack that looks finished";
@@ -43,12 +50,31 @@ TEST(BuildResume, twenty_kills_leave_the_same_bytes_and_the_work_done_before_cou
     ASSERT_EQ(code, 0) << build.errors();
     ASSERT_EQ(test::text_of(killed), test::text_of(whole));
     std::filesystem::remove(killed);
-    ++finished;
+    done = 0;
   }
-  Program last(build_arguments(model, killed));
+  // Killed once more where a good part is done: the last run does the rest alone.
+  while (true) {
+    Program build(build_arguments(model, killed));
+    const std::string journal = killed + ".work/journal";
+    const auto far = [&] {
+      std::error_code none;
+      const uint64_t size = std::filesystem::file_size(journal, none);
+      return !none && size > 500'000;
+    };
+    while (!far() && !std::filesystem::exists(killed))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    build.signal(SIGKILL);
+    if (build.wait() == -SIGKILL) break;
+    std::filesystem::remove(killed);
+  }
+  const std::string json = folder.file("last.json");
+  std::vector<std::string> arguments = build_arguments(model, killed);
+  arguments.insert(arguments.end(), {"--json", json});
+  Program last(arguments);
   ASSERT_EQ(last.wait(), 0) << last.errors();
   EXPECT_EQ(test::text_of(killed), test::text_of(whole));
   EXPECT_GT(resumed, 5);
+  EXPECT_GT(test::json_of(json)["resumed_units"].get<uint64_t>(), 0u);
   EXPECT_FALSE(std::filesystem::exists(killed + ".work"));
 }
 

@@ -4,9 +4,12 @@
 #include "tests/render/rig.hpp"
 #include "tests/support/awkward_meshes.hpp"
 
+#include <array>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
+#include <map>
+#include <random>
 #include <set>
 
 namespace triptych {
@@ -22,20 +25,70 @@ Mesh wavy_sphere(uint32_t rings) {
   return mesh;
 }
 
+std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier = Simplifier::collapse) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("triptych_closed_" + std::to_string(::getpid()) + ".tpk");
+  BuildOptions options;
+  options.part_triangles = 600;
+  options.leaf_triangles = 1000;
+  options.hlod_triangles = 120;
+  options.bucket_triangles = 9000;  // borders between buckets and borders within them
+  options.simplify.simplifier = simplifier;
+  build_pack(model, options, file);
+  auto pack = std::make_unique<Pack>(file);
+  std::filesystem::remove(file);
+  return pack;
+}
+
+/// A drawable for every part of the model, at random: any depth, any level, whatever its neighbours are.
+std::vector<DrawableId> random_mix(const Skeleton& skeleton, std::mt19937& random) {
+  std::vector<DrawableId> mix;
+  std::vector<SceneNodeId> open = {0};
+  const auto stop = static_cast<uint32_t>(2 + random() % 5);  // one in so many inner nodes is drawn as it is
+  while (!open.empty()) {
+    const SceneNode& node = skeleton.scene_nodes[open.back()];
+    open.pop_back();
+    if (node.child_count == 0 || random() % stop == 0) {
+      mix.push_back(node.first_drawable + static_cast<uint32_t>(random()) % node.drawable_count);
+    } else {
+      for (uint32_t i = 0; i < node.child_count; ++i) open.push_back(node.first_child + i);
+    }
+  }
+  return mix;
+}
+
+/// Looks around from a place inside the sphere.
+View inside(double turn, int width, int height) {
+  const glm::dvec3 eye = 7.5 * glm::dvec3(std::cos(turn), 0.6 * std::sin(2.3 * turn), std::sin(turn));
+  const glm::dvec3 target = eye + glm::dvec3(std::sin(3 * turn), 0.3 * std::cos(turn), std::cos(5 * turn));
+  View view{.camera = {.eye = eye, .target = target, .near = 1e-3}, .width = width, .height = height};
+  set_field_of_view(view.camera, 90, double(width) / height);
+  return view;
+}
+
+/// Pixels of the background in pictures of random mixes, seen from inside.
+size_t holes_of_random_mixes(const Pack& pack, int mixes, const Affine& placed = Affine(1)) {
+  constexpr int width = 320, height = 240;
+  Fallback fallback(
+      pack,
+      {.width = width, .height = height, .cull = CullMode::frustum, .batches = {}, .item_buffer = true});
+  std::mt19937 random(21);
+  size_t holes = 0;
+  for (int i = 0; i < mixes; ++i) {
+    View view = inside(i * 0.71, width, height);
+    for (glm::dvec3* point : {&view.camera.eye, &view.camera.target}) *point = placed * glm::dvec4(*point, 1);
+    const std::vector<DrawableId> mix = random_mix(pack.skeleton(), random);
+    fallback.picture().begin(view, static_cast<uint32_t>(i));
+    fallback.picture().draw(mix);
+    fallback.picture().finish();
+    for (const uint32_t item : fallback.target().read_items()) holes += item == 0;
+  }
+  return holes;
+}
+
 class ClosedBorders : public testing::Test {
  protected:
-  ClosedBorders() : context(test_context()) {
-    const auto file = std::filesystem::path(testing::TempDir()) /
-                      ("triptych_closed_" + std::to_string(::getpid()) + ".tpk");
-    BuildOptions options;
-    options.part_triangles = 600;
-    options.leaf_triangles = 1000;
-    options.hlod_triangles = 120;
-    options.bucket_triangles = 9000;  // borders between buckets and borders within them
-    build_pack(awkward::model_of({wavy_sphere(120)}), options, file);
-    pack = std::make_unique<Pack>(file);
-    std::filesystem::remove(file);
-  }
+  ClosedBorders() : context(test_context()), pack(pack_of(awkward::model_of({wavy_sphere(120)}))) {}
 
   /// Drawables of how many levels of the hierarchy the cut mixes.
   size_t mixed_levels(const Cut& cut) const {
@@ -58,12 +111,7 @@ TEST_F(ClosedBorders, no_pixel_shows_what_is_behind_a_closed_surface_at_any_mix_
   size_t holes = 0, mixed = 0, frames = 0;
   for (const double pixel_error : {0.5, 2.0, 8.0, 24.0}) {
     for (int i = 0; i < 24; ++i) {
-      const double turn = i * 0.71;
-      const glm::dvec3 eye = 7.5 * glm::dvec3(std::cos(turn), 0.6 * std::sin(2.3 * turn), std::sin(turn));
-      const glm::dvec3 target =
-          eye + glm::dvec3(std::sin(3 * turn), 0.3 * std::cos(turn), std::cos(5 * turn));
-      View view{.camera = {.eye = eye, .target = target, .near = 1e-3}, .width = 320, .height = 240};
-      set_field_of_view(view.camera, 90, 320.0 / 240);
+      const View view = inside(i * 0.71, 320, 240);
       const FrameRequest frame{
           .number = static_cast<uint32_t>(frames++), .view = view, .pixel_error = pixel_error};
       mixed += mixed_levels(select_cut(pack->skeleton(), frame.view, pixel_error)) > 1;
@@ -73,6 +121,73 @@ TEST_F(ClosedBorders, no_pixel_shows_what_is_behind_a_closed_surface_at_any_mix_
   }
   EXPECT_EQ(holes, 0u);
   EXPECT_GT(mixed, frames / 2);
+}
+
+TEST_F(ClosedBorders, no_pixel_shows_through_whatever_level_each_part_is_drawn_at) {
+  EXPECT_EQ(holes_of_random_mixes(*pack, 120), 0u);
+}
+
+/// Every edge must be passed as often one way as the other: then the surface has no border anywhere.
+TEST_F(ClosedBorders, random_mixes_of_levels_have_no_open_edge) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 30; ++i) {
+    std::map<std::array<int, 6>, int> balance;
+    for (const DrawableId id : random_mix(pack->skeleton(), random)) {
+      const Drawable& drawable = pack->skeleton().drawables[id];
+      for (uint32_t k = 0; k < drawable.placement_count; ++k) {
+        const Chunk chunk = pack->read_chunk(pack->skeleton().placements[drawable.first_placement + k].chunk);
+        for (size_t corner = 0; corner < chunk.indices.size(); ++corner) {
+          const glm::ivec3 a = chunk.vertices[chunk.indices[corner]].point;
+          const glm::ivec3 b = chunk.vertices[chunk.indices[corner % 3 == 2 ? corner - 2 : corner + 1]].point;
+          ++balance[{a.x, a.y, a.z, b.x, b.y, b.z}];
+          --balance[{b.x, b.y, b.z, a.x, a.y, a.z}];
+        }
+      }
+    }
+    size_t open = 0;
+    for (const auto& [edge, count] : balance) open += count != 0;
+    EXPECT_EQ(open, 0u) << "mix " << i;
+  }
+}
+
+TEST(ClosedBorder, is_closed_at_any_mix_whoever_simplified_it) {
+  test_context();
+  for (const Simplifier simplifier : {Simplifier::openmesh, Simplifier::meshopt}) {
+    const auto pack = pack_of(awkward::model_of({wavy_sphere(80)}), simplifier);
+    EXPECT_EQ(holes_of_random_mixes(*pack, 40), 0u)
+        << (simplifier == Simplifier::meshopt ? "meshopt" : "openmesh");
+  }
+}
+
+TEST(ClosedBorder, of_placed_meshes_stays_closed_between_their_own_levels_and_those_of_whole_subtrees) {
+  test_context();
+  Model model = awkward::model_of({wavy_sphere(80)});
+  const double turn = 0.83;
+  Affine placed = awkward::translation({31.7, -2.3, 8.9});
+  placed[0] = 1.3 * glm::dvec3(std::cos(turn), std::sin(turn), 0);
+  placed[1] = 1.3 * glm::dvec3(-std::sin(turn), std::cos(turn), 0);
+  placed[2] = {0, 0, -1.3};  // mirrored
+  model.instances = {{0, Affine(1)}, {0, placed}};
+  const auto pack = pack_of(model);
+  EXPECT_EQ(holes_of_random_mixes(*pack, 40), 0u);
+  EXPECT_EQ(holes_of_random_mixes(*pack, 80, placed), 0u);
+}
+
+TEST(ClosedBorder, without_a_part_shows_holes) {
+  test_context();
+  const auto pack = pack_of(awkward::model_of({wavy_sphere(80)}));
+  Fallback fallback(*pack, {.width = 320, .height = 240, .batches = {}, .item_buffer = true});
+  size_t holes = 0;
+  for (int i = 0; i < 40; ++i) {
+    std::mt19937 random(21);
+    std::vector<DrawableId> mix = random_mix(pack->skeleton(), random);
+    mix.erase(mix.begin() + i % static_cast<int>(mix.size()));
+    fallback.picture().begin(inside(i * 0.71, 320, 240), static_cast<uint32_t>(i));
+    fallback.picture().draw(mix);
+    fallback.picture().finish();
+    for (const uint32_t item : fallback.target().read_items()) holes += item == 0;
+  }
+  EXPECT_GT(holes, 0u);
 }
 
 }  // namespace

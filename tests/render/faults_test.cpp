@@ -114,7 +114,7 @@ TEST(NoDilation, loses_specks_whose_box_covers_no_pixel) {
 // without that margin it does.
 INSTANTIATE_TEST_SUITE_P(Injected, Faults,
                          testing::Values(Trial{{"withheld-id"}, {"room"}}, Trial{{"stale-camera"}, {"room"}},
-                                         Trial{{"wrong-ancestor"}, {"world", "room", "instances", "far"}},
+                                         Trial{{"wrong-ancestor"}, {"slivers", "world", "coplanar"}},
                                          Trial{{"strict-depth-test", "no-dilation"},
                                                {"coplanar", "flat", "room", "world"}}),
                          [](const auto& parameter) {

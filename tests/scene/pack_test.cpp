@@ -134,6 +134,104 @@ TEST(Pack, a_flipped_byte_anywhere_is_refused_and_said_where) {
   }
 }
 
+/// Two packs of the same layout, to the byte: in the second the grids are lifted by other heights.
+std::array<std::string, 2> twins() {
+  std::array<std::string, 2> bytes;
+  for (const bool second : {false, true}) {
+    SmallPack pack = small_pack();
+    if (second) {
+      for (Chunk& chunk : pack.chunks) {
+        for (ChunkVertex& vertex : chunk.vertices) vertex.point.z = vertex.point.z == 4 ? 3 : 0;
+      }
+      for (Drawable& drawable : pack.skeleton.drawables) drawable.error *= 1.5;
+    }
+    bytes[second] = read_text_file(write_pack(pack));
+  }
+  return bytes;
+}
+
+TEST(Pack, a_section_of_another_pack_is_refused_and_said_which) {
+  const auto file = write_pack(small_pack());
+  const auto [one, other] = twins();
+  ASSERT_EQ(one.size(), other.size());
+  const auto table = value_at<uint64_t>(one, 16);
+  ASSERT_EQ(one.substr(table + 8, 16), other.substr(table + 8, 16));  // sections of the same place and size
+  const auto geometry_end = header_bytes + value_at<uint64_t>(one, table + 16);
+  const auto spliced = [&](uint64_t first, uint64_t end) {
+    return error_of(file, one.substr(0, first) + other.substr(first, end - first) + one.substr(end));
+  };
+  EXPECT_NE(spliced(0, header_bytes).find("section table: byte"), std::string::npos);
+  EXPECT_NE(spliced(header_bytes, geometry_end).find("section GEOM: chunk 0: byte 32"), std::string::npos);
+  EXPECT_NE(spliced(geometry_end, table).find("section SKEL: byte"), std::string::npos);
+  EXPECT_NE(spliced(table, one.size()).find("section table: byte"), std::string::npos);
+  // With the table, and the header that goes with it, of the other.
+  std::string sealed = one.substr(0, geometry_end) + other.substr(geometry_end);
+  sealed.replace(0, header_bytes, other.substr(0, header_bytes));
+  EXPECT_NE(error_of(file, sealed).find("section GEOM: chunk 0: byte 32"), std::string::npos);
+  sealed =
+      other.substr(0, header_bytes) + one.substr(header_bytes, table - header_bytes) + other.substr(table);
+  EXPECT_NE(error_of(file, sealed).find("section SKEL: byte"), std::string::npos);
+  // A skeleton that is the other's, and sealed as this one's: only the geometry's own checksum is left to say
+  // so.
+  std::string skeleton = one;
+  skeleton.replace(geometry_end, table - geometry_end, other.substr(geometry_end, table - geometry_end));
+  skeleton.replace(table + section_bytes, section_bytes, other.substr(table + section_bytes, section_bytes));
+  seal_table(skeleton);
+  EXPECT_NE(error_of(file, skeleton).find("section GEOM: its checksum"), std::string::npos);
+}
+
+TEST(Pack, chunks_that_changed_places_are_refused) {
+  SmallPack pack = small_pack();
+  pack.chunks[2] = pack.chunks[0];  // the same size, and another content
+  for (ChunkVertex& vertex : pack.chunks[2].vertices) vertex.color = 1;
+  const auto file = write_pack(pack);
+  const std::string whole = read_text_file(file);
+  const Pack opened(file);
+  const ChunkInfo first = opened.skeleton().chunks[0], third = opened.skeleton().chunks[2];
+  ASSERT_EQ(first.size, third.size);
+  std::string swapped = whole;
+  swapped.replace(header_bytes + first.offset, first.size,
+                  whole.substr(header_bytes + third.offset, third.size));
+  swapped.replace(header_bytes + third.offset, third.size,
+                  whole.substr(header_bytes + first.offset, first.size));
+  EXPECT_NE(error_of(file, swapped).find("section GEOM: chunk 0: byte 32"), std::string::npos);
+  // Entries of the chunk table exchanged, and the skeleton sealed again.
+  const auto table = value_at<uint64_t>(whole, 16);
+  std::string entries = whole;
+  std::swap_ranges(entries.begin() + static_cast<long>(table) - 3 * 64,
+                   entries.begin() + static_cast<long>(table) - 2 * 64,
+                   entries.begin() + static_cast<long>(table) - 64);
+  const auto skeleton_at = value_at<uint64_t>(whole, table + section_bytes + 8);
+  put(entries, table + section_bytes + 24,
+      hash_bytes(std::as_bytes(std::span(entries.data() + skeleton_at, table - skeleton_at))));
+  seal_table(entries);
+  EXPECT_NE(error_of(file, entries).find("section GEOM: its checksum"), std::string::npos);
+}
+
+TEST(Pack, table_entries_that_were_exchanged_or_doubled_are_refused) {
+  const auto file = write_pack(small_pack());
+  const std::string whole = read_text_file(file);
+  const auto table = value_at<uint64_t>(whole, 16);
+  const auto with_types = [&](const char* first, const char* second) {
+    std::string changed = whole;
+    changed.replace(table, 4, first);
+    changed.replace(table + section_bytes, 4, second);
+    seal_table(changed);
+    return error_of(file, changed);
+  };
+  EXPECT_NE(with_types("SKEL", "GEOM").find("section SKEL"), std::string::npos);
+  EXPECT_NE(with_types("GEOM", "GEOM").find("section table"), std::string::npos);
+  EXPECT_NE(with_types("SKEL", "SKEL").find("section table"), std::string::npos);
+  // A second entry of a kind that the table has already: which of them counts?
+  for (const uint64_t entry : {table, table + section_bytes}) {
+    std::string doubled = whole;
+    doubled.insert(table, whole.substr(entry, section_bytes));
+    put(doubled, 12, uint32_t{3});
+    seal_table(doubled);
+    EXPECT_NE(error_of(file, doubled).find("section table"), std::string::npos);
+  }
+}
+
 TEST(Pack, another_version_and_another_kind_of_file_are_refused_by_name) {
   const auto file = write_pack(small_pack());
   std::string other = read_text_file(file);

@@ -7,7 +7,7 @@ const InGallery occlusion_pinholes(
     {.name = "occlusion_pinholes",
      .group = "occlusion",
      .breaks = "Holes of about a pixel in a wall show single pixels of what is behind.",
-     .faults = {"withheld-id"},
+     .faults = {"withheld-id", "wrong-ancestor"},
      .make = [] {
        Trial trial;
        Maker maker;

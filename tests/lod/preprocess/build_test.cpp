@@ -260,6 +260,21 @@ TEST(Build, the_borders_of_a_parted_surface_stay_as_they_are_at_every_level) {
   EXPECT_EQ(expect_borders_kept(file_of("parted")), nodes - 1);  // all but the root
 }
 
+TEST(Build, borders_between_parts_cost_a_flat_plate_no_error_and_a_round_one_little) {
+  BuildOptions options;
+  options.part_triangles = options.leaf_triangles = 1000;
+  build_pack(awkward::model_of({awkward::grid(120, 120)}), options, file_of("plate"));
+  const Pack plate(file_of("plate"));
+  EXPECT_GT(plate.skeleton().levels(), 3u);
+  for (const Drawable& drawable : plate.skeleton().drawables) EXPECT_LT(drawable.error, 1e-5);
+  build_pack(awkward::model_of({awkward::sphere(90, 10)}), options, file_of("round"));
+  const Pack round(file_of("round"));
+  EXPECT_GT(round.skeleton().levels(), 3u);
+  const Drawable& root = round.skeleton().drawables[round.skeleton().scene_nodes[0].first_drawable];
+  EXPECT_LT(root.triangles, 3000u);
+  EXPECT_LT(root.error, 1.5);
+}
+
 TEST(Build, a_model_without_triangles_is_refused_and_leaves_no_file) {
   Model empty;
   empty.materials.emplace_back();
