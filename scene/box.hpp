@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 
@@ -43,5 +44,8 @@ inline double half_area(const Box& box) {
   const glm::dvec3 size = box.hi - box.lo;
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
+
+/// No two points of the box, which is not empty, are further apart.
+inline double diagonal(const Box& box) { return glm::length(box.hi - box.lo); }
 
 }  // namespace triptych

@@ -18,7 +18,7 @@ uint32_t Skeleton::levels() const {
 double Skeleton::diagonal() const {
   if (scene_nodes.empty()) return 0;
   const Box box = lattice().box(scene_nodes[0].box);
-  return glm::length(box.hi - box.lo);
+  return triptych::diagonal(box);
 }
 
 double Skeleton::default_near() const {

@@ -111,7 +111,7 @@ ChunkTree::ChunkTree(RTCDeviceTy* device, const Chunk& chunk, const Lattice& lat
     : scene_(rtcNewScene(device)), indices_(chunk.indices) {
   const Box box = lattice.box(chunk.box());
   center_ = (box.lo + box.hi) * 0.5;
-  extent_ = glm::length(box.hi - box.lo);
+  extent_ = diagonal(box);
   if (extent_ > 0) unit_ = std::exp2(std::ilogb(extent_));
   positions_.reserve(chunk.vertices.size());
   for (const ChunkVertex& vertex : chunk.vertices) positions_.push_back(lattice.position(vertex.point));

@@ -189,6 +189,10 @@ class NodeDrawables {
       content.box.extend(contents[child].box);
       coarsest_[child] = {};
     }
+    // All that the node ever was lies in its box, and so do its drawables.
+    const double furthest = diagonal(parts_.lattices[0].box(content.box)) * (1 + 1e-9);
+    for (Drawable& drawable : content.drawables) drawable.error = std::min(drawable.error, furthest);
+    coarsest_[node].error = std::min(coarsest_[node].error, furthest);
   }
 
   const Parts& parts_;

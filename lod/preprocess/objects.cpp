@@ -12,8 +12,6 @@ namespace triptych {
 
 namespace {
 
-double diagonal(const Box& box) { return glm::length(box.hi - box.lo); }
-
 /// The middle of the values, each weighed by its triangles.
 double weighted_median(std::vector<std::pair<double, uint64_t>> values) {
   std::sort(values.begin(), values.end());

@@ -41,9 +41,9 @@ class PartMaker {
       : model_(model), plan_(plan), options_(options), work_(work), unit_triangles_(unit_triangles(options)) {
     // Borders between parts stay as they are in all levels, and that costs triangles: a mesh that is small in
     // the model, such as a piece of furniture, is parted only if it has a great many.
-    const double diagonal = glm::length(plan.box.hi - plan.box.lo);
-    small_ = diagonal / 32;
-    large_ = diagonal / 6;
+    const double whole = diagonal(plan.box);
+    small_ = whole / 32;
+    large_ = whole / 6;
   }
 
   void run() {
@@ -127,8 +127,7 @@ class PartMaker {
     PartitionLimits limits;
     const Lattice& lattice = plan_.lattices[mesh.lattice];
     limits.triangles = options_.part_triangles;
-    if (glm::length(mesh.box.hi - mesh.box.lo) * mesh.stretch < small_ &&
-        triangles <= uint64_t{options_.part_triangles} * 8) {
+    if (diagonal(mesh.box) * mesh.stretch < small_ && triangles <= uint64_t{options_.part_triangles} * 8) {
       limits.triangles = triangles;
     }
     limits.diagonal = large_ / (mesh.stretch * lattice.step);

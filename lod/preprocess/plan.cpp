@@ -190,7 +190,7 @@ BuildPlan make_plan(const Model& model, bool share_instances) {
     plan.lattices.push_back(make_lattice(mesh.box, mesh_bits));
   }
   if (plan.box.empty()) fail("model", "holds no triangles");
-  const double extent = glm::length(plan.box.hi - plan.box.lo);
+  const double extent = diagonal(plan.box);
   if (extent < least_extent)
     fail("model", "is {} units large, which is less than numbers bear: give it other units", extent);
   plan.lattices[0] = make_lattice(plan.box, model_bits);
