@@ -2,7 +2,11 @@
 
 #include "base/error.hpp"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
@@ -28,6 +32,33 @@ Container read_whole(const std::filesystem::path& path) {
   if (failed) fail(path.string(), "cannot be read: {}", std::strerror(errno));
   return contents;
 }
+
+/// Names of files that nobody wants if the process ends now. What is taken out by a signal's handler is not
+/// freed.
+std::array<std::atomic<char*>, 256> unwanted;
+
+size_t note_unwanted(const std::string& name) {
+  char* const copy = ::strdup(name.c_str());
+  for (size_t i = 0; i < unwanted.size(); ++i) {
+    char* empty = nullptr;
+    if (unwanted[i].compare_exchange_strong(empty, copy)) return i;
+  }
+  std::free(copy);
+  return unwanted.size();  // so many at once stay behind when a signal comes
+}
+void forget_unwanted(size_t& noted) {
+  if (noted < unwanted.size()) std::free(unwanted[noted].exchange(nullptr));
+  noted = unwanted.size();
+}
+
+void end_by_signal(int signal) {
+  for (std::atomic<char*>& name : unwanted) {
+    if (const char* file = name.exchange(nullptr)) ::unlink(file);
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 /// A file is put in place of what has its name: where that is a device or a pipe, it would be gone.
 void check_replaceable(const std::filesystem::path& path) {
   std::error_code error;
@@ -52,17 +83,23 @@ void make_folder(const std::filesystem::path& folder) {
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
   check_replaceable(path_);
   partial_ = path_.string() + ".partial-" + std::to_string(::getpid());
+  noted_ = note_unwanted(partial_.string());
   file_ = std::fopen(partial_.c_str(), "wb");
-  if (!file_) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+  if (!file_) {
+    const int problem = errno;
+    forget_unwanted(noted_);
+    fail(path_.string(), "cannot be written: {}", std::strerror(problem));
+  }
 }
 
 AtomicFile::~AtomicFile() {
+  forget_unwanted(noted_);
   if (file_) std::fclose(file_);
   if (!partial_.empty()) ::unlink(partial_.c_str());
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path, std::filesystem::path partial, uint64_t keep)
-    : path_(std::move(path)), partial_(std::move(partial)), size_(keep) {
+    : path_(std::move(path)), partial_(std::move(partial)), noted_(unwanted.size()), size_(keep) {
   check_replaceable(path_);
   std::error_code error;
   if (keep > 0) std::filesystem::resize_file(partial_, keep, error);
@@ -103,7 +140,14 @@ void AtomicFile::commit() {
   if (std::rename(partial_.c_str(), path_.c_str()) != 0) {
     fail(path_.string(), "cannot be put in place: {}", std::strerror(errno));
   }
+  forget_unwanted(noted_);
   partial_.clear();
+}
+
+void remove_partial_files_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+    if (std::signal(signal, end_by_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 void write_file(const std::filesystem::path& path, std::string_view text) {

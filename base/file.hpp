@@ -42,9 +42,15 @@ class AtomicFile {
 
  private:
   std::filesystem::path path_, partial_;
+  size_t noted_;  ///< where its name stands for signals
   std::FILE* file_ = nullptr;
   uint64_t size_ = 0;
 };
+
+/// A signal that ends this process (SIGINT, SIGTERM, SIGHUP, SIGPIPE) takes the AtomicFiles with it that are
+/// not committed, unless it is ignored or somebody handles it later. Those with a name of their own stay: who
+/// gave it goes on with them.
+void remove_partial_files_on_signals();
 
 void write_file(const std::filesystem::path& path, std::string_view text);
 

@@ -7,12 +7,16 @@
 
 namespace triptych {
 
-/// Prints one line at once; whether anybody still reads it does not matter.
+/// Prints the text at once; whether anybody still reads it, or there is room for it, does not matter.
+inline void say(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+/// The same of one line.
 template <typename... Arguments>
 void notice(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  const std::string line = fmt::format(format, std::forward<Arguments>(arguments)...) + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
-  std::fflush(stderr);
+  say(fmt::format(format, std::forward<Arguments>(arguments)...) + "\n");
 }
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 #include "base/progress.hpp"
 
-#include <cstdio>
+#include "base/notice.hpp"
+
 #include <fmt/core.h>
 #include <mutex>
 #include <unistd.h>
@@ -35,11 +36,10 @@ void Progress::print(uint64_t done, bool last) const {
   const std::string count = total_ ? fmt::format("{}/{}", done, total_) : done ? fmt::format("{}", done) : "";
   const std::string line = fmt::format("{:<28} {:>17} {:8.1f} s", stage_, count, stopwatch_.seconds());
   if (on_terminal()) {
-    fmt::print(stderr, "\r\033[K{}{}", line, last ? "\n" : "");
+    say(fmt::format("\r\033[K{}{}", line, last ? "\n" : ""));
   } else {
-    fmt::print(stderr, "{}\n", line);
+    say(line + "\n");
   }
-  std::fflush(stderr);
 }
 
 }  // namespace triptych

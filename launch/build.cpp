@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/memory.hpp"
+#include "base/notice.hpp"
 #include "launch/build_flags.hpp"
 #include "launch/command.hpp"
 #include "launch/import_flags.hpp"
@@ -21,7 +22,7 @@ struct BuildCommand {
 };
 
 void print(const BuildReport& report, const std::filesystem::path& output) {
-  for (const std::string& warning : report.import.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : report.import.warnings) notice("warning: {}", warning);
   fmt::print("{}: {} drawables on {} levels, {} source and {} placed triangles, {:.1f} MB\n", output.string(),
              report.drawables, report.levels, report.source_triangles, report.placed_triangles,
              static_cast<double>(report.pack_bytes) / 1e6);

@@ -1,12 +1,39 @@
 // The program `triptych`: one file a subcommand; errors end here, in one line.
+#include "base/file.hpp"
+#include "base/notice.hpp"
 #include "launch/command.hpp"
 #include "launch/named_files.hpp"
 
-#include <fmt/core.h>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
 #include <locale>
 #include <new>
+#include <unistd.h>
+
+namespace {
+
+/// A stream that was closed for this program would be the next file that it opens, and get what is said.
+void open_standard_streams() {
+  while (true) {
+    const int descriptor = ::open("/dev/null", O_RDWR);
+    if (descriptor > STDERR_FILENO) ::close(descriptor);
+    if (descriptor < 0 || descriptor > STDERR_FILENO) return;
+  }
+}
+
+/// Prints the line that ends a run; where standard error is full or gone, the exit code says it alone.
+int end_with(const std::string& line) {
+  triptych::notice("triptych: {}", line);
+  return 1;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
+  triptych::remove_partial_files_on_signals();
   // Numbers have points here, whatever libraries asked for before we came.
   std::locale::global(std::locale::classic());
   CLI::App app{"Triptych: walk through models that are too big to draw"};
@@ -33,11 +60,12 @@ int main(int argc, char** argv) {
   }
   try {
     triptych::check_files_differ(app);
-    return action();
+    const int code = action();
+    if (std::fflush(stdout) != 0) return end_with(std::string("standard output: ") + std::strerror(errno));
+    return code;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "triptych: memory: there is not enough\n");
+    return end_with("memory: there is not enough");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "triptych: {}\n", error.what());
+    return end_with(error.what());
   }
-  return 1;
 }

@@ -6,6 +6,7 @@
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"
+#include "nodes/inbox.hpp"
 
 #include <fmt/core.h>
 
@@ -25,6 +26,7 @@ std::vector<FrameRecord> run_one_process(const Pack& pack, const RunOptions& run
     const std::vector<uint8_t> colors = fallback.target().read_colors();
     records.back().picture_hash = hash_values(std::span<const uint8_t>(colors));
     progress.advance();
+    end_if_asked("one process");
   }
   return records;
 }

@@ -7,6 +7,7 @@
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/path_deviation.hpp"
+#include "nodes/inbox.hpp"
 
 #include <fmt/core.h>
 
@@ -34,7 +35,10 @@ std::vector<std::vector<FrameRequest>> sweep(const RunOptions& options, const Sk
 std::vector<FrameRecord> draw(Fallback& fallback, const std::vector<FrameRequest>& path) {
   fallback.forget();
   std::vector<FrameRecord> records;
-  for (const FrameRequest& frame : path) records.push_back(fallback.draw(frame));
+  for (const FrameRequest& frame : path) {
+    records.push_back(fallback.draw(frame));
+    end_if_asked("measure simplifiers");
+  }
   return records;
 }
 

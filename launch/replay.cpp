@@ -106,9 +106,8 @@ int run(const ReplayCommand& command) {
   const auto context = make_context(command.context);
   if (context->names().renderer != header.own.gl_renderer ||
       context->names().version != header.own.gl_version) {
-    fmt::print(stderr, "replay: recorded with OpenGL {} {}, drawn with {} {}: pixels may differ\n",
-               header.own.gl_renderer, header.own.gl_version, context->names().renderer,
-               context->names().version);
+    notice("replay: recorded with OpenGL {} {}, drawn with {} {}: pixels may differ", header.own.gl_renderer,
+           header.own.gl_version, context->names().renderer, context->names().version);
   }
   Replayer replayer(command, pack);
   std::string cut;

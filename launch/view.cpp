@@ -1,4 +1,5 @@
 #include "base/memory.hpp"
+#include "base/notice.hpp"
 #include "launch/command.hpp"
 #include "launch/window_source.hpp"
 #include "measure/json.hpp"
@@ -26,7 +27,7 @@ int run(const ViewCommand& command) {
   options.pictures = command.pictures;
   if (options.play && !options.path) fail("view", "--play needs a --path to play");
   Viewer viewer(pack, options);
-  fmt::print(stderr, "{}", viewer_help());
+  say(viewer_help());
   Fallback fallback(pack, {.width = viewer.window().width(),
                            .height = viewer.window().height(),
                            .test = command.run.test,

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
+#include "nodes/inbox.hpp"
 
 #include <algorithm>
 
@@ -49,6 +50,7 @@ std::vector<Comparison> compare(const Pack& pack, const std::vector<FrameRequest
       if (i < runs[run]->size()) add_frame(comparisons[run], (*runs[run])[i], hash, truth);
     }
     progress.advance();
+    end_if_asked("comparison");
   }
   return comparisons;
 }

@@ -74,9 +74,9 @@ Report load_report(const std::filesystem::path& manifest) {
   const std::string place = manifest.string();
   const json document = read_json(manifest);
   const std::filesystem::path folder = manifest.parent_path();
-  expect_known_keys(document, {"title", "note", "held_to", "entries", "pictures"}, place);
   Report report;
   report.title = member(document, "title", place);
+  expect_known_keys(document, {"title", "note", "held_to", "entries", "pictures"}, place);
   if (document.contains("note")) report.note = member(document, "note", place);
   if (document.contains("held_to")) {
     const std::string held_to = member(document, "held_to", place);

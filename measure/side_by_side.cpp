@@ -2,6 +2,7 @@
 
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
+#include "nodes/inbox.hpp"
 
 #include <memory>
 
@@ -33,6 +34,7 @@ std::vector<SideBySideRun> run_side_by_side(std::span<const Pack* const> packs,
           runs[which].frames.push_back(std::move(record));
         }
         progress.advance();
+        end_if_asked("side by side");
       }
     }
   }

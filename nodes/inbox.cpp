@@ -1,6 +1,7 @@
 #include "nodes/inbox.hpp"
 
 #include "base/clock.hpp"
+#include "base/error.hpp"
 #include "base/timeline.hpp"
 
 #include <algorithm>
@@ -26,6 +27,10 @@ bool stop_requested() {
     return true;
   }();
   return installed && stop_signal != 0;
+}
+
+void end_if_asked(const std::string& place) {
+  if (stop_requested()) fail(place, "was told to end");
 }
 
 void Inbox::limit_waiting(std::optional<std::chrono::milliseconds> limit) {

@@ -77,5 +77,7 @@ class Inbox {
 
 /// Whether SIGTERM, SIGINT or SIGHUP asked this process to end; the first call installs the handlers.
 bool stop_requested();
+/// Error (place) where that was asked: for work between two things that can be left as they are.
+void end_if_asked(const std::string& place);
 
 }  // namespace triptych

@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/file.hpp"
+#include "base/notice.hpp"
 #include "nodes/inbox.hpp"
 #include "render/png_file.hpp"
 
@@ -80,7 +81,7 @@ void Viewer::take(Command command) {
       options_.pixel_error = std::min(options_.pixel_error * 2, 256.0);
       break;
     case Command::help:
-      fmt::print(stderr, "{}", viewer_help());
+      say(viewer_help());
       break;
   }
 }
@@ -126,7 +127,7 @@ void Viewer::save(const std::vector<uint8_t>& colors) {
     file = options_.pictures / fmt::format("picture-{:03}.png", number++);
   } while (std::filesystem::exists(file));
   write_png(file, window_.width(), window_.height(), colors);
-  fmt::print(stderr, "wrote {}\n", file.string());
+  notice("wrote {}", file.string());
 }
 
 }  // namespace triptych

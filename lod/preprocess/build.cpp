@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/notice.hpp"
 #include "base/rounding.hpp"
 #include "lod/preprocess/build_work.hpp"
 #include "lod/preprocess/node_drawables.hpp"
@@ -43,8 +44,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
                            : options.fingerprint + "\nunits of " + std::to_string(unit_triangles(options)));
   BuildReport report;
   report.resumed_units = work.left_to_replay();
-  if (report.resumed_units > 0)
-    fmt::print(stderr, "resuming: {} units of work were done before\n", report.resumed_units);
+  if (report.resumed_units > 0) notice("resuming: {} units of work were done before", report.resumed_units);
   const auto stage = [&](const char* name, const auto& body) {
     const Stopwatch stopwatch;
     body();
