@@ -1,0 +1,69 @@
+// What happens to a command whose standard streams are closed or full, and to one that a signal ends.
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace triptych {
+namespace {
+
+class Streams : public testing::Test {
+ protected:
+  Streams()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                ("triptych_streams_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  }
+  ~Streams() override { std::filesystem::remove_all(folder_); }
+
+  /// The exit code of what a shell makes of the lines, in the folder; $triptych is the program.
+  int run(const std::string& lines) const {
+    const std::string whole = "cd '" + folder_.string() + "'; triptych='" TRIPTYCH_PROGRAM "'\n" + lines;
+    const int status = std::system(whole.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string text(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Streams, that_are_full_end_a_command_with_one_line) {
+  ASSERT_EQ(run("$triptych build one.obj -o one.tpk 2>/dev/null"), 0);
+  EXPECT_EQ(run("$triptych info one.tpk >/dev/full 2>line"), 1);
+  EXPECT_EQ(text("line"), "triptych: standard output: No space left on device\n");
+  EXPECT_EQ(run("$triptych info missing.tpk 2>/dev/full"), 1);
+}
+
+TEST_F(Streams, that_are_closed_leave_files_as_they_should_be) {
+  ASSERT_EQ(run("$triptych build one.obj -o one.tpk 2>/dev/null"), 0);
+  for (const std::string closed : {"<&-", ">&-", "2>&-", "<&- >&- 2>&-"}) {
+    EXPECT_EQ(
+        run("$triptych build one.obj -o other.tpk " + (closed == ">&-" ? closed + " 2>/dev/null" : closed) +
+            (closed == "<&-" ? " 2>/dev/null" : "")),
+        0)
+        << closed;
+    EXPECT_EQ(text("other.tpk"), text("one.tpk")) << closed;
+    std::filesystem::remove(folder_ / "other.tpk");
+  }
+}
+
+TEST_F(Streams, a_command_that_is_terminated_takes_its_unfinished_files_along) {
+  // 3: it was over before anything could be seen; 4: something stayed.
+  EXPECT_EQ(run(R"($triptych sample statue --triangles 8000000 -o statue >/dev/null 2>&1 & pid=$!
+                   for i in $(seq 1000); do ls statue 2>/dev/null | grep -q partial && break; sleep 0.02; done
+                   ls statue | grep -q partial || { kill $pid; exit 3; }
+                   kill -TERM $pid; wait $pid; code=$?
+                   ls statue | grep -q partial && exit 4
+                   exit $code)"),
+            128 + SIGTERM);
+}
+
+}  // namespace
+}  // namespace triptych
