@@ -18,7 +18,7 @@ struct AnyMesh {
   uint64_t repaired = 0;  ///< triangles beyond the second at an edge
 };
 
-void PrintTo(const AnyMesh& mesh, std::ostream* out) { *out << mesh.name; }
+std::ostream& operator<<(std::ostream& out, const AnyMesh& mesh) { return out << mesh.name; }
 
 /// Boxes at one place, each an object of its own.
 std::string stacked(int count) {

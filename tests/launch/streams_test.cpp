@@ -13,25 +13,25 @@ namespace {
 class Streams : public testing::Test {
  protected:
   Streams()
-      : folder_(std::filesystem::path(testing::TempDir()) /
-                ("triptych_streams_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+      : folder(std::filesystem::path(testing::TempDir()) /
+               ("triptych_streams_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   }
-  ~Streams() override { std::filesystem::remove_all(folder_); }
+  ~Streams() override { std::filesystem::remove_all(folder); }
 
   /// The exit code of what a shell makes of the lines, in the folder; $triptych is the program.
   int run(const std::string& lines) const {
-    const std::string whole = "cd '" + folder_.string() + "'; triptych='" TRIPTYCH_PROGRAM "'\n" + lines;
+    const std::string whole = "cd '" + folder.string() + "'; triptych='" TRIPTYCH_PROGRAM "'\n" + lines;
     const int status = std::system(whole.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   std::string text(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
+    std::ifstream file(folder / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder;
 };
 
 TEST_F(Streams, that_are_full_end_a_command_with_one_line) {
@@ -50,7 +50,7 @@ TEST_F(Streams, that_are_closed_leave_files_as_they_should_be) {
         0)
         << closed;
     EXPECT_EQ(text("other.tpk"), text("one.tpk")) << closed;
-    std::filesystem::remove(folder_ / "other.tpk");
+    std::filesystem::remove(folder / "other.tpk");
   }
 }
 

@@ -152,7 +152,8 @@ std::array<std::string, 2> twins() {
 
 TEST(Pack, a_section_of_another_pack_is_refused_and_said_which) {
   const auto file = write_pack(small_pack());
-  const auto [one, other] = twins();
+  const auto both = twins();
+  const std::string &one = both[0], &other = both[1];
   ASSERT_EQ(one.size(), other.size());
   const auto table = value_at<uint64_t>(one, 16);
   ASSERT_EQ(one.substr(table + 8, 16), other.substr(table + 8, 16));  // sections of the same place and size

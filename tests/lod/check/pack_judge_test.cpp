@@ -20,7 +20,7 @@ struct Case {
   uint32_t buckets = 1 << 18;
 };
 
-void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+std::ostream& operator<<(std::ostream& out, const Case& one) { return out << one.name; }
 
 /// Closed, and nowhere flat.
 Mesh wavy_sphere(uint32_t rings) {
@@ -74,7 +74,7 @@ struct Recipe {
   Bound bound;
 };
 
-void PrintTo(const Recipe& one, std::ostream* out) { *out << one.name; }
+std::ostream& operator<<(std::ostream& out, const Recipe& one) { return out << one.name; }
 
 BuildOptions options_of(const Recipe& recipe) {
   BuildOptions options;
