@@ -21,7 +21,10 @@ bool stop_requested() {
   static const bool installed = [] {
     struct sigaction action {};
     action.sa_handler = note_signal;
-    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGTERM, SIGINT}) sigaction(signal, &action, nullptr);
+    struct sigaction before {};
+    sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup, otherwise
     // Whoever read what we say may be gone.
     std::signal(SIGPIPE, SIG_IGN);
     return true;

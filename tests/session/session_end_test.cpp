@@ -95,6 +95,20 @@ TEST_F(SessionEnd, a_signal_ends_every_role_in_good_order) {
   }
 }
 
+TEST_F(SessionEnd, a_session_that_ignores_hangups_goes_on) {
+  const auto before = ::signal(SIGHUP, SIG_IGN);  // as nohup does; programs that are started inherit it
+  Program program(endless({"-o", folder.file("pictures"), "--json", json}));
+  ::signal(SIGHUP, before);
+  wait_for_pictures(program);
+  ::kill(-program.pid(), SIGHUP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_EQ(program.errors().find("told to end"), std::string::npos) << program.errors();
+  EXPECT_EQ(program.errors().find("render node: "), std::string::npos)
+      << "it has ended: " << program.errors();
+  program.signal(SIGTERM);
+  EXPECT_EQ(program.wait(std::chrono::seconds(30)), 0) << program.errors();
+}
+
 TEST_F(SessionEnd, a_starter_that_is_killed_takes_its_roles_along) {
   Program program(endless({"-o", folder.file("pictures")}));
   wait_for_pictures(program);
