@@ -100,14 +100,11 @@ Baked load_baked(const SpoolFile& file, const SpoolPlace& place) {
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
                uint32_t triangles, const SimplifyLimits& how) {
   std::vector<uint8_t> locked;
-  size_t locked_count = 0;
-  for (const LeafSpan& span : children.spans) {
+  for (const LeafSpan& span : children.spans)
     locked.push_back(span.first < first_place || span.last >= end_place);
-    locked_count += locked.back();
-  }
   Hlod hlod;
   SimplifyLimits limits = how;
-  limits.triangles = triangles + locked_share * locked_count;  // between the borders: the full share
+  limits.triangles = triangles;
   limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
   Chain chain = simplify(children.surface, locked, limits);
   hlod.stuck = chain.stuck && chain.levels.empty();

@@ -46,7 +46,7 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
   }
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify;
-  limits.triangles = coarsest_triangles + locked_share * part.borders.size();
+  limits.triangles = coarsest_triangles;
   limits.largest_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
   prepared.detached_triangles = chain.detached_triangles;

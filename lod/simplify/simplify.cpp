@@ -133,10 +133,12 @@ class ChainMaker {
 
 Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits) {
   Chain chain;
-  if (surface.triangles.size() <= limits.triangles) return chain;
+  const auto locked_points = static_cast<size_t>(std::count(locked.begin(), locked.end(), 1));
+  const size_t enough = limits.triangles + 2 * locked_points;
+  if (surface.triangles.size() <= enough) return chain;
   ChainMaker maker(surface, locked, limits);
-  while (maker.triangles() > limits.triangles) {
-    auto level = maker.next(std::max(maker.triangles() / 2, limits.triangles * 2 / 3));
+  while (maker.triangles() > enough) {
+    auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
     if (!level || level->bound > limits.largest_bound) break;
     chain.levels.push_back(std::move(*level));

@@ -27,17 +27,15 @@ enum class Bound : uint8_t {
 };
 
 struct SimplifyLimits {
-  size_t triangles = 32;         ///< the chain ends when a level has no more than this
+  /// The chain ends when a level has no more than this, and two for each locked point: a surface could do
+  /// with one, but what goes below two is paid for with many times the error, and what is made of it pays
+  /// again.
+  size_t triangles = 32;
   double largest_bound = 1e300;  ///< and before a level whose bound is larger; lattice steps
   Colors colors = Colors::keep;  ///< what the bounds hold for
   Simplifier simplifier = Simplifier::collapse;
   Bound bound = Bound::fast;
 };
-
-/// Triangles that a chain should leave for each locked point, beyond those for the rest. A surface could do
-/// with one, but what goes below two is paid for with many times the error, and what is made of it pays
-/// again.
-constexpr size_t locked_share = 2;
 
 struct Level {
   Piece piece;  ///< sources: indices into the points of the surface that the chain began with
@@ -49,7 +47,7 @@ struct Chain {
   std::vector<Level>
       levels;  ///< finest first, each with at most three quarters of the one before; the input is none
   size_t detached_triangles = 0;  ///< of the input: meet the others in a way that half-edges cannot express
-  bool stuck = false;             ///< ended above `triangles` because nothing made it coarser
+  bool stuck = false;             ///< ended before because nothing made it coarser
 };
 
 /// Each level has about half of the triangles of the one before it, by the simplifier, or by vertex
