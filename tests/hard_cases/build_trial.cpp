@@ -2,6 +2,7 @@
 #include "lod/check/check.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/support/distance_judge.hpp"
+#include "tests/support/drawable_triangles.hpp"
 
 #include <fmt/core.h>
 #include <glm/matrix.hpp>
@@ -10,7 +11,7 @@ namespace triptych::hard_cases {
 
 namespace {
 
-using judge::Corners;
+using judge::Corners, judge::triangles_of;
 
 bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -50,28 +51,6 @@ double distance_to(const glm::dvec3& p, const std::vector<Corners>& triangles) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Corners& t : triangles) nearest = std::min(nearest, distance_to(p, t));
   return nearest;
-}
-
-std::vector<Corners> triangles_of(const Pack& pack, DrawableId id) {
-  const Skeleton& skeleton = pack.skeleton();
-  const Drawable& drawable = skeleton.drawables[id];
-  std::vector<Corners> result;
-  for (uint32_t i = 0; i < drawable.placement_count; ++i) {
-    const Placement& placement = skeleton.placements[drawable.first_placement + i];
-    const Chunk chunk = pack.read_chunk(placement.chunk);
-    const Lattice& lattice = skeleton.lattices[skeleton.chunks[placement.chunk].lattice];
-    const Affine& transform = skeleton.transforms[placement.transform];
-    const bool mirrors = glm::determinant(glm::dmat3(transform)) < 0;
-    for (size_t k = 0; k + 2 < chunk.indices.size(); k += 3) {
-      Corners corners;
-      for (size_t c = 0; c < 3; ++c) {
-        corners[c] = transform * glm::dvec4(lattice.position(chunk.vertices[chunk.indices[k + c]].point), 1);
-      }
-      if (mirrors) std::swap(corners[1], corners[2]);
-      result.push_back(corners);
-    }
-  }
-  return result;
 }
 
 /// Samples of a drawable's surface must lie within its error of the source.

@@ -15,16 +15,6 @@
 namespace triptych {
 namespace {
 
-/// A sphere with waves on it: closed, and nowhere flat.
-Mesh wavy_sphere(uint32_t rings) {
-  Mesh mesh = awkward::sphere(rings, 10);
-  for (glm::dvec3& position : mesh.positions) {
-    const glm::dvec3 p = position;
-    position *= 1 + 0.05 * std::sin(1.3 * p.x) * std::cos(1.7 * p.y) * std::sin(1.1 * p.z + 0.4);
-  }
-  return mesh;
-}
-
 std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier = Simplifier::collapse) {
   const auto file =
       std::filesystem::path(testing::TempDir()) / ("triptych_closed_" + std::to_string(::getpid()) + ".tpk");
@@ -88,7 +78,7 @@ size_t holes_of_random_mixes(const Pack& pack, int mixes, const Affine& placed =
 
 class ClosedBorders : public testing::Test {
  protected:
-  ClosedBorders() : context(test_context()), pack(pack_of(awkward::model_of({wavy_sphere(120)}))) {}
+  ClosedBorders() : context(test_context()), pack(pack_of(awkward::model_of({awkward::wavy_sphere(120)}))) {}
 
   /// Drawables of how many levels of the hierarchy the cut mixes.
   size_t mixed_levels(const Cut& cut) const {
@@ -153,7 +143,7 @@ TEST_F(ClosedBorders, random_mixes_of_levels_have_no_open_edge) {
 TEST(ClosedBorder, is_closed_at_any_mix_whoever_simplified_it) {
   test_context();
   for (const Simplifier simplifier : {Simplifier::openmesh, Simplifier::meshopt}) {
-    const auto pack = pack_of(awkward::model_of({wavy_sphere(80)}), simplifier);
+    const auto pack = pack_of(awkward::model_of({awkward::wavy_sphere(80)}), simplifier);
     EXPECT_EQ(holes_of_random_mixes(*pack, 40), 0u)
         << (simplifier == Simplifier::meshopt ? "meshopt" : "openmesh");
   }
@@ -161,7 +151,7 @@ TEST(ClosedBorder, is_closed_at_any_mix_whoever_simplified_it) {
 
 TEST(ClosedBorder, of_placed_meshes_stays_closed_between_their_own_levels_and_those_of_whole_subtrees) {
   test_context();
-  Model model = awkward::model_of({wavy_sphere(80)});
+  Model model = awkward::model_of({awkward::wavy_sphere(80)});
   const double turn = 0.83;
   Affine placed = awkward::translation({31.7, -2.3, 8.9});
   placed[0] = 1.3 * glm::dvec3(std::cos(turn), std::sin(turn), 0);
@@ -175,7 +165,7 @@ TEST(ClosedBorder, of_placed_meshes_stays_closed_between_their_own_levels_and_th
 
 TEST(ClosedBorder, without_a_part_shows_holes) {
   test_context();
-  const auto pack = pack_of(awkward::model_of({wavy_sphere(80)}));
+  const auto pack = pack_of(awkward::model_of({awkward::wavy_sphere(80)}));
   Fallback fallback(*pack, {.width = 320, .height = 240, .batches = {}, .item_buffer = true});
   size_t holes = 0;
   for (int i = 0; i < 40; ++i) {

@@ -57,6 +57,16 @@ inline Mesh sphere(uint32_t rings, double radius = 1, const glm::dvec3& center =
   return mesh;
 }
 
+/// Closed, and nowhere flat: a sphere of radius 10 with waves on it.
+inline Mesh wavy_sphere(uint32_t rings) {
+  Mesh mesh = sphere(rings, 10);
+  for (glm::dvec3& position : mesh.positions) {
+    const glm::dvec3 p = position;
+    position *= 1 + 0.05 * std::sin(1.3 * p.x) * std::cos(1.7 * p.y) * std::sin(1.1 * p.z + 0.4);
+  }
+  return mesh;
+}
+
 /// Twelve triangles around an axis-aligned box.
 inline Mesh box(const glm::dvec3& lo, const glm::dvec3& hi, uint32_t material = 0) {
   Mesh mesh{"box", {}, {}};

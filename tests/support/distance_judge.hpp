@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/surface.hpp"
+#include "tests/support/corners.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,6 @@
 #include <vector>
 
 namespace triptych::judge {
-
-using Corners = std::array<glm::dvec3, 3>;
 
 inline double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
   const double along = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);

@@ -1,5 +1,6 @@
 #include "tests/support/pack_judge.hpp"
 
+#include "tests/support/drawable_triangles.hpp"
 #include "tests/support/surface_judge.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace triptych::judge {
 
 namespace {
 
-std::vector<Corners> triangles_of(const Model& model) {
+std::vector<Corners> placed_triangles(const Model& model) {
   std::vector<Corners> result;
   for (const Instance& instance : model.instances) {
     const Mesh& mesh = model.meshes.at(instance.mesh);
@@ -20,26 +21,6 @@ std::vector<Corners> triangles_of(const Model& model) {
       Corners corners;
       for (size_t i = 0; i < 3; ++i) {
         corners[i] = instance.transform * glm::dvec4(mesh.positions.at(triangle.vertices[i]), 1);
-      }
-      result.push_back(corners);
-    }
-  }
-  return result;
-}
-
-std::vector<Corners> triangles_of(const Pack& pack, DrawableId id) {
-  const Skeleton& skeleton = pack.skeleton();
-  const Drawable& drawable = skeleton.drawables[id];
-  std::vector<Corners> result;
-  for (uint32_t i = 0; i < drawable.placement_count; ++i) {
-    const Placement& placement = skeleton.placements[drawable.first_placement + i];
-    const Chunk chunk = pack.read_chunk(placement.chunk);
-    const Lattice& lattice = skeleton.lattices[skeleton.chunks[placement.chunk].lattice];
-    for (size_t k = 0; k < chunk.indices.size(); k += 3) {
-      Corners corners;
-      for (size_t c = 0; c < 3; ++c) {
-        corners[c] = skeleton.transforms[placement.transform] *
-                     glm::dvec4(lattice.position(chunk.vertices[chunk.indices[k + c]].point), 1);
       }
       result.push_back(corners);
     }
@@ -64,7 +45,7 @@ double mismatch(const Corners& a, const Corners& b) {
 /// For each scene node the model's triangles below it.
 class Sources {
  public:
-  Sources(const Pack& pack, const Model& model) : source_(triangles_of(model)) {
+  Sources(const Pack& pack, const Model& model) : source_(placed_triangles(model)) {
     const Skeleton& skeleton = pack.skeleton();
     std::vector<Corners> finest;
     std::vector<SceneNodeId> owners;

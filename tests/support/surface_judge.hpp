@@ -2,7 +2,8 @@
 // distances are double, and no code is shared with the bounds that it judges.
 #pragma once
 
-#include <array>
+#include "tests/support/corners.hpp"
+
 #include <embree3/rtcore.h>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -11,8 +12,6 @@
 #include <vector>
 
 namespace triptych::judge {
-
-using Corners = std::array<glm::dvec3, 3>;
 
 /// Triangles that can be asked for the nearest of them. At least one; they may have no area.
 class NearestTriangles {

@@ -22,16 +22,6 @@ struct Case {
 
 std::ostream& operator<<(std::ostream& out, const Case& one) { return out << one.name; }
 
-/// Closed, and nowhere flat.
-Mesh wavy_sphere(uint32_t rings) {
-  Mesh mesh = awkward::sphere(rings, 10);
-  for (glm::dvec3& position : mesh.positions) {
-    const glm::dvec3 p = position;
-    position *= 1 + 0.05 * std::sin(1.3 * p.x) * std::cos(1.7 * p.y) * std::sin(1.1 * p.z + 0.4);
-  }
-  return mesh;
-}
-
 /// Meshes that are placed turned, stretched to sizes from a tenth to ten, mirrored and sheared.
 Model instances() {
   Model model = awkward::model_of({awkward::sphere(9, 0.5), awkward::book(4, 5), awkward::grid(14, 2, 0.3)});
@@ -60,8 +50,8 @@ Model rooms() {
 }
 
 const std::vector<Case> cases = {
-    {"a_closed_surface_in_parts", [] { return awkward::model_of({wavy_sphere(40)}); }},
-    {"a_closed_surface_in_buckets", [] { return awkward::model_of({wavy_sphere(40)}); }, 0, 2000},
+    {"a_closed_surface_in_parts", [] { return awkward::model_of({awkward::wavy_sphere(40)}); }},
+    {"a_closed_surface_in_buckets", [] { return awkward::model_of({awkward::wavy_sphere(40)}); }, 0, 2000},
     {"a_soup", [] { return awkward::model_of({awkward::soup(1500)}); }},
     {"instances", instances},
     {"rooms", rooms},

@@ -45,6 +45,15 @@ TEST(VertexClustering, merges_disjoint_pieces_to_any_number_of_triangles) {
   }
 }
 
+TEST(VertexClustering, says_whether_so_many_are_enough_without_making_them) {
+  const Surface surface = awkward::surface_of(awkward::soup(300));
+  for (const double cell : {100.0, 800.0, 6000.0}) {
+    const size_t count = cluster_vertices(surface, {}, cell, Colors::keep).piece.surface.triangles.size();
+    EXPECT_TRUE(clusters_within(surface, {}, cell, count, Colors::keep));
+    EXPECT_FALSE(clusters_within(surface, {}, cell, count - 1, Colors::keep));
+  }
+}
+
 TEST(VertexClustering, leaves_locked_points_where_they_are) {
   const Surface surface = awkward::surface_of(awkward::grid(20));
   std::vector<uint8_t> locked(surface.points.size(), 0);
