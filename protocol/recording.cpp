@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::array<char, 8> magic = {'T', 'R', 'I', 'P', 'T', 'R', 'E', 'C'};
 constexpr size_t start_bytes = magic.size() + sizeof(uint32_t);
+/// The last record of a finished recording, which holds the number of messages.
+constexpr size_t end_bytes = sizeof(uint64_t) + 2 * sizeof(uint32_t);
 constexpr uint32_t record_limit = body_limit + 4096;
 
 /// A record: length of the content, the content, and a checksum of both that depends on where they stand.
@@ -113,17 +115,31 @@ void RecordingReader::read_header() {
 
 std::string RecordingReader::place() const { return fmt::format("{} byte {}", path_.string(), offset_); }
 
+bool RecordingReader::was_finished() const {
+  std::array<std::byte, end_bytes> bytes{};
+  if (size_ < start_bytes + end_bytes) return false;
+  read_at(file_, size_ - end_bytes, bytes, path_.string());
+  ByteReader end(bytes, path_.string());
+  if (end.read<uint32_t>() != sizeof(uint64_t)) return false;
+  end.read<uint64_t>();
+  const auto checked = std::span<const std::byte>(bytes).first(end_bytes - sizeof(uint32_t));
+  return end.read<uint32_t>() == checksum_of(checked, size_ - end_bytes);
+}
+
+void RecordingReader::fail_too_short() const {
+  // What was finished cannot have been cut: then it is the length that is wrong.
+  if (was_finished()) fail(place(), "the recording is damaged: a record that is longer than what is left");
+  throw RecordingCut(place(), fmt::format("the recording is cut here, after {} messages", count_));
+}
+
 std::vector<std::byte> RecordingReader::read_record() {
   const uint64_t left = size_ - offset_;
-  const auto cut = [&] {
-    return RecordingCut(place(), fmt::format("the recording is cut here, after {} messages", count_));
-  };
-  if (left < sizeof(uint32_t)) throw cut();
+  if (left < sizeof(uint32_t)) fail_too_short();
   std::array<std::byte, sizeof(uint32_t)> length_bytes{};
   read_at(file_, offset_, length_bytes, path_.string());
   const auto length = ByteReader(length_bytes, place()).read<uint32_t>();
   if (length > record_limit) fail(place(), "the recording is damaged: a record of {} bytes", length);
-  if (left < 2 * sizeof(uint32_t) + length) throw cut();
+  if (left < 2 * sizeof(uint32_t) + length) fail_too_short();
   std::vector<std::byte> bytes(2 * sizeof(uint32_t) + length);
   read_at(file_, offset_, bytes, path_.string());
   const auto checked = std::span<const std::byte>(bytes).first(sizeof(uint32_t) + length);
@@ -141,7 +157,7 @@ std::optional<RecordedMessage> RecordingReader::next() {
   if (record.size() == sizeof(uint64_t)) {
     if (content.read<uint64_t>() != count_) fail(where, "the recording is damaged: messages are missing");
     if (offset_ != size_) fail(place(), "the recording is damaged: it goes on after its end");
-    offset_ -= sizeof(uint64_t) + 2 * sizeof(uint32_t);  // the end stays the end
+    offset_ -= end_bytes;  // the end stays the end
     return std::nullopt;
   }
   RecordedMessage recorded;

@@ -72,6 +72,8 @@ class RecordingReader {
 
  private:
   void read_header();
+  bool was_finished() const;
+  [[noreturn]] void fail_too_short() const;
   std::vector<std::byte> read_record();
   std::string place() const;
 

@@ -91,6 +91,24 @@ TEST_F(Recording, notices_each_byte_that_was_changed) {
   }
 }
 
+TEST_F(Recording, that_was_finished_is_damaged_and_not_cut_whichever_bit_was_changed) {
+  write();
+  const std::string whole = bytes();
+  for (size_t bit = 0; bit < 8 * whole.size() - 8 * 16;
+       ++bit) {  // the last 16 bytes say that it was finished
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ 1 << bit % 8);
+    replace(damaged);
+    try {
+      read();
+      ADD_FAILURE() << "bit " << bit << " is not noticed";
+    } catch (const RecordingCut& error) {
+      ADD_FAILURE() << "bit " << bit << ": " << error.what();
+    } catch (const Error&) {
+    }
+  }
+}
+
 TEST_F(Recording, says_where_the_damage_is) {
   write();
   std::string damaged = bytes();
