@@ -4,12 +4,44 @@
 
 #include <GL/osmesa.h>
 #include <array>
+#include <dlfcn.h>
 
 namespace triptych {
 
 namespace {
 
 const std::string place = "OSMesa";
+
+/// Loaded when a context is asked for and not with the program: LLVM comes with it, 44 MiB of every process,
+/// and most of them draw nothing or by EGL.
+struct Library {
+  decltype(&::OSMesaCreateContextAttribs) create_context;
+  decltype(&::OSMesaMakeCurrent) make_current;
+  decltype(&::OSMesaDestroyContext) destroy_context;
+  decltype(&::OSMesaGetProcAddress) address_of;
+
+  Library() : handle_(::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL)) {
+    if (!handle_) fail(place, "is not there: {}", ::dlerror());
+    find("OSMesaCreateContextAttribs", create_context);
+    find("OSMesaMakeCurrent", make_current);
+    find("OSMesaDestroyContext", destroy_context);
+    find("OSMesaGetProcAddress", address_of);
+  }
+
+ private:
+  template <typename Function>
+  void find(const char* name, Function& function) {
+    function = reinterpret_cast<Function>(::dlsym(handle_, name));
+    if (!function) fail(place, "has no {}", name);
+  }
+
+  void* handle_;  ///< never closed: drivers keep things until the process ends
+};
+
+const Library& library() {
+  static const Library library;
+  return library;
+}
 
 class OsmesaContext : public Context {
  public:
@@ -23,17 +55,17 @@ class OsmesaContext : public Context {
                           OSMESA_CONTEXT_MINOR_VERSION,
                           5,
                           0};
-    context_ = OSMesaCreateContextAttribs(wishes, nullptr);
+    context_ = library().create_context(wishes, nullptr);
     if (!context_) fail(place, "no OpenGL 4.5 core context");
     // Pictures are drawn into framebuffer objects; this buffer only makes the context current.
-    if (!OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side)) {
-      OSMesaDestroyContext(context_);
+    if (!library().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side)) {
+      library().destroy_context(context_);
       fail(place, "the context cannot be made current");
     }
-    load(OSMesaGetProcAddress, place);
+    load(library().address_of, place);
   }
 
-  ~OsmesaContext() override { OSMesaDestroyContext(context_); }
+  ~OsmesaContext() override { library().destroy_context(context_); }
 
  private:
   static constexpr int side = 16;
