@@ -12,6 +12,10 @@ namespace {
 constexpr uint64_t largest_sample = 1u << 20;
 constexpr size_t buffered_triangles = 768;
 
+bool before(const glm::ivec3& a, const glm::ivec3& b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
 void sort_unique(std::vector<glm::ivec3>& points) {
   std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -25,8 +29,12 @@ glm::ivec3 center_of(const LatticeTriangle& triangle) {
 
 }  // namespace
 
-bool before(const glm::ivec3& a, const glm::ivec3& b) {
-  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm::ivec3& point) {
+  const auto found =
+      std::lower_bound(shared.begin(), shared.end(), point,
+                       [](const SharedPoint& a, const glm::ivec3& b) { return before(a.point, b); });
+  if (found == shared.end() || found->point != point) return std::nullopt;
+  return found->number;
 }
 
 Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, SpoolFile& spool) : spool_(spool) {
@@ -100,10 +108,23 @@ void Buckets::distribute(const Read& read) {
       }
     }
   });
+  uint32_t next = 0;
   for (size_t bucket = 0; bucket < places_.size(); ++bucket) {
     flush(bucket);
+    waiting[bucket] = {};
     sort_unique(foreign_[bucket]);
+    foreign_[bucket].shrink_to_fit();
+    first_number_.push_back(next);
+    next += static_cast<uint32_t>(foreign_[bucket].size());
   }
+  first_number_.push_back(next);
+}
+
+uint32_t Buckets::number_of(const glm::ivec3& point) const {
+  const uint32_t home = bucket_of(point);
+  const auto& listed = foreign_[home];
+  const auto found = std::lower_bound(listed.begin(), listed.end(), point, before);
+  return first_number_[home] + static_cast<uint32_t>(found - listed.begin());
 }
 
 uint64_t Buckets::triangles(size_t bucket) const {
@@ -121,13 +142,14 @@ Bucket Buckets::load(size_t bucket) const {
     std::memcpy(to, bytes.data(), bytes.size());
     to += bytes.size();
   }
-  result.shared = foreign_[bucket];
+  std::vector<glm::ivec3> shared = foreign_[bucket];
   for (const LatticeTriangle& triangle : result.triangles) {
     for (const glm::ivec3& corner : triangle.corners) {
-      if (bucket_of(corner) != bucket) result.shared.push_back(corner);
+      if (bucket_of(corner) != bucket) shared.push_back(corner);
     }
   }
-  sort_unique(result.shared);
+  sort_unique(shared);
+  for (const glm::ivec3& point : shared) result.shared.push_back({point, number_of(point)});
   return result;
 }
 

@@ -9,20 +9,28 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace triptych {
 
+/// A point that several buckets have, or may have.
+struct SharedPoint {
+  glm::ivec3 point;
+  uint32_t number;  ///< below Buckets::shared_points(), the same in every bucket
+};
+
 /// A bucket, read back: its triangles in the order in which they came, and which points it may share with
 /// others.
 struct Bucket {
   std::vector<LatticeTriangle> triangles;
-  std::vector<glm::ivec3> shared;  ///< sorted; every point that another bucket has too, and perhaps more
+  std::vector<SharedPoint>
+      shared;  ///< sorted by place; every point that another bucket has too, and perhaps more
 };
 
-/// The order in which shared points are sorted.
-bool before(const glm::ivec3& a, const glm::ivec3& b);
+/// The point's number, if it is one of the shared ones, which are sorted.
+std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm::ivec3& point);
 
 /// Space cut in half, and each half again, where the triangles are.
 class Buckets {
@@ -38,6 +46,7 @@ class Buckets {
 
   size_t count() const { return places_.size(); }
   uint64_t triangles(size_t bucket) const;
+  uint32_t shared_points() const { return first_number_.back(); }
   /// Safe on several threads.
   Bucket load(size_t bucket) const;
 
@@ -50,12 +59,15 @@ class Buckets {
 
   uint32_t cut(std::span<glm::ivec3> sample, uint64_t limit);
   uint32_t bucket_of(const glm::ivec3& point) const;
+  /// Of a point that several buckets have.
+  uint32_t number_of(const glm::ivec3& point) const;
   void distribute(const Read& read);
 
   std::vector<Cut> cuts_;  ///< a tree; 0 is its root
   SpoolFile& spool_;
   std::vector<std::vector<SpoolPlace>> places_;   ///< for each bucket where its triangles lie
   std::vector<std::vector<glm::ivec3>> foreign_;  ///< for each bucket the points of its place that others use
+  std::vector<uint32_t> first_number_;  ///< for each bucket that of the first of them; at the end their count
 };
 
 }  // namespace triptych

@@ -35,14 +35,14 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
   prepared.bounds.push_back(0);
   constexpr uint32_t none = 0xffffffffu;
   std::vector<uint8_t> locked;
-  std::vector<uint32_t> ordinals;
+  std::vector<uint32_t> numbers;
   if (!part.borders.empty()) {
     locked.resize(part.surface.points.size(), 0);
-    ordinals.resize(part.surface.points.size(), none);
+    numbers.resize(part.surface.points.size(), none);
   }
   for (const BorderPoint& border : part.borders) {
     locked[border.point] = 1;
-    ordinals[border.point] = border.ordinal;
+    numbers[border.point] = border.number;
   }
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify;
@@ -60,10 +60,10 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
     prepared.chunks.push_back(encode(level.piece.surface));
     prepared.bounds.push_back(level.bound);
     Part coarser;
-    if (!ordinals.empty()) {
+    if (!numbers.empty()) {
       for (uint32_t point = 0; point < level.piece.sources.size(); ++point) {
-        const uint32_t ordinal = ordinals[level.piece.sources[point]];
-        if (ordinal != none) coarser.borders.push_back({point, ordinal});
+        const uint32_t number = numbers[level.piece.sources[point]];
+        if (number != none) coarser.borders.push_back({point, number});
       }
     }
     coarser.surface = std::move(level.piece.surface);

@@ -74,17 +74,26 @@ class NodeDrawables {
  private:
   /// Where the points of borders are: instance by instance, the span of leaves that share each of them.
   void span_borders() {
-    border_spans_.resize(parts_.border_counts.size());
-    for (size_t i = 0; i < border_spans_.size(); ++i) border_spans_[i].resize(parts_.border_counts[i]);
+    size_t count = 0;
+    for (const uint32_t borders : parts_.border_counts) {
+      first_span_.push_back(count);
+      count += borders;
+    }
+    border_spans_.resize(count);
     for (const HierarchyNode& node : nodes_) {
       if (node.child_count > 0) continue;
       for (const uint32_t member : objects_.members[node.object]) {
         const PlacedPart& placed = parts_.placed[member];
-        for (const uint32_t border : parts_.borders[placed.part]) {
-          border_spans_[placed.instance][border].extend({node.first_place, node.first_place});
-        }
+        const PartInfo& part = parts_.parts[placed.part];
+        if (part.borders == 0) continue;
+        for (const BorderPoint& border : load_borders(work_.parts(), part.place, part.borders))
+          span_of(placed, border).extend({node.first_place, node.first_place});
       }
     }
+  }
+
+  LeafSpan& span_of(const PlacedPart& placed, const BorderPoint& border) {
+    return border_spans_[first_span_[placed.instance] + border.number];
   }
 
   void make_leaf(size_t node) {
@@ -123,6 +132,11 @@ class NodeDrawables {
   }
 
   Hlod simplify_children(size_t node) {
+    return make_hlod(bake_children(node), nodes_[node].first_place, nodes_[node].end_place,
+                     parts_.lattices[0], options_.hlod_triangles, options_.simplify);
+  }
+
+  Baked bake_children(size_t node) {
     Baker baker(parts_.lattices[0]);
     double error = 0;
     const uint32_t first = nodes_[node].first_child;
@@ -135,19 +149,18 @@ class NodeDrawables {
         baker.add(baked.surface, baked.spans);
       }
     }
-    return make_hlod(baker.finish(error), nodes_[node].first_place, nodes_[node].end_place,
-                     parts_.lattices[0], options_.hlod_triangles, options_.simplify);
+    return baker.finish(error);
   }
 
   /// Collects the coarsest drawable of a leaf.
-  void bake_leaf(size_t leaf, Baker& baker) const {
+  void bake_leaf(size_t leaf, Baker& baker) {
     const auto& members = objects_.members[nodes_[leaf].object];
     for (size_t i = 0; i < members.size(); ++i) {
       const PlacedPart& placed = parts_.placed[members[i]];
       const Part part = load_part(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
       std::vector<LeafSpan> spans(part.surface.points.size());
       for (const BorderPoint& border : part.borders) {
-        spans[border.point] = border_spans_[placed.instance][parts_.borders[placed.part][border.ordinal]];
+        spans[border.point] = span_of(placed, border);
       }
       if (placed.transform == 0) {
         baker.add(part.surface, spans);
@@ -202,7 +215,8 @@ class NodeDrawables {
   const BuildOptions& options_;
   BuildWork& work_;
   std::vector<Coarsest> coarsest_;
-  std::vector<std::vector<LeafSpan>> border_spans_;  ///< by instance, by border number
+  std::vector<LeafSpan> border_spans_;  ///< by instance, by number
+  std::vector<size_t> first_span_;      ///< for each instance
 };
 
 }  // namespace

@@ -32,4 +32,10 @@ Part load_part(const SpoolFile& file, const SpoolPlace& place) {
   return part;
 }
 
+std::vector<BorderPoint> load_borders(const SpoolFile& file, const SpoolPlace& place, uint32_t count) {
+  const uint64_t size = uint64_t{count} * sizeof(BorderPoint);  // the last thing that store() writes
+  const std::vector<std::byte> bytes = file.read({place.offset + place.size - size, size});
+  return ByteReader(bytes, file.path().string()).read_all<BorderPoint>(count);
+}
+
 }  // namespace triptych

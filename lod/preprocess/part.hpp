@@ -12,8 +12,8 @@ namespace triptych {
 
 /// A point that the part shares with other parts of its mesh.
 struct BorderPoint {
-  uint32_t point = 0;    ///< index into the surface's points
-  uint32_t ordinal = 0;  ///< which of the part's border points it is, at any level of detail
+  uint32_t point = 0;   ///< index into the surface's points
+  uint32_t number = 0;  ///< the same for the same point in all parts of the mesh, at any level of detail
 };
 
 struct Part {
@@ -27,5 +27,7 @@ Surface read_surface(ByteReader& reader);
 /// Into a spool file and back.
 SpoolPlace store(SpoolFile& file, const Part& part);
 Part load_part(const SpoolFile& file, const SpoolPlace& place);
+/// Only the border points, of which there are `count`.
+std::vector<BorderPoint> load_borders(const SpoolFile& file, const SpoolPlace& place, uint32_t count);
 
 }  // namespace triptych

@@ -30,7 +30,7 @@ LatticeBox placed_box(const Surface& surface, const Lattice& lattice, const Affi
 
 /// What one mesh, or one bucket of it, came to.
 struct Divided {
-  std::vector<Part> parts;
+  Division division;
   std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
   uint64_t dropped_triangles = 0, welded_vertices = 0;
 };
@@ -38,7 +38,12 @@ struct Divided {
 class PartMaker {
  public:
   PartMaker(const Model& model, const BuildPlan& plan, const BuildOptions& options, BuildWork& work)
-      : model_(model), plan_(plan), options_(options), work_(work), unit_triangles_(unit_triangles(options)) {
+      : border_counts(plan.meshes.size(), 0),
+        model_(model),
+        plan_(plan),
+        options_(options),
+        work_(work),
+        unit_triangles_(unit_triangles(options)) {
     // Borders between parts stay as they are in all levels, and that costs triangles: a mesh that is small in
     // the model, such as a piece of furniture, is parted only if it has a great many.
     const double whole = diagonal(plan.box);
@@ -71,9 +76,9 @@ class PartMaker {
   }
 
   std::vector<PartInfo> infos;
-  std::vector<uint32_t> meshes;                  ///< for each part its planned mesh
-  std::vector<std::vector<glm::ivec3>> borders;  ///< for each part its border points
-  std::vector<std::vector<LatticeBox>> boxes;
+  std::vector<uint32_t> meshes;                ///< for each part its planned mesh
+  std::vector<uint32_t> border_counts;         ///< for each planned mesh
+  std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
   uint64_t dropped_triangles = 0, welded_vertices = 0;
 
  private:
@@ -92,20 +97,29 @@ class PartMaker {
         });
   }
 
-  void put(ByteWriter& record, uint32_t mesh, const Divided& divided) {
+  /// Border points that only a bucket's parts have come behind those of the buckets before it.
+  void number_borders(uint32_t mesh, Division& division) {
+    const uint32_t behind = border_counts[mesh] - division.first_own;
+    for (Part& part : division.parts) {
+      for (BorderPoint& border : part.borders) {
+        if (border.number >= division.first_own) border.number += behind;
+      }
+    }
+    border_counts[mesh] += division.own_borders;
+  }
+
+  void put(ByteWriter& record, uint32_t mesh, Divided& divided) {
     record.write(mesh);
     record.write(divided.dropped_triangles);
     record.write(divided.welded_vertices);
-    record.write(uint64_t{divided.parts.size()});
-    std::vector<glm::ivec3> points;
-    for (size_t i = 0; i < divided.parts.size(); ++i) {
-      const Part& part = divided.parts[i];
+    number_borders(mesh, divided.division);
+    record.write(border_counts[mesh]);
+    record.write(uint64_t{divided.division.parts.size()});
+    for (size_t i = 0; i < divided.division.parts.size(); ++i) {
+      const Part& part = divided.division.parts[i];
       record.write(PartInfo{store(work_.parts(), part), plan_.meshes[mesh].lattice,
-                            static_cast<uint32_t>(part.surface.triangles.size())});
-      points.clear();
-      for (const BorderPoint& border : part.borders) points.push_back(part.surface.points[border.point]);
-      record.write(uint64_t{points.size()});
-      record.write_all(std::span<const glm::ivec3>(points));
+                            static_cast<uint32_t>(part.surface.triangles.size()),
+                            static_cast<uint32_t>(part.borders.size())});
       record.write(uint64_t{divided.boxes[i].size()});
       record.write_all(std::span<const LatticeBox>(divided.boxes[i]));
     }
@@ -115,10 +129,10 @@ class PartMaker {
     const auto mesh = record.read<uint32_t>();
     dropped_triangles += record.read<uint64_t>();
     welded_vertices += record.read<uint64_t>();
+    border_counts[mesh] = record.read<uint32_t>();
     for (auto count = record.read<uint64_t>(); count > 0; --count) {
       meshes.push_back(mesh);
       infos.push_back(record.read<PartInfo>());
-      borders.push_back(record.read_all<glm::ivec3>(record.read<uint64_t>()));
       boxes.push_back(record.read_all<LatticeBox>(record.read<uint64_t>()));
     }
   }
@@ -134,14 +148,14 @@ class PartMaker {
     return limits;
   }
 
-  Divided finish(const PlannedMesh& mesh, Welded welded, const PartitionLimits& limits,
-                 std::span<const glm::ivec3> shared) const {
+  Divided finish(const PlannedMesh& mesh, const Welded& welded, const PartitionLimits& limits,
+                 std::span<const SharedPoint> shared, uint32_t first_own) const {
     Divided divided;
     divided.dropped_triangles = welded.dropped_triangles;
     divided.welded_vertices = welded.welded_vertices;
-    divided.parts = divide(std::move(welded.surface), limits, shared);
+    divided.division = divide(welded.surface, limits, shared, first_own);
     const Lattice& lattice = plan_.lattices[mesh.lattice];
-    for (const Part& part : divided.parts) {
+    for (const Part& part : divided.division.parts) {
       auto& part_boxes = divided.boxes.emplace_back();
       for (const uint32_t instance : mesh.instances) {
         const uint32_t transform = plan_.instances[instance].transform;
@@ -156,10 +170,9 @@ class PartMaker {
   Divided divide_whole(uint32_t index) const {
     const PlannedMesh& mesh = plan_.meshes[index];
     if (mesh.triangles == 0) return {};
-    Welded welded =
+    const Welded welded =
         weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
-    const uint64_t triangles = welded.surface.triangles.size();
-    return finish(mesh, std::move(welded), limits(mesh, triangles), {});
+    return finish(mesh, welded, limits(mesh, welded.surface.triangles.size()), {}, 0);
   }
 
   void divide_in_buckets(uint32_t index, Progress& progress) {
@@ -187,11 +200,13 @@ class PartMaker {
         [&](ByteWriter& record) {
           fill_buckets();
           record.write(not_finite);
+          record.write(buckets->shared_points());
           record.write(uint64_t{buckets->count()});
           for (size_t i = 0; i < buckets->count(); ++i) record.write(buckets->triangles(i));
         },
         [&](ByteReader& record) {
           dropped_triangles += record.read<uint64_t>();
+          border_counts[index] = record.read<uint32_t>();
           sizes = record.read_all<uint64_t>(record.read<uint64_t>());
         });
     const PartitionLimits part_limits = limits(mesh, mesh.triangles);
@@ -206,9 +221,9 @@ class PartMaker {
           end - first, fill_buckets,
           [&](uint32_t i) {
             Bucket bucket = buckets->load(first + i);
-            Welded welded = weld(bucket.triangles);
+            const Welded welded = weld(bucket.triangles);
             bucket.triangles = {};
-            return finish(mesh, std::move(welded), part_limits, bucket.shared);
+            return finish(mesh, welded, part_limits, bucket.shared, buckets->shared_points());
           },
           [&](uint32_t) { return index; });
       progress.advance(triangles);
@@ -226,26 +241,6 @@ class PartMaker {
   double small_ = 0, large_ = 0;
 };
 
-/// Numbers for the border points of one mesh, whose parts are `first` up to, not including, `end`. Returns
-/// how many.
-uint32_t number_borders(std::vector<std::vector<glm::ivec3>>& points, size_t first, size_t end,
-                        std::vector<std::vector<uint32_t>>& numbers) {
-  std::vector<glm::ivec3> all;
-  for (size_t part = first; part < end; ++part) {
-    all.insert(all.end(), points[part].begin(), points[part].end());
-  }
-  std::sort(all.begin(), all.end(), before);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  for (size_t part = first; part < end; ++part) {
-    for (const glm::ivec3& point : points[part]) {
-      const auto found = std::lower_bound(all.begin(), all.end(), point, before);
-      numbers[part].push_back(static_cast<uint32_t>(found - all.begin()));
-    }
-    points[part] = {};
-  }
-  return static_cast<uint32_t>(all.size());
-}
-
 }  // namespace
 
 Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options, BuildWork& work,
@@ -257,18 +252,14 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
 
   // The parts of one mesh came one after the other.
   Parts parts;
-  parts.borders.resize(maker.infos.size());
-  std::vector<uint32_t> first(plan.meshes.size() + 1, 0), border_counts(plan.meshes.size(), 0);
+  std::vector<uint32_t> first(plan.meshes.size() + 1, 0);
   for (const uint32_t mesh : maker.meshes) ++first[mesh + 1];
-  for (size_t mesh = 0; mesh < plan.meshes.size(); ++mesh) {
-    first[mesh + 1] += first[mesh];
-    border_counts[mesh] = number_borders(maker.borders, first[mesh], first[mesh + 1], parts.borders);
-  }
+  for (size_t mesh = 0; mesh < plan.meshes.size(); ++mesh) first[mesh + 1] += first[mesh];
   std::vector<uint32_t> ordinals(plan.meshes.size(), 0);  // of the next instance of each mesh
   for (uint32_t i = 0; i < plan.instances.size(); ++i) {
     const PlannedInstance& instance = plan.instances[i];
     const uint32_t ordinal = ordinals[instance.mesh]++;
-    parts.border_counts.push_back(border_counts[instance.mesh]);
+    parts.border_counts.push_back(maker.border_counts[instance.mesh]);
     for (uint32_t part = first[instance.mesh]; part < first[instance.mesh + 1]; ++part) {
       parts.placed.push_back({part, instance.transform, i});
       parts.boxes.push_back(maker.boxes[part][ordinal]);

@@ -18,6 +18,8 @@ namespace triptych {
 struct PartInfo {
   SpoolPlace place;
   uint32_t lattice = 0, triangles = 0;
+  uint32_t borders = 0;  ///< how many border points it has
+  uint32_t reserved = 0;
 };
 
 /// A part under one of its mesh's placements.
@@ -27,12 +29,9 @@ struct PlacedPart {
 
 struct Parts {
   std::vector<PartInfo> parts;
-  /// For each part, for each of its border points by ordinal: a number that it shares with the same point in
-  /// the mesh's other parts.
-  std::vector<std::vector<uint32_t>> borders;
   std::vector<PlacedPart> placed;       ///< by instance
   std::vector<LatticeBox> boxes;        ///< of each placed part, on the model's lattice
-  std::vector<uint32_t> border_counts;  ///< for each instance how many numbers its mesh's borders have
+  std::vector<uint32_t> border_counts;  ///< for each instance how many border points its mesh has
   std::vector<Affine> transforms;       ///< 0: the identity
   std::vector<double> stretches;        ///< for each transform its largest singular value
   std::vector<Lattice> lattices;        ///< 0: the model's

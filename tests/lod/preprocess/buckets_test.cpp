@@ -38,8 +38,6 @@ Buckets::Read reading(const std::vector<LatticeTriangle>& triangles) {
   };
 }
 
-bool listed_before(const glm::ivec3& a, const glm::ivec3& b) { return before(a, b); }
-
 TEST(Buckets, hold_every_triangle_once_and_none_too_many) {
   const auto triangles = sheet(60);
   SpoolFile spool(spool_path());
@@ -74,15 +72,17 @@ TEST(Buckets, know_every_point_that_they_share) {
     }
   }
   size_t shared = 0, marked = 0;
+  std::map<uint32_t, std::array<int, 3>> numbers;  // every bucket knows a point by the same one
   for (const auto& [point, in] : users) {
     if (in.size() < 2) continue;
     ++shared;
     for (const size_t bucket : in) {
       const glm::ivec3 p{point[0], point[1], point[2]};
-      marked +=
-          std::binary_search(loaded[bucket].shared.begin(), loaded[bucket].shared.end(), p, listed_before);
-      EXPECT_TRUE(
-          std::binary_search(loaded[bucket].shared.begin(), loaded[bucket].shared.end(), p, listed_before));
+      const auto number = number_in(loaded[bucket].shared, p);
+      ASSERT_TRUE(number.has_value());
+      EXPECT_LT(*number, buckets.shared_points());
+      EXPECT_EQ(numbers.try_emplace(*number, point).first->second, point);
+      ++marked;
     }
   }
   EXPECT_GT(shared, 50u);
