@@ -9,6 +9,19 @@
 
 namespace triptych {
 
+/// The end of the group of items that begins with `first`: as many of them as come to `most` together, and
+/// one at least.
+template <typename SizeOf>
+size_t end_of_group(size_t first, size_t count, uint64_t most, const SizeOf& size_of) {
+  uint64_t sum = 0;
+  size_t end = first;
+  for (; end < count; ++end) {
+    sum += size_of(end);
+    if (end > first && sum > most) break;
+  }
+  return end;
+}
+
 class BuildWork {
  public:
   /// See WorkFolder.

@@ -106,12 +106,8 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
   const uint64_t most = unit_triangles(options);
   std::vector<PartLevels> result;
   for (size_t first = 0; first < parts.parts.size();) {
-    size_t end = first;
-    uint64_t triangles = 0;
-    for (; end < parts.parts.size() && end - first < unit_parts; ++end) {
-      if (end > first && triangles + parts.parts[end].triangles > most) break;
-      triangles += parts.parts[end].triangles;
-    }
+    const size_t end = end_of_group(first, std::min(parts.parts.size(), first + unit_parts), most,
+                                    [&](size_t part) { return parts.parts[part].triangles; });
     work.unit(
         [&](ByteWriter& record) {
           std::vector<Prepared> prepared(end - first);

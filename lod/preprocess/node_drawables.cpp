@@ -119,16 +119,29 @@ class NodeDrawables {
   void simplify_unit(std::span<const size_t> unit, Progress& progress) {
     work_.unit(
         [&](ByteWriter& record) {
-          std::vector<Hlod> hlods(unit.size());
-          parallel_for(unit.size(), [&](size_t i) {
-            hlods[i] = simplify_children(unit[i]);
-            progress.advance();
-          });
-          for (const Hlod& hlod : hlods) put(record, hlod);
+          for (size_t first = 0; first < unit.size();) {
+            const size_t end = end_of_group(first, unit.size(), unit_triangles(options_),
+                                            [&](size_t i) { return children_triangles(unit[i]); });
+            std::vector<Hlod> hlods(end - first);
+            parallel_for(hlods.size(), [&](size_t i) {
+              hlods[i] = simplify_children(unit[first + i]);
+              progress.advance();
+            });
+            for (const Hlod& hlod : hlods) put(record, hlod);
+            first = end;
+          }
         },
         [&](ByteReader& record) {
           for (const size_t node : unit) take(record, node);
         });
+  }
+
+  uint64_t children_triangles(size_t node) const {
+    uint64_t triangles = 0;
+    const uint32_t first = nodes_[node].first_child;
+    for (uint32_t child = first; child < first + nodes_[node].child_count; ++child)
+      triangles += contents[child].drawables.back().triangles;
+    return triangles;
   }
 
   Hlod simplify_children(size_t node) {

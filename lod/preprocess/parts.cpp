@@ -61,17 +61,14 @@ class PartMaker {
         divide_in_buckets(first++, progress);
         continue;
       }
-      uint64_t triangles = 0;
-      uint32_t end = first;
-      for (; end < count && plan_.meshes[end].triangles <= options_.bucket_triangles; ++end) {
-        if (end > first && triangles + plan_.meshes[end].triangles > unit_triangles_) break;
-        triangles += plan_.meshes[end].triangles;
-      }
+      uint32_t small = first;
+      while (small < count && plan_.meshes[small].triangles <= options_.bucket_triangles) ++small;
+      const auto end = static_cast<uint32_t>(end_of_group(
+          first, small, unit_triangles_, [&](size_t mesh) { return plan_.meshes[mesh].triangles; }));
       unit(
           end - first, [] {}, [&](uint32_t i) { return divide_whole(first + i); },
           [&](uint32_t i) { return first + i; });
-      progress.advance(triangles);
-      first = end;
+      for (; first < end; ++first) progress.advance(plan_.meshes[first].triangles);
     }
   }
 
@@ -211,12 +208,8 @@ class PartMaker {
         });
     const PartitionLimits part_limits = limits(mesh, mesh.triangles);
     for (uint32_t first = 0; first < sizes.size();) {
-      uint32_t end = first;
-      uint64_t triangles = 0;
-      for (; end < sizes.size(); ++end) {
-        if (end > first && triangles + sizes[end] > unit_triangles_) break;
-        triangles += sizes[end];
-      }
+      const auto end = static_cast<uint32_t>(
+          end_of_group(first, sizes.size(), unit_triangles_, [&](size_t bucket) { return sizes[bucket]; }));
       unit(
           end - first, fill_buckets,
           [&](uint32_t i) {
@@ -226,8 +219,7 @@ class PartMaker {
             return finish(mesh, welded, part_limits, bucket.shared, buckets->shared_points());
           },
           [&](uint32_t) { return index; });
-      progress.advance(triangles);
-      first = end;
+      for (; first < end; ++first) progress.advance(sizes[first]);
     }
     std::error_code ignored;  // at the latest it goes with its folder
     std::filesystem::remove(spool.path(), ignored);

@@ -4,6 +4,7 @@
 #include "base/progress.hpp"
 #include "base/rounding.hpp"
 #include "scene/import/import_file.hpp"
+#include "scene/import/mesh_stream_positions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,6 +62,7 @@ namespace {
 Model import(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
   if (files.empty()) fail("import", "no model file was named");
   for (const auto& file : files) importer_of(file);  // before the first long read
+  PositionCache::limit_all(options.position_cache_bytes);
   Model model;
   model.materials.emplace_back();
   Progress progress("import", files.size());

@@ -11,8 +11,8 @@ namespace triptych {
 namespace {
 
 constexpr size_t least_blocks = 256, slab_bytes = size_t{1} << 20;
-/// 6 KiB each: 64 MiB for all caches of the process.
-std::atomic<int64_t> blocks_left{10922};
+/// Of all caches of the process; 64 MiB unless limit_all() says otherwise.
+std::atomic<uint64_t> blocks_taken{0}, most_blocks{10922};
 
 template <typename Value>
 double load(const std::byte* bytes, bool swapped) {
@@ -73,8 +73,10 @@ PositionCache::PositionCache(const PositionTable& table) : table_(table), reader
   table_.check();
 }
 
+void PositionCache::limit_all(uint64_t bytes) { most_blocks = bytes / block_bytes; }
+
 PositionCache::~PositionCache() {
-  blocks_left += static_cast<int64_t>(slots_.size());
+  blocks_taken -= slots_.size();
   for (void* slab : slabs_) ::munmap(slab, slab_bytes);
 }
 
@@ -95,9 +97,9 @@ const glm::dvec3* PositionCache::find(uint64_t block) {
 }
 
 size_t PositionCache::free_slot() {
-  if (slots_.size() < least_blocks || blocks_left.load() > 0) {
+  if (slots_.size() < least_blocks || blocks_taken.load() < most_blocks.load()) {
     slots_.push_back({.positions = new_block()});
-    --blocks_left;
+    ++blocks_taken;
     return slots_.size() - 1;
   }
   // The second-chance clock: what was found again since the hand passed stays.
@@ -118,7 +120,7 @@ size_t PositionCache::free_slot() {
 }
 
 glm::dvec3* PositionCache::new_block() {
-  constexpr size_t block_bytes = block_positions * sizeof(glm::dvec3), slab_blocks = slab_bytes / block_bytes;
+  constexpr size_t slab_blocks = slab_bytes / block_bytes;
   const size_t place = slots_.size() % slab_blocks;
   if (place == 0) {
     void* slab = ::mmap(nullptr, slab_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

@@ -45,12 +45,14 @@ struct PositionTable {
   void check() const;
 };
 
-/// Reads positions by their number. Caches of all threads together hold about 64 MiB: each takes blocks as
-/// long as there are any, then reuses its own. Vertices in the order of their use, as scans have them, are
-/// read sequentially. For one thread.
+/// Reads positions by their number. Caches of all threads together hold what limit_all() lets them: each
+/// takes blocks as long as there are any, 1.5 MiB in any case, then reuses its own. Vertices in the order of
+/// their use, as scans have them, are read sequentially. For one thread.
 class PositionCache {
  public:
   explicit PositionCache(const PositionTable& table);
+  /// For the rest of the process, or until the next call.
+  static void limit_all(uint64_t bytes);
   ~PositionCache();
   PositionCache(const PositionCache&) = delete;
   PositionCache& operator=(const PositionCache&) = delete;
@@ -66,6 +68,7 @@ class PositionCache {
 
  private:
   static constexpr uint64_t block_positions = 256, no_block = ~uint64_t{0};
+  static constexpr size_t block_bytes = block_positions * sizeof(glm::dvec3);
   /// Blocks that were found last: most look-ups end here.
   struct Recent {
     uint64_t block = no_block;
