@@ -1,5 +1,6 @@
 #include "base/memory.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 namespace triptych {
@@ -9,5 +10,7 @@ uint64_t peak_resident_bytes() {
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<uint64_t>(usage.ru_maxrss) * 1024;
 }
+
+void release_freed_memory() { ::malloc_trim(0); }
 
 }  // namespace triptych

@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "base/rounding.hpp"
 #include "lod/preprocess/build_work.hpp"
@@ -48,6 +49,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   const auto stage = [&](const char* name, const auto& body) {
     const Stopwatch stopwatch;
     body();
+    release_freed_memory();  // the next stage wants pieces of other sizes
     report.stages.push_back({name, stopwatch.seconds()});
   };
 
