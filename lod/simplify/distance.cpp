@@ -1,12 +1,10 @@
 #include "lod/simplify/distance.hpp"
 
-#include "lod/simplify/convex_polygon.hpp"
-#include "lod/simplify/triangle_tree.hpp"
+#include "lod/simplify/one_sided.hpp"
 #include "scene/key_hash.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
@@ -21,150 +19,15 @@ namespace triptych {
 
 namespace {
 
-/// What is smaller than this, in lattice steps, is not worth a cut: the bound may be so much larger than the
-/// truth.
-constexpr double floor_distance = 0.25;
 /// Cut corners are rounded; this is far above what rounding can do and far below what anybody sees.
 constexpr double rounding_allowance = 1e-5;
 /// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
 constexpr size_t cuts_a_triangle = 6;
+constexpr size_t cuts_a_patch = 2000;
+/// So many points from everywhere are looked at before all others.
+constexpr size_t first_points = 61;
 
 using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual>;
-
-/// The largest distance of polygons from the triangles of a tree, by branch and bound: the polygon with the
-/// largest bound is cut until that bound is nearly reached by some point, or the work is no longer worth it.
-class OneSided {
- public:
-  /// `lower` is a distance that is known to be reached elsewhere: below it nothing needs to be known exactly.
-  OneSided(const TriangleTree& tree, double lower, const DistanceEffort& effort)
-      : tree_(tree), effort_(effort), lower_(lower) {}
-
-  /// Whether what is known beforehand is tight enough: then nothing more needs to be known.
-  bool settled() const { return effort_.known <= enough(); }
-
-  /// Raises what is known to be reached if the point is further off.
-  void reach(const glm::dvec3& point) {
-    const auto nearest = tree_.nearest(point, hint_, lower_ * lower_);
-    hint_ = nearest.triangle;
-    lower_ = std::max(lower_, std::sqrt(nearest.squared_distance));
-  }
-
-  /// The exact distance of a point; raises what is known to be reached.
-  double touch(const glm::dvec3& point) {
-    const auto nearest = tree_.nearest(point, hint_);
-    hint_ = nearest.triangle;
-    lower_ = std::max(lower_, std::sqrt(nearest.squared_distance));
-    return std::sqrt(nearest.squared_distance);
-  }
-
-  void add(const Corners& triangle) {
-    ConvexPolygon polygon;
-    for (const glm::dvec3& corner : triangle) polygon.push_back(corner);
-    add(polygon);
-  }
-
-  /// The bound of all that was added.
-  double finish(size_t most_cuts) {
-    for (size_t i = 0; i < most_cuts && !waiting_.empty() && waiting_.front().bound > enough() && !settled();
-         ++i) {
-      std::pop_heap(waiting_.begin(), waiting_.end());
-      const Waiting waiting = waiting_.back();
-      waiting_.pop_back();
-      hint_ = waiting.near;
-      divide(waiting.polygon);
-    }
-    if (!waiting_.empty()) bound_ = std::max(bound_, waiting_.front().bound);
-    return bound_;
-  }
-
-  double lower() const { return lower_; }
-
- private:
-  struct Waiting {
-    double bound;
-    uint32_t near;  ///< the triangle near its middle
-    ConvexPolygon polygon;
-    bool operator<(const Waiting& other) const { return bound < other.bound; }
-  };
-
-  /// A bound up to here needs no cut: it is within the tightness of a distance that is reached somewhere.
-  double enough() const { return std::max(floor_distance, lower_ * effort_.tightness); }
-
-  void add(const ConvexPolygon& polygon) {
-    if (polygon.size() < 3) return;
-    // From the cheapest to the dearest: one triangle may be near all corners, first of all the one that was
-    // near the last polygon, then the one near the middle; no point is further off than its way to the middle
-    // and on from there.
-    double bound = std::sqrt(tree_.squared_distance(polygon, hint_));
-    if (bound > enough()) {
-      const glm::dvec3 middle = middle_of(polygon);
-      double radius = 0;
-      for (const glm::dvec3& corner : polygon) radius = std::max(radius, glm::distance(corner, middle));
-      bound = std::min(bound, touch(middle) + radius);
-    }
-    if (bound > enough()) bound = std::min(bound, std::sqrt(tree_.squared_distance(polygon, hint_)));
-    if (bound > enough()) {
-      const auto found = tree_.within(polygon, enough() * enough());
-      if (found.triangle != TriangleTree::no_triangle) bound = std::sqrt(found.squared_distance);
-    }
-    if (bound <= enough()) {
-      bound_ = std::max(bound_, bound);
-    } else {
-      waiting_.push_back({bound, hint_, polygon});
-      std::push_heap(waiting_.begin(), waiting_.end());
-    }
-  }
-
-  /// Cuts out what lies over the triangle nearest to the polygon's middle; halves the polygon where that
-  /// leads nowhere.
-  void divide(const ConvexPolygon& polygon) {
-    const Corners& near = tree_.triangle(hint_);
-    const glm::dvec3 normal = glm::cross(near[1] - near[0], near[2] - near[0]);
-    const double slack = enough() * 0.3;
-    std::array<ConvexPolygon, 3> beyond;
-    ConvexPolygon rest = polygon;
-    bool was_cut = false;
-    for (size_t i = 0; i < 3 && !rest.empty() && rest.size() < ConvexPolygon::most_corners; ++i) {
-      const glm::dvec3 outwards = glm::cross(near[(i + 1) % 3] - near[i], normal);
-      const double length = glm::length(outwards);
-      if (!(length > 0)) continue;
-      const glm::dvec3 direction = outwards / length;
-      beyond[i] = cut(rest, direction, glm::dot(direction, near[i]) + slack, slack * 0.2);
-      was_cut |= !beyond[i].empty();
-    }
-    if (rest.empty() || !was_cut) {
-      halve(polygon);
-    } else {
-      add(rest);
-      for (const ConvexPolygon& piece : beyond) add(piece);
-    }
-  }
-
-  void halve(ConvexPolygon polygon) {
-    size_t from = 0;
-    double longest = -1;
-    glm::dvec3 direction{0};
-    for (size_t i = 0; i < polygon.size(); ++i) {
-      touch(polygon[i]);
-      const glm::dvec3 side = polygon[(i + 1) % polygon.size()] - polygon[i];
-      if (glm::dot(side, side) > longest) {
-        longest = glm::dot(side, side);
-        direction = side;
-        from = i;
-      }
-    }
-    const ConvexPolygon other =
-        cut(polygon, direction, glm::dot(direction, polygon[from] + direction * 0.5), 0);
-    add(polygon);
-    add(other);
-  }
-
-  const TriangleTree& tree_;
-  const DistanceEffort effort_;
-  double lower_, bound_ = 0;
-  uint32_t hint_ = 0;
-  std::vector<Waiting> waiting_;
-};
 
 Corners corners_of(const Surface& surface, const Triangle& triangle) {
   return {glm::dvec3(surface.points[triangle.vertices[0]]), glm::dvec3(surface.points[triangle.vertices[1]]),
@@ -193,33 +56,9 @@ class Target {
     }
   }
 
-  /// The one-sided distance of the triangles; raises `lower` to what is reached.
-  double distance_from(const Surface& surface, std::span<const Triangle> triangles,
-                       const std::vector<uint32_t>& numbers, const DistanceEffort& effort,
-                       double& lower) const {
-    OneSided side(tree_, lower, effort);
-    if (side.settled()) return effort.known;
-    std::vector<Triangle> changed;
-    for (const Triangle& triangle : triangles) {
-      if (!triangles_.contains(numbered(triangle, numbers))) changed.push_back(triangle);
-    }
-    // Corners first: the sooner a large distance is known, the fewer cuts. A few from everywhere to begin
-    // with.
-    for (const size_t stride : {changed.size() / 61 + 1, size_t{1}}) {
-      for (size_t i = 0; i < changed.size() && !side.settled(); i += stride) {
-        for (const uint32_t vertex : changed[i].vertices) {
-          if (!points_.contains(numbers[vertex])) side.reach(glm::dvec3(surface.points[vertex]));
-        }
-      }
-    }
-    double bound = effort.known;
-    if (!side.settled()) {
-      for (const Triangle& triangle : changed) side.add(corners_of(surface, triangle));
-      bound = std::min(bound, side.finish(cuts_a_triangle * changed.size() + 2000));
-    }
-    lower = side.lower();
-    return bound;
-  }
+  const TriangleTree& tree() const { return tree_; }
+  bool has(const std::array<uint32_t, 3>& triangle) const { return triangles_.contains(triangle); }
+  bool has(uint32_t point) const { return points_.contains(point); }
 
  private:
   static std::vector<Corners> all_corners(const Surface& surface, std::span<const Triangle> triangles) {
@@ -234,36 +73,52 @@ class Target {
   tsl::robin_set<uint32_t, KeyHash> points_;
 };
 
-double diagonal(const Surface& surface, std::span<const Triangle> triangles) {
+/// Triangles of one colour that hang together by their points, or all of them where colours do not count.
+struct Patch {
+  std::vector<uint32_t> triangles;
+  double diagonal = std::numeric_limits<double>::infinity();  ///< what it counts with if its colour is lost
+};
+
+double diagonal(const Surface& surface, std::span<const uint32_t> triangles) {
   LatticeBox box;
-  for (const Triangle& triangle : triangles) {
-    for (const uint32_t vertex : triangle.vertices) box.extend(surface.points[vertex]);
+  for (const uint32_t triangle : triangles) {
+    for (const uint32_t vertex : surface.triangles[triangle].vertices) box.extend(surface.points[vertex]);
   }
   return glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
 }
 
-/// Triangles of one colour that hang together by their points, one patch after another.
-std::vector<std::vector<Triangle>> patches(const Surface& surface) {
-  std::map<uint32_t, std::vector<Triangle>> by_color;
-  for (const Triangle& triangle : surface.triangles) by_color[triangle.material].push_back(triangle);
-  std::vector<std::vector<Triangle>> result;
+std::vector<Patch> patches_of(const Surface& surface, Colors colors) {
+  std::vector<Patch> result;
+  if (colors == Colors::ignore) {
+    auto& all = result.emplace_back().triangles;
+    all.resize(surface.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return result;
+  }
+  std::map<uint32_t, std::vector<uint32_t>> by_color;
+  for (uint32_t i = 0; i < surface.triangles.size(); ++i)
+    by_color[surface.triangles[i].material].push_back(i);
+  std::vector<uint32_t> parents(surface.points.size());
+  std::unordered_map<uint32_t, size_t> places;
   for (const auto& [color, triangles] : by_color) {
-    std::vector<uint32_t> parents(surface.points.size());
     std::iota(parents.begin(), parents.end(), 0u);
     const auto root = [&](uint32_t point) {
       while (parents[point] != point) point = parents[point] = parents[parents[point]];
       return point;
     };
-    for (const Triangle& triangle : triangles) {
-      for (size_t i = 1; i < 3; ++i) parents[root(triangle.vertices[i])] = root(triangle.vertices[0]);
+    for (const uint32_t i : triangles) {
+      const auto& vertices = surface.triangles[i].vertices;
+      for (const uint32_t vertex : vertices) parents[root(vertex)] = root(vertices[0]);
     }
-    std::unordered_map<uint32_t, size_t> places;
-    for (const Triangle& triangle : triangles) {
-      const auto [found, inserted] = places.try_emplace(root(triangle.vertices[0]), result.size());
+    places.clear();
+    for (const uint32_t i : triangles) {
+      const auto [found, inserted] =
+          places.try_emplace(root(surface.triangles[i].vertices[0]), result.size());
       if (inserted) result.emplace_back();
-      result[found->second].push_back(triangle);
+      result[found->second].triangles.push_back(i);
     }
   }
+  for (Patch& patch : result) patch.diagonal = diagonal(surface, patch.triangles);
   return result;
 }
 
@@ -275,38 +130,88 @@ class Side {
   Side(const Surface& surface, std::vector<uint32_t> numbers, Colors colors)
       : surface_(surface), numbers_(std::move(numbers)), colors_(colors) {}
 
-  /// Each patch against its own colour, or against everything and the patch's own size.
-  double distance_to(Side& to, const DistanceEffort& effort, double& lower) {
-    if (colors_ == Colors::ignore) {
-      return to.everything().distance_from(surface_, surface_.triangles, numbers_, effort, lower);
+  /// The one-sided distance; raises `lower` to what is reached. Each patch against its own colour, or against
+  /// everything and the patch's own size. `known`: for each triangle a bound of its own; none if empty.
+  double distance_to(Side& to, std::span<const double> known, const DistanceEffort& effort, double& lower) {
+    if (patches_.empty()) patches_ = patches_of(surface_, colors_);
+    // Corners first: the sooner a large distance is known, the fewer cuts. A few from everywhere to begin
+    // with.
+    for (const size_t stride : {surface_.triangles.size() / first_points + 1, size_t{1}}) {
+      if (reach_corners(to, stride, effort, lower)) return effort.known;
     }
-    if (!patches_) patches_ = patches(surface_);
     double bound = 0;
-    for (const auto& patch : *patches_) {
-      const double size = diagonal(surface_, patch);
+    for (const Patch& patch : patches_) {
+      const double largest = std::max(patch.diagonal, lower);
       double own = std::numeric_limits<double>::infinity(), own_lower = lower;
-      if (const Target* target = to.of_color(patch[0].material)) {
-        own = target->distance_from(surface_, patch, numbers_, effort, own_lower);
+      if (const Target* target = to.target(color_of(patch))) {
+        own = bound_of(patch, *target, known, effort, own_lower);
       }
-      if (own <= std::max(size, lower)) {
-        lower = std::max(lower, own_lower);
+      if (own <= largest) {
+        lower = own_lower;
       } else {
-        own = std::min(
-            own, std::max(size, to.everything().distance_from(surface_, patch, numbers_, effort, lower)));
-        lower = std::max(lower, std::min(size, own));
+        own = std::min(own, std::max(patch.diagonal, bound_of(patch, to.everything(), known, effort, lower)));
+        lower = std::max(lower, std::min(patch.diagonal, own));
       }
       bound = std::max(bound, own);
+      if (bound >= effort.known) return effort.known;
     }
     return bound;
   }
 
  private:
+  uint32_t color_of(const Patch& patch) const { return surface_.triangles[patch.triangles[0]].material; }
+
+  /// Raises `lower` to the distances of corners of every so manieth triangle of each patch; true once the
+  /// bound that is known is tight.
+  bool reach_corners(Side& to, size_t stride, const DistanceEffort& effort, double& lower) {
+    size_t next = 0, passed = 0;
+    for (const Patch& patch : patches_) {
+      const size_t end = passed + patch.triangles.size();
+      const Target* target = next < end ? to.target(color_of(patch)) : nullptr;
+      if (target) {
+        OneSided side(target->tree(), lower, effort.tightness);
+        for (; next < end; next += stride) {
+          if (side.is_tight(effort.known)) return true;
+          const Triangle& triangle = surface_.triangles[patch.triangles[next - passed]];
+          for (const uint32_t vertex : triangle.vertices) {
+            if (!target->has(numbers_[vertex])) side.reach(glm::dvec3(surface_.points[vertex]));
+          }
+        }
+        lower = std::max(lower, std::min(side.lower(), patch.diagonal));
+      }
+      while (next < end) next += stride;
+      passed = end;
+    }
+    return false;
+  }
+
+  double bound_of(const Patch& patch, const Target& target, std::span<const double> known,
+                  const DistanceEffort& effort, double& lower) const {
+    OneSided side(target.tree(), lower, effort.tightness);
+    std::vector<uint32_t> changed;
+    for (const uint32_t i : patch.triangles) {
+      if (!target.has(numbered(surface_.triangles[i], numbers_))) changed.push_back(i);
+    }
+    const auto known_of = [&](uint32_t i) { return known.empty() ? effort.known : known[i]; };
+    // Where something may be far, it is found soon.
+    if (!known.empty()) {
+      std::stable_sort(changed.begin(), changed.end(),
+                       [&](uint32_t a, uint32_t b) { return known[a] > known[b]; });
+    }
+    for (const uint32_t i : changed) side.add(corners_of(surface_, surface_.triangles[i]), known_of(i));
+    const double bound = side.finish(cuts_a_triangle * changed.size() + cuts_a_patch, effort.known);
+    lower = side.lower();
+    return std::min(bound, effort.known);
+  }
+
   Target& everything() {
     if (!everything_) everything_.emplace(surface_, surface_.triangles, numbers_);
     return *everything_;
   }
 
-  const Target* of_color(uint32_t color) {
+  /// Null if there is nothing of that colour.
+  const Target* target(uint32_t color) {
+    if (colors_ == Colors::ignore) return &everything();
     if (by_color_.empty()) {
       std::map<uint32_t, std::vector<Triangle>> triangles;
       for (const Triangle& triangle : surface_.triangles) triangles[triangle.material].push_back(triangle);
@@ -321,7 +226,7 @@ class Side {
   Colors colors_;
   std::map<uint32_t, Target> by_color_;
   std::optional<Target> everything_;
-  std::optional<std::vector<std::vector<Triangle>>> patches_;
+  std::vector<Patch> patches_;
 };
 
 }  // namespace
@@ -362,8 +267,9 @@ DistanceMeter::~DistanceMeter() = default;
 double DistanceMeter::bound(const Surface& other, const DistanceEffort& effort) {
   Side side(other, state_->number_other(other), state_->colors);
   double lower = 0;
-  double bound = side.distance_to(state_->source, effort, lower);
-  bound = std::max(bound, state_->source.distance_to(side, effort, lower));
+  double bound = state_->source.distance_to(side, {}, effort, lower);
+  if (bound < effort.known)
+    bound = std::max(bound, side.distance_to(state_->source, effort.known_each, effort, lower));
   return std::min(effort.known, bound > 0 ? bound + rounding_allowance : 0);
 }
 

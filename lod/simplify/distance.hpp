@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <span>
 
 namespace triptych {
 
@@ -15,10 +16,13 @@ enum class Colors {
   keep,
 };
 
-/// How much work a bound is worth.
+/// How much work a bound is worth, and what need not be found out.
 struct DistanceEffort {
   double tightness = 1.25;  ///< the bound is to be at most so many times the truth
   double known = std::numeric_limits<double>::infinity();  ///< a bound that holds; there is none larger
+  /// For each triangle of the other surface how far its points are at most from points of their colour, by
+  /// its construction; may be empty. What is near by that is not looked at.
+  std::span<const double> known_each = {};
 };
 
 /// An upper bound of the two-sided Hausdorff distance, in steps of the common lattice; both surfaces hold at

@@ -34,6 +34,8 @@ class EdgeCollapse {
   size_t crowded_triangles() const { return crowded_triangles_; }
   /// What is left. Sources: indices into the points of the surface that this began with.
   Piece piece() const { return mesh_.piece(); }
+  /// For each triangle of that piece how far its points are at most from points of its material there.
+  std::vector<double> errors() const { return mesh_.errors(); }
 
  private:
   struct Waiting {

@@ -13,7 +13,7 @@ class CollapseReducer : public Reducer {
   CollapseReducer(const Surface& surface, std::span<const uint8_t> locked) : collapse_(surface, locked) {}
   Reduced reduce_to(size_t triangles, double largest_bound) override {
     const bool further = collapse_.reduce_to(triangles, largest_bound);
-    return {collapse_.piece(), collapse_.bound(), further};
+    return {collapse_.piece(), collapse_.bound(), collapse_.errors(), further};
   }
   size_t detached_triangles() const override { return collapse_.crowded_triangles(); }
 
@@ -24,7 +24,7 @@ class CollapseReducer : public Reducer {
 class OpenMeshReducer : public Reducer {
  public:
   OpenMeshReducer(const Surface& surface, std::span<const uint8_t> locked) : decimation_(surface, locked) {}
-  Reduced reduce_to(size_t triangles, double) override { return {decimation_.reduce_to(triangles), {}}; }
+  Reduced reduce_to(size_t triangles, double) override { return {decimation_.reduce_to(triangles), {}, {}}; }
   size_t detached_triangles() const override { return decimation_.detached_triangles(); }
 
  private:
@@ -47,7 +47,7 @@ class MeshoptReducer : public Reducer {
     for (uint32_t& source : next.sources) source = piece_.sources[source];
     locked_ = std::move(locked);
     piece_ = std::move(next);
-    return {piece_, {}};
+    return {piece_, {}, {}};
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace triptych {
 
@@ -15,6 +16,8 @@ struct Reduced {
   Piece piece;  ///< sources: indices into the points of the surface that the reducer began with
   /// Of the two-sided distance to that surface, material by material, if the construction gives it.
   std::optional<double> bound;
+  /// The same for the points of each triangle by itself; empty if the construction does not give it.
+  std::vector<double> errors;
   bool further = false;  ///< more was possible, but for the largest bound
 };
 

@@ -123,4 +123,13 @@ Piece ShrinkingMesh::piece() const {
   return piece;
 }
 
+std::vector<double> ShrinkingMesh::errors() const {
+  std::vector<double> errors;
+  errors.reserve(alive_);
+  for (const Face& face : faces_) {
+    if (face.corners[0] != gone) errors.push_back(face.error);
+  }
+  return errors;
+}
+
 }  // namespace triptych

@@ -46,6 +46,8 @@ class ShrinkingMesh {
 
   /// What is left; sources: indices into the points that this mesh began with.
   Piece piece() const;
+  /// For each triangle of that piece its error.
+  std::vector<double> errors() const;
 
  private:
   struct Slot {

@@ -22,6 +22,13 @@ constexpr double hurried = 2;
 /// And so many where they are measured against the source.
 constexpr double tight = 1.6;
 
+/// A level with its fast bound.
+struct Stage {
+  Piece piece;
+  double bound = 0;
+  std::vector<double> errors;  ///< Reduced::errors, but to the chain's source; empty if not known
+};
+
 /// What the chain has arrived at, and the reducer that goes on from there.
 class ChainMaker {
  public:
@@ -44,12 +51,12 @@ class ChainMaker {
   /// Goes on to about `goal` triangles; nothing if that is not possible.
   std::optional<Level> next(size_t goal) {
     const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
-    Level reduced = reduce(goal);
+    Stage reduced = reduce(goal);
     const bool got_there = reduced.piece.surface.triangles.size() <= enough;
     at_limit_ = !got_there && reduced_further_;
     if (!got_there || (is_steep(reduced) && clusters_better(goal, reduced.bound))) {
       // From where the reducer got stuck, or, where it went too far, from before.
-      Level clustered = cluster(got_there ? current_ : reduced, goal);
+      Stage clustered = cluster(got_there ? current_ : reduced, goal);
       const size_t count = clustered.piece.surface.triangles.size();
       if (count <= enough && (!got_there || clustered.bound < reduced.bound)) {
         current_ = std::move(clustered);
@@ -70,12 +77,13 @@ class ChainMaker {
   }
 
   /// The reducer's next surface, with its fast bound.
-  Level reduce(size_t goal) {
+  Stage reduce(size_t goal) {
     // The tight bound may be that much smaller.
     const double largest = limits_.largest_bound * (limits_.bound == Bound::tight ? 4 : 1);
     Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
     reduced_further_ = reduced.further;
-    Level level{std::move(reduced.piece), 0};
+    Stage level{std::move(reduced.piece), 0, std::move(reduced.errors)};
+    for (double& error : level.errors) error += start_.bound;
     level.bound = reduced.bound ? start_.bound + *reduced.bound
                                 : current_.bound + distance_bound(current_.piece.surface, level.piece.surface,
                                                                   limits_.colors, {hurried});
@@ -91,14 +99,14 @@ class ChainMaker {
     return locked;
   }
 
-  Level cluster(const Level& from, size_t goal) const {
+  Stage cluster(const Stage& from, size_t goal) const {
     Clustered clustered = cluster_to(from.piece.surface, locked_of(from.piece), goal, limits_.colors);
-    Level level{std::move(clustered.piece), from.bound + clustered.bound};
+    Stage level{std::move(clustered.piece), from.bound + clustered.bound, {}};
     for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
     return level;
   }
 
-  bool is_steep(const Level& next) const { return next.bound > steep * std::max(current_.bound, 1.0); }
+  bool is_steep(const Stage& next) const { return next.bound > steep * std::max(current_.bound, 1.0); }
 
   /// Clustering moves points by about a cell: one clustering says whether it is worth to look for the best.
   bool clusters_better(size_t goal, double bound) const {
@@ -107,10 +115,10 @@ class ChainMaker {
   }
 
   Level measured() {
-    Level level = current_;
+    Level level{current_.piece, current_.bound};
     if (limits_.bound == Bound::tight) {
       if (!meter_) meter_.emplace(source_, limits_.colors);
-      level.bound = meter_->bound(level.piece.surface, {tight, level.bound});
+      level.bound = meter_->bound(level.piece.surface, {tight, level.bound, current_.errors});
     }
     level.bound = last_bound_ = std::max(level.bound, last_bound_);
     return level;
@@ -119,7 +127,7 @@ class ChainMaker {
   const Surface& source_;
   const SimplifyLimits& limits_;
   std::vector<uint8_t> locked_;  ///< for each point of the source
-  Level start_, current_;        ///< where the reducer began, where it is; sources in the source; fast bounds
+  Stage start_, current_;        ///< where the reducer began, where it is; sources in the source
   std::vector<uint8_t> start_locked_;
   std::unique_ptr<Reducer> reducer_;
   std::optional<DistanceMeter> meter_;

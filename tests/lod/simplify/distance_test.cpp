@@ -1,7 +1,10 @@
 #include "lod/simplify/distance.hpp"
 
+#include "lod/simplify/edge_collapse.hpp"
 #include "lod/simplify/triangle_tree.hpp"
 #include "tests/support/awkward_meshes.hpp"
+#include "tests/support/distance_judge.hpp"
+#include "tests/support/hard_surfaces.hpp"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -96,6 +99,40 @@ TEST(DistanceBound, of_soups_holds) {
     const Surface a = awkward::surface_of(awkward::soup(60, seed)),
                   b = awkward::surface_of(awkward::soup(60, seed + 100));
     expect_tight(a, b, 1.4);
+  }
+}
+
+TEST(DistanceBound, of_a_grating_holds_and_is_tight) {
+  // Bars that are long and thin: no triangle of one lies over a single one of the other.
+  Mesh bars;
+  for (int i = 0; i < 12; ++i) awkward::append(bars, awkward::box({0.4 * i, 0, 0}, {0.4 * i + 0.1, 50, 0.2}));
+  const Surface surface = awkward::surface_of(bars);
+  EdgeCollapse collapse(surface, {});
+  for (const size_t goal : {96u, 72u, 48u}) {
+    collapse.reduce_to(goal, 1e300);
+    const Surface coarse = collapse.piece().surface;
+    ASSERT_LE(coarse.triangles.size(), goal);
+    const double truth = judge::distance(surface, coarse, 20000);
+    for (const Colors colors : {Colors::keep, Colors::ignore}) {
+      const double bound = distance_bound(surface, coarse, colors);
+      EXPECT_GE(bound, truth);
+      EXPECT_LE(bound, truth * 1.4);
+    }
+  }
+}
+
+TEST(DistanceBound, holds_where_triangles_are_known_to_be_near) {
+  for (const auto& [name, surface] : hard::surfaces()) {
+    EdgeCollapse collapse(surface, {});
+    for (const size_t share : {3u, 9u}) {
+      collapse.reduce_to(surface.triangles.size() / share, 1e300);
+      const Surface coarse = collapse.piece().surface;
+      const std::vector<double> errors = collapse.errors();
+      const double truth = judge::distance(surface, coarse, 25000);
+      const double bound = distance_bound(surface, coarse, Colors::keep, {1.25, collapse.bound(), errors});
+      EXPECT_GE(bound + 1e-6, truth) << name;
+      EXPECT_LE(bound, std::min(collapse.bound(), 1.5 * truth + 0.3)) << name;
+    }
   }
 }
 

@@ -41,6 +41,25 @@ TEST(EdgeCollapse, has_a_bound_that_no_point_of_any_colour_breaks) {
   }
 }
 
+TEST(EdgeCollapse, has_an_error_for_each_triangle_that_none_of_its_points_breaks) {
+  for (const auto& [name, surface] : hard::surfaces()) {
+    EdgeCollapse collapse(surface, {});
+    collapse.reduce_to(surface.triangles.size() / 5, 1e300);
+    const Surface result = collapse.piece().surface;
+    const std::vector<double> errors = collapse.errors();
+    ASSERT_EQ(errors.size(), result.triangles.size()) << name;
+    for (size_t i = 0; i < errors.size(); ++i) {
+      EXPECT_LE(errors[i], collapse.bound()) << name;
+      const Triangle& triangle = result.triangles[i];
+      judge::Corners corners;
+      for (size_t k = 0; k < 3; ++k) corners[k] = glm::dvec3(result.points[triangle.vertices[k]]);
+      EXPECT_LE(judge::one_sided({corners}, judge::triangles_of(surface, triangle.material), 40),
+                errors[i] + 1e-6)
+          << name << ", triangle " << i;
+    }
+  }
+}
+
 TEST(EdgeCollapse, comes_close_to_its_bound_where_the_surface_is_smooth) {
   const Surface surface = awkward::surface_of(awkward::sphere(16, 8));
   EdgeCollapse collapse(surface, {});
