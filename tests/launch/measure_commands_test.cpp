@@ -82,7 +82,15 @@ TEST_F(MeasureCommands, a_build_does_not_take_the_place_of_its_model) {
   const std::string materials = folder.file("model.mtl");
   std::ofstream(materials) << "newmtl grey\n";
   std::ofstream(model) << "mtllib model.mtl\n" << before;
-  EXPECT_NE(failure({"build", model, "-o", materials}).find("file of the model"), std::string::npos);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"build", model, "-o", materials},
+           {"build", model, "-o", folder.file("x.tpk"), "--json", materials},
+           {"measure", "build", model, "--keep", materials},
+           {"measure", "build", model, "--json", materials},
+           {"measure", "yardstick", model, "--json", materials},
+           {"measure", "hierarchy", model, "--path", path, "--json", materials},
+           {"measure", "simplifiers", model, "--path", path, "--json", materials}})
+    EXPECT_EQ(failure(words), "triptych: " + materials + ": is a file of the model, which would be lost");
   EXPECT_EQ(text_of(materials), "newmtl grey\n");
   EXPECT_EQ(folder.files(), 3u);
 }
