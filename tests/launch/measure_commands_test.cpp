@@ -102,6 +102,20 @@ TEST_F(MeasureCommands, build_of_a_broken_model_is_one_line_and_leaves_nothing) 
   EXPECT_EQ(folder.files(), 2u);
 }
 
+TEST_F(MeasureCommands, a_path_that_sees_nothing_has_numbers_all_the_same) {
+  const nlohmann::json away = {{"eye", {7, 9, 7}}, {"target", {7, 19, 7}}, {"up", {1, 0, 0}}};
+  std::ofstream(path) << nlohmann::json{
+      {"triptych_path", 1}, {"fov_y_degrees", 60}, {"frames", {away, away}}};
+  const std::string pack = folder.file("kept.tpk");
+  run(measure("hierarchy", {"--path", path, "--size", "32x32", "--rounds", "1"}));
+  EXPECT_EQ(text_of(json).find("null"), std::string::npos) << text_of(json);
+  EXPECT_EQ(json_of(json)["rows"][0]["drawn_triangles"]["max"], 0);
+  run({"build", model, "-o", pack});
+  run({"measure", "session", pack, "--path", path, "--size", "32x32", "--json", json});
+  EXPECT_EQ(text_of(json).find("null"), std::string::npos) << text_of(json);
+  EXPECT_EQ(json_of(json)["identical_frames"], 2);
+}
+
 TEST_F(MeasureCommands, hierarchy_puts_both_hierarchies_side_by_side) {
   run(measure("hierarchy", {"--path", path, "--size", "96x64", "--rounds", "2"}));
   const nlohmann::json report = json_of(json);
