@@ -4,9 +4,16 @@
 
 #include <cerrno>
 #include <cstring>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace triptych {
+
+uint64_t size_of(int descriptor, const std::string& place) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) fail(place, "cannot be read: {}", std::strerror(errno));
+  return static_cast<uint64_t>(status.st_size);
+}
 
 void read_at(int descriptor, uint64_t offset, std::span<std::byte> into, const std::string& place) {
   while (!into.empty()) {

@@ -8,6 +8,9 @@
 
 namespace triptych {
 
+/// How many bytes the file has. Error (place) if that cannot be said.
+uint64_t size_of(int descriptor, const std::string& place);
+
 /// Fills `into` from the file's offset on. Error (place, byte) if it cannot be read or ends before.
 void read_at(int descriptor, uint64_t offset, std::span<std::byte> into, const std::string& place);
 

@@ -1,6 +1,7 @@
 #include "base/file.hpp"
 
 #include "base/error.hpp"
+#include "base/file_access.hpp"
 
 #include <array>
 #include <atomic>
@@ -8,7 +9,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace triptych {
@@ -16,9 +16,7 @@ namespace triptych {
 namespace {
 template <typename Container>
 Container read_whole(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) fail(path.string(), "is a folder, not a file");
-  std::FILE* file = std::fopen(path.c_str(), "rb");
+  std::FILE* file = ::fdopen(open_to_read(path), "rb");
   if (!file) fail(path.string(), "cannot be opened: {}", std::strerror(errno));
   Container contents;
   char buffer[1 << 16];

@@ -11,7 +11,7 @@
 
 namespace triptych {
 
-/// The whole file. Error (place: the path) if it cannot be read.
+/// The whole file. Error (place: the path) if it cannot be read, or is no regular file.
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 std::string read_text_file(const std::filesystem::path& path);
 

@@ -6,7 +6,6 @@
 #include "launch/build_flags.hpp"
 #include "launch/command.hpp"
 #include "launch/import_flags.hpp"
-#include "launch/named_files.hpp"
 #include "measure/json.hpp"
 #include "scene/import/import.hpp"
 
@@ -48,16 +47,13 @@ nlohmann::json report_json(const BuildReport& report, double seconds) {
 }
 
 int run(const BuildCommand& command) {
+  check_is_no_model_file({command.output, command.json}, command.flags.inputs);
   const Stopwatch stopwatch;
   ImportOptions import = command.flags.import;
   import.temporary_folder = std::filesystem::absolute(command.output).parent_path();
   import.position_cache_bytes = command.flags.options().memory / 16;
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
-  // Neither the pack nor the report may take the place of what it is made from; a model names files of its
-  // own.
-  for (const std::filesystem::path& output : {command.output, command.json})
-    check_is_none_of(output, model.files, "a file of the model");
   BuildOptions options = command.flags.options();
   options.fingerprint = build_fingerprint(command.flags, model.files);
   BuildReport report = build_pack(std::move(model), options, command.output);

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/import_flags.hpp"
+#include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
 
 #include <fmt/core.h>
@@ -116,6 +117,17 @@ void add_hierarchy_flag(CLI::App& command, BuildFlags& flags) {
   add_choice_flag(command, "--hierarchy", flags.defaults.hierarchy, hierarchies(),
                   "Partition, cluster, partition (pcp), or the original objects split at medians")
       ->default_str(name_of(flags.defaults.hierarchy));
+}
+
+void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
+                            const std::vector<std::filesystem::path>& models) {
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path& output : outputs) {
+    std::error_code error;
+    if (!std::filesystem::exists(output, error)) continue;  // nothing to lose, and no model to look through
+    if (files.empty()) files = files_of_models(models);
+    check_is_none_of(output, files, "a file of the model");
+  }
 }
 
 std::vector<std::string> build_arguments(const BuildFlags& flags) {

@@ -30,6 +30,10 @@ void add_build_flags(CLI::App& command, BuildFlags& flags);
 /// --hierarchy.
 void add_hierarchy_flag(CLI::App& command, BuildFlags& flags);
 
+/// Error (output) where it is a file of a model that is to be read: one that the model names itself, too.
+void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
+                            const std::vector<std::filesystem::path>& models);
+
 /// The arguments that give the same flags to `triptych build` in another process, --hierarchy included.
 std::vector<std::string> build_arguments(const BuildFlags& flags);
 

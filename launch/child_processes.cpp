@@ -20,6 +20,24 @@ namespace triptych {
 namespace {
 constexpr int slice_ms = 100;
 constexpr std::string_view complaint_prefix = "triptych: ", record_prefix = "triptych-record: ";
+
+/// Keeps signals waiting while a child is made: one that comes before its program has begun is the child's
+/// own, and not lost on the handlers of its starter.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsHeld() { release(); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  void release() const { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
 }  // namespace
 
 ChildProcesses::~ChildProcesses() {
@@ -50,6 +68,7 @@ pid_t ChildProcesses::launch(const std::string& name, const char* program, std::
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const pid_t parent = ::getpid();
+  const SignalsHeld held;
   const pid_t pid = ::fork();
   if (pid == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -59,8 +78,11 @@ pid_t ChildProcesses::launch(const std::string& name, const char* program, std::
     if (own_input) {
       ::dup2(input[0], STDIN_FILENO);
       // A terminal's signals are for this program: who carries what the other machine says stays till it has.
-      for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_IGN);
+      ::signal(SIGHUP, SIG_IGN);
     }
+    ::signal(SIGINT, own_input ? SIG_IGN : SIG_DFL);
+    ::signal(SIGTERM, SIG_DFL);
+    held.release();
     ::execv(program, pointers.data());
     ::_exit(127);
   }

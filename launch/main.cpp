@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   }
   try {
     triptych::check_files_differ(app);
+    triptych::check_files_can_be_used(app);
     const int code = action();
     if (std::fflush(stdout) != 0) return end_with(std::string("standard output: ") + std::strerror(errno));
     return code;

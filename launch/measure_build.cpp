@@ -42,6 +42,7 @@ void print(const nlohmann::json& report) {
 }
 
 int run(const MeasureBuildCommand& command) {
+  check_is_no_model_file({command.keep, command.json}, command.flags.inputs);
   // Beside the pack that is kept, so that it can be renamed; built under a new name, so that nothing of an
   // earlier build is resumed.
   const TemporaryFolder folder(command.keep.empty() ? std::filesystem::path()
@@ -81,6 +82,7 @@ struct YardstickCommand {
 };
 
 int run(const YardstickCommand& command) {
+  check_is_no_model_file({command.json}, command.inputs);
   const Model model = import_model(command.inputs, command.import);
   Yardstick yardstick;
   size_t passes = 0;

@@ -39,7 +39,7 @@ std::vector<SessionOutcome> run_sessions(const SessionOptions& options) {
     one.batches = {batch};
     if (!outcomes.empty()) one.record = one.timeline = "";  // those of the first one are what was asked for
     outcomes.push_back(run_session(one));
-    if (outcomes.back().stopped) return outcomes;
+    end_if_asked("measure session");
     const std::vector<FrameRecord>& frames = outcomes.back().records.front().frames;
     const std::vector<FrameRecord>& first = outcomes.front().records.front().frames;
     for (size_t i = 0; i < frames.size(); ++i) {
@@ -84,7 +84,6 @@ void print_latency_and_traffic(const nlohmann::json& report) {
 int run(SessionOptions options) {
   options.hash = true;
   std::vector<SessionOutcome> outcomes = run_sessions(options);
-  if (outcomes.back().stopped) return 0;
   nlohmann::json batches = nlohmann::json::array();
   for (size_t i = 0; i < outcomes.size(); ++i)
     batches.push_back(batch_json(options.batches[i], outcomes[i].records));

@@ -105,6 +105,7 @@ void print(const nlohmann::json& rows) {
 }
 
 int run(const MeasureSimplifiersCommand& command) {
+  check_is_no_model_file({command.run.json}, command.flags.inputs);
   load_path(command.run.path);  // what is wrong with it is said before anything is built
   std::vector<Simplifier> simplifiers = {Simplifier::collapse, Simplifier::openmesh, Simplifier::meshopt};
   std::vector<Bound> bounds = {Bound::fast, Bound::tight};

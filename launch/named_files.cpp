@@ -1,9 +1,11 @@
 #include "launch/named_files.hpp"
 
 #include "base/error.hpp"
+#include "base/file_access.hpp"
 
 #include <algorithm>
 #include <array>
+#include <fnmatch.h>
 #include <string_view>
 
 namespace triptych {
@@ -14,17 +16,72 @@ struct NamedFile {
   std::string flag;
   std::filesystem::path path;
   bool written, folder;
+  std::vector<std::string> puts;  ///< what is written into the folder
 };
 
 std::string type_of(const CLI::Option& option) { return option.get_type_name(); }
 
+/// Where it may be either, a picture or a folder of them, --frames decides.
+bool is_folder(const CLI::App& app, const CLI::Option& option) {
+  const CLI::Option* frames = app.get_option_no_throw("--frames");
+  return type_of(option) == "DIR" || (type_of(option) == "PATH" && frames && frames->count() > 0);
+}
+
 void collect(const CLI::App& app, std::vector<NamedFile>& files) {
   for (const CLI::Option* option : app.get_options()) {
     if (!names_files(*option)) continue;
-    for (const std::string& name : option->results())
-      files.push_back({option->get_name(), name, is_written(*option), type_of(*option) == "DIR"});
+    const bool written = is_written(*option), folder = is_folder(app, *option);
+    for (const std::string& name : option->results()) {
+      files.push_back({option->get_name(), name, written, folder, {}});
+      if (written && folder) files.back().puts = names_written_into(*option, app.get_name());
+    }
   }
   for (const CLI::App* chosen : app.get_subcommands()) collect(*chosen, files);
+}
+
+std::vector<NamedFile> files_of(const CLI::App& app) {
+  std::vector<NamedFile> files;
+  collect(app, files);
+  return files;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+/// Whether the file has a name that is given to what is put into the folder, by itself or where links lead.
+bool is_put_into(const NamedFile& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  for (const auto& name : {file, std::filesystem::weakly_canonical(file, error)}) {
+    if (!is_same_file(folder_of(name), folder.path)) continue;
+    for (const std::string& pattern : folder.puts) {
+      if (::fnmatch(pattern.c_str(), name.filename().c_str(), 0) == 0) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the path goes through the folder, or would.
+bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  std::error_code error;
+  for (auto above = std::filesystem::weakly_canonical(path, error); above.has_relative_path();) {
+    above = above.parent_path();
+    if (is_same_file(above, folder)) return true;
+  }
+  return false;
+}
+
+void check_apart(const NamedFile& file, const NamedFile& other) {
+  if (!(file.folder && other.folder) && is_same_file(file.path, other.path)) {
+    fail(file.path.string(), "{} would be written over {}, which the same command line names as {}",
+         file.flag, other.path.string(), other.flag);
+  }
+  if (!other.folder && is_put_into(file, other.path)) {
+    fail(other.path.string(), "is a name that this command gives to what it writes into its {} {}", file.flag,
+         file.path.string());
+  }
+  if (!file.folder && other.written && is_below(other.path, file.path))
+    fail(file.path.string(), "{} cannot be a file and the folder for {}", file.flag, other.path.string());
 }
 
 }  // namespace
@@ -58,15 +115,44 @@ bool names_files(const CLI::Option& option) {
                      [&](const std::string_view known) { return type.starts_with(known); });
 }
 
+std::vector<std::string> names_written_into(const CLI::Option& folder, const std::string& command) {
+  if (folder.get_name() == "--record") return {"*.recording"};
+  if (command == "report") return {"report.html", "report.json"};
+  constexpr std::array<std::string_view, 4> samples = {"building", "plant", "isosurface", "statue"};
+  if (std::count(samples.begin(), samples.end(), command) > 0)
+    return {"scene.*", "walk.json", "fly.json", "spin.json", "jump.json", "ATTRIBUTION.txt"};
+  return {"[0-9]*.png"};
+}
+
 void check_files_differ(const CLI::App& app) {
-  std::vector<NamedFile> files;
-  collect(app, files);
+  const std::vector<NamedFile> files = files_of(app);
+  for (const NamedFile& file : files) {
+    for (const NamedFile& other : files) {
+      if (file.written && &file != &other) check_apart(file, other);
+    }
+  }
+}
+
+void check_files_can_be_used(const CLI::App& app) {
+  const std::vector<NamedFile> files = files_of(app);
+  for (const NamedFile& file : files) {
+    if (file.path.empty()) fail(file.flag, "is given an empty name");
+    if (!file.written) file.folder ? check_folder_there(file.path) : check_readable(file.path);
+  }
+  // A file may go into a folder that the same command makes.
+  const auto will_be_made = [&](const std::filesystem::path& folder) {
+    return !std::filesystem::exists(folder) &&
+           std::any_of(files.begin(), files.end(), [&](const NamedFile& made) {
+             return made.written && made.folder &&
+                    (is_same_file(folder, made.path) || is_below(made.path, folder));
+           });
+  };
   for (const NamedFile& file : files) {
     if (!file.written) continue;
-    for (const NamedFile& other : files) {
-      if (&file == &other || (file.folder && other.folder) || !is_same_file(file.path, other.path)) continue;
-      fail(file.path.string(), "{} would be written over {}, which the same command line names as {}",
-           file.flag, other.path.string(), other.flag);
+    if (file.folder) {
+      check_folder_writable(file.path);
+    } else if (!will_be_made(folder_of(file.path))) {
+      check_writable(file.path);
     }
   }
 }

@@ -99,7 +99,8 @@ int run(const ReplayCommand& command) {
          header.own.pack_hash, pack.content_hash());
   }
   for (const std::filesystem::path& output : {command.output, command.json}) {
-    check_is_none_of(output, files, "a part of the recording");
+    for (const Role role : all_roles)
+      check_is_none_of(output, recordings_of(role, command.folder), "a part of the recording");
     check_is_none_of(output, {header.pack}, "the pack of the recording");
   }
   if (!command.frame) make_folder(command.output);

@@ -22,6 +22,8 @@ int run(const ReportCommand& command) {
   const nlohmann::json merged = report_json(report);
   std::vector<std::filesystem::path> sources = {command.manifest};
   for (const ReportEntry& entry : report.entries) sources.push_back(entry.file);
+  for (const ReportPicture& picture : report.pictures)
+    sources.push_back(command.manifest.parent_path() / picture.file);
   for (const char* name : {"report.html", "report.json"})
     check_is_none_of(command.output / name, sources, "what the report is made from");
   check_is_none_of(command.json, sources, "what the report is made from");

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "lod/check/check_distances.hpp"
 #include "lod/cut.hpp"
+#include "nodes/inbox.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@ namespace triptych {
 
 namespace {
 
+constexpr const char* stage = "deviation";
+
 /// The drawables of the cuts along each path, ascending.
 std::vector<std::vector<DrawableId>> drawables_along(const Skeleton& skeleton,
                                                      std::span<const std::vector<FrameRequest>> paths) {
@@ -20,6 +23,7 @@ std::vector<std::vector<DrawableId>> drawables_along(const Skeleton& skeleton,
     std::vector<uint8_t> used(skeleton.drawables.size(), 0);
     for (const FrameRequest& frame : frames) {
       for (const DrawableId id : select_cut(skeleton, frame.view, frame.pixel_error).drawables) used[id] = 1;
+      end_if_asked(stage);
     }
     std::vector<DrawableId>& drawables = all.emplace_back();
     for (DrawableId id = 0; id < used.size(); ++id) {
@@ -36,7 +40,7 @@ std::vector<double> distances(const Pack& pack, const std::vector<std::vector<Dr
   for (const auto& list : lists) wanted.insert(wanted.end(), list.begin(), list.end());
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  const std::vector<double> measured = measured_distances(pack, wanted, points);
+  const std::vector<double> measured = measured_distances(pack, wanted, points, [] { end_if_asked(stage); });
   std::vector<double> distances(pack.skeleton().drawables.size(), 0);
   for (size_t i = 0; i < wanted.size(); ++i) {
     if (std::isnan(measured[i]))
@@ -82,7 +86,10 @@ std::vector<PathDeviation> measure_deviation(const Pack& pack,
         ratios.push_back(skeleton.drawables[id].error / measured[id]);
     }
     deviation.bound_over_measured = distribution(ratios);
-    for (const FrameRequest& frame : paths[path]) add_frame(deviation, skeleton, frame, measured);
+    for (const FrameRequest& frame : paths[path]) {
+      add_frame(deviation, skeleton, frame, measured);
+      end_if_asked(stage);
+    }
   }
   return deviations;
 }

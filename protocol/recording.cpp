@@ -2,13 +2,11 @@
 
 #include "base/bytes.hpp"
 #include "base/descriptor.hpp"
+#include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "protocol/wire.hpp"
 
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <unistd.h>
 #include <utility>
 
@@ -78,13 +76,10 @@ void RecordingWriter::finish() {
   append(content.bytes());
 }
 
-RecordingReader::RecordingReader(std::filesystem::path file) : path_(std::move(file)) {
-  std::error_code error;
-  size_ = std::filesystem::file_size(path_, error);
-  if (error) fail(path_.string(), "is no recording of a session: {}", error.message());
-  file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file_ < 0) fail(path_.string(), "cannot be read: {}", std::strerror(errno));
+RecordingReader::RecordingReader(std::filesystem::path file)
+    : path_(std::move(file)), file_(open_to_read(path_)) {
   try {
+    size_ = size_of(file_, path_.string());
     read_header();
   } catch (...) {
     ::close(file_);

@@ -2,13 +2,12 @@
 
 #include "base/bytes.hpp"
 #include "base/descriptor.hpp"
+#include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "scene/pack_skeleton.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace triptych {
@@ -106,13 +105,9 @@ void PackWriter::finish(Skeleton skeleton) {
   file_.commit();
 }
 
-Pack::Pack(const std::filesystem::path& file) : name_(file.string()) {
-  file_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file_ < 0) fail(name_, "cannot be opened: {}", std::strerror(errno));
+Pack::Pack(const std::filesystem::path& file) : name_(file.string()), file_(open_to_read(file)) {
   try {
-    const off_t end = ::lseek(file_, 0, SEEK_END);
-    if (end < 0) fail(name_, "cannot be read: {}", std::strerror(errno));
-    size_ = static_cast<uint64_t>(end);
+    size_ = size_of(file_, name_);
     read_table();
   } catch (...) {
     ::close(file_);

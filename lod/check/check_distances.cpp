@@ -6,7 +6,6 @@
 #include "lod/check/check_surfaces.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <glm/vec4.hpp>
 #include <limits>
 #include <numeric>
@@ -77,16 +76,23 @@ void for_each_point(const PackSurfaces& surfaces, const std::vector<uint32_t>& p
 }
 
 /// The largest distance found between the drawable and its source, both ways.
-double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t points) {
+double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t points,
+                         const std::function<void()>& between) {
   const Drawable& drawable = surfaces.skeleton().drawables[id];
   std::vector<uint32_t> own(drawable.placement_count);
   for (uint32_t i = 0; i < drawable.placement_count; ++i) own[i] = drawable.first_placement + i;
   double largest = 0;
+  uint64_t visited = 0;
+  const auto pause = [&] {
+    if (++visited % 1024 == 0) between();
+  };
   for_each_point(surfaces, own, points / 2, [&](const glm::dvec3& point) {
+    pause();
     largest = std::max(largest, surfaces.distance_to_source(drawable.scene_node, point, largest));
   });
   for_each_point(surfaces, surfaces.source_placements(drawable.scene_node), points / 2,
                  [&](const glm::dvec3& point) {
+                   pause();
                    largest = std::max(largest, surfaces.distance_to_drawable(id, point, largest));
                  });
   return largest;
@@ -135,7 +141,7 @@ std::vector<double> measured_distances(const Pack& pack, uint64_t points) {
 }
 
 std::vector<double> measured_distances(const Pack& pack, std::span<const DrawableId> drawables,
-                                       uint64_t points) {
+                                       uint64_t points, const std::function<void()>& between) {
   const Skeleton& skeleton = pack.skeleton();
   const PackSurfaces surfaces(pack);
   std::vector<double> measured(drawables.size(), std::numeric_limits<double>::quiet_NaN());
@@ -144,9 +150,11 @@ std::vector<double> measured_distances(const Pack& pack, std::span<const Drawabl
   parallel_for(measured.size(), [&](size_t i) {
     const size_t place = measured.size() - 1 - i;  // siblings together, leaves first
     const DrawableId id = drawables[place];
+    between();
     try {
-      measured[place] = is_source(skeleton, id) ? 0 : measured_distance(surfaces, id, share);
+      measured[place] = is_source(skeleton, id) ? 0 : measured_distance(surfaces, id, share, between);
     } catch (const Error&) {  // a damaged chunk; whoever asks reads every chunk besides
+      between();              // or it was what this throws
     }
     progress.advance();
   });

@@ -3,6 +3,7 @@
 
 #include "scene/pack.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,10 @@ bool is_source(const Skeleton& skeleton, DrawableId id);
 /// same for the same pack.
 std::vector<double> measured_distances(const Pack& pack, uint64_t points);
 
-/// The same for the given drawables alone, in their order. NaN as above.
-std::vector<double> measured_distances(const Pack& pack, std::span<const DrawableId> drawables,
-                                       uint64_t points);
+/// The same for the given drawables alone, in their order. NaN as above. `between` is called every now and
+/// then, by any thread; an Error that it throws, and would throw again, ends the measurement.
+std::vector<double> measured_distances(
+    const Pack& pack, std::span<const DrawableId> drawables, uint64_t points,
+    const std::function<void()>& between = [] {});
 
 }  // namespace triptych

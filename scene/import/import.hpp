@@ -41,6 +41,11 @@ struct ImportOptions {
 /// that is missing, damaged, empty of triangles or of an unknown format.
 Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options = {});
 
+/// The models' own files: these, and the buffers, material libraries and textures that they name, read or
+/// not, there or not. What triptych-import opens beside a file is not among them. Geometry is not read. Error
+/// for a file that cannot be opened.
+std::vector<std::filesystem::path> files_of_models(const std::vector<std::filesystem::path>& models);
+
 /// The extensions that import_model knows, with their dots: those of our own readers, then those that
 /// triptych-import reads.
 std::vector<std::string> known_extensions();

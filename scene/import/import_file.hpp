@@ -78,6 +78,10 @@ void import_ply(FileImport& target);
 void import_stl(FileImport& target);
 void import_other(FileImport& target);  ///< whatever triptych-import reads
 
+/// The files that one names to be read with it, textures included. Error for a file that cannot be opened.
+std::vector<std::filesystem::path> files_beside_gltf(const std::filesystem::path& file);
+std::vector<std::filesystem::path> files_beside_obj(const std::filesystem::path& file);
+
 /// A .glb that is at hand: what triptych-import made of a file.
 void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source);
 

@@ -36,6 +36,8 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
 /// Takes the values of the top-level member "images" and "buffers" out of the JSON text, and returns the
 /// latter; empty if there is none. Error (place, byte) for JSON nested too deeply for a parser.
 std::string take_buffers(std::string& json, const std::string& place);
+/// The files that buffers and images of the JSON text name; values that mean nothing are passed over.
+std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place);
 /// Finds what the JSON value "buffers" names. Files are looked for in the folder, and a buffer without an URI
 /// is `binary`, the second chunk of a binary file.
 std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string& folder,

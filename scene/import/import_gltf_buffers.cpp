@@ -103,6 +103,23 @@ std::string take_buffers(std::string& json, const std::string& place) {
   return buffers;
 }
 
+std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place) {
+  std::vector<std::string> names;
+  for (const Member& member : outermost_members(text, place)) {
+    if (member.name != "buffers" && member.name != "images") continue;
+    const auto value = text.begin() + static_cast<std::ptrdiff_t>(member.begin);
+    const auto list =
+        nlohmann::json::parse(value, text.begin() + static_cast<std::ptrdiff_t>(member.end), nullptr, false);
+    for (const auto& entry : list) {
+      const auto uri = entry.is_object() ? entry.find("uri") : entry.end();
+      if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
+      if (!tinygltf::IsDataURI(uri->get<std::string>()))
+        names.push_back(without_percents(uri->get<std::string>()));
+    }
+  }
+  return names;
+}
+
 std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string& folder,
                                      const std::optional<GltfBuffer>& binary, const std::string& file_place) {
   std::vector<GltfBuffer> buffers;

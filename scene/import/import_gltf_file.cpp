@@ -99,6 +99,14 @@ void check_extensions(const tinygltf::Model& gltf, FileImport& target) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> files_beside_gltf(const std::filesystem::path& file) {
+  const auto container = open_container(std::make_shared<StreamSource>(file), file.string());
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : names_in_gltf(container.json, file.string()))
+    files.push_back(file.parent_path() / name);
+  return files;
+}
+
 GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>& source) {
   const std::string place = target.place();
   auto [json, binary] = open_container(source, place);

@@ -12,6 +12,22 @@ namespace triptych {
 
 namespace {
 
+std::filesystem::path beside(const std::filesystem::path& file, std::string_view name) {
+  std::string portable(name);
+  std::replace(portable.begin(), portable.end(), '\\', '/');
+  return file.parent_path() / portable;
+}
+
+/// What a statement names: one file with blanks in its name, or several.
+std::vector<std::string_view> names_in(std::string_view names, const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(beside(file, names), error)) return {names};
+  std::vector<std::string_view> words;
+  for (std::string_view name = take_word(names); !name.empty(); name = take_word(names))
+    words.push_back(name);
+  return words;
+}
+
 class ObjImport {
  public:
   explicit ObjImport(FileImport& target) : target_(target), reader_(target.file()), spool_(target) {}
@@ -104,21 +120,15 @@ class ObjImport {
   }
 
   void read_libraries(std::string_view names) {
-    // One name with blanks in it, or several names.
-    if (std::filesystem::is_regular_file(beside(names))) return read_library(beside(names));
-    for (std::string_view name = take_word(names); !name.empty(); name = take_word(names)) {
-      if (std::filesystem::is_regular_file(beside(name))) {
-        read_library(beside(name));
+    for (const std::string_view name : names_in(names, target_.file())) {
+      const std::filesystem::path library = beside(target_.file(), name);
+      std::error_code error;
+      if (std::filesystem::is_regular_file(library, error)) {
+        read_library(library);
       } else {
         target_.warn(fmt::format("material library is missing: {}", name));
       }
     }
-  }
-
-  std::filesystem::path beside(std::string_view name) const {
-    std::string portable(name);
-    std::replace(portable.begin(), portable.end(), '\\', '/');
-    return target_.file().parent_path() / portable;
   }
 
   void read_library(const std::filesystem::path& file) {
@@ -180,5 +190,34 @@ class ObjImport {
 }  // namespace
 
 void import_obj(FileImport& target) { ObjImport(target).run(); }
+
+namespace {
+/// Adds the files of the statements whose first word is wanted.
+void add_named(const std::filesystem::path& file, bool (*wanted)(std::string_view),
+               std::vector<std::filesystem::path>& files) {
+  ImportReader reader(file);
+  for (std::string_view line; reader.next_line(line);) {
+    if (!wanted(take_word(line))) continue;
+    for (const std::string_view name : names_in(trimmed(line), file)) files.push_back(beside(file, name));
+  }
+}
+}  // namespace
+
+std::vector<std::filesystem::path> files_beside_obj(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files;
+  add_named(
+      file, [](std::string_view word) { return word == "mtllib"; }, files);
+  for (size_t i = 0, libraries = files.size(); i < libraries; ++i) {
+    const std::filesystem::path library = files[i];
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(library, error)) continue;
+    constexpr auto texture = [](std::string_view word) {
+      return word.starts_with("map_") || word == "bump" || word == "disp" || word == "decal" ||
+             word == "refl" || word == "norm";
+    };
+    add_named(library, texture, files);
+  }
+  return files;
+}
 
 }  // namespace triptych

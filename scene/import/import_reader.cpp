@@ -1,6 +1,8 @@
 #include "scene/import/import_reader.hpp"
 
+#include "base/descriptor.hpp"
 #include "base/error.hpp"
+#include "base/file_access.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -19,14 +21,10 @@ bool is_blank(char letter) {
 }
 }  // namespace
 
-ImportReader::ImportReader(const std::filesystem::path& file) : name_(file.string()) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) fail(name_, "cannot be opened: {}", std::strerror(ENOENT));
-  if (!std::filesystem::is_regular_file(status)) fail(name_, "is not a file");
-  size_ = std::filesystem::file_size(file, error);
-  file_ = error ? nullptr : std::fopen(file.c_str(), "rb");
-  if (!file_) fail(name_, "cannot be opened: {}", error ? error.message() : std::strerror(errno));
+ImportReader::ImportReader(const std::filesystem::path& file)
+    : name_(file.string()), file_(::fdopen(open_to_read(file), "rb")) {
+  if (!file_) fail(name_, "cannot be opened: {}", std::strerror(errno));
+  size_ = size_of(::fileno(file_), name_);
 }
 
 ImportReader::~ImportReader() { std::fclose(file_); }

@@ -1,11 +1,11 @@
 #include "scene/import/mesh_stream_source.hpp"
 
 #include "base/descriptor.hpp"
+#include "base/file_access.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,14 +19,12 @@ int64_t changed_ns(const struct stat& status) {
   return int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
 }
 
-int open_to_read(const std::string& name) { return ::open(name.c_str(), O_RDONLY | O_CLOEXEC); }
-
 }  // namespace
 
 StreamSource::StreamSource(const std::filesystem::path& file) : name_(file.string()) {
   struct stat status {};
+  check_readable(file);
   if (::stat(name_.c_str(), &status) != 0) fail(name_, "cannot be opened: {}", std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) fail(name_, "is not a file");
   size_ = static_cast<uint64_t>(status.st_size);
   changed_ns_ = changed_ns(status);
 }
@@ -50,7 +48,6 @@ SourceReader::SourceReader(std::shared_ptr<const StreamSource> source) : source_
   descriptor_ = source_->descriptor_;
   if (descriptor_ >= 0) return;
   descriptor_ = open_to_read(source_->name());
-  if (descriptor_ < 0) fail(source_->name(), "cannot be opened: {}", std::strerror(errno));
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0 || static_cast<uint64_t>(status.st_size) != source_->size() ||
       changed_ns(status) != source_->changed_ns_) {

@@ -82,7 +82,15 @@ TEST_F(MeasureCommands, a_build_does_not_take_the_place_of_its_model) {
   const std::string materials = folder.file("model.mtl");
   std::ofstream(materials) << "newmtl grey\n";
   std::ofstream(model) << "mtllib model.mtl\n" << before;
-  EXPECT_NE(failure({"build", model, "-o", materials}).find("file of the model"), std::string::npos);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"build", model, "-o", materials},
+           {"build", model, "-o", folder.file("x.tpk"), "--json", materials},
+           {"measure", "build", model, "--keep", materials},
+           {"measure", "build", model, "--json", materials},
+           {"measure", "yardstick", model, "--json", materials},
+           {"measure", "hierarchy", model, "--path", path, "--json", materials},
+           {"measure", "simplifiers", model, "--path", path, "--json", materials}})
+    EXPECT_EQ(failure(words), "triptych: " + materials + ": is a file of the model, which would be lost");
   EXPECT_EQ(text_of(materials), "newmtl grey\n");
   EXPECT_EQ(folder.files(), 3u);
 }
@@ -92,6 +100,20 @@ TEST_F(MeasureCommands, build_of_a_broken_model_is_one_line_and_leaves_nothing) 
   const std::string line = failure(measure("build", {"--keep", folder.file("kept.tpk")}));
   EXPECT_NE(line.find("model.obj"), std::string::npos) << line;
   EXPECT_EQ(folder.files(), 2u);
+}
+
+TEST_F(MeasureCommands, a_path_that_sees_nothing_has_numbers_all_the_same) {
+  const nlohmann::json away = {{"eye", {7, 9, 7}}, {"target", {7, 19, 7}}, {"up", {1, 0, 0}}};
+  std::ofstream(path) << nlohmann::json{
+      {"triptych_path", 1}, {"fov_y_degrees", 60}, {"frames", {away, away}}};
+  const std::string pack = folder.file("kept.tpk");
+  run(measure("hierarchy", {"--path", path, "--size", "32x32", "--rounds", "1"}));
+  EXPECT_EQ(text_of(json).find("null"), std::string::npos) << text_of(json);
+  EXPECT_EQ(json_of(json)["rows"][0]["drawn_triangles"]["max"], 0);
+  run({"build", model, "-o", pack});
+  run({"measure", "session", pack, "--path", path, "--size", "32x32", "--json", json});
+  EXPECT_EQ(text_of(json).find("null"), std::string::npos) << text_of(json);
+  EXPECT_EQ(json_of(json)["identical_frames"], 2);
 }
 
 TEST_F(MeasureCommands, hierarchy_puts_both_hierarchies_side_by_side) {

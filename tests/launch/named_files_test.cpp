@@ -22,14 +22,15 @@ class NamedFiles : public testing::Test {
     for (const std::string& file : {pack, path}) std::ofstream(file) << "something";
   }
   /// What is said about the command line; empty where it may run.
-  static std::string refusal(std::vector<std::string> words) {
+  static std::string refusal(std::vector<std::string> words,
+                             void (*check)(const CLI::App&) = check_files_differ) {
     CLI::App app;
     Action action;
     add_all(app, action);
     std::reverse(words.begin(), words.end());
     app.parse(std::move(words));
     try {
-      check_files_differ(app);
+      check(app);
     } catch (const Error& error) {
       return error.what();
     }
@@ -61,6 +62,60 @@ TEST_F(NamedFiles, two_outputs_are_two_files_also_where_neither_is_there) {
   EXPECT_NE(refusal({"build", pack, "-o", fresh, "--json", fresh}), "");
   EXPECT_NE(refusal({"build", pack, "-o", fresh, "--json", folder.file("./new")}), "");
   EXPECT_NE(refusal({"render", pack, "--path", path, "-o", fresh, "--timeline", fresh}), "");
+}
+
+TEST_F(NamedFiles, an_output_has_no_name_that_the_command_gives_to_others_in_its_folder) {
+  const std::string pictures = folder.file("pictures");
+  const auto inside = [&](const std::string& name) { return pictures + "/" + name; };
+  EXPECT_EQ(refusal({"render", pack, "--path", path, "-o", pictures, "--json", inside("000017.png")}),
+            inside("000017.png") +
+                ": is a name that this command gives to what it writes into its --output " + pictures);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"session", pack, "--path", path, "-o", pictures, "--timeline", inside("000001.png")},
+           {"session", pack, "--path", path, "--record", pictures, "--json", inside("render.recording")},
+           {"replay", folder.file(""), "--frames", "all", "-o", pictures, "--json", inside("000001.png")},
+           {"sample", "plant", "-o", pictures, "--json", inside("walk.json")},
+           {"sample", "statue", "-o", pictures, "--json", inside("scene.ply")},
+           {"report", path, "-o", pictures, "--json", inside("report.json")},
+           {"report", inside("report.json"), "-o", pictures}})
+    EXPECT_NE(refusal(words), "") << words[0] << " " << words.back();
+  EXPECT_EQ(refusal({"render", pack, "--path", path, "-o", pictures, "--json", inside("report.json")}), "");
+  EXPECT_EQ(refusal({"sample", "plant", "-o", pictures, "--json", inside("sample.json")}), "");
+}
+
+TEST_F(NamedFiles, an_output_is_no_folder_of_another_one) {
+  EXPECT_NE(refusal({"render", pack, "--path", path, "-o", fresh + "/a/b", "--json", fresh + "/a"}), "");
+  EXPECT_NE(refusal({"build", path, "-o", fresh, "--json", fresh + "/report.json"}), "");
+}
+
+TEST_F(NamedFiles, what_cannot_be_read_or_written_is_said_before_any_work) {
+  const auto said = [](const std::vector<std::string>& words) {
+    return refusal(words, check_files_can_be_used);
+  };
+  const std::string here = folder.file("."), nowhere = folder.file("none/x");
+  EXPECT_EQ(said({"info", here}), here + ": is a folder, not a file");
+  EXPECT_EQ(said({"session", pack, "--path", path, "--key-file", here}), here + ": is a folder, not a file");
+  EXPECT_EQ(said({"build", path, nowhere, "-o", fresh}),
+            nowhere + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(said({"info", pack, "--json", nowhere}),
+            nowhere + ": cannot be written: No such file or directory");
+  EXPECT_EQ(said({"info", pack, "--json", ""}), "--json: is given an empty name");
+  EXPECT_EQ(said({"replay", pack, "--frame", "1", "-o", fresh}), pack + ": is a file, not a folder");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"build", path, "-o", nowhere},
+           {"measure", "build", path, "--keep", nowhere},
+           {"render", pack, "--path", path, "-o", fresh, "--timeline", nowhere},
+           {"render", pack, "--path", path, "-o", pack + "/below"},
+           {"session", pack, "--path", path, "--record", pack + "/below"},
+           {"sample", "building", "-o", pack + "/below"},
+           {"replay", here, "--frame", "1", "-o", nowhere},
+           {"report", path, "-o", pack + "/below"}})
+    EXPECT_NE(said(words), "") << words[0] << " " << words.back();
+  EXPECT_EQ(said({"sample", "plant", "-o", nowhere, "--json", nowhere + "/sample.json"}), "")
+      << "the folder will be there";
+  EXPECT_EQ(said({"sample", "plant", "-o", nowhere, "--json", folder.file("none/sample.json")}), "");
+  EXPECT_NE(said({"sample", "plant", "-o", nowhere, "--json", nowhere + "/below/sample.json"}), "");
+  EXPECT_EQ(folder.files(), 2u) << "asking leaves nothing behind";
 }
 
 TEST_F(NamedFiles, links_lead_to_the_same_file) {

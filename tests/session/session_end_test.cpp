@@ -95,6 +95,19 @@ TEST_F(SessionEnd, a_signal_ends_every_role_in_good_order) {
   }
 }
 
+TEST_F(SessionEnd, a_measurement_that_is_told_to_end_has_failed_and_leaves_nothing) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const size_t before = folder.files();
+    Program program(measure({"--loop", "100000"}));
+    program.role("switch 1");
+    program.signal(signal);
+    EXPECT_EQ(program.wait(std::chrono::seconds(30)), 1) << program.errors();
+    EXPECT_EQ(program.complaints(), std::vector<std::string>{"triptych: measure session: was told to end"});
+    EXPECT_FALSE(program.anybody_left());
+    EXPECT_EQ(folder.files(), before);
+  }
+}
+
 TEST_F(SessionEnd, a_session_that_ignores_hangups_goes_on) {
   const auto before = ::signal(SIGHUP, SIG_IGN);  // as nohup does; programs that are started inherit it
   Program program(endless({"-o", folder.file("pictures"), "--json", json}));

@@ -1,8 +1,11 @@
 #include "lod/check/check.hpp"
 
+#include "base/error.hpp"
+#include "lod/check/check_distances.hpp"
 #include "lod/check/check_surfaces.hpp"
 #include "tests/support/small_pack.hpp"
 
+#include <atomic>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -121,6 +124,23 @@ TEST(Check, says_the_same_twice_and_no_more_than_it_was_asked_for) {
   EXPECT_EQ(once.bound_violations, 3u);
   EXPECT_EQ(once.messages.size(), 2u);
   EXPECT_EQ(once.messages, again.messages);
+}
+
+TEST(Check, a_measurement_ends_when_it_is_told_to_before_or_in_the_middle_of_a_drawable) {
+  SmallPack pack = small_pack();
+  const Pack opened(write_pack(pack));
+  const std::vector<DrawableId> all = {0, 1, 2, 3, 4};
+  std::atomic<int> calls = 0;
+  const std::vector<double> whole = measured_distances(opened, all, 10'000, [&] { ++calls; });
+  EXPECT_EQ(whole, measured_distances(opened, 10'000));
+  ASSERT_GE(calls, 5);
+  for (int last = 0; last < calls; ++last) {
+    std::atomic<int> left = last;
+    const auto told = [&] {
+      if (--left < 0) fail("check", "was told to end");
+    };
+    EXPECT_THROW(measured_distances(opened, all, 10'000, told), Error) << last;
+  }
 }
 
 TEST(CheckSurfaces, the_distance_to_a_triangle_is_the_least_over_its_points) {

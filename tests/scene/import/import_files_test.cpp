@@ -1,6 +1,8 @@
 // Which files a model was read from: who resumes a build has to know whether they changed.
 #include "import_support.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 namespace {
 
@@ -40,6 +42,35 @@ TEST(ImportFiles, are_the_models_the_buffers_and_the_material_libraries_that_the
   const Model model = import_model({first, second});
   EXPECT_EQ(names(model), (std::vector<std::string>{"a.gltf", "corners.bin", "b.obj", "paint.mtl"}));
   for (const auto& file : model.files) EXPECT_TRUE(std::filesystem::exists(file)) << file;
+  // They are known without reading the models.
+  const auto known = files_of_models({first, second});
+  for (const auto& file : model.files) {
+    EXPECT_TRUE(std::any_of(known.begin(), known.end(), [&](const auto& other) {
+      return std::filesystem::equivalent(file, other);
+    })) << file;
+  }
+}
+
+TEST(ImportFiles, textures_are_files_of_their_model_though_they_are_not_drawn) {
+  const auto first = write_model("a.gltf", R"({"images": [{"uri": "a%20wall.png"}, {"uri": "data:,"}, 7]})");
+  const auto second = write_model("b.obj", "mtllib two words.mtl\n");
+  write_model("two words.mtl", "newmtl red\nmap_Kd -s 1 1 1 brick.png\n");
+  std::vector<std::string> names;
+  for (const auto& file : files_of_models({first, second})) names.push_back(file.filename().string());
+  for (const char* name : {"a.gltf", "a wall.png", "b.obj", "two words.mtl", "brick.png"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+}
+
+TEST(ImportFiles, of_damaged_models_are_those_that_can_be_made_out) {
+  for (const char* text : {"", "glTF", "{", R"({"buffers": 7})", R"({"buffers": [{"uri": 7}, {"uri")",
+                           R"({"buffers": {"uri": "x"}, "images": [[[]]]})"}) {
+    const auto file = write_model("a.gltf", text);
+    try {
+      EXPECT_EQ(files_of_models({file}).front(), file);
+    } catch (const Error&) {
+      // The importer says the same.
+    }
+  }
 }
 
 TEST(ImportFiles, embedded_buffers_are_no_files) {

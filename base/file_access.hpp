@@ -1,0 +1,23 @@
+// Which files can be read and written: found out before there is any work to lose, and nothing is left
+// behind.
+#pragma once
+
+#include <filesystem>
+
+namespace triptych {
+
+/// Error (file) unless it is a regular file that this process may read; says what else is there: a folder, a
+/// pipe, a socket or a device.
+void check_readable(const std::filesystem::path& file);
+/// The same, and opens it; the descriptor is the caller's to close.
+int open_to_read(const std::filesystem::path& file);
+
+/// Error (folder) unless it is a folder.
+void check_folder_there(const std::filesystem::path& folder);
+
+/// Error (file) where no regular file can be put under this name.
+void check_writable(const std::filesystem::path& file);
+/// Error (folder) unless files can be put into it, or into a folder that can be made under this name.
+void check_folder_writable(const std::filesystem::path& folder);
+
+}  // namespace triptych
