@@ -59,6 +59,25 @@ TEST(CommandLine, counts_are_whole_numbers_in_decimal_digits) {
   }
 }
 
+TEST(CommandLine, bytes_are_whole_numbers_with_a_suffix_that_do_not_overflow) {
+  const auto refused = [](const std::string& value) {
+    CLI::App app;
+    Action action;
+    add_build(app, action);
+    try {
+      app.parse(std::vector<std::string>{value, "--memory", "x.tpk", "-o", "x.obj", "build"});
+    } catch (const CLI::ValidationError& error) {
+      EXPECT_NE(std::string(error.what()).find("is no number of bytes from 128M on"), std::string::npos);
+      return true;
+    }
+    return false;
+  };
+  for (const char* value : {"128M", "134217728", "1g", "0500M", "16T"}) EXPECT_FALSE(refused(value)) << value;
+  for (const char* value : {"", "-1", "-1G", "nan", "1.5G", "0x80000000", "127M", "1GG", "G", "1 G", "1X",
+                            "18446744073709551616", "16777216T", "99999999999999999999G"})
+    EXPECT_TRUE(refused(value)) << value;
+}
+
 TEST(CommandLine, flags_may_stand_before_what_they_are_about) {
   for (const std::string line : {"render --pixel-error 2 pack.tpk --path walk.json -o pictures",
                                  "session --batch 7 pack.tpk --path walk.json",
