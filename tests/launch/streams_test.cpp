@@ -54,6 +54,12 @@ TEST_F(Streams, that_are_closed_leave_files_as_they_should_be) {
   }
 }
 
+TEST_F(Streams, temporary_files_want_a_folder) {
+  EXPECT_EQ(run("TMPDIR=none $triptych measure build one.obj 2>line"), 1);
+  EXPECT_EQ(text("line"),
+            "triptych: TMPDIR: names no folder for temporary files: No such file or directory\n");
+}
+
 TEST_F(Streams, a_command_that_is_terminated_takes_its_unfinished_files_along) {
   // A plant has its unfinished file from the first moment on, for seconds. 3: it was over before anything
   // could be seen; 4: something stayed.
