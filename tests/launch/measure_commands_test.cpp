@@ -116,13 +116,6 @@ TEST_F(MeasureCommands, a_path_that_sees_nothing_has_numbers_all_the_same) {
   EXPECT_EQ(json_of(json)["identical_frames"], 2);
 }
 
-TEST_F(MeasureCommands, temporary_files_want_a_folder) {
-  ASSERT_EQ(::setenv("TMPDIR", folder.file("none").c_str(), 1), 0);
-  EXPECT_EQ(failure(measure("build")),
-            "triptych: TMPDIR: names no folder for temporary files: Not a directory");
-  ::unsetenv("TMPDIR");
-}
-
 TEST_F(MeasureCommands, hierarchy_puts_both_hierarchies_side_by_side) {
   run(measure("hierarchy", {"--path", path, "--size", "96x64", "--rounds", "2"}));
   const nlohmann::json report = json_of(json);
