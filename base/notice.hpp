@@ -1,6 +1,8 @@
 // Lines on standard error that tell what goes on.
 #pragma once
 
+#include "base/one_line.hpp"
+
 #include <cstdio>
 #include <fmt/core.h>
 #include <string>
@@ -13,10 +15,10 @@ inline void say(const std::string& text) {
   std::fflush(stderr);
 }
 
-/// The same of one line.
+/// The same of one line, whatever stands in the arguments.
 template <typename... Arguments>
 void notice(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  say(fmt::format(format, std::forward<Arguments>(arguments)...) + "\n");
+  say(one_line(fmt::format(format, std::forward<Arguments>(arguments)...)) + "\n");
 }
 
 }  // namespace triptych

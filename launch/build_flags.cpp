@@ -42,15 +42,6 @@ std::string name_in(const std::map<std::string, Value>& names, Value wanted) {
   fail("build", "an option {} has no name", static_cast<int>(wanted));
 }
 
-const CLI::Validator enough_memory(
-    [](std::string& text) {
-      uint64_t bytes = 0;
-      return CLI::detail::lexical_cast(text, bytes) && bytes >= least_memory
-                 ? std::string()
-                 : fmt::format("{} bytes are too few; it takes at least 128M", text);
-    },
-    "");
-
 /// Path, size and time of change.
 std::string identity(const std::filesystem::path& file) {
   std::error_code error;
@@ -91,8 +82,7 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
   command
       .add_option("--memory", flags.defaults.memory,
                   "The resident size that the build aims to stay below, at least 128M")
-      ->transform(CLI::AsSizeValue(false).description(""))
-      ->check(enough_memory)
+      ->transform(bytes_from(least_memory, "128M"))
       ->type_name("BYTES")
       ->default_str("1G");
   command.add_flag("--bake-instances", flags.bake_instances,

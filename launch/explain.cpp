@@ -179,6 +179,7 @@ void add_explain(CLI::App& app, Action& action) {
   sub->add_option("--pixel", command->pixel, "The pixel, counted from the left and the top")
       ->delimiter(',')
       ->expected(2)
+      ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->type_name("X,Y");
   sub->add_option("--drawable", command->drawable, "A drawable by its id: what became of it")
       ->check(whole_number(0, no_id));

@@ -2,6 +2,7 @@
 // as Assimp crashes on some hostile files; triptych starts it (scene/import/converter.hpp). Warnings and at
 // most one complaint go to standard error, a line each, as "warning: ..." and "triptych: ...".
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "launch/import_glb.hpp"
 
 #include <assimp/DefaultLogger.hpp>
@@ -35,14 +36,9 @@ class Warnings : public Assimp::LogStream {
     // "Warn,  T4321: what"
     if (const size_t colon = text.find(": "); colon != std::string::npos) text.erase(0, colon + 2);
     if (known_.size() < most && known_.insert(text).second)
-      fmt::print(stderr, "warning: {}\n", one_line(text));
+      fmt::print(stderr, "warning: {}\n", short_line(text));
   }
-  static std::string one_line(std::string text) {
-    for (char& letter : text) {
-      if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
-    }
-    return text.substr(0, 160);
-  }
+  static std::string short_line(const std::string& text) { return one_line(text.substr(0, 160)); }
 
  private:
   static constexpr size_t most = 20;
@@ -112,7 +108,7 @@ void convert(const std::string& file) {
   if (!scene) {
     const std::string why = importer.GetErrorString();
     if (why.find("bad_alloc") != std::string::npos) out_of_memory();
-    fail("Assimp", "{}", Warnings::one_line(why));
+    fail("Assimp", "{}", Warnings::short_line(why));
   }
   const FbxConvention convention = extension_of(file) == ".fbx" ? fbx_convention(*scene) : FbxConvention{};
   ConversionNotes notes;
@@ -155,7 +151,7 @@ int main(int count, char** arguments) {
     std::fflush(nullptr);
     ::_exit(0);  // taking a large scene apart takes time, and Assimp has its leaks
   } catch (const std::exception& error) {
-    fmt::print(stderr, "triptych: {}\n", Warnings::one_line(error.what()));
+    fmt::print(stderr, "triptych: {}\n", Warnings::short_line(error.what()));
     return 1;
   }
 }

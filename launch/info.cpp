@@ -67,7 +67,7 @@ int run(const std::filesystem::path& file, const std::filesystem::path& json) {
   const Pack pack(file);
   const nlohmann::json description = describe(pack);
   for (const auto& [key, value] : description.items()) {
-    if (key != "hierarchy" && key != "objects") fmt::print("{:<17} {}\n", key, value.dump());
+    if (key != "hierarchy" && key != "objects") fmt::print("{:<17} {}\n", key, json_text(value));
   }
   print_objects(pack.skeleton());
   print_hierarchy(pack.skeleton());

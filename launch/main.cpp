@@ -5,6 +5,7 @@
 #include "launch/named_files.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
@@ -34,6 +35,8 @@ int end_with(const std::string& line) {
 int main(int argc, char** argv) {
   open_standard_streams();
   triptych::remove_partial_files_on_signals();
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file that grows beyond what a user may have is an error where it is written
   // Numbers have points here, whatever libraries asked for before we came.
   std::locale::global(std::locale::classic());
   CLI::App app{"Triptych: walk through models that are too big to draw"};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -48,6 +49,29 @@ inline CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_
         return number && value >= least && value <= most
                    ? std::string()
                    : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
+      },
+      "");
+}
+
+/// Admits bytes as whole numbers, with K, M, G or T behind them for powers of 1,024, and hands on the number.
+inline CLI::Validator bytes_from(uint64_t least, const std::string& least_text) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        uint64_t value = 0;
+        const char* const end = text.data() + text.size();
+        const auto read = std::from_chars(text.data(), end, value);
+        const std::string suffix(read.ptr, end), suffixes = "KMGT";
+        const size_t power =
+            suffix.size() == 1
+                ? suffixes.find(static_cast<char>(std::toupper(static_cast<unsigned char>(suffix.front()))))
+                : 0;
+        const size_t shift = suffix.empty() ? 0 : 10 * (power + 1);
+        const bool number = read.ec == std::errc() && suffix.size() <= 1 && power != std::string::npos &&
+                            value <= std::numeric_limits<uint64_t>::max() >> shift;
+        if (!number || value << shift < least)
+          return fmt::format("\"{}\" is no number of bytes from {} on, such as 512M or 2G", text, least_text);
+        text = std::to_string(value << shift);
+        return std::string();
       },
       "");
 }

@@ -10,6 +10,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
       role.add_option("--listen", command.listen, "Where this role waits for others")->type_name("HOST:PORT");
   role.add_option("--listen-descriptor", command.listen_descriptor,
                   "A listening socket that this process inherited")
+      ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->excludes(listen);
   role.add_flag("--timeline", command.timeline, "Take down in the JSON when each stage ran");
   role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
@@ -23,7 +24,8 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
       "Say what the JSON would hold on standard error: for whoever started this role from another machine");
   role.add_flag("--insecure", command.insecure,
                 "Allow other machines without a key: nothing is encrypted, anybody may take a role");
-  role.add_option("--session", command.session, "A number that the roles of one session share");
+  role.add_option("--session", command.session, "A number that the roles of one session share")
+      ->check(whole_number(0));
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
       ->check(number_between(0.001, most_seconds))
       ->capture_default_str();
@@ -47,7 +49,7 @@ void add_role(CLI::App& app, Action& action) {
   add_drawing_flags(*switch_node, switch_command->run);
   add_connection_flags(*switch_node, *switch_command);
   auto index = std::make_shared<int>(0);
-  switch_node->add_option("--index", *index, "Which of both it is")->required()->check(CLI::Range(0, 1));
+  switch_node->add_option("--index", *index, "Which of both it is")->required()->check(whole_number(0, 1));
   switch_node->add_option("--render", switch_command->render_address, "The render node")
       ->required()
       ->type_name("HOST:PORT");
@@ -79,8 +81,10 @@ void add_role(CLI::App& app, Action& action) {
       ->capture_default_str();
   render->add_option("--journal", render_command->journal, "Append each frame's record here, not to the JSON")
       ->type_name("FILE");
-  render->add_option("--begin", render_command->begin,
-                     "First frame: an earlier render node drew those before it");
+  render
+      ->add_option("--begin", render_command->begin,
+                   "First frame: an earlier render node drew those before it")
+      ->check(whole_number(0, most_frames));
   add_window_flag(*render, render_command->window);
   render->add_flag("--hash", render_command->hash, "Take down each picture's hash and visible set");
   render->callback([render_command, &action] {

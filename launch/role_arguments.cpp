@@ -11,9 +11,12 @@ using Words = std::vector<std::string>;
 
 void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
+/// For a command line, where a name that begins with a dash would be a flag.
+std::string unmistakable(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
+
 Words shared_arguments(const SessionOptions& options, const Stage& stage, const std::string& pack,
                        const std::string& key_file) {
-  Words words = {pack,
+  Words words = {unmistakable(pack),
                  "--session",
                  std::to_string(stage.session),
                  "--context",

@@ -58,7 +58,7 @@ int run_switch(const RoleCommand& command) {
          done.culled, done.represented, done.epochs);
   record.timeline = own_timeline(role_name(command.self));
   write_json(command.run.json, to_json(record));
-  if (command.tell_record) notice("triptych-record: {}", to_json(record).dump());
+  if (command.tell_record) notice("triptych-record: {}", json_text(to_json(record)));
   return 0;
 }
 

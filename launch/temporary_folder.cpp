@@ -9,7 +9,9 @@
 namespace triptych {
 
 TemporaryFolder::TemporaryFolder(std::filesystem::path parent) {
-  if (parent.empty()) parent = std::filesystem::temp_directory_path();
+  std::error_code error;
+  if (parent.empty()) parent = std::filesystem::temp_directory_path(error);
+  if (error) fail("TMPDIR", "names no folder for temporary files: {}", error.message());
   std::string pattern = (parent / "triptych-XXXXXX").string();
   if (!::mkdtemp(pattern.data())) fail(pattern, "cannot be made: {}", std::strerror(errno));
   path_ = pattern;

@@ -20,8 +20,12 @@ nlohmann::json to_json(const ImportReport& report) {
           {"warnings", report.warnings}};
 }
 
+std::string json_text(const nlohmann::json& value, int indent) {
+  return value.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 void write_json(const std::filesystem::path& file, const nlohmann::json& object) {
-  if (!file.empty()) write_file(file, object.dump(2) + "\n");
+  if (!file.empty()) write_file(file, json_text(object, 2) + "\n");
 }
 
 }  // namespace triptych

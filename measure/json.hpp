@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 namespace triptych {
@@ -23,6 +24,10 @@ nlohmann::json distribution_json(const std::vector<Record>& records, Value value
   for (const Record& record : records) values.push_back(static_cast<double>(value(record)));
   return to_json(distribution(values));
 }
+
+/// Its text, for whatever reads JSON: bytes that are no UTF-8, as names of files and of what is in them may
+/// hold, become U+FFFD. In one line where there is no indent.
+std::string json_text(const nlohmann::json& value, int indent = -1);
 
 /// Writes one object, atomically. An empty path writes nothing.
 void write_json(const std::filesystem::path& file, const nlohmann::json& object);

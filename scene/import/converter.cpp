@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "scene/import/mesh_stream_source.hpp"
 #include "scene/import/unnamed_file.hpp"
 
@@ -112,13 +113,7 @@ std::string listen(int errors, double seconds) {
 }
 
 /// What a damaged file made the child say is shown in one line of plain characters.
-std::string plain(std::string_view line) {
-  std::string text(line.substr(0, 200));
-  for (char& letter : text) {
-    if (static_cast<unsigned char>(letter) < ' ' || static_cast<unsigned char>(letter) == 127) letter = ' ';
-  }
-  return text;
-}
+std::string plain(std::string_view line) { return one_line(std::string(line.substr(0, 200))); }
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // From the bytes of a .gltf or .glb file to tinygltf's model. The one source file that holds tinygltf's code.
 #define TINYGLTF_IMPLEMENTATION
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "scene/import/import_gltf.hpp"
 
 #include <algorithm>
@@ -63,13 +64,10 @@ Container open_container(const std::shared_ptr<const StreamSource>& source, cons
 }
 
 /// Messages of tinygltf may have many lines and repeat whole data URIs.
-std::string one_line(std::string message) {
+std::string short_line(std::string message) {
   while (!message.empty() && (message.back() == '\n' || message.back() == ' ')) message.pop_back();
   if (message.size() > 160) message = message.substr(0, 120) + " ...";
-  for (char& letter : message) {
-    if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
-  }
-  return message.empty() ? "does not parse" : message;
+  return message.empty() ? "does not parse" : one_line(message);
 }
 
 /// tinygltf is to open no file: buffers were taken out of its text, and images are not drawn.
@@ -126,10 +124,10 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {  // tinygltf and its JSON throw on some values of the wrong type
-    fail(place, "{}", one_line(error.what()));
+    fail(place, "{}", short_line(error.what()));
   }
   // tinygltf passes over primitives that it does not understand, but says so.
-  if (!parsed || !errors.empty()) fail(place, "{}", one_line(errors));
+  if (!parsed || !errors.empty()) fail(place, "{}", short_line(errors));
   check_extensions(gltf.model, target);
   return gltf;
 }

@@ -116,6 +116,17 @@ TEST_P(BuildAnyMesh, makes_a_sound_pack_and_says_what_it_dropped) {
 INSTANTIATE_TEST_SUITE_P(Of, BuildAnyMesh, testing::ValuesIn(meshes),
                          [](const auto& of) { return std::string(of.param.name); });
 
+TEST(BuildAnyName, names_that_are_no_utf_8_do_not_lose_the_report) {
+  const Folder folder;
+  const std::string obj = folder.file("a.obj"), pack = folder.file("a.tpk"), json = folder.file("a.json");
+  std::ofstream(obj) << "mtllib M\xfc"
+                     << "ll.mtl\n"
+                     << square << "f 1 2 3\n";
+  test::run({"build", obj, "-o", pack, "--json", json});
+  EXPECT_NE(test::json_of(json)["import"]["warnings"].dump().find("M\xef\xbf\xbdll.mtl"), std::string::npos);
+  test::run({"info", pack, "--json", json});
+}
+
 TEST(BuildNoMesh, a_file_with_nothing_but_triangles_without_area_is_one_line) {
   const Folder folder;
   const std::string obj = folder.file("a.obj");

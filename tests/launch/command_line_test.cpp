@@ -59,6 +59,49 @@ TEST(CommandLine, counts_are_whole_numbers_in_decimal_digits) {
   }
 }
 
+TEST(CommandLine, numbers_that_programs_give_each_other_are_checked_like_those_of_persons) {
+  const std::string role = "role switch a.tpk --render a:1 --switch-0 a:2 --index ",
+                    node = "role render a.tpk --path walk.json --listen ",
+                    pixel = "explain a.tpk --path walk.json --frame 0 --pixel ";
+  const auto refused = [](const std::string& line) {
+    CLI::App app;
+    Action action;
+    for (const auto add : {add_role, add_explain}) add(app, action);
+    try {
+      app.parse(line, false);
+    } catch (const CLI::ParseError&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused(role + "1 --session 18446744073709551615"));
+  EXPECT_FALSE(refused(node + "a:1 --begin 10"));
+  EXPECT_FALSE(refused(pixel + "10,20"));
+  for (const std::string& line :
+       {role + "01", role + "2", role + "1 --session -1", role + "1 --session 18446744073709551616",
+        node + "a:1 --begin 010", pixel + "0x1,1", pixel + "-1,1"})
+    EXPECT_TRUE(refused(line)) << line;
+}
+
+TEST(CommandLine, bytes_are_whole_numbers_with_a_suffix_that_do_not_overflow) {
+  const auto refused = [](const std::string& value) {
+    CLI::App app;
+    Action action;
+    add_build(app, action);
+    try {
+      app.parse(std::vector<std::string>{value, "--memory", "x.tpk", "-o", "x.obj", "build"});
+    } catch (const CLI::ValidationError& error) {
+      EXPECT_NE(std::string(error.what()).find("is no number of bytes from 128M on"), std::string::npos);
+      return true;
+    }
+    return false;
+  };
+  for (const char* value : {"128M", "134217728", "1g", "0500M", "16T"}) EXPECT_FALSE(refused(value)) << value;
+  for (const char* value : {"", "-1", "-1G", "nan", "1.5G", "0x80000000", "127M", "1GG", "G", "1 G", "1X",
+                            "18446744073709551616", "16777216T", "99999999999999999999G"})
+    EXPECT_TRUE(refused(value)) << value;
+}
+
 TEST(CommandLine, flags_may_stand_before_what_they_are_about) {
   for (const std::string line : {"render --pixel-error 2 pack.tpk --path walk.json -o pictures",
                                  "session --batch 7 pack.tpk --path walk.json",

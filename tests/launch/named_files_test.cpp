@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "launch/command.hpp"
+#include "launch/role_arguments.hpp"
 #include "tests/session/program.hpp"
 
 #include <set>
@@ -138,6 +139,23 @@ TEST_F(NamedFiles, nothing_is_written_by_a_command_that_is_refused) {
   EXPECT_NE(failure({"info", pack, "--json", pack}).find("--json would be written over"), std::string::npos);
   EXPECT_EQ(text_of(pack), "something");
   EXPECT_EQ(folder.files(), 2u);
+}
+
+TEST_F(NamedFiles, a_line_break_in_a_name_does_not_break_the_line) {
+  Program program({"info", folder.file("a\nb\x1b[2J.tpk")});
+  EXPECT_EQ(program.wait(), 1);
+  EXPECT_EQ(program.errors(),
+            "triptych: " + folder.file("a b [2J.tpk") + ": cannot be opened: No such file or directory\n");
+}
+
+TEST_F(NamedFiles, a_role_is_given_a_pack_that_looks_like_a_flag) {
+  SessionOptions options;
+  options.run.pack = "-x.tpk";
+  const Listener listener({"127.0.0.1", 0});
+  Stage stage;
+  stage.render_listener = stage.switch_listener = &listener;
+  EXPECT_EQ(switch_arguments(options, stage, Role::switch_0).at(2), "./-x.tpk");
+  EXPECT_EQ(render_arguments(options, stage).at(2), "./-x.tpk");
 }
 
 void collect(const CLI::App& app, std::set<std::string>& read, std::set<std::string>& written,

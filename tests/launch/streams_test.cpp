@@ -54,6 +54,20 @@ TEST_F(Streams, that_are_closed_leave_files_as_they_should_be) {
   }
 }
 
+TEST_F(Streams, a_file_larger_than_a_user_may_have_is_one_line_and_is_gone) {
+  EXPECT_EQ(run("ulimit -f 8; $triptych sample plant --triangles 50000 -o plant >/dev/null 2>line"), 1);
+  EXPECT_NE(text("line").find("triptych: plant/scene.bin: cannot be written: File too large\n"),
+            std::string::npos)
+      << text("line");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "plant"));
+}
+
+TEST_F(Streams, temporary_files_want_a_folder) {
+  EXPECT_EQ(run("TMPDIR=none $triptych measure build one.obj 2>line"), 1);
+  EXPECT_EQ(text("line"),
+            "triptych: TMPDIR: names no folder for temporary files: No such file or directory\n");
+}
+
 TEST_F(Streams, a_command_that_is_terminated_takes_its_unfinished_files_along) {
   // A plant has its unfinished file from the first moment on, for seconds. 3: it was over before anything
   // could be seen; 4: something stayed.

@@ -174,8 +174,10 @@ TEST_F(SessionReplay, a_recording_that_is_damaged_is_one_line) {
 }
 
 TEST_F(SessionReplay, a_frame_or_a_recording_that_is_not_there_is_one_line) {
-  EXPECT_NE(failure({"replay", recording, "--frame", "1", "-o", folder.file("x.png")}).find("no recording"),
-            std::string::npos);
+  const std::vector<std::string> replay = {"replay", recording, "--frame", "1", "-o", folder.file("x.png")};
+  EXPECT_EQ(failure(replay), "triptych: " + recording + ": cannot be opened: No such file or directory");
+  std::filesystem::create_directory(recording);
+  EXPECT_NE(failure(replay).find("no recording"), std::string::npos);
   record({"--frames", "3"});
   EXPECT_NE(failure({"replay", recording, "--frame", "3", "-o", folder.file("x.png")}).find("frame 3"),
             std::string::npos);

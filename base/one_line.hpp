@@ -1,0 +1,19 @@
+// Text that somebody else chose, in a line of our own.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+namespace triptych {
+
+/// The text with blanks for line breaks and other control characters, which names of files and what is in
+/// them may hold.
+inline std::string one_line(std::string text) {
+  constexpr char last_control = 0x1f, del = 0x7f;
+  std::replace_if(
+      text.begin(), text.end(),
+      [](const char letter) { return (letter >= 0 && letter <= last_control) || letter == del; }, ' ');
+  return text;
+}
+
+}  // namespace triptych
