@@ -1,5 +1,6 @@
 #include "base/memory.hpp"
 
+#include <algorithm>
 #include <malloc.h>
 #include <sys/resource.h>
 
@@ -12,5 +13,11 @@ uint64_t peak_resident_bytes() {
 }
 
 void release_freed_memory() { ::malloc_trim(0); }
+
+void keep_freed_memory_below(uint64_t bytes) {
+  constexpr uint64_t most = 32u << 20;  // that the allocator takes for a threshold
+  ::mallopt(M_TRIM_THRESHOLD, static_cast<int>(std::min(bytes, 2 * most)));
+  ::mallopt(M_MMAP_THRESHOLD, static_cast<int>(std::min(bytes / 8, most)));
+}
 
 }  // namespace triptych

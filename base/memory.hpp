@@ -11,4 +11,8 @@ uint64_t peak_resident_bytes();
 /// Gives back to the system what was freed: the allocator keeps it otherwise, for more of the same.
 void release_freed_memory();
 
+/// From now on the allocator keeps about so many bytes of what is freed, instead of ever more, and large
+/// blocks go back at once.
+void keep_freed_memory_below(uint64_t bytes);
+
 }  // namespace triptych

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -22,6 +24,8 @@ class SpoolFile {
   /// Opens or makes the file and cuts it to its first `keep` bytes. Error (path) if that fails, or if it
   /// holds less.
   explicit SpoolFile(std::filesystem::path path, uint64_t keep = 0);
+  /// Takes over the descriptor of a new file; `name` is for errors.
+  SpoolFile(std::string name, int descriptor) : path_(std::move(name)), file_(descriptor) {}
   ~SpoolFile();
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;

@@ -51,7 +51,10 @@ int run(const BuildCommand& command) {
   const Stopwatch stopwatch;
   ImportOptions import = command.flags.import;
   import.temporary_folder = std::filesystem::absolute(command.output).parent_path();
-  import.position_cache_bytes = command.flags.options().memory / 16;
+  const uint64_t memory = command.flags.options().memory;
+  keep_freed_memory_below(memory / 16);
+  import.held_bytes = memory / 8;
+  import.position_cache_bytes = memory / 16;
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
   BuildOptions options = command.flags.options();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct CornerTriangle {
   uint32_t material;
   bool operator==(const CornerTriangle&) const = default;
 };
+
+struct Mesh;
 
 /// Takes a batch; the span is valid during the call only.
 using TakeTriangles = std::function<void(std::span<const CornerTriangle>)>;
@@ -35,6 +38,9 @@ class MeshStream {
   /// may read at once. Error (file and place in it) for damage: an index out of range, a file cut or changed
   /// since it was opened. What take throws passes through.
   virtual uint64_t read(const TakeTriangles& take) const = 0;
+
+  /// The mesh with its vertices, if it was in memory once and was put away; null of other streams.
+  virtual std::shared_ptr<const Mesh> load() const { return nullptr; }
 
   /// What else the last whole read found and left out, "<file>: <count> <what>" each; nothing before one.
   virtual std::vector<std::string> warnings() const { return {}; }

@@ -84,14 +84,14 @@ uint32_t PackWriter::add_encoded_chunk(std::span<const std::byte> encoded, uint3
 }
 
 void PackWriter::finish(Skeleton skeleton) {
-  skeleton.chunks = chunks_;
+  skeleton.chunks = std::move(chunks_);
   const uint64_t geometry_end = file_.size();
   const std::vector<std::byte> skeleton_bytes = encode_skeleton(skeleton);
   file_.write(skeleton_bytes);
   const std::array<Section, 2> table = {Section{.type = geometry_type,
                                                 .offset = sizeof(Header),
                                                 .size = geometry_end - sizeof(Header),
-                                                .checksum = geometry_checksum(chunks_)},
+                                                .checksum = geometry_checksum(skeleton.chunks)},
                                         Section{.type = skeleton_type,
                                                 .offset = geometry_end,
                                                 .size = skeleton_bytes.size(),

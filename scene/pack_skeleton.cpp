@@ -19,6 +19,11 @@ void write_array(ByteWriter& writer, const std::vector<Value>& values) {
 }
 
 template <typename Value>
+size_t bytes_of(const std::vector<Value>& values) {
+  return values.size() * sizeof(Value);
+}
+
+template <typename Value>
 std::vector<Value> read_array(ByteReader& reader) {
   return reader.read_all<Value>(reader.read<uint64_t>());
 }
@@ -120,6 +125,10 @@ void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::s
 
 std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
   ByteWriter writer;
+  writer.bytes().reserve(4096 + bytes_of(skeleton.lattices) + bytes_of(skeleton.palette) +
+                         bytes_of(skeleton.transforms) + bytes_of(skeleton.scene_nodes) +
+                         bytes_of(skeleton.drawables) + bytes_of(skeleton.placements) +
+                         bytes_of(skeleton.chunks));
   for (const uint64_t count :
        {skeleton.source_triangles, skeleton.placed_triangles, skeleton.objects.initial,
         skeleton.objects.partition1, skeleton.objects.clusters, skeleton.objects.partition2,

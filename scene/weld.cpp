@@ -43,6 +43,8 @@ Welded weld(std::span<const LatticeTriangle> triangles) {
 
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
             std::span<const uint32_t> colors) {
+  if (const auto loaded = mesh.stream ? mesh.stream->load() : nullptr)
+    return weld(*loaded, transform, lattice, colors);
   const ToLattice to_lattice(transform, lattice, colors);
   std::vector<LatticeTriangle> triangles;
   triangles.reserve(mesh.triangle_count());

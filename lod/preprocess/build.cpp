@@ -17,10 +17,9 @@ namespace triptych {
 
 namespace {
 
-void add_nodes(Skeleton& skeleton, std::span<const HierarchyNode> nodes,
-               std::span<const NodeContent> contents) {
+void add_nodes(Skeleton& skeleton, std::span<const HierarchyNode> nodes, std::vector<NodeContent> contents) {
   for (uint32_t i = 0; i < nodes.size(); ++i) {
-    const NodeContent& content = contents[i];
+    const NodeContent content = std::move(contents[i]);
     skeleton.scene_nodes.push_back({content.box, nodes[i].parent, nodes[i].first_child, nodes[i].child_count,
                                     static_cast<DrawableId>(skeleton.drawables.size()),
                                     static_cast<uint32_t>(content.drawables.size())});
@@ -86,7 +85,9 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     skeleton.transforms = std::move(parts.transforms);
     skeleton.palette = std::move(parts.palette);
     skeleton.objects = objects.counts;
-    add_nodes(skeleton, nodes, contents);
+    parts = {};
+    levels = {};
+    add_nodes(skeleton, nodes, std::move(contents));
     report.source_triangles = skeleton.source_triangles;
     report.placed_triangles = skeleton.placed_triangles;
     report.drawables = skeleton.drawables.size();

@@ -31,7 +31,7 @@ struct BuildOptions {
   /// Off: every placement is geometry of its own.
   bool share_instances = true;
   /// The resident size to aim at, bytes: it sets how much geometry is worked on at a time. What is known
-  /// about the parts comes on top for large models. The result does not depend on it.
+  /// about the parts grows with the model whatever it is. The result does not depend on it.
   uint64_t memory = uint64_t{1} << 30;
   /// Of the input and of all options that change the result: a build that was killed goes on where it was if
   /// this is the same. Empty: it starts again.

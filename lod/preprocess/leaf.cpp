@@ -40,9 +40,9 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
     locked.resize(part.surface.points.size(), 0);
     numbers.resize(part.surface.points.size(), none);
   }
-  for (const BorderPoint& border : part.borders) {
-    locked[border.point] = 1;
-    numbers[border.point] = border.number;
+  for (uint32_t i = 0; i < part.borders.size(); ++i) {
+    locked[part.borders[i].point] = 1;
+    numbers[part.borders[i].point] = part.borders[i].number = i;
   }
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify;
@@ -91,7 +91,10 @@ PartLevels take(ByteReader& record, ImportReport& report) {
   PartLevels levels;
   report.repaired_edges += record.read<uint64_t>();
   report.stuck_groups += record.read<uint64_t>();
-  for (auto count = record.read<uint64_t>(); count > 0; --count) {
+  auto count = record.read<uint64_t>();
+  levels.levels.reserve(count);
+  levels.surfaces.reserve(count);
+  for (; count > 0; --count) {
     levels.levels.push_back(record.read<PartLevel>());
     levels.surfaces.push_back(record.read<SpoolPlace>());
   }

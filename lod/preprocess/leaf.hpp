@@ -17,7 +17,8 @@ struct PartLevel {
 
 struct PartLevels {
   std::vector<PartLevel> levels;  ///< finest first: the part itself
-  /// For each level where its geometry lies, a Part, if HLODs may begin with it; of no size otherwise.
+  /// For each level where its geometry lies, a Part, if HLODs may begin with it; of no size otherwise. Border
+  /// points have the numbers of their places among the part's own.
   std::vector<SpoolPlace> surfaces;
 };
 

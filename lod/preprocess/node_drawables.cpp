@@ -39,7 +39,8 @@ class NodeDrawables {
         levels_(levels),
         options_(options),
         work_(work),
-        coarsest_(nodes.size()) {
+        coarsest_(nodes.size()),
+        span_file_(work.file("spans")) {
     span_borders();
   }
 
@@ -72,28 +73,45 @@ class NodeDrawables {
   uint64_t stuck = 0;
 
  private:
-  /// Where the points of borders are: instance by instance, the span of leaves that share each of them.
+  /// Where the points of borders are: the span of leaves that share each of them, into a file, placed part by
+  /// placed part.
   void span_borders() {
+    std::vector<size_t> first;  // for each instance
     size_t count = 0;
     for (const uint32_t borders : parts_.border_counts) {
-      first_span_.push_back(count);
+      first.push_back(count);
       count += borders;
     }
-    border_spans_.resize(count);
+    if (count == 0) return;
+    std::vector<LeafSpan> spans(count);  // by instance, by number
+    const auto each_border = [&](const PlacedPart& placed, const auto& take) {
+      const PartInfo& part = parts_.parts[placed.part];
+      if (part.borders == 0) return;
+      for (const BorderPoint& border : load_borders(work_.parts(), part.place, part.borders))
+        take(spans[first[placed.instance] + border.number]);
+    };
     for (const HierarchyNode& node : nodes_) {
       if (node.child_count > 0) continue;
       for (const uint32_t member : objects_.members[node.object]) {
-        const PlacedPart& placed = parts_.placed[member];
-        const PartInfo& part = parts_.parts[placed.part];
-        if (part.borders == 0) continue;
-        for (const BorderPoint& border : load_borders(work_.parts(), part.place, part.borders))
-          span_of(placed, border).extend({node.first_place, node.first_place});
+        each_border(parts_.placed[member], [&](LeafSpan& span) {
+          span.extend({node.first_place, node.first_place});
+        });
       }
+    }
+    std::vector<LeafSpan> own;
+    for (const PlacedPart& placed : parts_.placed) {
+      own.clear();
+      each_border(placed, [&](const LeafSpan& span) { own.push_back(span); });
+      spans_.push_back(own.empty() ? 0 : span_file_.append(std::as_bytes(std::span(own))).offset);
     }
   }
 
-  LeafSpan& span_of(const PlacedPart& placed, const BorderPoint& border) {
-    return border_spans_[first_span_[placed.instance] + border.number];
+  /// Of a placed part's border points.
+  std::vector<LeafSpan> load_spans(uint32_t member) const {
+    const uint32_t count = parts_.parts[parts_.placed[member].part].borders;
+    if (count == 0) return {};
+    const std::vector<std::byte> bytes = span_file_.read({spans_[member], count * sizeof(LeafSpan)});
+    return ByteReader(bytes, span_file_.path().string()).read_all<LeafSpan>(count);
   }
 
   void make_leaf(size_t node) {
@@ -166,15 +184,14 @@ class NodeDrawables {
   }
 
   /// Collects the coarsest drawable of a leaf.
-  void bake_leaf(size_t leaf, Baker& baker) {
+  void bake_leaf(size_t leaf, Baker& baker) const {
     const auto& members = objects_.members[nodes_[leaf].object];
     for (size_t i = 0; i < members.size(); ++i) {
       const PlacedPart& placed = parts_.placed[members[i]];
       const Part part = load_part(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
       std::vector<LeafSpan> spans(part.surface.points.size());
-      for (const BorderPoint& border : part.borders) {
-        spans[border.point] = span_of(placed, border);
-      }
+      const std::vector<LeafSpan> known = load_spans(members[i]);
+      for (const BorderPoint& border : part.borders) spans[border.point] = known[border.number];
       if (placed.transform == 0) {
         baker.add(part.surface, spans);
       } else {
@@ -228,8 +245,8 @@ class NodeDrawables {
   const BuildOptions& options_;
   BuildWork& work_;
   std::vector<Coarsest> coarsest_;
-  std::vector<LeafSpan> border_spans_;  ///< by instance, by number
-  std::vector<size_t> first_span_;      ///< for each instance
+  SpoolFile span_file_;
+  std::vector<uint64_t> spans_;  ///< for each placed part where those of its border points begin
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace triptych {
 /// A point that the part shares with other parts of its mesh.
 struct BorderPoint {
   uint32_t point = 0;   ///< index into the surface's points
-  uint32_t number = 0;  ///< the same for the same point in all parts of the mesh, at any level of detail
+  uint32_t number = 0;  ///< the same for the same point in all parts of the mesh
 };
 
 struct Part {

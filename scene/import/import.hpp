@@ -26,6 +26,9 @@ struct ImportOptions {
   uint64_t stream_above = 4096;
   /// ... and so do all further ones when those in memory would have more than these together.
   uint64_t most_in_memory = 2'000'000;
+  /// Meshes that are held in memory take no more than this, bytes: further ones wait in the temporary folder,
+  /// and look like streams that MeshStream::load() knows.
+  uint64_t held_bytes = uint64_t{1} << 40;
   /// Positions of meshes that stay in their files, kept while those are read: of all threads together, and
   /// for the rest of the process. Less of it makes reading slower where triangles use vertices in no order.
   uint64_t position_cache_bytes = uint64_t{64} << 20;

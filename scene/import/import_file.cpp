@@ -1,6 +1,8 @@
 #include "scene/import/import_file.hpp"
 
 #include "base/error.hpp"
+#include "scene/import/stored_mesh.hpp"
+#include "scene/import/unnamed_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,7 +53,10 @@ FileImport::FileImport(std::filesystem::path file, Model& model, const ImportOpt
       first_instance_(model.instances.size()),
       to_metres_y_up_(to_metres_y_up(options)) {
   model_.files.push_back(file_);
-  for (const Mesh& mesh : model_.meshes) in_memory_ += mesh.triangles.size();
+  for (const Mesh& mesh : model_.meshes) {
+    in_memory_ += held_triangles(mesh);
+    held_bytes_ += held_bytes(mesh);
+  }
 }
 
 std::string FileImport::line_place(uint64_t line) const { return fmt::format("{}: line {}", place(), line); }
@@ -99,7 +104,12 @@ std::optional<uint32_t> FileImport::add_mesh(Mesh mesh) {
   drop(drop_unusable(mesh));
   if (mesh.triangles.empty()) return std::nullopt;
   in_memory_ += mesh.triangles.size();
-  return push_mesh(std::move(mesh));
+  if (held_bytes_ + held_bytes(mesh) <= options_.held_bytes) {
+    held_bytes_ += held_bytes(mesh);
+    return push_mesh(std::move(mesh));
+  }
+  if (!store_) store_ = open_unnamed_spool(options_.temporary_folder);
+  return add_stream(std::move(mesh.name), std::make_shared<StoredMesh>(store_, mesh));
 }
 
 bool FileImport::should_stream(uint64_t triangles) const {

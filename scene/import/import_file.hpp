@@ -14,6 +14,7 @@
 
 namespace triptych {
 
+class SpoolFile;
 class StreamSource;
 
 /// Collects what one file adds to the model, and counts what had to be left out.
@@ -66,7 +67,9 @@ class FileImport {
   Model& model_;
   ImportOptions options_;
   size_t first_instance_;
-  uint64_t in_memory_ = 0;  ///< triangles of the model's meshes that are not streams
+  uint64_t in_memory_ = 0;  ///< triangles of the model's meshes that do not stay in their files
+  uint64_t held_bytes_ = 0;
+  std::shared_ptr<SpoolFile> store_;  ///< for meshes beyond ImportOptions::held_bytes
   Affine to_metres_y_up_{1};
   std::vector<std::pair<std::string, uint64_t>> warnings_;  ///< a count of 0: none is printed
 };

@@ -20,4 +20,9 @@ int open_unnamed_file(const std::filesystem::path& folder) {
   return descriptor;
 }
 
+std::shared_ptr<SpoolFile> open_unnamed_spool(const std::filesystem::path& folder) {
+  const std::string name = folder.empty() ? "the folder for temporary files" : folder.string();
+  return std::make_shared<SpoolFile>(name + ": a temporary file", open_unnamed_file(folder));
+}
+
 }  // namespace triptych

@@ -1,7 +1,10 @@
 // Temporary files without a name: nothing is left of them however the program ends.
 #pragma once
 
+#include "base/spool_file.hpp"
+
 #include <filesystem>
+#include <memory>
 
 namespace triptych {
 
@@ -9,5 +12,6 @@ namespace triptych {
 /// caller closes the descriptor, which programs that are started do not inherit. Error (folder) if that
 /// fails.
 int open_unnamed_file(const std::filesystem::path& folder);
+std::shared_ptr<SpoolFile> open_unnamed_spool(const std::filesystem::path& folder);
 
 }  // namespace triptych

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -95,7 +96,7 @@ class Program {
     const auto give_up = std::chrono::steady_clock::now() + limit;
     while (!ended_) {
       int status = 0;
-      if (::waitpid(pid_, &status, WNOHANG) == pid_) {
+      if (::wait4(pid_, &status, WNOHANG, &usage_) == pid_) {
         ended_ = true;
         code_ = WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
       } else if (std::chrono::steady_clock::now() > give_up) {
@@ -106,6 +107,9 @@ class Program {
     }
     return code_;
   }
+
+  /// Of the run, when it has ended: the largest resident size that it or a child of its own had.
+  uint64_t peak_bytes() const { return static_cast<uint64_t>(usage_.ru_maxrss) * 1024; }
 
   void signal(int number) const { ::kill(pid_, number); }
   pid_t pid() const { return pid_; }
@@ -168,6 +172,7 @@ class Program {
   std::filesystem::path log_;
   bool ended_ = false;
   int code_ = 0;
+  rusage usage_{};
 };
 
 /// Runs to the end and expects exit 0.

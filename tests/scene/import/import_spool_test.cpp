@@ -2,6 +2,7 @@
 #include "base/memory.hpp"
 #include "import_support.hpp"
 #include "scene/import/mesh_stream_positions.hpp"
+#include "scene/weld.hpp"
 
 namespace triptych {
 namespace {
@@ -40,6 +41,42 @@ TEST(ImportSpool, large_text_files_move_to_a_temporary_file_that_has_no_name) {
       EXPECT_EQ(found.meshes[i].triangle_count(), expected.meshes[i].triangle_count());
       EXPECT_EQ(triangles_of(found.meshes[i]), triangles_of(expected.meshes[i]));
     }
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+  }
+}
+
+TEST(ImportSpool, meshes_beyond_what_memory_holds_wait_in_a_file_and_weld_as_they_would_have) {
+  write_model("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  const auto folder = test::empty_folder("temporary");
+  const auto file = write_model("a.obj", grid_obj(false));
+  const uint64_t triangles = import_model({file}, in_memory).source_triangles();
+  for (const uint64_t most : {2 * triangles, 2 * triangles - 1}) {
+    // The file twice: of both together the most that is not left in files is counted.
+    const Model expected = import_model({file, file}, {.most_in_memory = most}),
+                found =
+                    import_model({file, file},
+                                 {.temporary_folder = folder, .most_in_memory = most, .held_bytes = 100'000});
+    ASSERT_EQ(found.meshes.size(), expected.meshes.size());
+    const std::vector<uint32_t> colors(expected.materials.size(), 0);
+    size_t held = 0, stored = 0;
+    uint64_t welded_vertices = 0;
+    for (size_t i = 0; i < found.meshes.size(); ++i) {
+      const Mesh &a = expected.meshes[i], &b = found.meshes[i];
+      EXPECT_EQ(a.name, b.name);
+      EXPECT_EQ(triangles_of(a), triangles_of(b));
+      held += !b.stream;
+      stored += b.stream && !a.stream;
+      // On a lattice so coarse that vertices meet.
+      const Lattice lattice{.origin = glm::dvec3(0), .step = 0.25};
+      const Welded left = weld(a, Affine(1), lattice, colors), right = weld(b, Affine(1), lattice, colors);
+      EXPECT_EQ(left.surface.points, right.surface.points);
+      EXPECT_EQ(left.surface.triangles, right.surface.triangles);
+      EXPECT_EQ(left.welded_vertices, right.welded_vertices);
+      welded_vertices += right.welded_vertices;
+    }
+    EXPECT_GT(held, 0u);
+    EXPECT_GT(stored, held);
+    EXPECT_GT(welded_vertices, 0u);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
   }
 }
