@@ -23,7 +23,8 @@ namespace {
 constexpr double rounding_allowance = 1e-5;
 /// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
 constexpr size_t cuts_a_triangle = 6;
-constexpr size_t cuts_a_patch = 2000;
+/// So many more are shared by all triangles: a few may lie over all of the other surface.
+constexpr size_t cuts_beyond = 2000;
 /// So many points from everywhere are looked at before all others.
 constexpr size_t first_points = 61;
 
@@ -171,7 +172,8 @@ class Side {
       if (target) {
         OneSided side(target->tree(), lower, effort.tightness);
         for (; next < end; next += stride) {
-          if (side.is_tight(effort.known)) return true;
+          lower = std::max(lower, std::min(side.lower(), patch.diagonal));
+          if (effort.known <= enough(lower, effort.tightness)) return true;
           const Triangle& triangle = surface_.triangles[patch.triangles[next - passed]];
           for (const uint32_t vertex : triangle.vertices) {
             if (!target->has(numbers_[vertex])) side.reach(glm::dvec3(surface_.points[vertex]));
@@ -199,7 +201,8 @@ class Side {
                        [&](uint32_t a, uint32_t b) { return known[a] > known[b]; });
     }
     for (const uint32_t i : changed) side.add(corners_of(surface_, surface_.triangles[i]), known_of(i));
-    const double bound = side.finish(cuts_a_triangle * changed.size() + cuts_a_patch, effort.known);
+    const size_t share = cuts_beyond * patch.triangles.size() / surface_.triangles.size();
+    const double bound = side.finish(cuts_a_triangle * changed.size() + share, effort.known);
     lower = side.lower();
     return std::min(bound, effort.known);
   }

@@ -20,8 +20,8 @@ enum class Colors {
 struct DistanceEffort {
   double tightness = 1.25;  ///< the bound is to be at most so many times the truth
   double known = std::numeric_limits<double>::infinity();  ///< a bound that holds; there is none larger
-  /// For each triangle of the other surface how far its points are at most from points of their colour, by
-  /// its construction; may be empty. What is near by that is not looked at.
+  /// For each triangle of the other surface (the second one) how far its points are at most from points of
+  /// their colour, by its construction; may be empty. What is near by that is not looked at.
   std::span<const double> known_each = {};
 };
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 namespace triptych {
 
@@ -16,7 +15,7 @@ constexpr double floor_distance = 0.25;
 
 }  // namespace
 
-double OneSided::enough() const { return std::max(floor_distance, lower_ * tightness_); }
+double enough(double reached, double tightness) { return std::max(floor_distance, reached * tightness); }
 
 void OneSided::reach(const glm::dvec3& point) {
   const auto nearest = tree_.nearest(point, hint_, lower_ * lower_);

@@ -10,6 +10,10 @@
 
 namespace triptych {
 
+/// A bound up to here needs no more work where so much is reached: it is at most `tightness` times that, or
+/// nobody can see it.
+double enough(double reached, double tightness);
+
 /// The largest distance of triangles from those of a tree (as Tang, Lee and Kim, Interactive Hausdorff
 /// distance computation for general polygonal models, 2009): the piece with the largest bound is cut until
 /// that bound is nearly reached by some point, or the work is no longer worth it.
@@ -28,8 +32,6 @@ class OneSided {
   void reach(const glm::dvec3& point);
   /// What is known to be reached.
   double lower() const { return lower_; }
-  /// Whether a bound needs no more work: it is nearly reached somewhere, or nobody can see it.
-  bool is_tight(double bound) const { return bound <= enough(); }
 
   /// A triangle that is to be bounded. `known`: a bound that holds for it.
   void add(const Corners& triangle, double known);
@@ -44,7 +46,8 @@ class OneSided {
     bool operator<(const Waiting& other) const { return bound < other.bound; }
   };
 
-  double enough() const;
+  double enough() const { return triptych::enough(lower_, tightness_); }
+  bool is_tight(double bound) const { return bound <= enough(); }
   void add(const ConvexPolygon& polygon, double known);
   void divide(const Waiting& piece);
   void halve(const Waiting& piece);

@@ -20,7 +20,7 @@ constexpr double steep = 16;
 /// Where levels are measured in a hurry the bound may be so many times the truth.
 constexpr double hurried = 2;
 /// And so many where they are measured against the source.
-constexpr double tight = 1.6;
+constexpr double tight = 1.5;
 
 /// A level with its fast bound.
 struct Stage {
