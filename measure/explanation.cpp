@@ -1,6 +1,7 @@
 #include "measure/explanation.hpp"
 
 #include "base/error.hpp"
+#include "visibility/drawable_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +152,7 @@ void Explainer::explain_culling(DrawableExplanation& explanation) {
     // A scene node is not tested where its box covers no pixel's centre; those above it may be.
     const bool between_pixels =
         test == tests_.end() && node == explanation.facts.scene_node &&
-        projector.bounds(skeleton_.scene_nodes[node].box).kind == ScreenBounds::Kind::off_screen;
+        drawable_bounds(skeleton_, projector, explanation.facts.id).kind == ScreenBounds::Kind::off_screen;
     if (!hidden && !between_pixels) continue;
     explanation.fate = hidden ? Fate::hidden : Fate::between_pixels;
     explanation.decided_at = node;
@@ -160,18 +161,23 @@ void Explainer::explain_culling(DrawableExplanation& explanation) {
 }
 
 void Explainer::name_what_is_in_front(DrawableExplanation& explanation) {
-  const ScreenRectangle rectangle = BoxProjector(skeleton_, frame_.view)
-                                        .bounds(skeleton_.scene_nodes[explanation.decided_at].box)
-                                        .rectangle;
+  const BoxProjector projector(skeleton_, frame_.view);
+  std::vector<ScreenRectangle> rectangles;
+  if (explanation.decided_at == explanation.facts.scene_node) {
+    rectangles = drawable_bounds(skeleton_, projector, explanation.facts.id).rectangles;
+  } else {
+    rectangles = {projector.bounds(skeleton_.scene_nodes[explanation.decided_at].box).rectangle};
+  }
   const int width = frame_.view.width, height = frame_.view.height;
-  const auto pixel = [](float ndc, int side) {
-    return std::clamp(static_cast<int>(std::floor((ndc + 1) / 2 * static_cast<float>(side))), 0, side);
-  };
+  const auto device = [](int at, int side) { return static_cast<float>((2 * at + 1.0) / side - 1); };
   std::map<uint32_t, uint64_t> owners;
-  for (int y = pixel(rectangle.bottom, height); y < std::min(pixel(rectangle.top, height) + 1, height); ++y) {
-    for (int x = pixel(rectangle.left, width); x < std::min(pixel(rectangle.right, width) + 1, width); ++x) {
-      const auto device = [](int at, int side) { return static_cast<float>((2 * at + 1.0) / side - 1); };
-      if (rectangle.depth(device(x, width), device(y, height)) < 0) continue;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const bool tested =
+          std::any_of(rectangles.begin(), rectangles.end(), [&](const ScreenRectangle& rectangle) {
+            return rectangle.covers(device(x, width), device(y, height));
+          });
+      if (!tested) continue;
       ++owners[items()[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]];
     }
   }

@@ -1,6 +1,7 @@
 #include "render/draw_list.hpp"
 
 #include "base/inject.hpp"
+#include "visibility/drawable_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableI
     const Drawable& drawable = skeleton_.drawables[id];
     DrawRecord record{};
     record.item = id;
-    set_bound(skeleton_.scene_nodes[drawable.scene_node].box, record);
+    const LatticeBox& node_box = skeleton_.scene_nodes[drawable.scene_node].box;
     for (uint32_t i = 0; i < drawable.placement_count; ++i) {
       const Placement& placement = skeleton_.placements[drawable.first_placement + i];
       const DeviceScene::Range& range = scene.range(placement.chunk);
@@ -74,6 +75,7 @@ void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableI
                                .first_index = range.first_index,
                                .base_vertex = static_cast<int32_t>(range.base_vertex),
                                .base_instance = static_cast<uint32_t>(list.records.size())});
+      set_bound(placement_box(skeleton_, placement, node_box), record);
       std::copy(std::begin(placed.rows), std::end(placed.rows), record.rows);
       record.cell = placed.cell;
       list.records.push_back(record);

@@ -4,6 +4,8 @@
 #include "render/rectangle_state.hpp"
 #include "render/shaders.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 GlOcclusionTester::GlOcclusionTester(Renderer& renderer, int width, int height, TestKind kind)
@@ -28,7 +30,8 @@ void GlOcclusionTester::draw(std::span<const DrawableId> drawables) {
   renderer_.draw(drawables, target_, TargetKind::depth_only);
 }
 
-void GlOcclusionTester::test(std::span<const ScreenRectangle> rectangles, std::span<uint8_t> visible) {
+void GlOcclusionTester::test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+                             std::span<uint8_t> visible) {
   if (rectangles.empty()) return;
   rectangles_.upload(rectangles);
   target_.bind();
@@ -37,13 +40,14 @@ void GlOcclusionTester::test(std::span<const ScreenRectangle> rectangles, std::s
   const RectangleState state(program_, target_.width(), target_.height(),
                              injected(Fault::strict_depth_test) ? GL_GREATER : GL_GEQUAL);
   if (kind_ == TestKind::queries) {
-    test_by_queries(rectangles.size(), visible);
+    test_by_queries(ends, visible);
   } else {
-    test_by_storage(rectangles.size(), visible);
+    test_by_storage(ends, visible);
   }
 }
 
-void GlOcclusionTester::test_by_queries(size_t count, std::span<uint8_t> visible) {
+void GlOcclusionTester::test_by_queries(std::span<const uint32_t> ends, std::span<uint8_t> visible) {
+  const size_t count = ends.size();
   if (queries_.size() < count) {
     const size_t before = queries_.size();
     queries_.resize(count);
@@ -51,8 +55,10 @@ void GlOcclusionTester::test_by_queries(size_t count, std::span<uint8_t> visible
   }
   constexpr size_t flush_every = 500;  // some drivers answer late or spuriously where thousands are in flight
   for (size_t i = 0; i < count; ++i) {
+    const uint32_t first = i == 0 ? 0 : ends[i - 1];
     glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[i]);
-    glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, 4, static_cast<GLuint>(4 * i));
+    glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(4 * (ends[i] - first)),
+                                      4 * first);
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     if (i % flush_every == flush_every - 1) glFlush();
   }
@@ -63,14 +69,20 @@ void GlOcclusionTester::test_by_queries(size_t count, std::span<uint8_t> visible
   }
 }
 
-void GlOcclusionTester::test_by_storage(size_t count, std::span<uint8_t> visible) {
+void GlOcclusionTester::test_by_storage(std::span<const uint32_t> ends, std::span<uint8_t> visible) {
+  const size_t count = ends.back();
   std::vector<uint32_t> answers(count, 0);
   answers_.upload(std::span<const uint32_t>(answers));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, answers_binding, answers_);
   glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(4 * count), 0);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(answers_, 0, static_cast<GLsizeiptr>(count * sizeof(uint32_t)), answers.data());
-  for (size_t i = 0; i < count; ++i) visible[i] = answers[i] != 0;
+  auto first = answers.begin();
+  for (size_t i = 0; i < ends.size(); ++i) {
+    const auto end = answers.begin() + ends[i];
+    visible[i] = std::any_of(first, end, [](uint32_t answer) { return answer != 0; });
+    first = end;
+  }
 }
 
 }  // namespace triptych

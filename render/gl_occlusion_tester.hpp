@@ -22,12 +22,13 @@ class GlOcclusionTester : public OcclusionTester {
   /// Empties the representation, for this view.
   void begin(const View& view);
   void draw(std::span<const DrawableId> drawables) override;
-  void test(std::span<const ScreenRectangle> rectangles, std::span<uint8_t> visible) override;
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+            std::span<uint8_t> visible) override;
   const Target& target() const { return target_; }
 
  private:
-  void test_by_queries(size_t count, std::span<uint8_t> visible);
-  void test_by_storage(size_t count, std::span<uint8_t> visible);
+  void test_by_queries(std::span<const uint32_t> ends, std::span<uint8_t> visible);
+  void test_by_storage(std::span<const uint32_t> ends, std::span<uint8_t> visible);
 
   Renderer& renderer_;
   Target target_;

@@ -123,7 +123,7 @@ TestTruth tests_against_readback() {
               y0 = static_cast<int>(numbers.number(0, side - 20));
     const int x1 = x0 + 1 + static_cast<int>(numbers.number(0, 16)),
               y1 = y0 + 1 + static_cast<int>(numbers.number(0, 16));
-    ScreenRectangle rectangle{device(x0), device(y0), device(x1), device(y1), {}};
+    ScreenRectangle rectangle{device(x0), device(y0), device(x1), device(y1), {}, {}};
     DepthPlane& plane = rectangle.planes[0];
     // A third of them at exactly a depth that stands there, a third sloping.
     plane.middle = i % 3 == 0 ? depths[static_cast<size_t>(y0 * side + x0)] : numbers.number(0.05f, 0.9f);

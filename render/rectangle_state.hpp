@@ -18,10 +18,10 @@ class RectangleState {
     glDepthMask(GL_FALSE);
     glDepthFunc(comparison);
     glEnable(GL_DEPTH_CLAMP);
-    for (GLenum i = 0; i < 4; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
+    for (GLenum i = 0; i < 8; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
   }
   ~RectangleState() {
-    for (GLenum i = 0; i < 4; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
+    for (GLenum i = 0; i < 8; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
     glDisable(GL_DEPTH_CLAMP);
     glDepthMask(GL_TRUE);
   }

@@ -117,13 +117,14 @@ void main() {
 
 std::string rectangle_vertex_shader() {
   return version + "#extension GL_ARB_shader_draw_parameters : require\n" + R"(
-struct Rectangle { float sides[4]; float planes[12]; };
+struct Rectangle { float sides[4]; float planes[12]; float cuts[12]; };
 layout(std430, binding = 2) readonly buffer Rectangles { Rectangle rectangles[]; };
 uniform vec2 overlap;
 flat out uint slot;
-out float gl_ClipDistance[4];
+out float gl_ClipDistance[8];
 void main() {
-  // Four times the same rectangle, each at one of its planes and cut to where that one is the least.
+  // Four times the same rectangle, each at one of its planes and cut to where that one is the least, and at its
+  // corners.
   uint instance = uint(gl_BaseInstanceARB + gl_InstanceID);
   slot = instance / 4u;
   uint own = instance % 4u;
@@ -133,6 +134,7 @@ void main() {
   gl_Position = vec4(x, y, dot(plane, vec3(x, y, 1.0)), 1.0);
   gl_ClipDistance[own] = gl_Position.z;  // beyond, there is nothing of the box
   for (uint i = 0u; i < 4u; ++i) {
+    gl_ClipDistance[4u + i] = dot(vec3(r.cuts[i * 3], r.cuts[i * 3 + 1], r.cuts[i * 3 + 2]), vec3(x, y, 1.0));
     if (i == own) continue;
     vec3 other = vec3(r.planes[i * 3], r.planes[i * 3 + 1], r.planes[i * 3 + 2]);
     // Pieces overlap, lest snapping part them.

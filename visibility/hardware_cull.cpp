@@ -1,6 +1,7 @@
 #include "visibility/hardware_cull.hpp"
 
 #include "base/inject.hpp"
+#include "visibility/drawable_bounds.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -84,6 +85,7 @@ class HardwareCull {
   void fill_batch() {
     nodes_.clear();
     rectangles_.clear();
+    ends_.clear();
     while (!queue_.empty() && nodes_.size() < batch_) {
       const SceneNodeId id = queue_.top().node;
       queue_.pop();
@@ -92,11 +94,13 @@ class HardwareCull {
         push_children(id);
         continue;
       }
-      const ScreenBounds bounds = projector_.bounds(skeleton_.scene_nodes[id].box);
+      const DrawableBounds bounds =
+          inner ? node_bounds(id) : drawable_bounds(skeleton_, projector_, cut_.choice[id]);
       if (bounds.kind == ScreenBounds::Kind::off_screen) continue;
       if (bounds.kind == ScreenBounds::Kind::rectangle) {
         nodes_.push_back(id);
-        rectangles_.push_back(bounds.rectangle);
+        rectangles_.insert(rectangles_.end(), bounds.rectangles.begin(), bounds.rectangles.end());
+        ends_.push_back(static_cast<uint32_t>(rectangles_.size()));
       } else if (inner) {
         push_children(id);
       } else {
@@ -106,10 +110,15 @@ class HardwareCull {
     }
   }
 
+  DrawableBounds node_bounds(SceneNodeId id) const {
+    const ScreenBounds bounds = projector_.bounds(skeleton_.scene_nodes[id].box);
+    return {bounds.kind, {bounds.rectangle}};
+  }
+
   void test_batch() {
     if (nodes_.empty()) return;
     answers_.assign(nodes_.size(), 1);
-    tester_.test(rectangles_, answers_);
+    tester_.test(rectangles_, ends_, answers_);
     ++result_.batches;
     result_.tests += nodes_.size();
     for (size_t i = 0; i < nodes_.size(); ++i) {
@@ -158,6 +167,7 @@ class HardwareCull {
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
   std::vector<SceneNodeId> nodes_;
   std::vector<ScreenRectangle> rectangles_;
+  std::vector<uint32_t> ends_;  ///< for each of nodes_ the end of its rectangles
   std::vector<uint8_t> answers_;
   std::vector<DrawableId> found_;
   CullPacket packet_;  ///< what was decided since the last one was sent

@@ -17,9 +17,11 @@ class OcclusionTester {
   /// Adds the drawables' depth, in the order given.
   virtual void draw(std::span<const DrawableId> drawables) = 0;
 
-  /// visible[i] becomes 1 where rectangle i is at or in front of the depth at some pixel, 0 where it is
-  /// behind it at every one. Non-strict, and exact up to answers of 1 too many: unknown means visible.
-  virtual void test(std::span<const ScreenRectangle> rectangles, std::span<uint8_t> visible) = 0;
+  /// Test i is of the rectangles from ends[i − 1] (0 for the first) up to, not including, ends[i]. visible[i]
+  /// becomes 1 where one of them is at or in front of the depth at some pixel, 0 where all are behind it at
+  /// every one. Non-strict, and exact up to answers of 1 too many: unknown means visible.
+  virtual void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+                    std::span<uint8_t> visible) = 0;
 };
 
 }  // namespace triptych

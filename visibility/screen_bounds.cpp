@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <span>
 
 namespace triptych {
 
@@ -46,7 +48,8 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
                             .bottom = static_cast<float>(found.bottom),
                             .right = static_cast<float>(found.right),
                             .top = static_cast<float>(found.top),
-                            .planes = {}};
+                            .planes = {},
+                            .cuts = silhouette(std::span(found.corners).first(found.count), found.margin)};
   rectangle.planes[0].middle = static_cast<float>(found.nearest);
   const auto faces = faces_.of(model_box, injected(Fault::no_dilation) ? 0 : 2);
   std::copy(faces.begin(), faces.end(), rectangle.planes.begin() + 1);
@@ -67,7 +70,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::perspective_extent(const Box& model_box) const {
   double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0;
-  double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
+  Extent seen;
   for (int i = 0; i < 8; ++i) {
     glm::dvec3 relative = model_box.corner(i) - clip_.reference;
     if (injected(Fault::float_bounds)) relative = glm::vec3(model_box.corner(i)) - glm::vec3(clip_.reference);
@@ -76,11 +79,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
     least_depth = std::min(least_depth, depth);
     greatest_depth = std::max(greatest_depth, depth);
     if (depth <= 0) continue;
-    const double x = corner.x / depth, y = corner.y / depth;
-    left = std::min(left, x);
-    right = std::max(right, x);
-    bottom = std::min(bottom, y);
-    top = std::max(top, y);
+    seen.corners[seen.count++] = glm::dvec2(corner) / depth;
     greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
   }
   if (greatest_depth < clip_.near / near_margin) return {.beyond = true};
@@ -93,7 +92,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   const double rounding = 2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length();
   if (!(rounding <= 0.25 || greatest_tangent <= greatest_narrow_tangent)) return {};
   const double margin = injected(Fault::no_dilation) ? 1 : 1 + share_of_depth;
-  return on_screen(left, right, bottom, top, clip_.depth(least_depth) * margin, rounding);
+  return on_screen(seen, clip_.depth(least_depth) * margin, rounding);
 }
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::parallel_extent(const Box& box) const {
@@ -112,30 +111,31 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   if (depth + reach.z < clip_.near - touch) return {.beyond = true};
   if (depth - reach.z < clip_.near + touch) return {};
   const double margin = injected(Fault::no_dilation) ? 0 : touch / clip_.range;
-  return on_screen(centre.x - reach.x, centre.x + reach.x, centre.y - reach.y, centre.y + reach.y,
-                   clip_.depth(depth - reach.z) + margin, 2 * rounding * view_.focal_length());
+  Extent seen;
+  for (int i = 0; i < 8; ++i)
+    seen.corners[seen.count++] = glm::dvec2(rotation_ * (box.corner(i) - clip_.reference));
+  return on_screen(seen, clip_.depth(depth - reach.z) + margin, 2 * rounding * view_.focal_length());
 }
 
-BoxProjector::Extent BoxProjector::on_screen(double left, double right, double bottom, double top,
-                                             double depth, double rounding) const {
+BoxProjector::Extent BoxProjector::on_screen(Extent seen, double depth, double rounding) const {
   const Camera& camera = view_.camera;
   const double pixels = injected(Fault::no_dilation) ? 0 : std::max(1.0, pixels_of_margin * rounding);
   if (!std::isfinite(pixels)) return {};
-  const double margin_x = 2 * pixels / view_.width, margin_y = 2 * pixels / view_.height;
-  const auto device_x = [&](double side) {
-    return 2 * (side - camera.left) / (camera.right - camera.left) - 1;
-  };
-  const auto device_y = [&](double side) {
-    return 2 * (side - camera.bottom) / (camera.top - camera.bottom) - 1;
-  };
-  const double x0 = device_x(left) - margin_x, x1 = device_x(right) + margin_x;
-  const double y0 = device_y(bottom) - margin_y, y1 = device_y(top) + margin_y;
-  if (x0 > 1 || x1 < -1 || y0 > 1 || y1 < -1) return {.beyond = true};
-  return {.left = std::max(x0, -1.0),
-          .bottom = std::max(y0, -1.0),
-          .right = std::min(x1, 1.0),
-          .top = std::min(y1, 1.0),
-          .nearest = std::min(1.0, depth)};
+  seen.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
+  const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);
+  glm::dvec2 lo(1e300), hi(-1e300);
+  for (glm::dvec2& corner : std::span(seen.corners).first(seen.count)) {
+    corner = 2.0 * (corner - low) / (high - low) - 1.0;
+    lo = glm::min(lo, corner - seen.margin);
+    hi = glm::max(hi, corner + seen.margin);
+  }
+  if (lo.x > 1 || hi.x < -1 || lo.y > 1 || hi.y < -1) return {.beyond = true};
+  seen.left = std::max(lo.x, -1.0);
+  seen.bottom = std::max(lo.y, -1.0);
+  seen.right = std::min(hi.x, 1.0);
+  seen.top = std::min(hi.y, 1.0);
+  seen.nearest = std::min(1.0, depth);
+  return seen;
 }
 
 }  // namespace triptych

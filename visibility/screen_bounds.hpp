@@ -5,6 +5,7 @@
 #include "scene/skeleton.hpp"
 #include "visibility/clip_space.hpp"
 #include "visibility/depth_bound.hpp"
+#include "visibility/silhouette.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,18 +13,24 @@
 
 namespace triptych {
 
-/// A rectangle in normalised device coordinates (−1 to 1, y up), and over it a depth, reversed: 1 at the near
-/// plane, 0 at infinity. No fragment of the box's content lies outside the rectangle. Every pass drops
-/// fragments that DepthBound does not allow, so no drawn fragment is nearer than `depth` there: wherever
-/// the content is the nearest thing, a non-strict test of the rectangle passes. That is what makes culling
-/// exact (docs/algorithms.md has the argument).
+/// A rectangle in normalised device coordinates (−1 to 1, y up), cut at its corners, and over it a depth,
+/// reversed: 1 at the near plane, 0 at infinity. No fragment of the box's content lies outside. Every pass
+/// drops fragments that DepthBound does not allow, so no drawn fragment is nearer than `depth` there:
+/// wherever the content is the nearest thing, a non-strict test of the rectangle passes. That is what makes
+/// culling exact (docs/algorithms.md has the argument).
 struct ScreenRectangle {
   float left = -1, bottom = -1, right = 1, top = 1;
   /// The least of these, clamped to 1; the box does not reach where it is below 0. The first one is level:
   /// the depth of the nearest corner.
   std::array<DepthPlane, 4> planes;
+  std::array<HalfPlane, 4> cuts;  ///< of its corners; the box does not reach beyond any of them
   float depth(float x, float y) const {
     return std::min({planes[0].at(x, y), planes[1].at(x, y), planes[2].at(x, y), planes[3].at(x, y)});
+  }
+  /// Whether the box may reach this place.
+  bool covers(float x, float y) const {
+    return x >= left && x <= right && y >= bottom && y <= top && depth(x, y) >= 0 &&
+           std::all_of(cuts.begin(), cuts.end(), [&](const HalfPlane& cut) { return cut.at(x, y) >= 0; });
   }
 };
 
@@ -57,11 +64,15 @@ class BoxProjector {
     bool beyond = false;  ///< off the screen
     double left = -1, bottom = -1, right = 1, top = 1;
     double nearest = 1;
+    std::array<glm::dvec2, 8> corners{};  ///< the first `count`, on the screen; none where that is not known
+    size_t count = 0;
+    glm::dvec2 margin{0};  ///< by how much content may be drawn beyond them
   };
   Extent extent(const Box& box) const;
   Extent perspective_extent(const Box& box) const;
   Extent parallel_extent(const Box& box) const;
-  Extent on_screen(double x0, double x1, double y0, double y1, double depth, double rounding) const;
+  /// Adds to the corners, which are tangents, orthographic model units, what follows from them.
+  Extent on_screen(Extent corners, double depth, double rounding) const;
 
   const Lattice& lattice_;
   View view_;

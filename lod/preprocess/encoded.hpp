@@ -1,11 +1,13 @@
 // A chunk that waits, encoded, for its turn to be written: threads encode, one writes in a fixed order.
 #pragma once
 
+#include "lod/preprocess/pieces.hpp"
 #include "scene/pack.hpp"
 #include "scene/surface.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace triptych {
@@ -22,9 +24,29 @@ inline EncodedChunk encode(const Surface& surface) {
           static_cast<uint32_t>(chunk.triangle_count()), chunk.box()};
 }
 
-/// Returns the chunk's index in the pack.
-inline uint32_t append(PackWriter& writer, const EncodedChunk& chunk, uint32_t lattice) {
-  return writer.add_encoded_chunk(chunk.bytes, chunk.vertices, chunk.triangles, chunk.box, lattice);
+/// One chunk, or one for each piece of a surface whose box is mostly air.
+inline std::vector<EncodedChunk> encode_pieces(const Surface& surface) {
+  std::vector<EncodedChunk> chunks;
+  for (const Surface& piece : fitting_pieces(surface)) chunks.push_back(encode(piece));
+  if (chunks.empty()) chunks.push_back(encode(surface));
+  return chunks;
+}
+
+/// Chunks that lie one after the other in the pack.
+struct ChunkRange {
+  uint32_t first = 0, count = 0;
+  uint64_t triangles = 0;  ///< of all of them
+};
+
+inline ChunkRange append(PackWriter& writer, std::span<const EncodedChunk> chunks, uint32_t lattice) {
+  ChunkRange range;
+  for (const EncodedChunk& chunk : chunks) {
+    const uint32_t index =
+        writer.add_encoded_chunk(chunk.bytes, chunk.vertices, chunk.triangles, chunk.box, lattice);
+    if (range.count++ == 0) range.first = index;
+    range.triangles += chunk.triangles;
+  }
+  return range;
 }
 
 }  // namespace triptych

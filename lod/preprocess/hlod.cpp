@@ -109,10 +109,11 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   Chain chain = simplify(children.surface, locked, limits);
   hlod.stuck = chain.stuck && chain.levels.empty();
   for (const Level& level : chain.levels) {
-    hlod.drawables.push_back({encode(level.piece.surface), children.error + level.bound * lattice.step});
+    hlod.drawables.push_back(
+        {encode_pieces(level.piece.surface), children.error + level.bound * lattice.step});
   }
   if (chain.levels.empty()) {
-    hlod.drawables.push_back({encode(children.surface), children.error});
+    hlod.drawables.push_back({encode_pieces(children.surface), children.error});
     hlod.coarsest = std::move(children);
   } else {
     Piece& piece = chain.levels.back().piece;

@@ -63,7 +63,7 @@ class Baker {
 };
 
 struct HlodDrawable {
-  EncodedChunk chunk;
+  std::vector<EncodedChunk> chunks;
   double error = 0;
 };
 

@@ -22,16 +22,16 @@ constexpr size_t unit_parts = 4096;
 
 /// A part's levels before they have their places in the files.
 struct Prepared {
-  std::vector<EncodedChunk> chunks;
-  std::vector<double> bounds;  ///< lattice steps
-  std::vector<Part> kept;      ///< for each level its geometry, or nothing
+  std::vector<std::vector<EncodedChunk>> chunks;  ///< for each level
+  std::vector<double> bounds;                     ///< lattice steps
+  std::vector<Part> kept;                         ///< for each level its geometry, or nothing
   uint64_t detached_triangles = 0;
   bool stuck = false;
 };
 
 Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) {
   Prepared prepared;
-  prepared.chunks.push_back(encode(part.surface));
+  prepared.chunks.push_back(encode_pieces(part.surface));
   prepared.bounds.push_back(0);
   constexpr uint32_t none = 0xffffffffu;
   std::vector<uint8_t> locked;
@@ -57,7 +57,7 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
   };
   keep(part, chain.levels.empty());
   for (Level& level : chain.levels) {
-    prepared.chunks.push_back(encode(level.piece.surface));
+    prepared.chunks.push_back(encode_pieces(level.piece.surface));
     prepared.bounds.push_back(level.bound);
     Part coarser;
     if (!numbers.empty()) {
@@ -78,10 +78,9 @@ void put(ByteWriter& record, const Prepared& prepared, const Lattice& lattice, u
   record.write(uint64_t{prepared.stuck});
   record.write(uint64_t{prepared.chunks.size()});
   for (size_t level = 0; level < prepared.chunks.size(); ++level) {
-    const EncodedChunk& chunk = prepared.chunks[level];
     const double bound =
         prepared.bounds[level] * lattice.step + (injected(Fault::uncounted_lattice) ? 0 : lattice.rounding());
-    record.write(PartLevel{append(work.pack(), chunk, lattice_index), chunk.triangles, bound});
+    record.write(PartLevel{append(work.pack(), prepared.chunks[level], lattice_index), bound});
     const Part& kept = prepared.kept[level];
     record.write(kept.surface.triangles.empty() ? SpoolPlace{} : store(work.surfaces(), kept));
   }
@@ -147,7 +146,7 @@ std::vector<LeafDrawable> leaf_drawables(const Parts& parts, std::span<const Par
       while (level + 1 < choice.size() && error_of(member, level + 1) <= threshold) ++level;
       drawable.levels.push_back(level);
       drawable.error = std::max(drawable.error, error_of(member, level));
-      drawable.triangles += choice[level].triangles;
+      drawable.triangles += choice[level].chunks.triangles;
     }
     return drawable;
   };

@@ -1,6 +1,7 @@
 // LODs of the parts, shared by all placements, and the drawables of the leaves that are made of them.
 #pragma once
 
+#include "lod/preprocess/encoded.hpp"
 #include "lod/preprocess/parts.hpp"
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace triptych {
 
 /// A part at one level of detail, as it stands in the pack.
 struct PartLevel {
-  uint32_t chunk = 0, triangles = 0;
+  ChunkRange chunks;
   double bound = 0;  ///< of the distance to the mesh, mesh units; rounding to the lattice is in it
 };
 
@@ -30,7 +31,7 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
 /// A drawable before it has its place in the skeleton.
 struct LeafDrawable {
   double error = 0;
-  uint32_t triangles = 0;
+  uint64_t triangles = 0;
   std::vector<uint32_t> levels;  ///< of each member which of its part's levels
 };
 

@@ -17,7 +17,7 @@ constexpr size_t unit_nodes = 256;
 /// A drawable of an inner node, as it stands in the pack.
 struct WrittenHlod {
   double error = 0;
-  uint32_t chunk = 0, triangles = 0;
+  ChunkRange chunks;
   LatticeBox box;
 };
 
@@ -27,6 +27,15 @@ struct Coarsest {
   std::vector<uint32_t> levels;  ///< of a leaf: LeafDrawable::levels of its last drawable
   SpoolPlace baked;              ///< of an inner node: its last drawable
 };
+
+/// Adds placements of the chunks to the drawable, whose placements are the content's last.
+void place(const ChunkRange& chunks, uint32_t transform, NodeContent& content, Drawable& drawable) {
+  for (uint32_t chunk = chunks.first; chunk < chunks.first + chunks.count; ++chunk) {
+    content.placements.push_back({chunk, transform});
+    ++drawable.placement_count;
+  }
+  drawable.triangles += static_cast<uint32_t>(chunks.triangles);
+}
 
 class NodeDrawables {
  public:
@@ -122,12 +131,10 @@ class NodeDrawables {
     for (const LeafDrawable& leaf : leaf_levels) {
       Drawable drawable;
       drawable.error = leaf.error;
-      drawable.triangles = leaf.triangles;
       drawable.first_placement = static_cast<uint32_t>(content.placements.size());
-      drawable.placement_count = static_cast<uint32_t>(members.size());
       for (size_t i = 0; i < members.size(); ++i) {
         const PlacedPart& placed = parts_.placed[members[i]];
-        content.placements.push_back({levels_[placed.part].levels[leaf.levels[i]].chunk, placed.transform});
+        place(levels_[placed.part].levels[leaf.levels[i]].chunks, placed.transform, content, drawable);
       }
       content.drawables.push_back(drawable);
     }
@@ -207,8 +214,9 @@ class NodeDrawables {
     record.write(store(work_.surfaces(), hlod.coarsest));
     record.write(uint64_t{hlod.drawables.size()});
     for (const HlodDrawable& level : hlod.drawables) {
-      const EncodedChunk& chunk = level.chunk;
-      record.write(WrittenHlod{level.error, append(work_.pack(), chunk, 0), chunk.triangles, chunk.box});
+      WrittenHlod written{level.error, append(work_.pack(), level.chunks, 0), {}};
+      for (const EncodedChunk& chunk : level.chunks) written.box.extend(chunk.box);
+      record.write(written);
     }
   }
 
@@ -220,10 +228,8 @@ class NodeDrawables {
     for (const WrittenHlod& level : record.read_all<WrittenHlod>(record.read<uint64_t>())) {
       Drawable drawable;
       drawable.error = level.error;
-      drawable.triangles = level.triangles;
       drawable.first_placement = static_cast<uint32_t>(content.placements.size());
-      drawable.placement_count = 1;
-      content.placements.push_back({level.chunk, 0});
+      place(level.chunks, 0, content, drawable);
       content.drawables.push_back(drawable);
       content.box.extend(level.box);
     }

@@ -2,6 +2,7 @@
 #include "visibility/hardware_cull.hpp"
 
 #include "tests/support/scenes.hpp"
+#include "visibility/drawable_bounds.hpp"
 #include "visibility/map_to_cut.hpp"
 #include "visibility/visible_stream.hpp"
 
@@ -20,9 +21,13 @@ class FakeTester : public OcclusionTester {
   void draw(std::span<const DrawableId> drawables) override {
     drawn.insert(drawn.end(), drawables.begin(), drawables.end());
   }
-  void test(std::span<const ScreenRectangle> rectangles, std::span<uint8_t> visible) override {
-    largest_batch = std::max(largest_batch, rectangles.size());
-    for (size_t i = 0; i < rectangles.size(); ++i) visible[i] = answer_(rectangles[i]);
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+            std::span<uint8_t> visible) override {
+    largest_batch = std::max(largest_batch, ends.size());
+    for (size_t test = 0, i = 0; test < ends.size(); ++test) {
+      visible[test] = 0;
+      for (; i < ends[test]; ++i) visible[test] |= answer_(rectangles[i]);
+    }
   }
   std::vector<DrawableId> drawn;
   size_t largest_batch = 0;
@@ -35,7 +40,7 @@ class FakeTester : public OcclusionTester {
 class SilentTester : public OcclusionTester {
  public:
   void draw(std::span<const DrawableId>) override {}
-  void test(std::span<const ScreenRectangle>, std::span<uint8_t>) override {}
+  void test(std::span<const ScreenRectangle>, std::span<const uint32_t>, std::span<uint8_t>) override {}
 };
 
 bool always(const ScreenRectangle&) { return true; }
@@ -67,8 +72,7 @@ class HardwareCull : public testing::TestWithParam<std::string> {
     const BoxProjector projector(skeleton, views[frame]);
     VisibleSet set;
     for (const DrawableId id : cut_of(frame).drawables) {
-      const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[id].scene_node];
-      if (wanted(projector.bounds(node.box).kind)) set.push_back(id);
+      if (wanted(drawable_bounds(skeleton, projector, id).kind)) set.push_back(id);
     }
     std::sort(set.begin(), set.end());
     return set;
@@ -112,7 +116,9 @@ TEST_P(HardwareCull, spends_one_test_on_a_hidden_subtree) {
     const std::function<void(SceneNodeId)> visit = [&](SceneNodeId id) {
       if (cut.choice[id] == no_id) return;
       const SceneNode& node = skeleton.scene_nodes[id];
-      const ScreenBounds::Kind kind = projector.bounds(node.box).kind;
+      const ScreenBounds::Kind kind = cut.choice[id] == Cut::inner
+                                          ? projector.bounds(node.box).kind
+                                          : drawable_bounds(skeleton, projector, cut.choice[id]).kind;
       testable += kind == ScreenBounds::Kind::rectangle;
       subtrees += kind == ScreenBounds::Kind::rectangle && cut.choice[id] == Cut::inner;
       if (kind != ScreenBounds::Kind::unbounded || cut.choice[id] != Cut::inner) return;

@@ -120,7 +120,7 @@ Box some_box(scenes::Random& random) {
 
 TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
   scenes::Random random(41);
-  int rectangles = 0, points = 0;
+  int rectangles = 0, points = 0, cuts = 0;
   for (int round = 0; round < 40000; ++round) {
     view = some_view(random);
     const LatticeBox lattice_box = skeleton.lattice().enclosing(some_box(random));
@@ -151,6 +151,13 @@ TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
       const long double pixel_x = 1.0L / view.width, pixel_y = 1.0L / view.height;
       EXPECT_TRUE(r.left <= std::max(x - pixel_x, -1.0L) && r.right >= std::min(x + pixel_x, 1.0L));
       EXPECT_TRUE(r.bottom <= std::max(y - pixel_y, -1.0L) && r.top >= std::min(y + pixel_y, 1.0L));
+      for (const HalfPlane& cut : r.cuts) {
+        for (const long double side_x : {x - pixel_x, x + pixel_x}) {
+          for (const long double side_y : {y - pixel_y, y + pixel_y})
+            EXPECT_GE(cut.at(static_cast<float>(side_x), static_cast<float>(side_y)), 0);
+        }
+        cuts += cut.normal.x != 0;
+      }
       const long double exact = clip_space(skeleton, view).depth(static_cast<double>(depth));
       const DepthBound bound = BoxProjector(skeleton, view).depth_bound(lattice_box);
       const auto at_x = static_cast<float>(x), at_y = static_cast<float>(y);
@@ -162,6 +169,7 @@ TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
   }
   EXPECT_GT(rectangles, 1000);
   EXPECT_GT(points, 10000);
+  EXPECT_GT(cuts, 10000);
 }
 
 TEST_F(ScreenBoundsOf, a_box_hold_all_that_boxes_in_it_may_draw) {

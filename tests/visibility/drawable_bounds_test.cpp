@@ -1,0 +1,64 @@
+#include "visibility/drawable_bounds.hpp"
+
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace triptych {
+namespace {
+
+class DrawableBoundsOf : public testing::TestWithParam<std::string> {
+ protected:
+  const Pack& pack = scenes::pack(GetParam());
+  const Skeleton& skeleton = pack.skeleton();
+};
+
+TEST_P(DrawableBoundsOf, a_placement_is_a_box_that_holds_its_vertices_within_its_nodes_box) {
+  for (const Drawable& drawable : skeleton.drawables) {
+    const LatticeBox& node_box = skeleton.scene_nodes[drawable.scene_node].box;
+    for (uint32_t i = 0; i < drawable.placement_count; ++i) {
+      const Placement& placement = skeleton.placements[drawable.first_placement + i];
+      const LatticeBox box = placement_box(skeleton, placement, node_box);
+      ASSERT_TRUE(node_box.contains(box));
+      const Box around = skeleton.lattice().box(box);
+      const Lattice& lattice = skeleton.lattices[skeleton.chunks[placement.chunk].lattice];
+      for (const ChunkVertex& vertex : pack.read_chunk(placement.chunk).vertices) {
+        const glm::dvec3 position =
+            skeleton.transforms[placement.transform] * glm::dvec4(lattice.position(vertex.point), 1);
+        ASSERT_TRUE(around.contains(Box{position, position}));
+      }
+    }
+  }
+}
+
+TEST_P(DrawableBoundsOf, a_drawable_are_no_wider_than_its_nodes) {
+  size_t closer = 0;
+  for (const View& view : scenes::path(skeleton, 320, 240)) {
+    const BoxProjector projector(skeleton, view);
+    for (DrawableId id = 0; id < skeleton.drawables.size(); ++id) {
+      const ScreenBounds node = projector.bounds(skeleton.scene_nodes[skeleton.drawables[id].scene_node].box);
+      const DrawableBounds found = drawable_bounds(skeleton, projector, id);
+      if (node.kind == ScreenBounds::Kind::off_screen) {
+        ASSERT_EQ(found.kind, node.kind);
+      }
+      closer += found.kind != node.kind;
+      if (found.kind != ScreenBounds::Kind::rectangle || node.kind != found.kind) continue;
+      ASSERT_FALSE(found.rectangles.empty());
+      for (const ScreenRectangle& piece : found.rectangles) {
+        ASSERT_GE(piece.left, node.rectangle.left);
+        ASSERT_LE(piece.right, node.rectangle.right);
+        ASSERT_GE(piece.bottom, node.rectangle.bottom);
+        ASSERT_LE(piece.top, node.rectangle.top);
+      }
+    }
+  }
+  if (GetParam() == "instances") {
+    EXPECT_GT(closer, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, DrawableBoundsOf, testing::ValuesIn(scenes::names()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace triptych
