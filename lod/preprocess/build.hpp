@@ -24,8 +24,11 @@ struct BuildOptions {
   /// many.
   uint32_t bucket_triangles = 1u << 18;
   /// Triangles of an inner scene node's coarsest drawable, roughly.
-  uint32_t hlod_triangles = 64;
+  uint32_t hlod_triangles = 32;
   HierarchyKind hierarchy = HierarchyKind::partition_cluster_partition;
+  /// Whether what is mostly air becomes several chunks with a box each; the plain median split has objects as
+  /// they are.
+  bool in_pieces() const { return hierarchy == HierarchyKind::partition_cluster_partition; }
   /// Simplifier and kind of bound; the other limits are the build's own.
   SimplifyLimits simplify = {};
   /// Off: every placement is geometry of its own.

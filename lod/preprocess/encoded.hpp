@@ -24,10 +24,12 @@ inline EncodedChunk encode(const Surface& surface) {
           static_cast<uint32_t>(chunk.triangle_count()), chunk.box()};
 }
 
-/// One chunk, or one for each piece of a surface whose box is mostly air.
-inline std::vector<EncodedChunk> encode_pieces(const Surface& surface) {
+/// One chunk, or, if `in_pieces`, one for each piece of a surface whose box is mostly air.
+inline std::vector<EncodedChunk> encode_pieces(const Surface& surface, bool in_pieces) {
   std::vector<EncodedChunk> chunks;
-  for (const Surface& piece : fitting_pieces(surface)) chunks.push_back(encode(piece));
+  if (in_pieces) {
+    for (const Surface& piece : fitting_pieces(surface)) chunks.push_back(encode(piece));
+  }
   if (chunks.empty()) chunks.push_back(encode(surface));
   return chunks;
 }

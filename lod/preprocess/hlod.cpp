@@ -98,7 +98,7 @@ Baked load_baked(const SpoolFile& file, const SpoolPlace& place) {
 }
 
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
-               uint32_t triangles, const SimplifyLimits& how) {
+               uint32_t triangles, const SimplifyLimits& how, bool in_pieces) {
   std::vector<uint8_t> locked;
   for (const LeafSpan& span : children.spans)
     locked.push_back(span.first < first_place || span.last >= end_place);
@@ -110,10 +110,10 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   hlod.stuck = chain.stuck && chain.levels.empty();
   for (const Level& level : chain.levels) {
     hlod.drawables.push_back(
-        {encode_pieces(level.piece.surface), children.error + level.bound * lattice.step});
+        {encode_pieces(level.piece.surface, in_pieces), children.error + level.bound * lattice.step});
   }
   if (chain.levels.empty()) {
-    hlod.drawables.push_back({encode_pieces(children.surface), children.error});
+    hlod.drawables.push_back({encode_pieces(children.surface, in_pieces), children.error});
     hlod.coarsest = std::move(children);
   } else {
     Piece& piece = chain.levels.back().piece;

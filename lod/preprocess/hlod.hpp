@@ -74,9 +74,9 @@ struct Hlod {
 };
 
 /// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.
-/// `how`: simplifier and kind of bound. Points of borders towards other subtrees stay, so that surfaces that
-/// go on there stay closed at any mix of levels.
+/// `how`: simplifier and kind of bound. `in_pieces`: what is mostly air becomes several chunks. Points of
+/// borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of levels.
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
-               uint32_t triangles, const SimplifyLimits& how);
+               uint32_t triangles, const SimplifyLimits& how, bool in_pieces);
 
 }  // namespace triptych

@@ -31,7 +31,8 @@ struct Prepared {
 
 Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) {
   Prepared prepared;
-  prepared.chunks.push_back(encode_pieces(part.surface));
+  const bool in_pieces = options.in_pieces();
+  prepared.chunks.push_back(encode_pieces(part.surface, in_pieces));
   prepared.bounds.push_back(0);
   constexpr uint32_t none = 0xffffffffu;
   std::vector<uint8_t> locked;
@@ -57,7 +58,7 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
   };
   keep(part, chain.levels.empty());
   for (Level& level : chain.levels) {
-    prepared.chunks.push_back(encode_pieces(level.piece.surface));
+    prepared.chunks.push_back(encode_pieces(level.piece.surface, in_pieces));
     prepared.bounds.push_back(level.bound);
     Part coarser;
     if (!numbers.empty()) {

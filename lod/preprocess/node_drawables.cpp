@@ -171,7 +171,7 @@ class NodeDrawables {
 
   Hlod simplify_children(size_t node) {
     return make_hlod(bake_children(node), nodes_[node].first_place, nodes_[node].end_place,
-                     parts_.lattices[0], options_.hlod_triangles, options_.simplify);
+                     parts_.lattices[0], options_.hlod_triangles, options_.simplify, options_.in_pieces());
   }
 
   Baked bake_children(size_t node) {
