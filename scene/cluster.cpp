@@ -1,10 +1,10 @@
 #include "scene/cluster.hpp"
 
+#include "scene/disjoint_sets.hpp"
 #include "scene/neighbours.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <tuple>
 
 namespace triptych {
@@ -24,16 +24,11 @@ class Forest {
  public:
   Forest(std::span<const ObjectExtent> objects, const ClusterLimits& limits)
       : limits_(limits),
-        parents_(objects.size()),
+        sets_(objects.size()),
         extents_(objects.begin(), objects.end()),
-        internal_(objects.size()) {
-    std::iota(parents_.begin(), parents_.end(), 0u);
-  }
+        internal_(objects.size()) {}
 
-  uint32_t root(uint32_t object) {
-    while (parents_[object] != object) object = parents_[object] = parents_[parents_[object]];
-    return object;
-  }
+  uint32_t root(uint32_t object) { return sets_.root(object); }
 
   void merge_if_close(const Edge& edge) {
     const uint32_t a = std::min(root(edge.a), root(edge.b)), b = std::max(root(edge.a), root(edge.b));
@@ -44,7 +39,7 @@ class Forest {
     if (joined.triangles > limits_.triangles) return;
     if (cost(joined) > limits_.cost * (cost(extents_[a]) + cost(extents_[b]))) return;
     if (volume(joined.box) > limits_.volume * (volume(extents_[a].box) + volume(extents_[b].box))) return;
-    parents_[b] = a;
+    sets_.join(a, b);
     extents_[a] = joined;
     internal_[a] = edge.weight;  // edges come in ascending order
   }
@@ -65,7 +60,7 @@ class Forest {
   }
 
   const ClusterLimits& limits_;
-  std::vector<uint32_t> parents_;
+  DisjointSets sets_;
   std::vector<ObjectExtent> extents_;
   std::vector<double> internal_;
 };

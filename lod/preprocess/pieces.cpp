@@ -1,5 +1,6 @@
 #include "lod/preprocess/pieces.hpp"
 
+#include "scene/disjoint_sets.hpp"
 #include "scene/object_extent.hpp"
 #include "scene/partition.hpp"
 
@@ -18,26 +19,6 @@ constexpr size_t least_triangles = static_cast<size_t>(2 * drawable_cost);
 constexpr uint64_t components_to_join = 32;
 /// Of the whole's area, what pieces may have together.
 constexpr double share_of_area = 0.8;
-
-/// For each point the first point of its connected component.
-std::vector<uint32_t> find_components(const Surface& surface) {
-  std::vector<uint32_t> parent(surface.points.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](uint32_t point) {
-    while (parent[point] != point) point = parent[point] = parent[parent[point]];
-    return point;
-  };
-  for (const Triangle& triangle : surface.triangles) {
-    uint32_t first = root(triangle.vertices[0]);
-    for (size_t i = 1; i < 3; ++i) {
-      const uint32_t other = root(triangle.vertices[i]);
-      parent[std::max(first, other)] = std::min(first, other);
-      first = std::min(first, other);
-    }
-  }
-  for (uint32_t point = 0; point < parent.size(); ++point) parent[point] = root(point);
-  return parent;
-}
 
 /// Joins extents pair by pair.
 class Joiner {
@@ -114,22 +95,26 @@ class Joiner {
 std::vector<Surface> fitting_pieces(const Surface& surface) {
   if (surface.triangles.size() < least_triangles) return {};
 
-  const std::vector<uint32_t> component = find_components(surface);
+  DisjointSets connected(surface.points.size());
+  for (const Triangle& triangle : surface.triangles) {
+    for (const uint32_t vertex : triangle.vertices) connected.join(vertex, triangle.vertices[0]);
+  }
   std::vector<uint32_t> index(surface.points.size());  // of a component's first point: which component it is
   std::vector<ObjectExtent> extents;
   Box box;
-  for (uint32_t point = 0; point < component.size(); ++point) {
-    if (component[point] == point) {
+  for (uint32_t point = 0; point < surface.points.size(); ++point) {
+    const uint32_t root = connected.root(point);
+    if (root == point) {
       index[point] = static_cast<uint32_t>(extents.size());
       extents.emplace_back();
     }
     const glm::dvec3 position(surface.points[point]);
-    extents[index[component[point]]].box.extend(position);
+    extents[index[root]].box.extend(position);
     box.extend(position);
   }
   if (extents.size() == 1) return {};
   for (const Triangle& triangle : surface.triangles)
-    ++extents[index[component[triangle.vertices[0]]]].triangles;
+    ++extents[index[connected.root(triangle.vertices[0])]].triangles;
 
   std::vector<uint32_t> all(extents.size()), bundle(extents.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -153,7 +138,7 @@ std::vector<Surface> fitting_pieces(const Surface& surface) {
   std::vector<Surface> pieces;
   std::vector<std::vector<Triangle>> groups(extents.size());
   for (const Triangle& triangle : surface.triangles) {
-    groups[joiner.group(bundle[index[component[triangle.vertices[0]]]])].push_back(triangle);
+    groups[joiner.group(bundle[index[connected.root(triangle.vertices[0])]])].push_back(triangle);
   }
   for (const auto& triangles : groups) {
     if (!triangles.empty()) pieces.push_back(extract(surface.points, triangles).surface);

@@ -32,6 +32,9 @@ WorkFolder::WorkFolder(const std::filesystem::path& pack, const std::string& fin
   std::error_code error;
   std::filesystem::create_directory(folder_, error);
   if (error) fail(pack.string(), "cannot be written: {}", error.message());
+  // A build leaves nothing without its lock: this is somebody else's.
+  if (!std::filesystem::exists(file("lock"), error) && !std::filesystem::is_empty(folder_, error))
+    fail(folder_.string(), "the build would work in this folder, which holds other files");
   lock_ = ::open(file("lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock_ < 0) fail(folder_.string(), "cannot be written: {}", std::strerror(errno));
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
@@ -41,16 +44,24 @@ WorkFolder::WorkFolder(const std::filesystem::path& pack, const std::string& fin
   const bool same = !fingerprint.empty() && std::filesystem::exists(file(fingerprint_name), error) &&
                     read_text_file(file(fingerprint_name)) == fingerprint;
   if (same) return;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-    if (entry.path() != file("lock")) std::filesystem::remove_all(entry.path(), error);
-  }
+  remove_work();
   write_file(file(fingerprint_name), fingerprint);
 }
 
 WorkFolder::~WorkFolder() {
+  // The lock goes last: whatever is left if this is interrupted is still known to be a build's.
+  remove_work();
   std::error_code error;
-  std::filesystem::remove_all(folder_, error);
+  std::filesystem::remove(file("lock"), error);
+  std::filesystem::remove(folder_, error);
   ::close(lock_);
+}
+
+void WorkFolder::remove_work() {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+    if (entry.path() != file("lock")) std::filesystem::remove_all(entry.path(), error);
+  }
 }
 
 BuildJournal::BuildJournal(const WorkFolder& folder)

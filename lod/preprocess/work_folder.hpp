@@ -20,7 +20,7 @@ class WorkFolder {
  public:
   /// Makes the folder. If an earlier build left one with the same fingerprint (of its input and options), its
   /// journal is kept; anything else in it goes. An empty fingerprint keeps nothing. Error (path) if another
-  /// process is building the same pack.
+  /// process is building the same pack, or if the folder is not one that a build left.
   WorkFolder(const std::filesystem::path& pack, const std::string& fingerprint);
   ~WorkFolder();
   WorkFolder(const WorkFolder&) = delete;
@@ -29,6 +29,9 @@ class WorkFolder {
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
  private:
+  /// All but the lock.
+  void remove_work();
+
   std::filesystem::path folder_;
   int lock_ = -1;
 };

@@ -1,6 +1,7 @@
 #include "lod/simplify/distance.hpp"
 
 #include "lod/simplify/one_sided.hpp"
+#include "scene/disjoint_sets.hpp"
 #include "scene/key_hash.hpp"
 
 #include <algorithm>
@@ -99,22 +100,17 @@ std::vector<Patch> patches_of(const Surface& surface, Colors colors) {
   std::map<uint32_t, std::vector<uint32_t>> by_color;
   for (uint32_t i = 0; i < surface.triangles.size(); ++i)
     by_color[surface.triangles[i].material].push_back(i);
-  std::vector<uint32_t> parents(surface.points.size());
   std::unordered_map<uint32_t, size_t> places;
   for (const auto& [color, triangles] : by_color) {
-    std::iota(parents.begin(), parents.end(), 0u);
-    const auto root = [&](uint32_t point) {
-      while (parents[point] != point) point = parents[point] = parents[parents[point]];
-      return point;
-    };
+    DisjointSets connected(surface.points.size());
     for (const uint32_t i : triangles) {
       const auto& vertices = surface.triangles[i].vertices;
-      for (const uint32_t vertex : vertices) parents[root(vertex)] = root(vertices[0]);
+      for (const uint32_t vertex : vertices) connected.join(vertex, vertices[0]);
     }
     places.clear();
     for (const uint32_t i : triangles) {
       const auto [found, inserted] =
-          places.try_emplace(root(surface.triangles[i].vertices[0]), result.size());
+          places.try_emplace(connected.root(surface.triangles[i].vertices[0]), result.size());
       if (inserted) result.emplace_back();
       result[found->second].triangles.push_back(i);
     }

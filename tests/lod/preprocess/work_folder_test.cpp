@@ -48,6 +48,14 @@ class WorkTest : public testing::Test {
   std::filesystem::path folder;
 };
 
+TEST_F(WorkTest, a_folder_that_no_build_left_is_refused_and_stays_as_it_is) {
+  make_folder(folder / "a.tpk.work");
+  write_file(folder / "a.tpk.work" / "diary", std::string("mine"));
+  EXPECT_THROW(BuildWork(pack(), "same"), Error);
+  EXPECT_EQ(read_text_file(folder / "a.tpk.work" / "diary"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.tpk.work" / "lock"));
+}
+
 TEST_F(WorkTest, a_killed_process_leaves_its_finished_units_and_the_next_one_goes_on) {
   work_and_die(3, "same");
   BuildWork work(pack(), "same");

@@ -1,5 +1,6 @@
 #include "lod/simplify/edge_collapse.hpp"
 
+#include "scene/disjoint_sets.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/distance_judge.hpp"
 #include "tests/support/hard_surfaces.hpp"
@@ -7,24 +8,18 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace triptych {
 namespace {
 
 size_t component_count(const Surface& surface) {
-  std::vector<uint32_t> parents(surface.points.size());
-  std::iota(parents.begin(), parents.end(), 0u);
-  const auto root = [&](uint32_t i) {
-    while (parents[i] != i) i = parents[i] = parents[parents[i]];
-    return i;
-  };
+  DisjointSets connected(surface.points.size());
   for (const Triangle& triangle : surface.triangles) {
-    for (const uint32_t corner : triangle.vertices) parents[root(corner)] = root(triangle.vertices[0]);
+    for (const uint32_t corner : triangle.vertices) connected.join(corner, triangle.vertices[0]);
   }
   std::set<uint32_t> roots;
-  for (uint32_t i = 0; i < parents.size(); ++i) roots.insert(root(i));
+  for (uint32_t i = 0; i < surface.points.size(); ++i) roots.insert(connected.root(i));
   return roots.size();
 }
 
