@@ -19,7 +19,8 @@ EdgeCollapse::EdgeCollapse(const Surface& surface, std::span<const uint8_t> lock
       targets_(surface.points.size(), Collapser::any),
       costs_(surface.points.size(), -1),
       queued_(surface.points.size(), -1),
-      steps_(surface.points.size(), 0) {
+      steps_(surface.points.size(), 0),
+      disturbed_(surface.points.size(), 1) {
   waiting_.reserve(surface.points.size());
   const LatticeBox box = surface.box();
   longest_ = Collapser::length_weight * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo)) * 1.001;
@@ -35,19 +36,37 @@ EdgeCollapse::EdgeCollapse(const Surface& surface, std::span<const uint8_t> lock
 void EdgeCollapse::look_again(double cost) {
   looked_at_ = cost;
   looked_with_ = triangle_count();
+  if (was_looked_at_) spread_disturbance();
   for (uint32_t i = 0; i < costs_.size(); ++i) {
-    if ((costs_[i] >= 0 && !(costs_[i] > stale * static_cast<float>(cost))) ||
+    if (!disturbed_[i] || (costs_[i] >= 0 && !(costs_[i] > stale * static_cast<float>(cost))) ||
         (!locked_.empty() && locked_[i]))
       continue;
+
     const Collapse* collapse = collapser_.find(mesh_, i);
     if (!was_looked_at_) crowded_triangles_ += collapser_.star().crowd();
-    if (!collapse) continue;
+    if (!collapse) {
+      continue;
+    }
     set_cost(i, *collapse);
     queued_[i] = costs_[i];
     waiting_.push_back({costs_[i], i});
   }
   was_looked_at_ = true;
+  std::fill(disturbed_.begin(), disturbed_.end(), 0);
   std::make_heap(waiting_.begin(), waiting_.end());
+}
+
+/// What a collapse comes to depends on the stars of the point and its neighbours, on nothing else.
+void EdgeCollapse::spread_disturbance() {
+  std::vector<uint8_t> near = disturbed_;
+  for (uint32_t triangle = 0; triangle < mesh_.face_count(); ++triangle) {
+    const auto& corners = mesh_.face(triangle).corners;
+    if (corners[0] == ShrinkingMesh::gone) continue;
+    if (disturbed_[corners[0]] || disturbed_[corners[1]] || disturbed_[corners[2]]) {
+      for (const uint32_t corner : corners) near[corner] = 1;
+    }
+  }
+  disturbed_ = std::move(near);
 }
 
 void EdgeCollapse::push(const Waiting& waiting) {
@@ -63,6 +82,7 @@ void EdgeCollapse::set_cost(uint32_t point, const Collapse& collapse) {
 
 void EdgeCollapse::changed(uint32_t point, double error, double cost) {
   targets_[point] = Collapser::any;
+  disturbed_[point] = 1;
   if (!locked_.empty() && locked_[point]) return;
   if (costs_[point] < 0 || costs_[point] > stale * static_cast<float>(cost)) {
     // It may be able to go now where it was not before, or where it would have been dear.
@@ -97,7 +117,9 @@ bool EdgeCollapse::reduce_to(size_t triangles, double largest_bound) {
     }
     costs_[next.point] = queued_[next.point] = -1;
     const Collapse* collapse = collapser_.find(mesh_, next.point, targets_[next.point]);
-    if (!collapse) continue;
+    if (!collapse) {
+      continue;
+    }
     // What was cheap when it came into the queue may have become dear.
     const bool is_next = waiting_.empty() || static_cast<float>(collapse->cost) <= waiting_.front().cost;
     if (!is_next || collapse->bound > largest_bound) {

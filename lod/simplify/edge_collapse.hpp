@@ -49,6 +49,7 @@ class EdgeCollapse {
   void set_cost(uint32_t point, const Collapse& collapse);
   void changed(uint32_t point, double error, double cost);
   void look_again(double cost);
+  void spread_disturbance();
 
   ShrinkingMesh mesh_;
   std::span<const uint8_t> locked_;
@@ -58,6 +59,7 @@ class EdgeCollapse {
   std::vector<float> costs_;   ///< for each point what its collapse is expected to cost; negative: impossible
   std::vector<float> queued_;  ///< with what cost it is in the queue; other places there are void
   std::vector<float> steps_;   ///< how much of the cost its own collapse adds to what was before
+  std::vector<uint8_t> disturbed_;  ///< for each point whether its star changed since all were looked at
   double bound_ = 0;
   size_t crowded_triangles_ = 0;
   bool was_looked_at_ = false;

@@ -30,6 +30,8 @@ class ShrinkingMesh {
   size_t triangle_count() const { return alive_; }
   size_t point_count() const { return points_.size(); }
   const glm::ivec3& point(uint32_t index) const { return points_[index]; }
+  /// Those that are gone among them.
+  size_t face_count() const { return faces_.size(); }
   Face& face(uint32_t index) { return faces_[index]; }
   const Face& face(uint32_t index) const { return faces_[index]; }
 

@@ -2,9 +2,9 @@
 
 #include "lod/simplify/reducer.hpp"
 #include "lod/simplify/vertex_clustering.hpp"
+#include "scene/disjoint_sets.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -21,6 +21,29 @@ constexpr double steep = 16;
 constexpr double hurried = 2;
 /// And so many where they are measured against the source.
 constexpr double tight = 1.5;
+/// What hangs together is a small thing if it has fewer triangles, and less than half of all.
+constexpr size_t small_thing = 256;
+
+/// Whether most of the surface are small things of their own: collapses merge nothing, so they soon get stuck
+/// there, and what they reached by then is no nearer than a clustering. What has a locked point is a piece of
+/// something larger.
+bool is_heap(const Surface& surface, std::span<const uint8_t> locked) {
+  DisjointSets sets(surface.points.size());
+  for (const Triangle& triangle : surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    sets.join(a, b);
+    sets.join(b, c);
+  }
+  std::vector<size_t> sizes(surface.points.size(), 0);
+  for (const Triangle& triangle : surface.triangles) ++sizes[sets.root(triangle.vertices[0])];
+  for (uint32_t i = 0; i < locked.size(); ++i) {
+    if (locked[i]) sizes[sets.root(i)] = 0;
+  }
+  const size_t small = std::min(small_thing, surface.triangles.size() / 2);
+  size_t in_small = 0;
+  for (const size_t size : sizes) in_small += size < small ? size : 0;
+  return 4 * in_small >= 3 * surface.triangles.size();
+}
 
 /// A level with its fast bound.
 struct Stage {
@@ -37,10 +60,9 @@ class ChainMaker {
     current_.piece.surface = source;
     current_.piece.sources.resize(source.points.size());
     std::iota(current_.piece.sources.begin(), current_.piece.sources.end(), 0u);
-    const LatticeBox box = source.box();
-    small_ = glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo)) / 1024;
+    is_heap_ = limits.colors == Colors::ignore && is_heap(source, locked);
     start();
-    detached_triangles_ = reducer_->detached_triangles();
+    if (reducer_) detached_triangles_ = reducer_->detached_triangles();
   }
 
   size_t triangles() const { return current_.piece.surface.triangles.size(); }
@@ -51,6 +73,12 @@ class ChainMaker {
   /// Goes on to about `goal` triangles; nothing if that is not possible.
   std::optional<Level> next(size_t goal) {
     const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
+    if (is_heap_) {
+      Stage clustered = cluster(current_, goal);
+      if (clustered.piece.surface.triangles.size() > enough) return std::nullopt;
+      current_ = std::move(clustered);
+      return measured();
+    }
     Stage reduced = reduce(goal);
     const bool got_there = reduced.piece.surface.triangles.size() <= enough;
     at_limit_ = !got_there && reduced_further_;
@@ -71,6 +99,7 @@ class ChainMaker {
 
  private:
   void start() {
+    if (is_heap_) return;
     start_ = current_;
     start_locked_ = locked_of(start_.piece);
     reducer_ = make_reducer(limits_.simplifier, start_.piece.surface, start_locked_);
@@ -131,7 +160,7 @@ class ChainMaker {
   std::vector<uint8_t> start_locked_;
   std::unique_ptr<Reducer> reducer_;
   std::optional<DistanceMeter> meter_;
-  double small_ = 0;       ///< bounds below it are never steep
+  bool is_heap_ = false;   ///< is clustered at once
   double last_bound_ = 0;  ///< of the levels given
   size_t detached_triangles_ = 0;
   bool reduced_further_ = false, at_limit_ = false;
