@@ -59,6 +59,7 @@ CellMoves move_to_cells(const Surface& surface, const TrianglePlanes& planes, st
                         double cell) {
   const glm::dvec3 lo(surface.box().lo);
   tsl::robin_map<std::array<uint32_t, 3>, uint32_t, KeyHash, KeyEqual> numbers;
+  numbers.reserve(surface.points.size());
   std::vector<uint32_t> cell_of;
   cell_of.reserve(surface.points.size());
   for (const glm::ivec3& point : surface.points) {

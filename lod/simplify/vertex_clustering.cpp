@@ -54,8 +54,10 @@ class Clustering {
       double area;
       uint32_t triangle;
     };
-    tsl::robin_map<Key<4>, uint32_t, KeyHash, KeyEqual> numbers;
+    const size_t expected = std::min(most_, surface_.triangles.size());
+    tsl::robin_map<Key<4>, uint32_t, KeyHash, KeyEqual> numbers(2 * expected);
     std::vector<Image> images;
+    images.reserve(expected);
     for (uint32_t i = 0; i < surface_.triangles.size(); ++i) {
       const auto& vertices = surface_.triangles[i].vertices;
       Key<4> corners = {image_[vertices[0]], image_[vertices[1]], image_[vertices[2]],
@@ -73,8 +75,8 @@ class Clustering {
       if (images.size() > most_) break;
     }
     kept_.reserve(images.size());
+    sides_.reserve(3 * images.size());
     corners_.reserve(images.size());
-    sides_.reserve(2 * images.size());
     for (const Image& image : images) {
       Triangle triangle = surface_.triangles[image.triangle];
       for (uint32_t& vertex : triangle.vertices) vertex = image_[vertex];
