@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace triptych {
 
@@ -21,6 +22,8 @@ glm::dvec3 difference(const glm::ivec3& to, const glm::ivec3& from) {
 bool holds(const ShrinkingMesh::Face& face, uint32_t point) {
   return face.corners[0] == point || face.corners[1] == point || face.corners[2] == point;
 }
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
@@ -56,22 +59,24 @@ void Collapser::look_around(const ShrinkingMesh& mesh) {
   ++mark_;
   from_.clear(), to_.clear(), before_.clear(), neighbours_.clear();
   for (const Spoke& spoke : spokes) {
-    for (const uint32_t corner : {spoke.from, spoke.to}) {
-      if (marks_[corner] == mark_) continue;
-      marks_[corner] = mark_;
-      neighbours_.push_back(corner);
-    }
-    from_.push_back(difference(mesh.point(spoke.from), origin));
-    to_.push_back(difference(mesh.point(spoke.to), origin));
+    const glm::dvec3& from = from_.emplace_back(difference(mesh.point(spoke.from), origin));
+    const glm::dvec3& to = to_.emplace_back(difference(mesh.point(spoke.to), origin));
+    add_neighbour(spoke.from, from);
+    add_neighbour(spoke.to, to);
     before_.push_back(spoke.error);
   }
   if (projected_.size() < star_.fans().size()) projected_.resize(star_.fans().size());
   projects_.assign(star_.fans().size(), 0);
 }
 
+void Collapser::add_neighbour(uint32_t corner, const glm::dvec3& way) {
+  if (marks_[corner] == mark_) return;
+  marks_[corner] = mark_;
+  neighbours_.push_back({corner, way});
+}
+
 void Collapser::list_choices() {
   const auto spokes = star_.spokes();
-  const size_t fan_count = star_.fans().size();
   // The mean squared distance from the planes of the triangles, as a quadratic form.
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, area = 0;
   choices_.clear();
@@ -91,27 +96,23 @@ void Collapser::list_choices() {
                           2 * (xy * d.x * d.y + xz * d.x * d.z + yz * d.y * d.z);
     return std::max(planes, 0.0) / area + 1e-6 * squared(d);
   };
-  const bool simple = fan_count == 1 && star_.fans()[0].closed;
-  const auto add = [&](uint32_t target, const glm::dvec3& d) {
+  // An open fan keeps its border where the target is an end of it and the point lies between both.
+  borders_.clear();
+  for (const Star::Fan& fan : star_.fans()) {
+    if (fan.closed) continue;
+    const glm::dvec3 &p = from_[fan.begin], &q = to_[fan.end - 1];
+    const double along = nearest_on_line(p, q);
+    const bool between = along > 0 && along < 1;
+    borders_.push_back(
+        {spokes[fan.begin].from, spokes[fan.end - 1].to, between ? squared(p + (q - p) * along) : infinity});
+  }
+  for (const auto& [target, d] : neighbours_) {
     double squared_distance = estimate(d);
-    if (!simple) {
-      for (const Choice& choice : choices_) {
-        if (choice.target == target) return;
-      }
-      for (const Star::Fan& fan : star_.fans()) {
-        if (fan.closed) continue;
-        const bool first = spokes[fan.begin].from == target, last = spokes[fan.end - 1].to == target;
-        const glm::dvec3 &p = from_[fan.begin], &q = to_[fan.end - 1];
-        const double along = first != last ? nearest_on_line(p, q) : -1;
-        squared_distance =
-            std::max(squared_distance, along > 0 && along < 1 ? squared(p + (q - p) * along) : squared(d));
-      }
+    for (const Border& border : borders_) {
+      const bool along = (border.first == target) != (border.last == target) && border.moved < infinity;
+      squared_distance = std::max(squared_distance, along ? border.moved : squared(d));
     }
     choices_.push_back({squared_distance, target});
-  };
-  for (size_t i = 0; i < spokes.size(); ++i) {
-    add(spokes[i].from, from_[i]);
-    if (!simple) add(spokes[i].to, to_[i]);
   }
 }
 
@@ -160,9 +161,10 @@ bool Collapser::joins_well(ShrinkingMesh& mesh, uint32_t target) {
   // Of a hub the star is large; all that matters there is also in the stars of the point's neighbours.
   if (mesh.degree(target) > Star::most_spokes) {
     size_t around = 0;
-    for (const uint32_t corner : neighbours_) around += corner == target ? 0 : mesh.degree(corner);
+    for (const auto& [corner, way] : neighbours_) around += corner == target ? 0 : mesh.degree(corner);
     if (around < mesh.degree(target)) {
-      return std::all_of(neighbours_.begin(), neighbours_.end(), [&](uint32_t corner) {
+      return std::all_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& neighbour) {
+        const uint32_t corner = neighbour.point;
         const auto triangles = mesh.star(corner);
         return corner == target || std::all_of(triangles.begin(), triangles.end(), [&](uint32_t triangle) {
                  return !holds(mesh.face(triangle), target) || fits(triangle);

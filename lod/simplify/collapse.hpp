@@ -50,6 +50,16 @@ class Collapser {
     uint32_t target;
   };
 
+  struct Neighbour {
+    uint32_t point;
+    glm::dvec3 way;  ///< to it
+  };
+  struct Border {
+    uint32_t first, last;
+    double moved;  ///< the square of how far the point is from the line between both; infinite beside it
+  };
+
+  void add_neighbour(uint32_t corner, const glm::dvec3& way);
   void look_around(const ShrinkingMesh& mesh);
   void list_choices();
   bool try_target(ShrinkingMesh& mesh, uint32_t target);
@@ -73,7 +83,8 @@ class Collapser {
   std::vector<glm::dvec3> ring_;
   std::vector<uint32_t> marks_;  ///< for each point the last star whose corner it was
   uint32_t mark_ = 0;
-  std::vector<uint32_t> neighbours_;  ///< of the point, each once
+  std::vector<Neighbour> neighbours_;  ///< of the point, each once
+  std::vector<Border> borders_;        ///< of its open fans
 };
 
 }  // namespace triptych

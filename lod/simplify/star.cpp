@@ -53,20 +53,23 @@ void Star::order_fans(const ShrinkingMesh& mesh, uint32_t point) {
 
 /// Finds for each end of a spoke the one that it shares an edge with.
 void Star::join_ends(const ShrinkingMesh& mesh, uint32_t point) {
-  const auto key = [&](End end) { return uint64_t{corner(end)} << 32 | spokes_[end / 2].material; };
-  ends_.resize(2 * spokes_.size());
-  for (End end = 0; end < ends_.size(); ++end) ends_[end] = end;
-  std::sort(ends_.begin(), ends_.end(), [&](End a, End b) {
-    const uint64_t key_a = key(a), key_b = key(b);
-    return key_a != key_b ? key_a < key_b : spokes_[a / 2].triangle < spokes_[b / 2].triangle;
+  keyed_.clear();
+  for (End end = 0; end < 2 * spokes_.size(); ++end) {
+    const Spoke& spoke = spokes_[end / 2];
+    keyed_.push_back({uint64_t{corner(end)} << 32 | spoke.material, spoke.triangle, end});
+  }
+  std::sort(keyed_.begin(), keyed_.end(), [](const KeyedEnd& a, const KeyedEnd& b) {
+    return a.key != b.key ? a.key < b.key : a.triangle < b.triangle;
   });
-  for (size_t i = 2; i < ends_.size(); ++i) {
-    const uint32_t own = corner(ends_[i]);
-    crowd_ += own > point && own == corner(ends_[i - 2]);
+  ends_.clear();
+  for (const KeyedEnd& keyed : keyed_) ends_.push_back(keyed.end);
+  for (size_t i = 2; i < keyed_.size(); ++i) {
+    const auto own = static_cast<uint32_t>(keyed_[i].key >> 32);
+    crowd_ += own > point && own == keyed_[i - 2].key >> 32;
   }
   mates_.assign(ends_.size(), none);
   for (size_t first = 0, end = 0; first < ends_.size(); first = end) {
-    while (end < ends_.size() && key(ends_[end]) == key(ends_[first])) ++end;
+    while (end < ends_.size() && keyed_[end].key == keyed_[first].key) ++end;
     if (end - first >= 2) join_flattest(mesh, point, {ends_.data() + first, end - first});
   }
 }
@@ -75,6 +78,12 @@ void Star::join_ends(const ShrinkingMesh& mesh, uint32_t point) {
 void Star::join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<const End> ends) {
   // Two are the usual case; more than a few are a hub of sheets that nothing can order.
   if (ends.size() > 8) return;
+  if (ends.size() == 2) {
+    if (corner(ends[0] ^ 1) == corner(ends[1] ^ 1)) return;
+    mates_[ends[0]] = ends[1];
+    mates_[ends[1]] = ends[0];
+    return;
+  }
   const auto origin = glm::dvec3(mesh.point(point));
   const glm::dvec3 edge = glm::dvec3(mesh.point(corner(ends[0]))) - origin;
   struct Pair {
@@ -87,14 +96,11 @@ void Star::join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<co
     for (size_t b = a + 1; b < ends.size(); ++b) {
       const uint32_t beyond_a = corner(ends[a] ^ 1), beyond_b = corner(ends[b] ^ 1);
       if (beyond_a == beyond_b) continue;
-      double cosine = 0;
-      if (ends.size() > 2) {
-        const glm::dvec3 normal_a = glm::cross(edge, glm::dvec3(mesh.point(beyond_a)) - origin),
-                         normal_b = glm::cross(edge, glm::dvec3(mesh.point(beyond_b)) - origin);
-        cosine = glm::dot(normal_a, normal_b) / (glm::length(normal_a) * glm::length(normal_b));
-        // Of sheets that cover each other those that are turned the same way belong together.
-        if ((ends[a] & 1) == (ends[b] & 1)) cosine += 1e-3;
-      }
+      const glm::dvec3 normal_a = glm::cross(edge, glm::dvec3(mesh.point(beyond_a)) - origin),
+                       normal_b = glm::cross(edge, glm::dvec3(mesh.point(beyond_b)) - origin);
+      double cosine = glm::dot(normal_a, normal_b) / (glm::length(normal_a) * glm::length(normal_b));
+      // Of sheets that cover each other those that are turned the same way belong together.
+      if ((ends[a] & 1) == (ends[b] & 1)) cosine += 1e-3;
       pairs[count++] = {cosine, a, b};
     }
   }
@@ -103,7 +109,7 @@ void Star::join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<co
   });
   for (size_t i = 0; i < count; ++i) {
     const End a = ends[pairs[i].a], b = ends[pairs[i].b];
-    if (mates_[a] != none || mates_[b] != none || (ends.size() > 2 && pairs[i].cosine > 0.5)) continue;
+    if (mates_[a] != none || mates_[b] != none || pairs[i].cosine > 0.5) continue;
     mates_[a] = b;
     mates_[b] = a;
   }

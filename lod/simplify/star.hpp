@@ -36,6 +36,12 @@ class Star {
   using End = uint32_t;
   static constexpr End none = 0xffffffffu;
 
+  struct KeyedEnd {
+    uint64_t key;  ///< its corner and material
+    uint32_t triangle;
+    End end;
+  };
+
   bool order_closed();
   void order_fans(const ShrinkingMesh& mesh, uint32_t point);
   void join_ends(const ShrinkingMesh& mesh, uint32_t point);
@@ -45,6 +51,7 @@ class Star {
 
   std::vector<Spoke> spokes_, ordered_;
   std::vector<Fan> fans_;
+  std::vector<KeyedEnd> keyed_;
   std::vector<End> mates_, ends_;
   std::vector<uint8_t> done_;
   size_t crowd_ = 0;
