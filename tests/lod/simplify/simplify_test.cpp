@@ -1,5 +1,6 @@
 #include "lod/simplify/simplify.hpp"
 
+#include "lod/simplify/vertex_clustering.hpp"
 #include "tests/support/distance_judge.hpp"
 #include "tests/support/hard_surfaces.hpp"
 
@@ -101,6 +102,32 @@ TEST(Simplify, merges_thousands_of_bolts_to_any_target) {
       EXPECT_LE(judge::distance_without_colors(surface, level.piece.surface, 500), level.bound + 1e-6);
     }
   }
+}
+
+TEST(Simplify, a_heap_of_small_things_is_clustered_at_once_and_a_single_thing_is_not) {
+  Mesh heap{"heap", {}, {}};
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec3 corner(i % 8, i / 8, i % 3);
+    awkward::append(heap, awkward::box(corner, corner + glm::dvec3(0.6)));
+  }
+  SimplifyLimits limits;
+  limits.colors = Colors::ignore;
+  const auto first_is_clustered = [&](const Surface& surface, std::span<const uint8_t> locked) {
+    const size_t half = surface.triangles.size() / 2;
+    const Chain chain = simplify(surface, locked, limits);
+    return !chain.levels.empty() &&
+           chain.levels[0].piece.surface.triangles ==
+               cluster_to(surface, locked, half, limits.colors).piece.surface.triangles;
+  };
+  const Surface boxes = awkward::surface_of(heap), sphere = awkward::surface_of(awkward::sphere(8));
+  EXPECT_TRUE(first_is_clustered(boxes, {}));
+  EXPECT_FALSE(first_is_clustered(sphere, {}));
+  // With a border everywhere they are pieces of something larger.
+  std::vector<uint8_t> locked(boxes.points.size(), 0);
+  for (size_t i = 0; i < locked.size(); i += 8) locked[i] = 1;
+  EXPECT_FALSE(first_is_clustered(boxes, locked));
+  limits.colors = Colors::keep;
+  EXPECT_FALSE(first_is_clustered(boxes, {}));
 }
 
 TEST(Simplify, ends_before_a_level_beyond_the_largest_bound) {
