@@ -90,8 +90,9 @@ void EdgeCollapse::changed(uint32_t point, double error, double cost) {
     steps_[point] = 0;
     push({costs_[point], point});
   } else {
-    // What lies around has moved; one more step adds about as much as it would have before.
-    costs_[point] = std::max(costs_[point], static_cast<float>(error) + steps_[point]);
+    // What lies around has moved; one more step adds half as much as it would have before, or more. It is
+    // looked at again when it is the next one.
+    costs_[point] = std::max(costs_[point], static_cast<float>(error) + steps_[point] / 2);
   }
 }
 
