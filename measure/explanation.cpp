@@ -151,7 +151,7 @@ void Explainer::explain_culling(DrawableExplanation& explanation) {
     const bool hidden = test != tests_.end() && !test->second;
     // A scene node is not tested where its box covers no pixel's centre; those above it may be.
     const bool between_pixels =
-        test == tests_.end() && node == explanation.facts.scene_node &&
+        node == explanation.facts.scene_node &&
         drawable_bounds(skeleton_, projector, explanation.facts.id).kind == ScreenBounds::Kind::off_screen;
     if (!hidden && !between_pixels) continue;
     explanation.fate = hidden ? Fate::hidden : Fate::between_pixels;

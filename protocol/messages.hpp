@@ -15,7 +15,7 @@
 
 namespace triptych {
 
-inline constexpr uint32_t protocol_version = 4;
+inline constexpr uint32_t protocol_version = 5;
 
 /// The first message on every socket, in both directions.
 struct Hello {

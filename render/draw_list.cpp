@@ -47,15 +47,17 @@ const DrawListBuilder::PlacedLattice& DrawListBuilder::place(uint32_t transform,
   return placed;
 }
 
-void DrawListBuilder::set_bound(const LatticeBox& box, DrawRecord& record) const {
+BoundRecord DrawListBuilder::bound(const LatticeBox& box) const {
   DepthBound bound;
   if (!injected(Fault::no_fragment_bound)) bound = projector_.depth_bound(box);
-  record.nearest = bound.nearest;
-  const glm::vec2 pixel(2.0f / static_cast<float>(view_.width), 2.0f / static_cast<float>(view_.height));
+  BoundRecord record{.x = {}, .y = {}, .at = glm::vec4(bound.nearest)};
   for (int i = 0; i < 3; ++i) {
     const DepthPlane& plane = bound.planes[static_cast<size_t>(i)];
-    record.planes[i] = glm::vec3(plane.slope * pixel, plane.at(-1, -1));
+    record.x[i] = plane.slope.x * 2.0f / static_cast<float>(view_.width);
+    record.y[i] = plane.slope.y * 2.0f / static_cast<float>(view_.height);
+    record.at[i] = plane.at(-1, -1);
   }
+  return record;
 }
 
 void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableId> drawables,
@@ -75,7 +77,10 @@ void DrawListBuilder::append(const DeviceScene& scene, std::span<const DrawableI
                                .first_index = range.first_index,
                                .base_vertex = static_cast<int32_t>(range.base_vertex),
                                .base_instance = static_cast<uint32_t>(list.records.size())});
-      set_bound(placement_box(skeleton_, placement, node_box), record);
+      record.first_bound = static_cast<uint32_t>(list.bounds.size());
+      boxes_.clear();
+      append_piece_boxes(skeleton_, placement, node_box, boxes_);
+      for (const LatticeBox& box : boxes_) list.bounds.push_back(bound(box));
       std::copy(std::begin(placed.rows), std::end(placed.rows), record.rows);
       record.cell = placed.cell;
       list.records.push_back(record);

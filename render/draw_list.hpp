@@ -1,4 +1,5 @@
-// Drawables as OpenGL draws them: one indirect command and one record a placement, in the order given.
+// Drawables as OpenGL draws them: one indirect command and one record a placement, in the order
+// given, and the bounds of its pieces.
 #pragma once
 
 #include "render/device_scene.hpp"
@@ -17,12 +18,17 @@ struct DrawRecord {
   glm::vec4 rows[3];
   glm::ivec3 cell;
   uint32_t item;
-  /// DepthBound in window coordinates (pixels): slopes and what there is at (0, 0). Last, `nearest`.
-  glm::vec3 planes[3];
-  float nearest;
-  uint32_t unused[2];
+  uint32_t first_bound;  ///< of the chunk's pieces, which follow each other
+  uint32_t unused[3];
 };
-static_assert(sizeof(DrawRecord) == 112);
+static_assert(sizeof(DrawRecord) == 80);
+
+/// DepthBound of a piece in window coordinates (pixels): for each of the planes its slopes and what there is
+/// at (0, 0), which the vertex stage passes on as they are. Last, `nearest`.
+struct BoundRecord {
+  glm::vec4 x, y, at;
+};
+static_assert(sizeof(BoundRecord) == 48);
 
 struct DrawCommand {
   uint32_t index_count, instance_count, first_index;
@@ -38,6 +44,7 @@ class DrawListBuilder {
 
   struct DrawList {
     std::vector<DrawRecord> records;
+    std::vector<BoundRecord> bounds;
     std::vector<DrawCommand> commands;
     uint64_t triangles = 0;
   };
@@ -52,7 +59,7 @@ class DrawListBuilder {
     glm::ivec3 cell;
   };
   const PlacedLattice& place(uint32_t transform, uint32_t lattice);
-  void set_bound(const LatticeBox& box, DrawRecord& record) const;
+  BoundRecord bound(const LatticeBox& box) const;
 
   const Skeleton& skeleton_;
   View view_;
@@ -61,6 +68,7 @@ class DrawListBuilder {
   BoxProjector projector_;
   std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice it was last asked with
   std::vector<uint32_t> placed_with_lattice_;
+  std::vector<LatticeBox> boxes_;
 };
 
 }  // namespace triptych

@@ -145,14 +145,15 @@ double passes_that_disagree() {
                                    {0x1.1p-27f, -0x1.3p-25f, 0x1.2p-20f, -0.003f}},
                           .cell = {17, -29, 5},
                           .item = 0,
-                          .planes = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
-                          .nearest = 1,
+                          .first_bound = 0,
                           .unused = {}};
+  const BoundRecord bound{.x = {}, .y = {}, .at = glm::vec4(1)};
   const glm::vec4 white(1);
   GlVertexArray vertex_array;
-  StreamBuffer positions, records, palette;
+  StreamBuffer positions, records, bounds, palette;
   positions.upload(std::span<const ChunkVertex>(vertices));
   records.upload(std::span(&record, 1));
+  bounds.upload(std::span(&bound, 1));
   palette.upload(std::span(&white, 1));
   glVertexArrayAttribIFormat(vertex_array, 0, 3, GL_INT, 0);
   glVertexArrayAttribIFormat(vertex_array, 1, 1, GL_UNSIGNED_INT, 12);
@@ -172,6 +173,7 @@ double passes_that_disagree() {
     target.bind();
     glBindVertexArray(vertex_array);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, draws_binding, records);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_binding, palette);
     glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()), 1, 0);
   };

@@ -70,6 +70,7 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Target& tar
   builder_->append(scene_, drawables, list);
   if (list.commands.empty()) return 0;
   records_.upload(std::span<const DrawRecord>(list.records));
+  bounds_.upload(std::span<const BoundRecord>(list.bounds));
   commands_.upload(std::span<const DrawCommand>(list.commands));
 
   const Pass& used = pass(kind);
@@ -82,6 +83,7 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Target& tar
   target.bind();
   scene_.bind();
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, draws_binding, records_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal

@@ -36,7 +36,7 @@ class Renderer {
   std::optional<Pass> passes_[2][4];  ///< by projection; a program exists only once something calls for it
   std::optional<DrawListBuilder> builder_;
   View view_;
-  StreamBuffer records_, commands_;
+  StreamBuffer records_, bounds_, commands_;
 };
 
 }  // namespace triptych

@@ -11,20 +11,22 @@ struct DrawRecord {
   vec4 rows[3];    // chunk lattice, relative to the eye's cell, to eye space
   ivec3 cell;      // the eye's cell, negated
   uint item;
-  float planes[9]; // no fragment of the drawable is nearer than any of three planes, over pixels
-  float nearest;   // nor than this
-  uint unused0, unused1;
+  uint first_bound, unused0, unused1, unused2;
 };
+// No fragment of a piece is nearer than any of three planes, over pixels, nor than at.w.
+struct BoundRecord { vec4 x, y, at; };
 layout(std430, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
+layout(std430, binding = 4) readonly buffer Bounds { BoundRecord bounds[]; };
 )";
 
 // A sliver seen edge-on has depth interpolated beyond its own vertices. Bounding every fragment by its
-// drawable's box, in every pass, is what makes the rectangle test exact. Written so that NaN is dropped too.
+// piece's box, in every pass, is what makes the rectangle test exact. Written so that NaN is dropped too.
 const std::string bounded = R"(
-flat in vec4 bound_x, bound_y, bound_z;
+flat in vec3 bound_x, bound_y;
+flat in vec4 bound_at;
 void bound_fragment() {
-  vec3 planes = bound_x.xyz * gl_FragCoord.x + bound_y.xyz * gl_FragCoord.y + bound_z.xyz;
-  if (!(gl_FragCoord.z <= min(min(planes.x, planes.y), min(planes.z, bound_z.w)))) discard;
+  vec3 planes = bound_x * gl_FragCoord.x + bound_y * gl_FragCoord.y + bound_at.xyz;
+  if (!(gl_FragCoord.z <= min(min(planes.x, planes.y), min(planes.z, bound_at.w)))) discard;
 }
 )";
 
@@ -49,13 +51,14 @@ std::string geometry_vertex_shader(Projection projection) {
   return version + "#extension GL_ARB_shader_draw_parameters : require\n" + draw_record + R"(
 layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };
 layout(location = 0) in ivec3 point;
-layout(location = 1) in uint color_index;
+layout(location = 1) in uint color_and_piece;
 uniform vec4 frustum;  // x scale, y scale, x shift, y shift
 uniform vec2 depth;    // perspective: the near plane; orthographic: scale and shift
 invariant gl_Position;
 out vec3 eye_position;
 flat out vec4 base_color;
-flat out vec4 bound_x, bound_y, bound_z;
+flat out vec3 bound_x, bound_y;
+flat out vec4 bound_at;
 flat out uint item;
 void main() {
   DrawRecord draw = draws[gl_BaseInstanceARB];
@@ -72,10 +75,11 @@ void main() {
   gl_Position = vec4(frustum.x * eye_position.x + frustum.z, frustum.y * eye_position.y + frustum.w,
                      depth.x * eye_position.z + depth.y, 1.0);
 )") +
-         R"(  base_color = palette[color_index];
-  bound_x = vec4(draw.planes[0], draw.planes[3], draw.planes[6], 0.0);
-  bound_y = vec4(draw.planes[1], draw.planes[4], draw.planes[7], 0.0);
-  bound_z = vec4(draw.planes[2], draw.planes[5], draw.planes[8], draw.nearest);
+         R"(  base_color = palette[color_and_piece & 0xffffffu];
+  BoundRecord bound = bounds[draw.first_bound + (color_and_piece >> 24)];
+  bound_x = bound.x.xyz;
+  bound_y = bound.y.xyz;
+  bound_at = bound.at;
   item = draw.item;
 }
 )";

@@ -12,6 +12,16 @@ LatticeBox Chunk::box() const {
   return box;
 }
 
+std::vector<LatticeBox> Chunk::pieces() const {
+  std::vector<LatticeBox> boxes;
+  for (const ChunkVertex& vertex : vertices) {
+    if (vertex.piece >= boxes.size()) boxes.resize(vertex.piece + 1u);
+    boxes[vertex.piece].extend(vertex.point);
+  }
+  if (boxes.size() == 1) boxes.clear();
+  return boxes;
+}
+
 std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   // Vertex cache order, then vertices in the order of their first use: both codecs count on it.
   std::vector<uint32_t> indices(chunk.indices.size());
@@ -35,8 +45,8 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   return std::move(writer.bytes());
 }
 
-Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info, size_t palette_size,
-                   const std::string& place) {
+Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
+                   std::span<const LatticeBox> pieces, size_t palette_size, const std::string& place) {
   ByteReader reader(bytes, place);
   const auto vertex_count = reader.read<uint32_t>();
   const auto triangle_count = reader.read<uint32_t>();
@@ -59,9 +69,17 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info, size
     if (index >= vertex_count) fail(place, "names vertex {} of {}", index, vertex_count);
   }
   for (const ChunkVertex& vertex : chunk.vertices) {
-    if (vertex.color >= palette_size) fail(place, "names colour {} of {}", vertex.color, palette_size);
-    if (!info.box.contains(LatticeBox{vertex.point, vertex.point}))
+    if (vertex.color >= palette_size) fail(place, "names colour {} of {}", +vertex.color, palette_size);
+    if (vertex.piece >= pieces.size()) fail(place, "names piece {} of {}", +vertex.piece, pieces.size());
+    if (!pieces[vertex.piece].contains(LatticeBox{vertex.point, vertex.point}))
       fail(place, "has a vertex outside its box");
+  }
+  for (size_t i = 0; i < chunk.indices.size(); i += 3) {
+    const uint32_t piece = chunk.vertices[chunk.indices[i]].piece;
+    for (size_t k = 1; k < 3; ++k) {
+      if (chunk.vertices[chunk.indices[i + k]].piece != piece)
+        fail(place, "has a triangle across its pieces");
+    }
   }
   return chunk;
 }

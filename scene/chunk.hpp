@@ -14,11 +14,17 @@ namespace triptych {
 
 /// 16 bytes, as the graphics card reads it.
 struct ChunkVertex {
-  glm::ivec3 point;  ///< on the chunk's lattice
-  uint32_t color;    ///< index into the palette
+  glm::ivec3 point;         ///< on the chunk's lattice
+  uint32_t color : 24 = 0;  ///< index into the palette
+  uint32_t piece : 8 = 0;   ///< index into the chunk's pieces; all corners of a triangle name the same one
   bool operator==(const ChunkVertex&) const = default;
 };
 static_assert(sizeof(ChunkVertex) == 16);
+
+/// No palette is larger, since vertices could not name its colours.
+inline constexpr size_t most_colors = size_t{1} << 24;
+/// Nor has a chunk more pieces.
+inline constexpr size_t most_chunk_pieces = 256;
 
 struct Chunk {
   std::vector<ChunkVertex> vertices;
@@ -26,6 +32,8 @@ struct Chunk {
 
   size_t triangle_count() const { return indices.size() / 3; }
   LatticeBox box() const;
+  /// Of a chunk in several pieces their boxes; empty for one in one piece.
+  std::vector<LatticeBox> pieces() const;
 };
 
 /// Reorders for the vertex cache and compresses with meshoptimizer's codecs (Arseny Kapoulkine). Degenerate
@@ -33,8 +41,9 @@ struct Chunk {
 std::vector<std::byte> encode_chunk(const Chunk& chunk);
 
 /// Reads back what encode_chunk wrote. Error (place) for bytes that do not decode, or that hold other counts,
-/// indices out of range, colours beyond palette_size or points outside info.box.
-Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info, size_t palette_size,
-                   const std::string& place);
+/// indices out of range, colours beyond palette_size, points outside their piece's box, or triangles across
+/// pieces. `pieces`: Skeleton::pieces_of() the chunk.
+Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
+                   std::span<const LatticeBox> pieces, size_t palette_size, const std::string& place);
 
 }  // namespace triptych

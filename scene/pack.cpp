@@ -46,6 +46,15 @@ uint64_t geometry_checksum(const std::vector<ChunkInfo>& chunks) {
 
 }  // namespace
 
+EncodedChunk::EncodedChunk(const Chunk& chunk)
+    : bytes(encode_chunk(chunk)),
+      triangles(static_cast<uint32_t>(chunk.triangle_count())),
+      box(chunk.box()),
+      pieces(chunk.pieces()) {
+  // The codec drops vertices that no triangle uses, so the bytes say how many there are.
+  std::memcpy(&vertices, bytes.data(), sizeof(vertices));
+}
+
 PackWriter::PackWriter(const std::filesystem::path& file) : file_(file) {
   const Header unfinished{.signature = {}};
   file_.write(std::as_bytes(std::span(&unfinished, 1)));
@@ -64,27 +73,31 @@ uint64_t PackWriter::flush() {
 }
 
 uint32_t PackWriter::add_chunk(const Chunk& chunk, uint32_t lattice) {
-  return add_encoded_chunk(encode_chunk(chunk), static_cast<uint32_t>(chunk.vertices.size()),
-                           static_cast<uint32_t>(chunk.triangle_count()), chunk.box(), lattice);
+  return add_chunk(EncodedChunk(chunk), lattice);
 }
 
-uint32_t PackWriter::add_encoded_chunk(std::span<const std::byte> encoded, uint32_t vertex_count,
-                                       uint32_t triangle_count, const LatticeBox& box, uint32_t lattice) {
-  // The codec drops vertices that no triangle uses, so the bytes say how many there are.
-  std::memcpy(&vertex_count, encoded.data(), sizeof(vertex_count));
+uint32_t PackWriter::add_chunk(const EncodedChunk& chunk, uint32_t lattice) {
   chunks_.push_back({.offset = file_.size() - sizeof(Header),
-                     .size = encoded.size(),
-                     .checksum = hash_bytes(encoded),
-                     .vertex_count = vertex_count,
-                     .triangle_count = triangle_count,
+                     .size = chunk.bytes.size(),
+                     .checksum = hash_bytes(chunk.bytes),
+                     .vertex_count = chunk.vertices,
+                     .triangle_count = chunk.triangles,
                      .lattice = lattice,
-                     .box = box});
-  file_.write(encoded);
+                     .first_piece = static_cast<uint32_t>(pieces_.size()),
+                     .box = chunk.box});
+  pieces_.insert(pieces_.end(), chunk.pieces.begin(), chunk.pieces.end());
+  file_.write(chunk.bytes);
   return static_cast<uint32_t>(chunks_.size() - 1);
+}
+
+void PackWriter::adopt(std::span<const ChunkInfo> chunks, std::span<const LatticeBox> pieces) {
+  chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
+  pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
 }
 
 void PackWriter::finish(Skeleton skeleton) {
   skeleton.chunks = std::move(chunks_);
+  skeleton.pieces = std::move(pieces_);
   const uint64_t geometry_end = file_.size();
   const std::vector<std::byte> skeleton_bytes = encode_skeleton(skeleton);
   file_.write(skeleton_bytes);
@@ -178,7 +191,7 @@ Chunk Pack::read_chunk(uint32_t chunk) const {
   if (hash_bytes(bytes) != info.checksum) {
     fail(place, "byte {}: the checksum does not match: the pack is damaged", geometry_offset_ + info.offset);
   }
-  return decode_chunk(bytes, info, skeleton_.palette.size(), place);
+  return decode_chunk(bytes, info, skeleton_.pieces_of(chunk), skeleton_.palette.size(), place);
 }
 
 }  // namespace triptych

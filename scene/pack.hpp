@@ -13,7 +13,17 @@
 
 namespace triptych {
 
-inline constexpr uint32_t pack_format_version = 1;
+inline constexpr uint32_t pack_format_version = 2;
+
+/// A chunk that waits for its turn to be written: threads encode, one writes in a fixed order.
+struct EncodedChunk {
+  explicit EncodedChunk(const Chunk& chunk);
+
+  std::vector<std::byte> bytes;
+  uint32_t vertices = 0, triangles = 0;
+  LatticeBox box;
+  std::vector<LatticeBox> pieces;  ///< Chunk::pieces()
+};
 
 /// Writes chunks as they come, then the skeleton; the file appears under its name with finish() and not
 /// before.
@@ -26,11 +36,12 @@ class PackWriter {
   /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are
   /// taken down.
   uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
-  /// Appends a chunk that encode_chunk already encoded; for builds on many threads.
-  uint32_t add_encoded_chunk(std::span<const std::byte> encoded, uint32_t vertex_count,
-                             uint32_t triangle_count, const LatticeBox& box, uint32_t lattice);
-  void adopt(const ChunkInfo& chunk) { chunks_.push_back(chunk); }
+  /// Appends a chunk that was encoded already; for builds on many threads.
+  uint32_t add_chunk(const EncodedChunk& chunk, uint32_t lattice);
+  /// Takes over the chunks and pieces that come next.
+  void adopt(std::span<const ChunkInfo> chunks, std::span<const LatticeBox> pieces);
   const std::vector<ChunkInfo>& chunks() const { return chunks_; }
+  const std::vector<LatticeBox>& pieces() const { return pieces_; }
   /// What was added survives the end of the process. Returns how many bytes that are.
   uint64_t flush();
   /// Writes the skeleton (its chunk table is the writer's own) and puts the file in place.
@@ -39,6 +50,7 @@ class PackWriter {
  private:
   AtomicFile file_;
   std::vector<ChunkInfo> chunks_;
+  std::vector<LatticeBox> pieces_;
 };
 
 /// An open pack: the skeleton in memory, chunks read on demand. Safe to read from several threads.

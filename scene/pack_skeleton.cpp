@@ -1,6 +1,7 @@
 #include "scene/pack_skeleton.hpp"
 
 #include "base/bytes.hpp"
+#include "scene/chunk.hpp"
 
 #include <cmath>
 
@@ -10,7 +11,8 @@ namespace {
 
 // The arrays are written as they stand in memory; these sizes are the format.
 static_assert(sizeof(SceneNode) == 44 && sizeof(Drawable) == 24 && sizeof(Placement) == 8);
-static_assert(sizeof(Affine) == 96 && sizeof(Lattice) == 32 && sizeof(ChunkInfo) == 64);
+static_assert(sizeof(Affine) == 96 && sizeof(Lattice) == 32 && sizeof(ChunkInfo) == 64 &&
+              sizeof(LatticeBox) == 24);
 
 template <typename Value>
 void write_array(ByteWriter& writer, const std::vector<Value>& values) {
@@ -92,6 +94,23 @@ void check_drawables(const Skeleton& skeleton, const std::string& place) {
   }
 }
 
+void check_pieces(const Skeleton& skeleton, const std::string& place) {
+  size_t end = skeleton.pieces.size();
+  for (size_t i = skeleton.chunks.size(); i-- > 0;) {
+    const ChunkInfo& chunk = skeleton.chunks[i];
+    const std::string here = fmt::format("{}: chunk {}", place, i);
+    if (chunk.first_piece > end) fail(here, "names pieces that do not exist");
+    const size_t count = end - chunk.first_piece;
+    if (count == 1 || count > most_chunk_pieces) fail(here, "has {} pieces", count);
+    for (size_t piece = chunk.first_piece; piece < end; ++piece) {
+      const LatticeBox& box = skeleton.pieces[piece];
+      if (box.empty() || !chunk.box.contains(box)) fail(here, "has a piece outside its box");
+    }
+    end = chunk.first_piece;
+  }
+  if (end != 0) fail(place, "has pieces of no chunk");
+}
+
 void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::string& place) {
   for (size_t i = 0; i < skeleton.chunks.size(); ++i) {
     const ChunkInfo& chunk = skeleton.chunks[i];
@@ -128,7 +147,7 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
   writer.bytes().reserve(4096 + bytes_of(skeleton.lattices) + bytes_of(skeleton.palette) +
                          bytes_of(skeleton.transforms) + bytes_of(skeleton.scene_nodes) +
                          bytes_of(skeleton.drawables) + bytes_of(skeleton.placements) +
-                         bytes_of(skeleton.chunks));
+                         bytes_of(skeleton.chunks) + bytes_of(skeleton.pieces));
   for (const uint64_t count :
        {skeleton.source_triangles, skeleton.placed_triangles, skeleton.objects.initial,
         skeleton.objects.partition1, skeleton.objects.clusters, skeleton.objects.partition2,
@@ -145,6 +164,7 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
   write_array(writer, skeleton.drawables);
   write_array(writer, skeleton.placements);
   write_array(writer, skeleton.chunks);
+  write_array(writer, skeleton.pieces);
   return std::move(writer.bytes());
 }
 
@@ -167,12 +187,14 @@ Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_siz
   skeleton.drawables = read_array<Drawable>(reader);
   skeleton.placements = read_array<Placement>(reader);
   skeleton.chunks = read_array<ChunkInfo>(reader);
+  skeleton.pieces = read_array<LatticeBox>(reader);
   reader.expect_end();
   if (skeleton.lattices.empty() || skeleton.transforms.empty() || skeleton.palette.empty()) {
     fail(place, "lacks its lattice, transform or palette");
   }
   check_scene_nodes(skeleton, place);
   check_chunks(skeleton, geometry_size, place);
+  check_pieces(skeleton, place);
   check_drawables(skeleton, place);
   return skeleton;
 }

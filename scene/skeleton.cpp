@@ -15,6 +15,12 @@ uint32_t Skeleton::levels() const {
   return deepest;
 }
 
+std::span<const LatticeBox> Skeleton::pieces_of(uint32_t chunk) const {
+  const size_t first = chunks[chunk].first_piece;
+  const size_t end = chunk + 1 < chunks.size() ? chunks[chunk + 1].first_piece : pieces.size();
+  return first == end ? std::span(&chunks[chunk].box, 1) : std::span(pieces).subspan(first, end - first);
+}
+
 double Skeleton::diagonal() const {
   if (scene_nodes.empty()) return 0;
   const Box box = lattice().box(scene_nodes[0].box);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,9 +52,9 @@ struct ChunkInfo {
   uint64_t offset = 0, size = 0;  ///< bytes, from the start of the geometry section
   uint64_t checksum = 0;          ///< XXH3-64 of those bytes
   uint32_t vertex_count = 0, triangle_count = 0;
-  uint32_t lattice = 0;  ///< index into Skeleton::lattices
-  uint32_t reserved = 0;
-  LatticeBox box;  ///< of its vertices, on its lattice
+  uint32_t lattice = 0;      ///< index into Skeleton::lattices
+  uint32_t first_piece = 0;  ///< index into Skeleton::pieces, of which it has those up to the next chunk's
+  LatticeBox box;            ///< of its vertices, on its lattice
   bool operator==(const ChunkInfo&) const = default;
 };
 
@@ -71,6 +72,7 @@ struct Skeleton {
       transforms;  ///< lattice space of a chunk (as positions) to model space; 0 is the identity
   std::vector<Lattice> lattices;  ///< 0 is the model's
   std::vector<ChunkInfo> chunks;
+  std::vector<LatticeBox> pieces;  ///< of chunks in several pieces: boxes of their vertices, piece by piece
   std::vector<std::array<uint8_t, 4>> palette;  ///< base colours, sRGB bytes, that vertices name by index
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
@@ -78,6 +80,8 @@ struct Skeleton {
   std::vector<std::string> effects;  ///< effects that the model calls for; empty for plain opaque models
 
   const Lattice& lattice() const { return lattices[0]; }
+  /// Boxes that hold the chunk's vertices, on its lattice: of its pieces, or the one of all of it.
+  std::span<const LatticeBox> pieces_of(uint32_t chunk) const;
   uint32_t levels() const;  ///< the longest way from the root to a leaf, in scene nodes
   /// Length of the root box's diagonal, model units.
   double diagonal() const;

@@ -30,16 +30,18 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
   return piece;
 }
 
-Chunk make_chunk(const Surface& surface) {
+Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   Chunk chunk;
   tsl::robin_map<uint64_t, uint32_t, KeyHash> vertices;
   vertices.reserve(surface.points.size());
   chunk.indices.reserve(surface.triangles.size() * 3);
-  for (const Triangle& triangle : surface.triangles) {
-    for (const uint32_t point : triangle.vertices) {
-      const uint64_t key = uint64_t{triangle.material} << 32 | point;
+  for (size_t i = 0; i < surface.triangles.size(); ++i) {
+    const uint32_t color = surface.triangles[i].material;
+    const uint8_t piece = pieces.empty() ? 0 : pieces[i];
+    for (const uint32_t point : surface.triangles[i].vertices) {
+      const uint64_t key = uint64_t{piece} << 56 | uint64_t{color} << 32 | point;
       const auto [found, inserted] = vertices.try_emplace(key, static_cast<uint32_t>(chunk.vertices.size()));
-      if (inserted) chunk.vertices.push_back({surface.points[point], triangle.material});
+      if (inserted) chunk.vertices.push_back({surface.points[point], color & 0xffffffu, piece});
       chunk.indices.push_back(found->second);
     }
   }

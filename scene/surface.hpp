@@ -30,8 +30,9 @@ struct Piece {
 /// The given triangles of the surface as a piece of its own, points in the order of their first use.
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles);
 
-/// The surface as it is drawn: a vertex for each point and colour that meet.
-Chunk make_chunk(const Surface& surface);
+/// The surface as it is drawn: a vertex for each point, colour and piece that meet. `pieces`: for each
+/// triangle ChunkVertex::piece; none if all of it is one.
+Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
 
 /// True if the corners lie on one line; exact.
 bool degenerate(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c);

@@ -15,6 +15,7 @@ namespace {
 struct Waiting {
   uint64_t distance;
   SceneNodeId node;
+  bool again = false;  ///< its drawable was tested by the boxes of its placements, and shows
   auto operator<=>(const Waiting&) const = default;
 };
 
@@ -83,22 +84,22 @@ class HardwareCull {
 
   /// Takes scene nodes in rank order until `batch_` of them want a test.
   void fill_batch() {
-    nodes_.clear();
+    tested_.clear();
     rectangles_.clear();
     ends_.clear();
-    while (!queue_.empty() && nodes_.size() < batch_) {
-      const SceneNodeId id = queue_.top().node;
+    while (!queue_.empty() && tested_.size() < batch_) {
+      Waiting next = queue_.top();
+      const SceneNodeId id = next.node;
       queue_.pop();
       const bool inner = cut_.choice[id] == Cut::inner;
       if (inner && expected_[id]) {
         push_children(id);
         continue;
       }
-      const DrawableBounds bounds =
-          inner ? node_bounds(id) : drawable_bounds(skeleton_, projector_, cut_.choice[id]);
+      const DrawableBounds bounds = inner ? node_bounds(id) : bounds_of(next);
       if (bounds.kind == ScreenBounds::Kind::off_screen) continue;
       if (bounds.kind == ScreenBounds::Kind::rectangle) {
-        nodes_.push_back(id);
+        tested_.push_back(next);
         rectangles_.insert(rectangles_.end(), bounds.rectangles.begin(), bounds.rectangles.end());
         ends_.push_back(static_cast<uint32_t>(rectangles_.size()));
       } else if (inner) {
@@ -115,18 +116,38 @@ class HardwareCull {
     return {bounds.kind, {bounds.rectangle}};
   }
 
+  /// By the boxes of its placements first, since most of what is tested is hidden; then, or where it was
+  /// visible a frame ago, by its pieces.
+  DrawableBounds bounds_of(Waiting& waiting) const {
+    const DrawableId id = cut_.choice[waiting.node];
+    const bool in_pieces = has_pieces(skeleton_, id);
+    if (in_pieces && !waiting.again && !was_visible_[id]) {
+      const DrawableBounds bounds = placement_bounds(skeleton_, projector_, id);
+      if (bounds.kind != ScreenBounds::Kind::unbounded) return bounds;
+    }
+    waiting.again = true;
+    return in_pieces ? drawable_bounds(skeleton_, projector_, id)
+                     : placement_bounds(skeleton_, projector_, id);
+  }
+
   void test_batch() {
-    if (nodes_.empty()) return;
-    answers_.assign(nodes_.size(), 1);
+    if (tested_.empty()) return;
+    answers_.assign(tested_.size(), 1);
     tester_.test(rectangles_, ends_, answers_);
     ++result_.batches;
-    result_.tests += nodes_.size();
-    for (size_t i = 0; i < nodes_.size(); ++i) {
-      const bool inner = cut_.choice[nodes_[i]] == Cut::inner;
-      if (options_.on_test) options_.on_test(nodes_[i], answers_[i] != 0);
-      if (inner && answers_[i]) push_children(nodes_[i]);
+    result_.tests += tested_.size();
+    for (size_t i = 0; i < tested_.size(); ++i) {
+      const SceneNodeId node = tested_[i].node;
+      const bool inner = cut_.choice[node] == Cut::inner;
+      if (options_.on_test) options_.on_test(node, answers_[i] != 0);
+      if (inner && answers_[i]) push_children(node);
       if (inner && !answers_[i]) ++result_.hidden_subtrees;
-      if (!inner && answers_[i]) show(nodes_[i]);
+      if (inner || !answers_[i]) continue;
+      if (tested_[i].again) {
+        show(node);
+      } else {
+        queue_.push({tested_[i].distance, node, true});
+      }
     }
   }
 
@@ -165,9 +186,9 @@ class HardwareCull {
   std::vector<DrawRank> previous_;  ///< V(i−1) in rank order
   size_t next_previous_ = 0;        ///< the first of them that is not decided
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
-  std::vector<SceneNodeId> nodes_;
+  std::vector<Waiting> tested_;
   std::vector<ScreenRectangle> rectangles_;
-  std::vector<uint32_t> ends_;  ///< for each of nodes_ the end of its rectangles
+  std::vector<uint32_t> ends_;  ///< for each of tested_ the end of its rectangles
   std::vector<uint8_t> answers_;
   std::vector<DrawableId> found_;
   CullPacket packet_;  ///< what was decided since the last one was sent

@@ -18,18 +18,22 @@ void BuildWork::unit(const std::function<void(ByteWriter&)>& work,
   if (const auto record = journal_.replay()) {
     --left_to_replay_;
     ByteReader reader(*record, place);
-    for (const ChunkInfo& chunk : reader.read_all<ChunkInfo>(reader.read<uint64_t>())) pack_.adopt(chunk);
+    const auto chunks = reader.read_all<ChunkInfo>(reader.read<uint64_t>());
+    pack_.adopt(chunks, reader.read_all<LatticeBox>(reader.read<uint64_t>()));
     take(reader);
     reader.expect_end();
     return;
   }
-  const size_t first_chunk = pack_.chunks().size();
+  const size_t first_chunk = pack_.chunks().size(), first_piece = pack_.pieces().size();
   ByteWriter result;
   work(result);
-  const auto added = std::span(pack_.chunks()).subspan(first_chunk);
+  const auto chunks = std::span(pack_.chunks()).subspan(first_chunk);
+  const auto pieces = std::span(pack_.pieces()).subspan(first_piece);
   ByteWriter record;
-  record.write(uint64_t{added.size()});
-  record.write_all(added);
+  record.write(uint64_t{chunks.size()});
+  record.write_all(chunks);
+  record.write(uint64_t{pieces.size()});
+  record.write_all(pieces);
   record.write_all(std::span<const std::byte>(result.bytes()));
   journal_.append(record.bytes(), std::array{parts_.size(), surfaces_.size(), pack_.flush()});
   ByteReader reader(result.bytes(), place);

@@ -110,10 +110,10 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   hlod.stuck = chain.stuck && chain.levels.empty();
   for (const Level& level : chain.levels) {
     hlod.drawables.push_back(
-        {encode_pieces(level.piece.surface, in_pieces), children.error + level.bound * lattice.step});
+        {encode(level.piece.surface, in_pieces), children.error + level.bound * lattice.step});
   }
   if (chain.levels.empty()) {
-    hlod.drawables.push_back({encode_pieces(children.surface, in_pieces), children.error});
+    hlod.drawables.push_back({encode(children.surface, in_pieces), children.error});
     hlod.coarsest = std::move(children);
   } else {
     Piece& piece = chain.levels.back().piece;

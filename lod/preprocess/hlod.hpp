@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/spool_file.hpp"
-#include "lod/preprocess/encoded.hpp"
+#include "lod/preprocess/pieces.hpp"
 #include "lod/simplify/simplify.hpp"
 #include "scene/key_hash.hpp"
 #include "scene/lattice.hpp"
@@ -63,7 +63,7 @@ class Baker {
 };
 
 struct HlodDrawable {
-  std::vector<EncodedChunk> chunks;
+  EncodedChunk chunk;
   double error = 0;
 };
 
@@ -74,7 +74,7 @@ struct Hlod {
 };
 
 /// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.
-/// `how`: simplifier and kind of bound. `in_pieces`: what is mostly air becomes several chunks. Points of
+/// `how`: simplifier and kind of bound. `in_pieces`: what is mostly air has boxes for its pieces. Points of
 /// borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of levels.
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
                uint32_t triangles, const SimplifyLimits& how, bool in_pieces);

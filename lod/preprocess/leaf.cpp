@@ -3,7 +3,7 @@
 #include "base/inject.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
-#include "lod/preprocess/encoded.hpp"
+#include "lod/preprocess/pieces.hpp"
 #include "lod/simplify/simplify.hpp"
 
 #include <algorithm>
@@ -22,9 +22,9 @@ constexpr size_t unit_parts = 4096;
 
 /// A part's levels before they have their places in the files.
 struct Prepared {
-  std::vector<std::vector<EncodedChunk>> chunks;  ///< for each level
-  std::vector<double> bounds;                     ///< lattice steps
-  std::vector<Part> kept;                         ///< for each level its geometry, or nothing
+  std::vector<EncodedChunk> chunks;  ///< for each level
+  std::vector<double> bounds;        ///< lattice steps
+  std::vector<Part> kept;            ///< for each level its geometry, or nothing
   uint64_t detached_triangles = 0;
   bool stuck = false;
 };
@@ -32,7 +32,7 @@ struct Prepared {
 Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) {
   Prepared prepared;
   const bool in_pieces = options.in_pieces();
-  prepared.chunks.push_back(encode_pieces(part.surface, in_pieces));
+  prepared.chunks.push_back(encode(part.surface, in_pieces));
   prepared.bounds.push_back(0);
   constexpr uint32_t none = 0xffffffffu;
   std::vector<uint8_t> locked;
@@ -58,7 +58,7 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
   };
   keep(part, chain.levels.empty());
   for (Level& level : chain.levels) {
-    prepared.chunks.push_back(encode_pieces(level.piece.surface, in_pieces));
+    prepared.chunks.push_back(encode(level.piece.surface, in_pieces));
     prepared.bounds.push_back(level.bound);
     Part coarser;
     if (!numbers.empty()) {
@@ -81,7 +81,8 @@ void put(ByteWriter& record, const Prepared& prepared, const Lattice& lattice, u
   for (size_t level = 0; level < prepared.chunks.size(); ++level) {
     const double bound =
         prepared.bounds[level] * lattice.step + (injected(Fault::uncounted_lattice) ? 0 : lattice.rounding());
-    record.write(PartLevel{append(work.pack(), prepared.chunks[level], lattice_index), bound});
+    const EncodedChunk& chunk = prepared.chunks[level];
+    record.write(PartLevel{work.pack().add_chunk(chunk, lattice_index), chunk.triangles, bound});
     const Part& kept = prepared.kept[level];
     record.write(kept.surface.triangles.empty() ? SpoolPlace{} : store(work.surfaces(), kept));
   }
@@ -147,7 +148,7 @@ std::vector<LeafDrawable> leaf_drawables(const Parts& parts, std::span<const Par
       while (level + 1 < choice.size() && error_of(member, level + 1) <= threshold) ++level;
       drawable.levels.push_back(level);
       drawable.error = std::max(drawable.error, error_of(member, level));
-      drawable.triangles += choice[level].chunks.triangles;
+      drawable.triangles += choice[level].triangles;
     }
     return drawable;
   };

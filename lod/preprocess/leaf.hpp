@@ -1,7 +1,6 @@
 // LODs of the parts, shared by all placements, and the drawables of the leaves that are made of them.
 #pragma once
 
-#include "lod/preprocess/encoded.hpp"
 #include "lod/preprocess/parts.hpp"
 
 #include <cstdint>
@@ -12,7 +11,7 @@ namespace triptych {
 
 /// A part at one level of detail, as it stands in the pack.
 struct PartLevel {
-  ChunkRange chunks;
+  uint32_t chunk = 0, triangles = 0;
   double bound = 0;  ///< of the distance to the mesh, mesh units; rounding to the lattice is in it
 };
 

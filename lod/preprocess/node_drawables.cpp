@@ -17,7 +17,7 @@ constexpr size_t unit_nodes = 256;
 /// A drawable of an inner node, as it stands in the pack.
 struct WrittenHlod {
   double error = 0;
-  ChunkRange chunks;
+  uint32_t chunk = 0, triangles = 0;
   LatticeBox box;
 };
 
@@ -28,13 +28,11 @@ struct Coarsest {
   SpoolPlace baked;              ///< of an inner node: its last drawable
 };
 
-/// Adds placements of the chunks to the drawable, whose placements are the content's last.
-void place(const ChunkRange& chunks, uint32_t transform, NodeContent& content, Drawable& drawable) {
-  for (uint32_t chunk = chunks.first; chunk < chunks.first + chunks.count; ++chunk) {
-    content.placements.push_back({chunk, transform});
-    ++drawable.placement_count;
-  }
-  drawable.triangles += static_cast<uint32_t>(chunks.triangles);
+/// Adds a placement to the drawable, whose placements are the content's last.
+void place(const Placement& placement, uint32_t triangles, NodeContent& content, Drawable& drawable) {
+  content.placements.push_back(placement);
+  ++drawable.placement_count;
+  drawable.triangles += triangles;
 }
 
 class NodeDrawables {
@@ -134,7 +132,8 @@ class NodeDrawables {
       drawable.first_placement = static_cast<uint32_t>(content.placements.size());
       for (size_t i = 0; i < members.size(); ++i) {
         const PlacedPart& placed = parts_.placed[members[i]];
-        place(levels_[placed.part].levels[leaf.levels[i]].chunks, placed.transform, content, drawable);
+        const PartLevel& level = levels_[placed.part].levels[leaf.levels[i]];
+        place({level.chunk, placed.transform}, level.triangles, content, drawable);
       }
       content.drawables.push_back(drawable);
     }
@@ -214,9 +213,8 @@ class NodeDrawables {
     record.write(store(work_.surfaces(), hlod.coarsest));
     record.write(uint64_t{hlod.drawables.size()});
     for (const HlodDrawable& level : hlod.drawables) {
-      WrittenHlod written{level.error, append(work_.pack(), level.chunks, 0), {}};
-      for (const EncodedChunk& chunk : level.chunks) written.box.extend(chunk.box);
-      record.write(written);
+      const EncodedChunk& chunk = level.chunk;
+      record.write(WrittenHlod{level.error, work_.pack().add_chunk(chunk, 0), chunk.triangles, chunk.box});
     }
   }
 
@@ -229,7 +227,7 @@ class NodeDrawables {
       Drawable drawable;
       drawable.error = level.error;
       drawable.first_placement = static_cast<uint32_t>(content.placements.size());
-      place(level.chunks, 0, content, drawable);
+      place({level.chunk, 0}, level.triangles, content, drawable);
       content.drawables.push_back(drawable);
       content.box.extend(level.box);
     }

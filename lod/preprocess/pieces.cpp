@@ -5,6 +5,7 @@
 #include "scene/partition.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -13,71 +14,64 @@ namespace triptych {
 
 namespace {
 
-/// What has fewer triangles is not worth two draws.
-constexpr size_t least_triangles = static_cast<size_t>(2 * drawable_cost);
-/// Components of several are joined by place alone, before the search for pairs, which takes the square.
-constexpr uint64_t components_to_join = 32;
-/// Of the whole's area, what pieces may have together.
-constexpr double share_of_area = 0.8;
+/// What the test of one more box costs, in triangles.
+constexpr double box_cost = 4;
+/// A surface is taken apart into about so many bundles before the search for pairs, which takes the square.
+constexpr uint64_t bundles = 64;
+/// What is connected is not cut into less.
+constexpr uint64_t least_triangles = 8;
 
-/// Joins extents pair by pair.
+/// By how much the area of two boxes rises where one takes their place; what both hold counts once.
+double rise_of(const Box& a, const Box& b) {
+  const Box joint{glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)},
+      common{glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)};
+  return half_area(joint) - half_area(a) - half_area(b) + (common.empty() ? 0 : half_area(common));
+}
+
+/// Joins boxes pair by pair.
 class Joiner {
  public:
-  explicit Joiner(std::vector<ObjectExtent> extents)
-      : extents_(std::move(extents)), joined_(extents_.size()), best_(extents_.size()) {
+  explicit Joiner(std::vector<Box> boxes)
+      : boxes_(std::move(boxes)), joined_(boxes_.size()), best_(boxes_.size()) {
     std::iota(joined_.begin(), joined_.end(), 0u);
-    for (uint32_t i = 0; i < extents_.size(); ++i) alive_.push_back(i);
+    alive_ = joined_;
     for (const uint32_t i : alive_) find_best(i);
   }
 
-  void run() {
+  /// While there are more than `most`, or two whose area rises by less than `rise`.
+  void run(size_t most, double rise) {
     while (alive_.size() > 1) {
       const uint32_t first = *std::min_element(alive_.begin(), alive_.end(), [&](uint32_t a, uint32_t b) {
         return best_[a].rise != best_[b].rise ? best_[a].rise < best_[b].rise : a < b;
       });
-      if (alive_.size() <= most_pieces && best_[first].rise > 0) break;
+      if (alive_.size() <= most && best_[first].rise >= rise) break;
       join(first, best_[first].other);
     }
   }
 
-  /// For each of the extents that were given, the first of those that it was joined with.
-  uint32_t group(uint32_t extent) const {
-    while (joined_[extent] != extent) extent = joined_[extent];
-    return extent;
-  }
-  /// Of all groups together, half.
-  double area() const {
-    double sum = 0;
-    for (const uint32_t i : alive_) sum += half_area(extents_[i].box);
-    return sum;
+  /// For each of the boxes that were given, the first of those that it was joined with.
+  uint32_t group(uint32_t box) const {
+    while (joined_[box] != box) box = joined_[box];
+    return box;
   }
   size_t groups() const { return alive_.size(); }
 
  private:
   struct Best {
-    double rise = std::numeric_limits<double>::max();  ///< of the expected cost
+    double rise = std::numeric_limits<double>::max();
     uint32_t other = 0;
   };
-  static double cost(const ObjectExtent& extent) {
-    return expected_cost(extent.box, 1, static_cast<double>(extent.triangles));
-  }
-  static ObjectExtent join(ObjectExtent a, const ObjectExtent& b) {
-    a.box.extend(b.box);
-    a.triangles += b.triangles;
-    return a;
-  }
   void find_best(uint32_t i) {
     best_[i] = {};
     for (const uint32_t other : alive_) {
       if (other == i) continue;
-      const double rise =
-          cost(join(extents_[i], extents_[other])) - cost(extents_[i]) - cost(extents_[other]);
+      const double rise = rise_of(boxes_[i], boxes_[other]);
       if (rise < best_[i].rise) best_[i] = {rise, other};
     }
   }
   void join(uint32_t a, uint32_t b) {
     const auto [kept, gone] = std::minmax(a, b);
-    extents_[kept] = join(extents_[kept], extents_[gone]);
+    boxes_[kept].extend(boxes_[gone]);
     joined_[gone] = kept;
     alive_.erase(std::find(alive_.begin(), alive_.end(), gone));
     for (const uint32_t i : alive_) {
@@ -85,65 +79,99 @@ class Joiner {
     }
   }
 
-  std::vector<ObjectExtent> extents_;
+  std::vector<Box> boxes_;
   std::vector<uint32_t> joined_, alive_;
   std::vector<Best> best_;
 };
 
-}  // namespace
-
-std::vector<Surface> fitting_pieces(const Surface& surface) {
-  if (surface.triangles.size() < least_triangles) return {};
-
+/// For each triangle the number of its connected component.
+std::vector<uint32_t> components_of(const Surface& surface, uint32_t& count) {
   DisjointSets connected(surface.points.size());
   for (const Triangle& triangle : surface.triangles) {
     for (const uint32_t vertex : triangle.vertices) connected.join(vertex, triangle.vertices[0]);
   }
-  std::vector<uint32_t> index(surface.points.size());  // of a component's first point: which component it is
-  std::vector<ObjectExtent> extents;
-  Box box;
-  for (uint32_t point = 0; point < surface.points.size(); ++point) {
-    const uint32_t root = connected.root(point);
-    if (root == point) {
-      index[point] = static_cast<uint32_t>(extents.size());
-      extents.emplace_back();
-    }
-    const glm::dvec3 position(surface.points[point]);
-    extents[index[root]].box.extend(position);
-    box.extend(position);
-  }
-  if (extents.size() == 1) return {};
-  for (const Triangle& triangle : surface.triangles)
-    ++extents[index[connected.root(triangle.vertices[0])]].triangles;
-
-  std::vector<uint32_t> all(extents.size()), bundle(extents.size());
-  std::iota(all.begin(), all.end(), 0u);
-  std::vector<ObjectExtent> bundles;
-  const uint64_t bundle_triangles =
-      extents.size() > components_to_join ? surface.triangles.size() / components_to_join : 0;
-  for (const auto& members : partition_objects(extents, all, bundle_triangles)) {
-    for (const uint32_t member : members) {
-      bundle[member] = static_cast<uint32_t>(bundles.size());
-    }
-    ObjectExtent& joint = bundles.emplace_back();
-    for (const uint32_t member : members) {
-      joint.box.extend(extents[member].box);
-      joint.triangles += extents[member].triangles;
-    }
-  }
-  Joiner joiner(std::move(bundles));
-  joiner.run();
-  if (joiner.groups() == 1 || joiner.area() > share_of_area * half_area(box)) return {};
-
-  std::vector<Surface> pieces;
-  std::vector<std::vector<Triangle>> groups(extents.size());
+  std::vector<uint32_t> numbers(surface.points.size(), no_id), components;
   for (const Triangle& triangle : surface.triangles) {
-    groups[joiner.group(bundle[index[connected.root(triangle.vertices[0])]])].push_back(triangle);
+    uint32_t& number = numbers[connected.root(triangle.vertices[0])];
+    if (number == no_id) number = count++;
+    components.push_back(number);
   }
-  for (const auto& triangles : groups) {
-    if (!triangles.empty()) pieces.push_back(extract(surface.points, triangles).surface);
+  return components;
+}
+
+/// What pieces are joined from: triangles of one component, or, where there are many, small components that
+/// are near each other.
+class Bundles {
+ public:
+  explicit Bundles(const Surface& surface) : of_triangles(surface.triangles.size()) {
+    uint32_t count = 0;
+    const std::vector<uint32_t> components = components_of(surface, count);
+    std::vector<ObjectExtent> triangles, extents(count);
+    std::vector<std::vector<uint32_t>> members(count);
+    for (uint32_t i = 0; i < surface.triangles.size(); ++i) {
+      ObjectExtent& triangle = triangles.emplace_back();
+      for (const uint32_t vertex : surface.triangles[i].vertices)
+        triangle.box.extend(glm::dvec3(surface.points[vertex]));
+      triangle.triangles = 1;
+      ObjectExtent& component = extents[components[i]];
+      component.box.extend(triangle.box);
+      ++component.triangles;
+      members[components[i]].push_back(i);
+    }
+    const uint64_t share = surface.triangles.size() / bundles;
+    std::vector<uint32_t> small;
+    for (uint32_t i = 0; i < count; ++i) {
+      if (extents[i].triangles <= std::max(share, least_triangles)) {
+        small.push_back(i);
+        continue;
+      }
+      for (const auto& part : partition_objects(triangles, members[i], std::max(share, least_triangles))) {
+        boxes.emplace_back();
+        for (const uint32_t triangle : part) add(triangle, triangles);
+      }
+    }
+    for (const auto& group : partition_objects(extents, small, small.size() > bundles ? share : 0)) {
+      boxes.emplace_back();
+      for (const uint32_t component : group) {
+        for (const uint32_t triangle : members[component]) add(triangle, triangles);
+      }
+    }
+  }
+
+  std::vector<Box> boxes;
+  std::vector<uint32_t> of_triangles;  ///< for each triangle the index of its bundle
+
+ private:
+  void add(uint32_t triangle, const std::vector<ObjectExtent>& triangles) {
+    of_triangles[triangle] = static_cast<uint32_t>(boxes.size() - 1);
+    boxes.back().extend(triangles[triangle].box);
+  }
+};
+
+}  // namespace
+
+std::vector<uint8_t> fitting_pieces(const Surface& surface) {
+  const size_t count = surface.triangles.size();
+  if (static_cast<double>(count) <= 2 * box_cost) return {};
+  Bundles apart(surface);
+  Box whole;
+  for (const Box& box : apart.boxes) whole.extend(box);
+  std::vector<uint32_t> numbers(apart.boxes.size(), no_id);
+  Joiner joiner(std::move(apart.boxes));
+  joiner.run(most_pieces, half_area(whole) * box_cost / static_cast<double>(count));
+  if (joiner.groups() == 1) return {};
+  std::vector<uint8_t> pieces;
+  uint32_t next = 0;
+  for (const uint32_t bundle : apart.of_triangles) {
+    uint32_t& number = numbers[joiner.group(bundle)];
+    if (number == no_id) number = next++;
+    pieces.push_back(static_cast<uint8_t>(number));
   }
   return pieces;
+}
+
+EncodedChunk encode(const Surface& surface, bool in_pieces) {
+  return EncodedChunk(make_chunk(surface, in_pieces ? fitting_pieces(surface) : std::vector<uint8_t>{}));
 }
 
 }  // namespace triptych

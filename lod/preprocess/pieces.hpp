@@ -1,21 +1,27 @@
-// Surfaces whose box is mostly air, such as pipes that cross in a hall, as pieces whose boxes fit.
+// Surfaces whose box is mostly air, such as pipes that cross in a hall, in pieces whose boxes fit.
 #pragma once
 
+#include "scene/pack.hpp"
 #include "scene/surface.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace triptych {
 
-/// A surface is never drawn in more pieces than this.
-constexpr size_t most_pieces = 8;
+/// A surface is never in more pieces than this.
+constexpr size_t most_pieces = 32;
+static_assert(most_pieces <= most_chunk_pieces);
 
-/// The surface in pieces with a box each, if their boxes have at most four fifths of the area that the
-/// whole's box has; nothing if it is better drawn as one. What is connected stays together. Connected
-/// components are joined bottom-up, each time the two that raise expected_cost() the least, while it falls or
+/// For each triangle which piece it is in, numbered as they first come; nothing if the surface is better
+/// tested by one box. Connected components, large ones cut like partition_triangles(), are joined bottom-up,
+/// each time the two that raise the area of all boxes the least, while that costs less than another box, or
 /// there are more than `most_pieces` (agglomerative clustering as in Walter, Bala, Kulkarni and Pingali, Fast
 /// agglomerative clustering for rendering, 2008).
-std::vector<Surface> fitting_pieces(const Surface& surface);
+std::vector<uint8_t> fitting_pieces(const Surface& surface);
+
+/// The surface as a chunk, in pieces where they fit it better if `in_pieces`.
+EncodedChunk encode(const Surface& surface, bool in_pieces);
 
 }  // namespace triptych

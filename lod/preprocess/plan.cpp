@@ -81,6 +81,7 @@ void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
         static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
     const auto [found, inserted] = indices.try_emplace(color, static_cast<uint32_t>(plan.palette.size()));
     if (inserted) plan.palette.push_back(color);
+    if (plan.palette.size() > most_colors) fail("build", "the model has more than {} colours", most_colors);
     plan.colors.push_back(found->second);
   }
 }

@@ -20,14 +20,16 @@ void read_parts(std::span<const std::byte> bytes) {
   if (length > bytes.size()) return;
   const auto geometry = bytes.subspan(length);
   const Skeleton skeleton = decode_skeleton(bytes.first(length), geometry.size(), "skeleton");
-  for (const ChunkInfo& info : skeleton.chunks) {
-    const Chunk chunk =
-        decode_chunk(geometry.subspan(info.offset, info.size), info, skeleton.palette.size(), "chunk");
+  for (uint32_t i = 0; i < skeleton.chunks.size(); ++i) {
+    const ChunkInfo& info = skeleton.chunks[i];
+    const auto pieces = skeleton.pieces_of(i);
+    const Chunk chunk = decode_chunk(geometry.subspan(info.offset, info.size), info, pieces,
+                                     skeleton.palette.size(), "chunk");
     for (const uint32_t index : chunk.indices) {
       if (index >= chunk.vertices.size()) std::abort();
     }
     for (const ChunkVertex& vertex : chunk.vertices) {
-      if (vertex.color >= skeleton.palette.size()) std::abort();
+      if (vertex.color >= skeleton.palette.size() || vertex.piece >= pieces.size()) std::abort();
     }
   }
 }

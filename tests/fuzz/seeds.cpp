@@ -98,8 +98,13 @@ void write_text_formats() {
 
 void write_pack() {
   Chunk chunk;
-  for (int i = 0; i < 9; ++i) chunk.vertices.push_back({{i % 3, i / 3, i % 2}, static_cast<uint32_t>(i % 2)});
-  chunk.indices = {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 3, 4, 6, 4, 7, 6, 4, 5, 7, 5, 8, 7};
+  for (int i = 0; i < 9; ++i) chunk.vertices.push_back({{i % 3, i / 3, i % 2}, i % 2 ? 1u : 0u});
+  chunk.indices = {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 3, 4, 6, 4, 7, 6};
+  for (const uint32_t corner : {4u, 5u, 7u, 5u, 8u, 7u}) {  // a second piece
+    chunk.indices.push_back(static_cast<uint32_t>(chunk.vertices.size()));
+    chunk.vertices.push_back(chunk.vertices[corner]);
+    chunk.vertices.back().piece = 1;
+  }
   Skeleton skeleton;
   skeleton.lattices = {Lattice{{0, 0, 0}, 0.125}};
   skeleton.palette = {{200, 10, 10, 255}, {10, 200, 10, 255}};
@@ -120,6 +125,7 @@ void write_pack() {
   whole.write_all(std::span<const std::byte>(read_file(file)));
   write("pack/whole", whole.bytes());
   skeleton.chunks = Pack(file).skeleton().chunks;
+  skeleton.pieces = Pack(file).skeleton().pieces;
   std::filesystem::remove(file);
 
   const auto encoded = encode_chunk(chunk);

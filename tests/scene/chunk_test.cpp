@@ -18,7 +18,7 @@ std::vector<std::array<std::array<int, 4>, 3>> shown(const Chunk& chunk) {
     std::array<std::array<int, 4>, 3> corners;
     for (size_t k = 0; k < 3; ++k) {
       const ChunkVertex& vertex = chunk.vertices[chunk.indices[i + k]];
-      corners[k] = {vertex.point.x, vertex.point.y, vertex.point.z, static_cast<int>(vertex.color)};
+      corners[k] = {vertex.point.x, vertex.point.y, vertex.point.z, static_cast<int>(+vertex.color)};
     }
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     triangles.push_back(corners);
@@ -33,6 +33,13 @@ ChunkInfo info_of(const Chunk& chunk) {
           .box = chunk.box()};
 }
 
+/// As a reader of a pack that holds the chunk decodes bytes.
+Chunk decoded(const Chunk& chunk, std::span<const std::byte> bytes, const ChunkInfo& info, size_t palette) {
+  const std::vector<LatticeBox> pieces = chunk.pieces();
+  return decode_chunk(bytes, info, pieces.empty() ? std::span(&info.box, 1) : std::span(pieces), palette,
+                      "chunk");
+}
+
 Chunk random_chunk(unsigned seed, size_t vertices, size_t triangles) {
   std::mt19937 random(seed);
   Chunk chunk;
@@ -41,25 +48,41 @@ Chunk random_chunk(unsigned seed, size_t vertices, size_t triangles) {
       return static_cast<int>(random() % (2u * Lattice::limit)) - Lattice::limit;
     };
     chunk.vertices.push_back(
-        {{coordinate(), coordinate(), coordinate()}, static_cast<uint32_t>(random() % 7)});
+        {{coordinate(), coordinate(), coordinate()}, static_cast<uint32_t>(random() % 7) & 0xffffffu});
   }
   for (size_t i = 0; i < 3 * triangles; ++i)
     chunk.indices.push_back(static_cast<uint32_t>(i < vertices ? i : random() % vertices));
   return chunk;
 }
 
+/// A random one and, 100 steps aside, its twin.
+Chunk two_pieces(unsigned seed) {
+  Chunk chunk = random_chunk(seed, 30, 40);
+  const auto count = static_cast<uint32_t>(chunk.vertices.size());
+  for (uint32_t i = 0; i < count; ++i) {
+    chunk.vertices[i].point /= 2;
+    ChunkVertex twin = chunk.vertices[i];
+    twin.point.x += 100;
+    twin.piece = 1;
+    chunk.vertices.push_back(twin);
+  }
+  for (size_t i = 0, end = chunk.indices.size(); i < end; ++i)
+    chunk.indices.push_back(chunk.indices[i] + count);
+  return chunk;
+}
+
 TEST(Chunk, what_is_encoded_is_shown_again_with_its_winding) {
   for (const Chunk& chunk : {test::grid_chunk({-5, 3, 7}, 20, 3, 2, 1), random_chunk(1, 3, 1),
                              random_chunk(2, 300, 500), random_chunk(3, 5000, 1700)}) {
-    const Chunk decoded = decode_chunk(encode_chunk(chunk), info_of(chunk), 7, "chunk");
-    EXPECT_EQ(shown(decoded), shown(chunk));
+    const Chunk again = decoded(chunk, encode_chunk(chunk), info_of(chunk), 7);
+    EXPECT_EQ(shown(again), shown(chunk));
   }
 }
 
 TEST(Chunk, degenerate_triangles_stay) {
   Chunk chunk = test::grid_chunk({0, 0, 0}, 1, 1);
   chunk.indices.insert(chunk.indices.end(), {0, 0, 1, 2, 2, 2});
-  EXPECT_EQ(shown(decode_chunk(encode_chunk(chunk), info_of(chunk), 1, "chunk")), shown(chunk));
+  EXPECT_EQ(shown(decoded(chunk, encode_chunk(chunk), info_of(chunk), 1)), shown(chunk));
 }
 
 TEST(Chunk, the_same_chunk_has_the_same_bytes) {
@@ -72,7 +95,7 @@ TEST(Chunk, other_counts_than_promised_a_small_box_and_a_small_palette_are_refus
   const auto refused = [&](auto&& change, size_t palette) {
     ChunkInfo info = info_of(chunk);
     change(info);
-    EXPECT_THROW(decode_chunk(bytes, info, palette, "chunk"), Error);
+    EXPECT_THROW(decoded(chunk, bytes, info, palette), Error);
   };
   refused([](ChunkInfo& info) { ++info.vertex_count; }, 7);
   refused([](ChunkInfo& info) { --info.triangle_count; }, 7);
@@ -81,20 +104,49 @@ TEST(Chunk, other_counts_than_promised_a_small_box_and_a_small_palette_are_refus
   refused([](ChunkInfo&) {}, 3);
 }
 
+TEST(Chunk, pieces_are_boxes_of_their_vertices_and_come_back) {
+  const Chunk chunk = two_pieces(7);
+  const std::vector<LatticeBox> pieces = chunk.pieces();
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_EQ(pieces[1].lo, pieces[0].lo + glm::ivec3(100, 0, 0));
+  EXPECT_EQ(pieces[1].hi, pieces[0].hi + glm::ivec3(100, 0, 0));
+  const Chunk again = decoded(chunk, encode_chunk(chunk), info_of(chunk), 7);
+  EXPECT_EQ(shown(again), shown(chunk));
+  EXPECT_EQ(again.pieces(), pieces);
+  EXPECT_TRUE(random_chunk(8, 30, 40).pieces().empty());
+}
+
+TEST(Chunk, vertices_outside_their_piece_pieces_that_are_missing_and_triangles_across_are_refused) {
+  const Chunk chunk = two_pieces(9);
+  const auto refused = [&](const Chunk& stored, std::vector<LatticeBox> pieces) {
+    EXPECT_THROW(decode_chunk(encode_chunk(stored), info_of(stored), pieces, 7, "chunk"), Error);
+  };
+  std::vector<LatticeBox> pieces = chunk.pieces();
+  EXPECT_NO_THROW(decode_chunk(encode_chunk(chunk), info_of(chunk), pieces, 7, "chunk"));
+  refused(chunk, {chunk.box()});
+  refused(chunk, {pieces[1], pieces[0]});
+  --pieces[1].hi.x;
+  refused(chunk, pieces);
+  Chunk across = chunk;
+  std::swap(across.indices.front(), across.indices.back());
+  refused(across, chunk.pieces());
+}
+
 TEST(Chunk, damaged_bytes_are_refused_or_give_a_chunk_that_is_safe_to_draw) {
-  const Chunk chunk = random_chunk(6, 60, 80);
+  const Chunk chunk = two_pieces(6);
   const auto bytes = encode_chunk(chunk);
   const ChunkInfo info = info_of(chunk);
   for (size_t length = 0; length < bytes.size(); ++length) {
-    EXPECT_THROW(decode_chunk(std::span(bytes).first(length), info, 7, "chunk"), Error) << length;
+    EXPECT_THROW(decoded(chunk, std::span(bytes).first(length), info, 7), Error) << length;
   }
   for (size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
     auto damaged = bytes;
     damaged[bit / 8] ^= std::byte{1} << (bit % 8);
     try {
-      const Chunk decoded = decode_chunk(damaged, info, 7, "chunk");
-      for (const uint32_t index : decoded.indices) ASSERT_LT(index, decoded.vertices.size());
-      ASSERT_TRUE(info.box.contains(decoded.box()));
+      const Chunk again = decoded(chunk, damaged, info, 7);
+      for (const uint32_t index : again.indices) ASSERT_LT(index, again.vertices.size());
+      for (const ChunkVertex& vertex : again.vertices) ASSERT_LT(vertex.piece, 2u);
+      ASSERT_TRUE(info.box.contains(again.box()));
     } catch (const Error&) {
     }
   }

@@ -78,6 +78,7 @@ TEST(Pack, what_is_written_is_read_back) {
     EXPECT_EQ(pack.read_chunk(i).triangle_count(), written.chunks[i].triangle_count());
     EXPECT_EQ(pack.read_chunk(i).box(), written.chunks[i].box());
     EXPECT_EQ(skeleton.chunks[i].lattice, written.chunk_lattices[i]);
+    EXPECT_EQ(pack.read_chunk(i).pieces(), written.chunks[i].pieces());
   }
 }
 
@@ -199,9 +200,8 @@ TEST(Pack, chunks_that_changed_places_are_refused) {
   // Entries of the chunk table exchanged, and the skeleton sealed again.
   const auto table = value_at<uint64_t>(whole, 16);
   std::string entries = whole;
-  std::swap_ranges(entries.begin() + static_cast<long>(table) - 3 * 64,
-                   entries.begin() + static_cast<long>(table) - 2 * 64,
-                   entries.begin() + static_cast<long>(table) - 64);
+  const auto end = entries.begin() + static_cast<long>(table - sizeof(uint64_t));  // an empty array follows
+  std::swap_ranges(end - 3 * 64, end - 2 * 64, end - 64);
   const auto skeleton_at = value_at<uint64_t>(whole, table + section_bytes + 8);
   put(entries, table + section_bytes + 24,
       hash_bytes(std::as_bytes(std::span(entries.data() + skeleton_at, table - skeleton_at))));
@@ -306,9 +306,36 @@ TEST(Pack, a_skeleton_that_does_not_hold_together_is_refused) {
   refused([](Skeleton& s) { s.palette.clear(); });
 }
 
+TEST(PackSkeleton, pieces_that_do_not_hold_together_are_refused) {
+  const auto decoded = [](auto&& change) {
+    Skeleton skeleton = small_pack().skeleton;
+    skeleton.chunks.assign(3, ChunkInfo{.size = 10, .box = {{0, 0, 0}, {1, 1, 1}}});
+    skeleton.chunks[1].first_piece = skeleton.chunks[2].first_piece = 2;
+    skeleton.pieces.assign(5, LatticeBox{{0, 0, 0}, {1, 0, 1}});
+    for (Drawable& drawable : skeleton.drawables) drawable.triangles = 0;
+    change(skeleton);
+    return decode_skeleton(encode_skeleton(skeleton), 100, "skeleton");
+  };
+  const Skeleton skeleton = decoded([](Skeleton&) {});
+  EXPECT_EQ(skeleton.pieces_of(0).size(), 2u);
+  EXPECT_EQ(skeleton.pieces_of(1).data(), &skeleton.chunks[1].box);
+  EXPECT_EQ(skeleton.pieces_of(2).size(), 3u);
+  const auto refused = [&](auto&& change) { EXPECT_THROW(decoded(change), Error); };
+  refused([](Skeleton& s) { s.chunks[0].first_piece = 1; });
+  refused([](Skeleton& s) { s.chunks[1].first_piece = 3; });
+  refused([](Skeleton& s) { s.chunks[2].first_piece = 4; });
+  refused([](Skeleton& s) { s.chunks[2].first_piece = 6; });
+  refused([](Skeleton& s) { s.pieces[3].hi.y = 2; });
+  refused([](Skeleton& s) { s.pieces[0].lo.x = 2; });
+  refused([](Skeleton& s) { s.pieces.clear(); });
+  refused([](Skeleton& s) { s.pieces.resize(2 + most_chunk_pieces + 1, s.pieces[0]); });
+}
+
 TEST(PackSkeleton, bytes_cut_anywhere_or_changed_anywhere_never_crash) {
   Skeleton skeleton = small_pack().skeleton;
   skeleton.chunks.assign(3, ChunkInfo{.size = 10, .box = {{0, 0, 0}, {1, 1, 1}}});
+  skeleton.chunks[2].first_piece = 3;
+  skeleton.pieces.assign(5, LatticeBox{{0, 0, 0}, {1, 0, 1}});
   for (Drawable& drawable : skeleton.drawables) drawable.triangles = 0;
   const auto bytes = encode_skeleton(skeleton);
   EXPECT_NO_THROW(decode_skeleton(bytes, 100, "skeleton"));

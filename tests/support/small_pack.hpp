@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace triptych::test {
 
@@ -16,7 +17,8 @@ inline Chunk grid_chunk(const glm::ivec3& origin, int cells, int cell, int lift 
   for (int y = 0; y <= cells; ++y) {
     for (int x = 0; x <= cells; ++x) {
       const bool inner = x > 0 && y > 0 && x < cells && y < cells;
-      chunk.vertices.push_back({origin + glm::ivec3(x * cell, y * cell, inner ? lift : 0), color});
+      chunk.vertices.push_back(
+          {origin + glm::ivec3(x * cell, y * cell, inner ? lift : 0), color & 0xffffffu});
     }
   }
   for (int y = 0; y < cells; ++y) {
@@ -24,6 +26,22 @@ inline Chunk grid_chunk(const glm::ivec3& origin, int cells, int cell, int lift 
       const auto a = static_cast<uint32_t>(y * (cells + 1) + x), b = a + static_cast<uint32_t>(cells + 1);
       chunk.indices.insert(chunk.indices.end(), {a, a + 1, b, a + 1, b + 1, b});
     }
+  }
+  return chunk;
+}
+
+/// The same in two pieces: its first `triangles`, and the others.
+inline Chunk cut_chunk(const Chunk& whole, size_t triangles) {
+  Chunk chunk;
+  std::map<std::pair<bool, uint32_t>, uint32_t> vertices;
+  for (size_t i = 0; i < whole.indices.size(); ++i) {
+    const bool second = i >= 3 * triangles;
+    const auto next = static_cast<uint32_t>(chunk.vertices.size());
+    const auto [found, inserted] = vertices.try_emplace({second, whole.indices[i]}, next);
+    chunk.indices.push_back(found->second);
+    if (!inserted) continue;
+    chunk.vertices.push_back(whole.vertices[whole.indices[i]]);
+    chunk.vertices.back().piece = second ? 1 : 0;
   }
   return chunk;
 }
@@ -36,13 +54,13 @@ struct SmallPack {
 };
 
 /// Lattice step 1/8. Leaf 1: a lifted grid of 8 × 8 squares and its simplification, a flat square (error 0.5:
-/// the lift is 4 steps). Leaf 2: the same grid on a lattice of its own, turned and placed. Root: both flat
-/// squares.
+/// the lift is 4 steps). Leaf 2: the same grid in two pieces, on a lattice of its own, turned and placed.
+/// Root: both flat squares.
 inline SmallPack small_pack() {
   SmallPack pack;
   Skeleton& skeleton = pack.skeleton;
   pack.chunks = {grid_chunk({0, 0, 0}, 8, 8, 4, 0), grid_chunk({0, 0, 0}, 1, 64, 0, 1),
-                 grid_chunk({0, 0, 0}, 8, 8, 4, 1)};
+                 cut_chunk(grid_chunk({0, 0, 0}, 8, 8, 4, 1), 64)};
   pack.chunk_lattices = {0, 0, 1};
   skeleton.lattices = {Lattice{{0, 0, 0}, 0.125}, Lattice{{1, 0, 0}, 0.0625}};
   skeleton.palette = {{200, 10, 10, 255}, {10, 200, 10, 255}};

@@ -116,12 +116,15 @@ TEST_P(HardwareCull, spends_one_test_on_a_hidden_subtree) {
     const std::function<void(SceneNodeId)> visit = [&](SceneNodeId id) {
       if (cut.choice[id] == no_id) return;
       const SceneNode& node = skeleton.scene_nodes[id];
-      const ScreenBounds::Kind kind = cut.choice[id] == Cut::inner
-                                          ? projector.bounds(node.box).kind
-                                          : drawable_bounds(skeleton, projector, cut.choice[id]).kind;
+      const bool inner = cut.choice[id] == Cut::inner;
+      ScreenBounds::Kind kind = inner ? projector.bounds(node.box).kind
+                                      : placement_bounds(skeleton, projector, cut.choice[id]).kind;
+      // Only then its pieces are looked at.
+      if (!inner && kind == ScreenBounds::Kind::unbounded)
+        kind = drawable_bounds(skeleton, projector, cut.choice[id]).kind;
       testable += kind == ScreenBounds::Kind::rectangle;
-      subtrees += kind == ScreenBounds::Kind::rectangle && cut.choice[id] == Cut::inner;
-      if (kind != ScreenBounds::Kind::unbounded || cut.choice[id] != Cut::inner) return;
+      subtrees += kind == ScreenBounds::Kind::rectangle && inner;
+      if (kind != ScreenBounds::Kind::unbounded || !inner) return;
       for (uint32_t child = 0; child < node.child_count; ++child) visit(node.first_child + child);
     };
     visit(0);

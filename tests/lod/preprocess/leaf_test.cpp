@@ -12,7 +12,7 @@ std::vector<LeafDrawable> drawables_of(const std::vector<uint32_t>& triangles, s
   parts.stretches = {1};
   PartLevels levels;
   for (const uint32_t count : triangles) {
-    levels.levels.push_back({{0, 1, count}, static_cast<double>(levels.levels.size())});
+    levels.levels.push_back({0, count, static_cast<double>(levels.levels.size())});
   }
   const std::vector<uint32_t> members = {0};
   return leaf_drawables(parts, std::vector<PartLevels>{levels}, members, exit_triangles);

@@ -2,8 +2,6 @@
 
 #include "tests/support/hard_surfaces.hpp"
 
-#include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 
 namespace triptych {
@@ -24,57 +22,59 @@ Mesh crossing_bars(int count) {
   return bars;
 }
 
-double area_of(const Surface& surface) {
-  const LatticeBox box = surface.box();
-  return half_area(Box{glm::dvec3(box.lo), glm::dvec3(box.hi)});
-}
+double area_of(const LatticeBox& box) { return half_area(Box{glm::dvec3(box.lo), glm::dvec3(box.hi)}); }
 
-/// Corner by corner, in an order that does not depend on the surface's.
-std::vector<std::array<int, 9>> triangles_of(std::span<const Surface> surfaces) {
-  std::vector<std::array<int, 9>> triangles;
-  for (const Surface& surface : surfaces) {
-    for (const Triangle& triangle : surface.triangles) {
-      auto& corners = triangles.emplace_back();
-      for (size_t i = 0; i < 3; ++i) {
-        for (int axis = 0; axis < 3; ++axis)
-          corners[3 * i + static_cast<size_t>(axis)] = surface.points[triangle.vertices[i]][axis];
-      }
-    }
-  }
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
+Chunk in_pieces(const Surface& surface) { return make_chunk(surface, fitting_pieces(surface)); }
+
+/// Corner by corner, in order.
+std::vector<glm::ivec3> corners_of(const Chunk& chunk) {
+  std::vector<glm::ivec3> corners;
+  for (const uint32_t index : chunk.indices) corners.push_back(chunk.vertices[index].point);
+  return corners;
 }
 
 TEST(FittingPieces, of_bars_that_cross_have_boxes_that_fit) {
-  for (const int count : {2, 6, 8, 12}) {
+  for (const int count : {2, 6, 8, 40}) {
     const Surface surface = awkward::surface_of(crossing_bars(count));
-    const std::vector<Surface> pieces = fitting_pieces(surface);
+    const std::vector<LatticeBox> pieces = in_pieces(surface).pieces();
     ASSERT_GT(pieces.size(), 1u) << count;
     EXPECT_LE(pieces.size(), most_pieces);
     double area = 0;
-    for (const Surface& piece : pieces) area += area_of(piece);
-    EXPECT_LT(area, 0.8 * area_of(surface)) << count;
-    EXPECT_EQ(triangles_of(pieces), triangles_of(std::span(&surface, 1))) << count;
+    for (const LatticeBox& piece : pieces) area += area_of(piece);
+    EXPECT_LT(area, 0.7 * area_of(surface.box())) << count;
   }
 }
 
 TEST(FittingPieces, of_two_bars_are_the_bars) {
-  const std::vector<Surface> pieces = fitting_pieces(awkward::surface_of(crossing_bars(2)));
-  ASSERT_EQ(pieces.size(), 2u);
-  EXPECT_EQ(pieces[0].triangles.size(), pieces[1].triangles.size());
+  const Chunk chunk = in_pieces(awkward::surface_of(crossing_bars(2)));
+  ASSERT_EQ(chunk.pieces().size(), 2u);
+  EXPECT_EQ(chunk.vertices.size(), make_chunk(awkward::surface_of(crossing_bars(2))).vertices.size());
 }
 
-TEST(FittingPieces, hold_every_triangle_of_any_surface) {
+TEST(FittingPieces, of_a_bent_pipe_cut_it) {
+  const Surface pipe = awkward::surface_of(hard::pipe(24, 24));
+  const std::vector<LatticeBox> pieces = in_pieces(pipe).pieces();
+  EXPECT_GT(pieces.size(), 2u);
+  for (const LatticeBox& piece : pieces) EXPECT_LT(area_of(piece), 0.5 * area_of(pipe.box()));
+}
+
+TEST(FittingPieces, show_the_triangles_of_any_surface_in_their_order_each_in_one_piece) {
+  size_t several = 0;
   for (const auto& [name, surface] : hard::surfaces()) {
-    const std::vector<Surface> pieces = fitting_pieces(surface);
-    if (pieces.empty()) continue;
-    EXPECT_EQ(triangles_of(pieces), triangles_of(std::span(&surface, 1))) << name;
+    const Chunk chunk = in_pieces(surface);
+    EXPECT_EQ(corners_of(chunk), corners_of(make_chunk(surface))) << name;
+    for (size_t i = 0; i < chunk.indices.size(); ++i) {
+      ASSERT_EQ(chunk.vertices[chunk.indices[i]].piece, chunk.vertices[chunk.indices[i / 3 * 3]].piece)
+          << name;
+    }
+    for (const LatticeBox& piece : chunk.pieces()) ASSERT_FALSE(piece.empty()) << name;
+    several += !chunk.pieces().empty();
   }
+  EXPECT_GT(several, 0u);
 }
 
 TEST(FittingPieces, are_none_where_there_is_nothing_to_gain) {
-  EXPECT_TRUE(fitting_pieces(awkward::surface_of(hard::pipe(24, 24))).empty());
-  EXPECT_TRUE(fitting_pieces(awkward::surface_of(hard::rough(12, false))).empty());
+  EXPECT_TRUE(fitting_pieces(awkward::surface_of(awkward::grid(12, 4, 0))).empty());
   EXPECT_TRUE(fitting_pieces(Surface{}).empty());
 }
 
