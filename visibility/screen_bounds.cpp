@@ -16,10 +16,10 @@ namespace {
 /// distance under the identity, by 83 · 2⁻²⁴ under the worst matrix that a build shares a mesh under
 /// (lod/plan.cpp), which is 2.6 times this.
 constexpr double float_rounding = 0x1p-19;
-/// Where the bound on rounding is a quarter of a pixel, positions are off by 0.65 pixels at most, which with
-/// 1/16 of snapping is within a margin of one. Where pixels are finer than that, as below a degree of view,
-/// the margin grows with the bound.
-constexpr double pixels_of_margin = 4;
+/// Snapping takes a vertex of the content and one of the rectangle by 1/16 of a pixel each; twice that.
+constexpr double snapping = 0.25;
+/// Positions are off by 2.6 times the bound on rounding at most: the margin holds so many times the bound.
+constexpr double roundings_of_margin = 4;
 /// Beyond it rounding in w may reach the margin of depths.
 constexpr double greatest_narrow_tangent = 8;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
@@ -119,7 +119,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 
 BoxProjector::Extent BoxProjector::on_screen(Extent seen, double depth, double rounding) const {
   const Camera& camera = view_.camera;
-  const double pixels = injected(Fault::no_dilation) ? 0 : std::max(1.0, pixels_of_margin * rounding);
+  const double pixels = injected(Fault::no_dilation) ? 0 : snapping + roundings_of_margin * rounding;
   if (!std::isfinite(pixels)) return {};
   seen.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
   const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);

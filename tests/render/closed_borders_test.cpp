@@ -47,9 +47,10 @@ std::vector<DrawableId> random_mix(const Skeleton& skeleton, std::mt19937& rando
   return mix;
 }
 
-/// Looks around from a place inside the sphere.
+/// Looks around from a place inside the sphere, whose radius is 10, and inside of what its coarsest levels
+/// make of it, which are off by up to 5.
 View inside(double turn, int width, int height) {
-  const glm::dvec3 eye = 7.5 * glm::dvec3(std::cos(turn), 0.6 * std::sin(2.3 * turn), std::sin(turn));
+  const glm::dvec3 eye = 4.0 * glm::dvec3(std::cos(turn), 0.6 * std::sin(2.3 * turn), std::sin(turn));
   const glm::dvec3 target = eye + glm::dvec3(std::sin(3 * turn), 0.3 * std::cos(turn), std::cos(5 * turn));
   View view{.camera = {.eye = eye, .target = target, .near = 1e-3}, .width = width, .height = height};
   set_field_of_view(view.camera, 90, double(width) / height);
