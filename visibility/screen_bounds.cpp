@@ -16,9 +16,11 @@ namespace {
 /// distance under the identity, by 83 · 2⁻²⁴ under the worst matrix that a build shares a mesh under
 /// (lod/plan.cpp), which is 2.6 times this.
 constexpr double float_rounding = 0x1p-19;
-/// Snapping takes a vertex of the content and one of the rectangle by 1/16 of a pixel each; twice that.
-constexpr double snapping = 0.25;
-/// Positions are off by 2.6 times the bound on rounding at most: the margin holds so many times the bound.
+/// Snapping takes a vertex of the content and one of the rectangle by 1/16 of a pixel each. Where the bound
+/// on rounding is an eighth of a pixel, positions are off by 0.325 pixels at most, so all of it is within
+/// half a pixel. Where pixels are finer than that, as below a degree of view, the margin grows with the
+/// bound.
+constexpr double least_margin = 0.5;
 constexpr double roundings_of_margin = 4;
 /// Beyond it rounding in w may reach the margin of depths.
 constexpr double greatest_narrow_tangent = 8;
@@ -119,7 +121,8 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 
 BoxProjector::Extent BoxProjector::on_screen(Extent seen, double depth, double rounding) const {
   const Camera& camera = view_.camera;
-  const double pixels = injected(Fault::no_dilation) ? 0 : snapping + roundings_of_margin * rounding;
+  const double pixels =
+      injected(Fault::no_dilation) ? 0 : std::max(least_margin, roundings_of_margin * rounding);
   if (!std::isfinite(pixels)) return {};
   seen.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
   const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);

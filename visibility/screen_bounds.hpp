@@ -44,12 +44,12 @@ struct ScreenBounds {
   ScreenRectangle rectangle;
 };
 
-/// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by a quarter of a
-/// pixel on each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, of the content and of
-/// the rectangle itself) and by the bound on the vertex stage's rounding, which counts below a degree; the
-/// depth moves towards the eye by 2⁻¹⁴ of itself, orthographic of its range (float rounding of w and z).
-/// Boxes that touch the near plane, or that are extremely oblique, may be anywhere on the screen; their faces
-/// still bound their depth.
+/// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by half a pixel
+/// on each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, of the content and of the
+/// rectangle itself, and the vertex stage's rounding is bounded), by more where views are so narrow that
+/// rounding is beyond an eighth of a pixel; the depth moves towards the eye by 2⁻¹⁴ of itself, orthographic
+/// of its range (float rounding of w and z). Boxes that touch the near plane, or that are extremely oblique,
+/// may be anywhere on the screen; their faces still bound their depth.
 class BoxProjector {
  public:
   BoxProjector(const Skeleton& skeleton, const View& view);
