@@ -15,9 +15,9 @@ namespace triptych {
 namespace {
 
 /// What the test of one more box costs, in triangles.
-constexpr double box_cost = 3;
+constexpr double box_cost = 4;
 /// A surface is taken apart into about so many bundles before the search for pairs, which takes the square.
-constexpr uint64_t bundles = 128;
+constexpr uint64_t bundles = 64;
 /// What is connected is not cut into less.
 constexpr uint64_t least_triangles = 8;
 

@@ -11,7 +11,7 @@
 namespace triptych {
 
 /// A surface is never in more pieces than this.
-constexpr size_t most_pieces = 64;
+constexpr size_t most_pieces = 32;
 static_assert(most_pieces <= most_chunk_pieces);
 
 /// For each triangle which piece it is in, numbered as they first come; nothing if the surface is better
