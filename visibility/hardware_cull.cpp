@@ -15,7 +15,7 @@ namespace {
 struct Waiting {
   uint64_t distance;
   SceneNodeId node;
-  bool again = false;  ///< its drawable was tested by the boxes of its placements, and shows
+  bool again = false;  ///< its drawable was tested before, and showed
   auto operator<=>(const Waiting&) const = default;
 };
 
@@ -31,7 +31,7 @@ class HardwareCull {
         cell_(eye_cell(skeleton, view)),
         options_(options),
         batch_(!represented.empty() && represented.size() * 2 >= previous.size() ? options.batch
-                                                                                 : options.incoherent_batch),
+                                                                                 : options.least_batch),
         expected_(skeleton.scene_nodes.size(), false),
         represented_(skeleton.drawables.size(), false),
         shown_(skeleton.drawables.size(), false),
@@ -80,6 +80,11 @@ class HardwareCull {
     shown_[id] = true;
     if (!was_visible_[id]) packet_.delta.added.push_back(id);
     if (!represented_[id]) found_.push_back(id);
+  }
+
+  /// Whether it may show without being drawn first, or with few others that are not drawn yet.
+  bool may_show(SceneNodeId node) const {
+    return represented_[cut_.choice[node]] || found_.empty() || found_.size() < options_.most_found;
   }
 
   /// Takes scene nodes in rank order until `batch_` of them want a test.
@@ -136,6 +141,7 @@ class HardwareCull {
     tester_.test(rectangles_, ends_, answers_);
     ++result_.batches;
     result_.tests += tested_.size();
+    bool too_many = false;
     for (size_t i = 0; i < tested_.size(); ++i) {
       const SceneNodeId node = tested_[i].node;
       const bool inner = cut_.choice[node] == Cut::inner;
@@ -143,12 +149,14 @@ class HardwareCull {
       if (inner && answers_[i]) push_children(node);
       if (inner && !answers_[i]) ++result_.hidden_subtrees;
       if (inner || !answers_[i]) continue;
-      if (tested_[i].again) {
+      if (tested_[i].again && may_show(node)) {
         show(node);
       } else {
+        too_many |= tested_[i].again;
         queue_.push({tested_[i].distance, node, true});
       }
     }
+    batch_ = too_many ? std::min(batch_, options_.least_batch) : std::min(2 * batch_, options_.batch);
   }
 
   void draw_found() {

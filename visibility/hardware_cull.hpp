@@ -16,10 +16,12 @@ struct CullPacket {
 };
 
 struct CullOptions {
-  /// Boxes a batch. The smaller one holds where the frame is incoherent, that is, where the occlusion
-  /// representation holds less than half as many drawables as were visible one frame ago, or none: then what
-  /// is found visible in front must hide what lies behind it.
-  size_t batch = 512, incoherent_batch = 8;
+  /// Boxes a batch, at most. Where much is found that the occlusion representation lacks, what is found in
+  /// front must hide what lies behind it: at most `most_found` of a batch show at once, the nearest, the
+  /// others are tested again once those are drawn, and the next batch holds `least_batch`. Each batch that
+  /// finds no more than that doubles the next one. A frame begins with the least where the representation
+  /// holds less than half as many drawables as were visible one frame ago, or none.
+  size_t batch = 512, least_batch = 8, most_found = 2;
   /// A packet is emitted once it holds so many ids that change, and at the end. Smaller packets let receivers
   /// begin earlier and cost more bytes; docs/protocol.md has figures.
   size_t packet_ids = 32;
@@ -39,7 +41,7 @@ struct CullResult {
 /// subtree costs one test; scene nodes with content that was visible one frame ago are not worth their own
 /// test. A drawable in pieces is tested by its placements' boxes, and again, by its pieces', if it shows; at
 /// once by its pieces' if it was visible one frame ago. What is found visible and is not yet in the
-/// representation is drawn into it between batches. Batches are cut by rank and count alone, so the same
+/// representation is drawn into it between batches, a few at a time. Batches are cut by rank and count alone, so the same
 /// frame gives the same answer whatever the timing (interactive-display-2003 §4.3).
 ///
 /// tester: holds R(i), in which `represented` (drawables of the cut) was drawn under `view`.

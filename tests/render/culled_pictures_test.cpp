@@ -63,7 +63,7 @@ class CulledInBatches : public testing::TestWithParam<std::string> {};
 TEST_P(CulledInBatches, of_any_size_pictures_equal_the_un_culled_ones) {
   const Pack& pack = scenes::pack(GetParam());
   for (const size_t batch : {size_t{1}, size_t{7}, size_t{100000}}) {
-    const CullOptions batches{.batch = batch, .incoherent_batch = batch};
+    const CullOptions batches{.batch = batch, .least_batch = batch};
     Rig rig(pack, 160, 120, TestKind::storage, batches);
     const std::vector<View> views = scenes::random_views(pack.skeleton(), 160, 120, 12, 5);
     for (size_t i = 0; i < views.size(); ++i) {

@@ -57,6 +57,7 @@ class HardwareCull : public testing::TestWithParam<std::string> {
   const Skeleton& skeleton = scenes::pack(GetParam()).skeleton();
   const std::vector<View> views = scenes::path(skeleton, 320, 240);
   static constexpr size_t packet_ids = 5;
+  size_t most_found = CullOptions{}.most_found;
   std::vector<CullPacket> packets;
 
   CullResult cull(size_t frame, OcclusionTester& tester, const VisibleSet& previous = {}, size_t batch = 48) {
@@ -64,7 +65,7 @@ class HardwareCull : public testing::TestWithParam<std::string> {
     packets.clear();
     const auto represented = map_to_cut(skeleton, eye_cell(skeleton, views[frame]), cut, previous);
     return hardware_cull(skeleton, views[frame], cut, tester, represented, previous,
-                         {.batch = batch, .incoherent_batch = batch, .packet_ids = packet_ids},
+                         {.batch = batch, .least_batch = batch, .most_found = most_found, .packet_ids = packet_ids},
                          [&](const CullPacket& packet) { packets.push_back(packet); });
   }
   Cut cut_of(size_t frame) const { return select_cut(skeleton, views[frame], scenes::pixel_error(frame)); }
@@ -170,6 +171,7 @@ TEST_P(HardwareCull, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order
 }
 
 TEST_P(HardwareCull, gives_the_same_set_in_batches_of_any_size) {
+  most_found = SIZE_MAX;  // or some would be tested again
   VisibleSet previous;
   for (size_t frame = 0; frame < views.size(); ++frame) {
     FakeTester reference(some);
@@ -182,6 +184,33 @@ TEST_P(HardwareCull, gives_the_same_set_in_batches_of_any_size) {
       EXPECT_LE(tester.largest_batch, batch);
     }
     previous = expected.visible;
+  }
+}
+
+/// Everything shows until something was drawn, and nothing after that.
+class HiddenByTheFirst : public FakeTester {
+ public:
+  HiddenByTheFirst() : FakeTester([this](const ScreenRectangle&) { return drawn.empty(); }) {}
+};
+
+TEST_P(HardwareCull, tests_again_what_was_found_together_with_what_may_hide_it) {
+  size_t more = 0;
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    const size_t without_test = untestable(frame).size();
+    most_found = SIZE_MAX;
+    HiddenByTheFirst all;
+    const size_t at_once = cull(frame, all).visible.size();
+    for (const size_t few : {size_t{0}, size_t{1}, size_t{3}}) {
+      most_found = few;
+      HiddenByTheFirst tester;
+      const size_t found = cull(frame, tester).visible.size();
+      EXPECT_LE(found, without_test + std::max<size_t>(few, 1)) << "frame " << frame;
+      EXPECT_LE(found, at_once) << "frame " << frame;
+      more += at_once - found;
+    }
+  }
+  if (skeleton.drawables.size() > 100) {
+    EXPECT_GT(more, 0u) << "nothing was found together";
   }
 }
 
