@@ -2,6 +2,7 @@
 #include "tests/session/program.hpp"
 
 #include <array>
+#include <cmath>
 #include <fmt/core.h>
 #include <span>
 
@@ -70,7 +71,30 @@ std::string write_soups(const Folder& folder, int sheets, int cells) {
   return folder.file("soups.gltf");
 }
 
+/// A wavy sheet of 2 × cells × cells triangles, as text.
+std::string write_obj(const Folder& folder, int cells) {
+  std::ofstream out(folder.file("sheet.obj"));
+  const int row = cells + 1;
+  for (int y = 0; y < row; ++y) {
+    for (int x = 0; x < row; ++x)
+      out << fmt::format("v {} {} {:.4f}\n", x, y, std::sin(0.3 * x) * std::cos(0.2 * y));
+  }
+  for (int y = 0; y < cells; ++y) {
+    for (int x = 0; x < cells; ++x) {
+      const int a = 1 + y * row + x, b = a + 1, c = a + row, d = c + 1;
+      out << fmt::format("f {} {} {}\nf {} {} {}\n", a, b, d, a, d, c);
+    }
+  }
+  return folder.file("sheet.obj");
+}
+
 }  // namespace
+
+TEST_F(BuildMemory, a_million_triangles_of_a_text_file_do_not_wait_in_memory) {
+  // Of 120 MiB, where they do.
+  EXPECT_LT(peak_of(write_obj(folder, 720)), 72 * mebibyte);
+  EXPECT_FALSE(warned);
+}
 
 TEST_F(BuildMemory,
        two_million_triangles_in_one_mesh_are_built_in_far_less_than_the_least_that_may_be_given) {
