@@ -64,6 +64,42 @@ TEST_P(DrawableBoundsOf, a_drawable_are_no_wider_than_its_nodes) {
   }
 }
 
+/// The drawable's first placement so many times.
+Skeleton repeated(const Skeleton& original, DrawableId id, uint32_t times) {
+  Skeleton skeleton = original;
+  Drawable& drawable = skeleton.drawables[id];
+  const Placement placement = skeleton.placements[drawable.first_placement];
+  drawable.first_placement = static_cast<uint32_t>(skeleton.placements.size());
+  drawable.placement_count = times;
+  skeleton.placements.insert(skeleton.placements.end(), times, placement);
+  return skeleton;
+}
+
+TEST_P(DrawableBoundsOf, a_drawable_of_many_placements_or_pieces_are_of_fewer_boxes) {
+  size_t tried = 0;
+  for (const View& view : scenes::path(skeleton, 320, 240)) {
+    const BoxProjector projector(skeleton, view);
+    for (DrawableId id = 0; id < skeleton.drawables.size() && tried < 5; ++id) {
+      const Drawable& drawable = skeleton.drawables[id];
+      const LatticeBox& box = skeleton.scene_nodes[drawable.scene_node].box;
+      if (projector.bounds(box).kind != ScreenBounds::Kind::rectangle) continue;
+      const auto boxes = [&](uint32_t times) {
+        const Skeleton many = repeated(skeleton, id, times);
+        return placement_bounds(many, BoxProjector(many, view), id).rectangles.size();
+      };
+      if (boxes(1) == 0) continue;
+      ++tried;
+      EXPECT_EQ(boxes(32), 32u);
+      EXPECT_EQ(boxes(33), 1u);
+      const auto pieces = static_cast<uint32_t>(
+          skeleton.pieces_of(skeleton.placements[drawable.first_placement].chunk).size());
+      EXPECT_EQ(has_pieces(repeated(skeleton, id, 256 / pieces), id), pieces > 1);
+      EXPECT_FALSE(has_pieces(repeated(skeleton, id, 256 / pieces + 1), id));
+    }
+  }
+  EXPECT_GT(tried, 0u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, DrawableBoundsOf, testing::ValuesIn(scenes::names()),
                          [](const auto& scene) { return scene.param; });
 
