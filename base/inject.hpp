@@ -30,6 +30,7 @@ enum class Fault {
   shrinking_bounds,        ///< an HLOD's error leaves out its children's
   unflipped_mirror,        ///< mirrored placements keep their winding
   shared_shears,           ///< meshes are shared under transforms that floats cannot place exactly
+  exact_frustum,           ///< the cut leaves out what is behind the frustum's planes by less than rounding
   slow_render_node,        ///< the render node dawdles with each packet and frame: no picture may change
   slow_switch_node,        ///< switch node 1 does: no picture may change
 };

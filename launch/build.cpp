@@ -54,7 +54,6 @@ int run(const BuildCommand& command) {
   const uint64_t memory = command.flags.options().memory;
   keep_freed_memory_below(memory / 16);
   import.held_bytes = memory / 8;
-  import.most_in_memory = std::min(import.most_in_memory, memory / 512);
   import.position_cache_bytes = memory / 16;
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();

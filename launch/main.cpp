@@ -4,6 +4,7 @@
 #include "launch/command.hpp"
 #include "launch/named_files.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -28,6 +29,19 @@ void open_standard_streams() {
 int end_with(const std::string& line) {
   triptych::notice("triptych: {}", line);
   return 1;
+}
+
+/// The first word where a subcommand should stand and none of that name is; null if there is none.
+const char* unknown_subcommand(CLI::App& app, int argc, char** argv) {
+  CLI::App* at = &app;
+  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+    const auto all = at->get_subcommands([](CLI::App*) { return true; });
+    const auto named =
+        std::find_if(all.begin(), all.end(), [&](CLI::App* sub) { return sub->check_name(argv[i]); });
+    if (named == all.end()) return all.empty() ? nullptr : argv[i];
+    at = *named;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -55,10 +69,14 @@ int main(int argc, char** argv) {
   triptych::add_measure(app, action);
   triptych::add_report(app, action);
   triptych::add_selftest(app, action);
+  constexpr int usage = 2;
+  if (const char* word = unknown_subcommand(app, argc, argv)) {
+    triptych::notice("triptych: there is no subcommand \"{}\"; --help lists them", word);
+    return usage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    constexpr int usage = 2;
     return app.exit(error) == 0 ? 0 : usage;
   }
   try {

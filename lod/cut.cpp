@@ -47,6 +47,16 @@ double projected_error(double focal_length, double error, const EyeBounds& bound
   return focal_length * error * bounds.stretch / (bounds.least_depth - error);
 }
 
+namespace {
+/// The vertex stage works in 32-bit floats relative to the eye: what it draws is off by less than this share
+/// of the distance (visibility/screen_bounds.cpp has the parts of it). Pixel centres are inside the picture,
+/// so snapping does not matter.
+constexpr double rounding_of_distance = 0x1p-17;
+/// Orthographic, positions and depths are relative to a point near the model's middle, and rounded by less
+/// than this share of the model's size and of how far the box is from the view axis.
+constexpr double rounding_of_size = 0x1p-14;
+}  // namespace
+
 EyeSpace::EyeSpace(const Skeleton& skeleton, const View& view)
     : lattice_(skeleton.lattice()),
       eye_(view.camera.eye),
@@ -57,6 +67,7 @@ EyeSpace::EyeSpace(const Skeleton& skeleton, const View& view)
       top_(view.camera.top),
       near_(view.camera.near),
       corner_stretch_(view.corner_stretch()),
+      diagonal_(skeleton.diagonal()),
       orthographic_(view.camera.orthographic()) {}
 
 EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
@@ -70,18 +81,23 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   };
   const double depth = -centre.z, depth_reach = reach({0, 0, 1});
   EyeBounds bounds{.least_depth = depth - depth_reach};
+  const double share = injected(Fault::exact_frustum) ? 0 : 1;
   if (orthographic_) {
     // Inside the frustum: left ≤ x ≤ right, bottom ≤ y ≤ top.
-    const double x = reach({1, 0, 0}), y = reach({0, 1, 0});
-    bounds.outside = depth + depth_reach < near_ || centre.x + x < left_ || centre.x - x > right_ ||
+    const double margin = share * rounding_of_size * (diagonal_ + glm::length(glm::dvec2(centre)));
+    const double x = reach({1, 0, 0}) + margin, y = reach({0, 1, 0}) + margin;
+    bounds.outside = depth + depth_reach + margin < near_ || centre.x + x < left_ || centre.x - x > right_ ||
                      centre.y + y < bottom_ || centre.y - y > top_;
     bounds.parallel = true;
     return bounds;
   }
   // Inside the frustum: x − left·depth ≥ 0, right·depth − x ≥ 0, and so on; depth = −z.
-  const auto beyond = [&](const glm::dvec3& plane) { return glm::dot(plane, centre) + reach(plane) < 0; };
-  bounds.outside = depth + depth_reach < near_ || beyond({1, 0, left_}) || beyond({-1, 0, -right_}) ||
-                   beyond({0, 1, bottom_}) || beyond({0, -1, -top_});
+  const double margin = share * rounding_of_distance * (glm::length(centre) + glm::length(half));
+  const auto beyond = [&](const glm::dvec3& plane) {
+    return glm::dot(plane, centre) + reach(plane) + glm::length(plane) * margin < 0;
+  };
+  bounds.outside = depth + depth_reach + margin < near_ || beyond({1, 0, left_}) ||
+                   beyond({-1, 0, -right_}) || beyond({0, 1, bottom_}) || beyond({0, -1, -top_});
   bounds.stretch = corner_stretch_;
   if (injected(Fault::euclidean_depth) && bounds.least_depth > 0)
     bounds.least_depth = glm::length(centre) - glm::length(half);

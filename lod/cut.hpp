@@ -31,7 +31,7 @@ void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<
 /// Where a box lies in eye space, as far as selection needs it.
 struct EyeBounds {
   double least_depth = 0;  ///< of the box along the view axis; negative behind the eye
-  bool outside = false;    ///< wholly beyond one of the frustum's planes
+  bool outside = false;    ///< so far beyond one of the frustum's planes that no rounding draws any of it
   double stretch = 1;     ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
   bool parallel = false;  ///< orthographic: the picture does not depend on depth
 };
@@ -51,7 +51,7 @@ class EyeSpace {
   const Lattice& lattice_;
   glm::dvec3 eye_;
   glm::dmat3 rotation_;
-  double left_, right_, bottom_, top_, near_, corner_stretch_;
+  double left_, right_, bottom_, top_, near_, corner_stretch_, diagonal_;
   bool orthographic_;
 };
 

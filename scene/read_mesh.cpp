@@ -1,11 +1,22 @@
 #include "scene/read_mesh.hpp"
 
+#include "scene/skeleton.hpp"
+#include "scene/surface.hpp"
+
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <utility>
 #include <vector>
 
 namespace triptych {
+
+namespace {
+bool has_area(const CornerTriangle& triangle, const glm::dmat3& linear) {
+  const auto& [a, b, c] = triangle.corners;
+  return glm::cross(linear * (b - a), linear * (c - a)) != glm::dvec3(0);
+}
+}  // namespace
 
 uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take) {
   if (mesh.stream) return mesh.stream->read(take);
@@ -36,7 +47,9 @@ LatticeTriangle ToLattice::operator()(const CornerTriangle& triangle) const {
   for (size_t i = 0; i < 3; ++i)
     result.corners[i] = lattice_.nearest(transform_ * glm::dvec4(triangle.corners[i], 1));
   if (mirrors_) std::swap(result.corners[1], result.corners[2]);
-  result.color = colors_[triangle.material];
+  const auto& [a, b, c] = result.corners;
+  result.color =
+      degenerate(a, b, c) && !has_area(triangle, glm::dmat3(transform_)) ? no_id : colors_[triangle.material];
   return result;
 }
 

@@ -16,7 +16,8 @@ namespace triptych {
 /// As MeshStream::read, for any mesh.
 uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take);
 
-/// A triangle by its corners on a lattice. The colour is an index into the palette.
+/// A triangle by its corners on a lattice. The colour is an index into the palette; no_id if the triangle has
+/// no area, neither on the lattice nor where it comes from.
 struct LatticeTriangle {
   std::array<glm::ivec3, 3> corners;
   uint32_t color;

@@ -55,4 +55,15 @@ bool degenerate(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
   return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
 }
 
+std::array<glm::ivec3, 3> with_area(const std::array<glm::ivec3, 3>& corners) {
+  const std::array<glm::ivec3, 4> steps = {glm::ivec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const glm::ivec3& b : steps) {
+    for (const glm::ivec3& c : steps) {
+      if (!degenerate(corners[0], corners[1] + b, corners[2] + c))
+        return {corners[0], corners[1] + b, corners[2] + c};
+    }
+  }
+  return corners;  // not reached: of three directions at most one is that of the line
+}
+
 }  // namespace triptych

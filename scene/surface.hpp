@@ -36,5 +36,7 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
 
 /// True if the corners lie on one line; exact.
 bool degenerate(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c);
+/// The corners of a degenerate triangle, two of them moved by at most a step each so that it has an area.
+std::array<glm::ivec3, 3> with_area(const std::array<glm::ivec3, 3>& corners);
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 #include "scene/weld.hpp"
 
 #include "scene/key_hash.hpp"
+#include "scene/skeleton.hpp"
 
 #include <algorithm>
 #include <tsl/robin_map.h>
@@ -9,36 +10,67 @@
 
 namespace triptych {
 
-Welded weld(std::span<const LatticeTriangle> triangles) {
-  Welded welded;
-  Surface& surface = welded.surface;
-  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places;
-  tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual> seen;
-  places.reserve(triangles.size() / 2 + 4);
-  seen.reserve(triangles.size());
-  surface.triangles.reserve(triangles.size());
-  for (const LatticeTriangle& triangle : triangles) {
-    const auto& [a, b, c] = triangle.corners;
-    if (degenerate(a, b, c)) {
-      ++welded.dropped_triangles;
-      continue;
-    }
+namespace {
+
+class Welder {
+ public:
+  explicit Welder(size_t triangles) {
+    places_.reserve(triangles / 2 + 4);
+    seen_.reserve(triangles);
+    welded.surface.triangles.reserve(triangles);
+  }
+
+  /// False if the same one was there before.
+  bool add(const std::array<glm::ivec3, 3>& points, uint32_t color) {
+    Surface& surface = welded.surface;
     std::array<uint32_t, 3> corners;
     for (size_t i = 0; i < 3; ++i) {
       const auto [found, inserted] =
-          places.try_emplace(triangle.corners[i], static_cast<uint32_t>(surface.points.size()));
-      if (inserted) surface.points.push_back(triangle.corners[i]);
+          places_.try_emplace(points[i], static_cast<uint32_t>(surface.points.size()));
+      if (inserted) surface.points.push_back(points[i]);
       corners[i] = found->second;
     }
     std::array<uint32_t, 3> turned = corners;
     std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-    if (seen.insert(turned).second) {
-      surface.triangles.push_back({corners, triangle.color});
-    } else {
+    if (!seen_.insert(turned).second) return false;
+    surface.triangles.push_back({corners, color});
+    return true;
+  }
+  bool has(const glm::ivec3& point) const { return places_.contains(point); }
+
+  Welded welded;
+
+ private:
+  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places_;
+  tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual> seen_;
+};
+
+}  // namespace
+
+Welded weld(std::span<const LatticeTriangle> triangles) {
+  Welder welder(triangles.size());
+  Welded& welded = welder.welded;
+  std::vector<const LatticeTriangle*> flat;
+  for (const LatticeTriangle& triangle : triangles) {
+    const auto& [a, b, c] = triangle.corners;
+    if (triangle.color != no_id && degenerate(a, b, c)) {
+      flat.push_back(&triangle);
+    } else if (triangle.color == no_id || !welder.add(triangle.corners, triangle.color)) {
       ++welded.dropped_triangles;
     }
   }
-  return welded;
+  for (const LatticeTriangle* triangle : flat) {
+    const auto& [a, b, c] = triangle->corners;
+    const int there = welder.has(a) + welder.has(b) + welder.has(c);
+    if (there == 3) {
+      ++welded.dropped_triangles;
+      continue;
+    }
+    welder.add(with_area(triangle->corners), triangle->color);
+    ++welded.enlarged_triangles;
+    welded.lone_triangles += there == 0;
+  }
+  return std::move(welded);
 }
 
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,

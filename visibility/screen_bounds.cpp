@@ -71,20 +71,22 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 }
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::perspective_extent(const Box& model_box) const {
-  double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0;
+  double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0, furthest = 0;
   Extent seen;
   for (int i = 0; i < 8; ++i) {
     glm::dvec3 relative = model_box.corner(i) - clip_.reference;
     if (injected(Fault::float_bounds)) relative = glm::vec3(model_box.corner(i)) - glm::vec3(clip_.reference);
     const glm::dvec3 corner = rotation_ * relative;
     const double depth = -corner.z;
+    furthest = std::max(furthest, glm::length(corner));
     least_depth = std::min(least_depth, depth);
     greatest_depth = std::max(greatest_depth, depth);
     if (depth <= 0) continue;
     seen.corners[seen.count++] = glm::dvec2(corner) / depth;
     greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
   }
-  if (greatest_depth < clip_.near / near_margin) return {.beyond = true};
+  if (greatest_depth + furthest * roundings_of_margin * float_rounding < clip_.near / near_margin)
+    return {.beyond = true};
   if (least_depth < clip_.near * near_margin) {
     if (!injected(Fault::no_near_rule)) return {};
     least_depth = greatest_depth;

@@ -10,22 +10,6 @@
 
 namespace triptych {
 
-namespace {
-
-/// The corners of a triangle without area, two of them moved by at most a step each so that it has one.
-std::array<glm::ivec3, 3> spread(const std::array<glm::ivec3, 3>& corners) {
-  const std::array<glm::ivec3, 4> steps = {glm::ivec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (const glm::ivec3& b : steps) {
-    for (const glm::ivec3& c : steps) {
-      if (!degenerate(corners[0], corners[1] + b, corners[2] + c))
-        return {corners[0], corners[1] + b, corners[2] + c};
-    }
-  }
-  return corners;  // not reached: of three directions at most one is that of the line
-}
-
-}  // namespace
-
 uint32_t Baker::place(const glm::ivec3& point, const LeafSpan& span) {
   auto& points = baked_.surface.points;
   const auto [found, inserted] = points_.try_emplace(point, static_cast<uint32_t>(points.size()));
@@ -66,7 +50,7 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
     std::array<glm::ivec3, 3> corners;
     for (size_t i = 0; i < 3; ++i) corners[i] = points[triangle.vertices[i]];
     if (degenerate(corners[0], corners[1], corners[2])) {
-      corners = spread(corners);
+      corners = with_area(corners);
       moved_ = std::max(moved_, std::sqrt(3.0) / 2 + 1 + 1e-9);
     }
     for (size_t i = 0; i < 3; ++i) triangle.vertices[i] = place(corners[i], spans[triangle.vertices[i]]);

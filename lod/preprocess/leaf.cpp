@@ -73,16 +73,16 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
   return prepared;
 }
 
-void put(ByteWriter& record, const Prepared& prepared, const Lattice& lattice, uint32_t lattice_index,
+void put(ByteWriter& record, const Prepared& prepared, const Lattice& lattice, const PartInfo& info,
          BuildWork& work) {
   record.write(prepared.detached_triangles);
   record.write(uint64_t{prepared.stuck});
   record.write(uint64_t{prepared.chunks.size()});
   for (size_t level = 0; level < prepared.chunks.size(); ++level) {
-    const double bound =
-        prepared.bounds[level] * lattice.step + (injected(Fault::uncounted_lattice) ? 0 : lattice.rounding());
+    const double bound = (prepared.bounds[level] + info.moved) * lattice.step +
+                         (injected(Fault::uncounted_lattice) ? 0 : lattice.rounding());
     const EncodedChunk& chunk = prepared.chunks[level];
-    record.write(PartLevel{work.pack().add_chunk(chunk, lattice_index), chunk.triangles, bound});
+    record.write(PartLevel{work.pack().add_chunk(chunk, info.lattice), chunk.triangles, bound});
     const Part& kept = prepared.kept[level];
     record.write(kept.surface.triangles.empty() ? SpoolPlace{} : store(work.surfaces(), kept));
   }
@@ -121,8 +121,8 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
             progress.advance();
           });
           for (size_t i = 0; i < prepared.size(); ++i) {
-            const uint32_t lattice = parts.parts[first + i].lattice;
-            put(record, prepared[i], parts.lattices[lattice], lattice, work);
+            const PartInfo& info = parts.parts[first + i];
+            put(record, prepared[i], parts.lattices[info.lattice], info, work);
           }
         },
         [&](ByteReader& record) {

@@ -8,6 +8,7 @@
 #include "scene/weld.hpp"
 
 #include <algorithm>
+#include <fmt/core.h>
 #include <glm/glm.hpp>
 #include <optional>
 
@@ -32,7 +33,8 @@ LatticeBox placed_box(const Surface& surface, const Lattice& lattice, const Affi
 struct Divided {
   Division division;
   std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
-  uint64_t dropped_triangles = 0, welded_vertices = 0;
+  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0;
+  bool enlarged = false;  ///< points were moved by a step, so that nothing vanishes
 };
 
 class PartMaker {
@@ -76,7 +78,8 @@ class PartMaker {
   std::vector<uint32_t> meshes;                ///< for each part its planned mesh
   std::vector<uint32_t> border_counts;         ///< for each planned mesh
   std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
-  uint64_t dropped_triangles = 0, welded_vertices = 0;
+  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0;
+  double largest_step = 0;  ///< of the lattices of lone triangles
 
  private:
   /// Meshes or buckets side by side; their parts go to the spool file in order.
@@ -109,6 +112,7 @@ class PartMaker {
     record.write(mesh);
     record.write(divided.dropped_triangles);
     record.write(divided.welded_vertices);
+    record.write(divided.lone_triangles);
     number_borders(mesh, divided.division);
     record.write(border_counts[mesh]);
     record.write(uint64_t{divided.division.parts.size()});
@@ -116,7 +120,7 @@ class PartMaker {
       const Part& part = divided.division.parts[i];
       record.write(PartInfo{store(work_.parts(), part), plan_.meshes[mesh].lattice,
                             static_cast<uint32_t>(part.surface.triangles.size()),
-                            static_cast<uint32_t>(part.borders.size())});
+                            static_cast<uint32_t>(part.borders.size()), divided.enlarged ? 1u : 0u});
       record.write(uint64_t{divided.boxes[i].size()});
       record.write_all(std::span<const LatticeBox>(divided.boxes[i]));
     }
@@ -126,6 +130,11 @@ class PartMaker {
     const auto mesh = record.read<uint32_t>();
     dropped_triangles += record.read<uint64_t>();
     welded_vertices += record.read<uint64_t>();
+    if (const auto lone = record.read<uint64_t>()) {
+      lone_triangles += lone;
+      const PlannedMesh& planned = plan_.meshes[mesh];
+      largest_step = std::max(largest_step, plan_.lattices[planned.lattice].step * planned.stretch);
+    }
     border_counts[mesh] = record.read<uint32_t>();
     for (auto count = record.read<uint64_t>(); count > 0; --count) {
       meshes.push_back(mesh);
@@ -150,6 +159,8 @@ class PartMaker {
     Divided divided;
     divided.dropped_triangles = welded.dropped_triangles;
     divided.welded_vertices = welded.welded_vertices;
+    divided.lone_triangles = welded.lone_triangles;
+    divided.enlarged = welded.enlarged_triangles > 0;
     divided.division = divide(welded.surface, limits, shared, first_own);
     const Lattice& lattice = plan_.lattices[mesh.lattice];
     for (const Part& part : divided.division.parts) {
@@ -241,6 +252,12 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   maker.run();
   report.dropped_triangles += maker.dropped_triangles;
   report.welded_vertices += maker.welded_vertices;
+  if (maker.lone_triangles > 0) {
+    report.warnings.push_back(fmt::format(
+        "{} triangles are less than a step of their lattice wide, up to {} model units, and would "
+        "have vanished: they are drawn a step wide",
+        maker.lone_triangles, maker.largest_step));
+  }
 
   // The parts of one mesh came one after the other.
   Parts parts;

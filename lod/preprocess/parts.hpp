@@ -19,7 +19,7 @@ struct PartInfo {
   SpoolPlace place;
   uint32_t lattice = 0, triangles = 0;
   uint32_t borders = 0;  ///< how many border points it has
-  uint32_t reserved = 0;
+  uint32_t moved = 0;    ///< steps by which points of it may have been moved, so that nothing vanishes
 };
 
 /// A part under one of its mesh's placements.

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hashing.hpp"
+#include "base/notice.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -44,6 +45,9 @@ WorkFolder::WorkFolder(const std::filesystem::path& pack, const std::string& fin
   const bool same = !fingerprint.empty() && std::filesystem::exists(file(fingerprint_name), error) &&
                     read_text_file(file(fingerprint_name)) == fingerprint;
   if (same) return;
+  if (std::filesystem::exists(file(fingerprint_name), error))
+    notice("{}: what another build left is dropped: its files, flags or program were others",
+           folder_.string());
   remove_work();
   write_file(file(fingerprint_name), fingerprint);
 }

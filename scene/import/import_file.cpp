@@ -87,9 +87,11 @@ void FileImport::says_unit(std::optional<LengthUnit> unit) {
 }
 
 void FileImport::drop(uint64_t triangles) {
-  model_.report.dropped_triangles += triangles;
-  warn("triangles were dropped: their coordinates are not finite", triangles);
+  count_dropped(triangles);
+  warn(not_finite_warning, triangles);
 }
+
+void FileImport::count_dropped(uint64_t triangles) { model_.report.dropped_triangles += triangles; }
 
 void FileImport::take_warnings(const MeshStream& stream) {
   for (std::string& warning : stream.warnings()) model_.report.warnings.push_back(std::move(warning));

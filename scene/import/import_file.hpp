@@ -43,6 +43,8 @@ class FileImport {
 
   /// Counts triangles that were dropped because their coordinates are not finite.
   void drop(uint64_t triangles);
+  /// Only counts them: the stream that dropped them has the warning.
+  void count_dropped(uint64_t triangles);
   /// Takes over what a stream warned of that was read into memory.
   void take_warnings(const MeshStream& stream);
 

@@ -128,6 +128,8 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
   }
   // tinygltf passes over primitives that it does not understand, but says so.
   if (!parsed || !errors.empty()) fail(place, "{}", short_line(errors));
+  if (const std::string& version = gltf.model.asset.version; !version.starts_with("2."))
+    fail(place, "is glTF of version {}; only 2 is known", short_line(version));
   check_extensions(gltf.model, target);
   return gltf;
 }

@@ -1,10 +1,13 @@
-// What every importer goes by: which coordinates can be used.
+// What every importer goes by: which coordinates can be used, and what is said of others.
 #pragma once
 
 #include <cmath>
 #include <glm/vec3.hpp>
 
 namespace triptych {
+
+/// What is said of triangles whose coordinates cannot be used.
+inline constexpr const char* not_finite_warning = "triangles were dropped: their coordinates are not finite";
 
 /// Coordinates beyond this are treated as not finite: products of three of them would overflow a double.
 inline constexpr double largest_coordinate = 1e75;

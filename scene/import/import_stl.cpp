@@ -25,7 +25,7 @@ void import_binary(FileImport& target, uint64_t facets) {
   const auto stream = std::make_shared<StlStream>(std::make_shared<StreamSource>(target.file()), facets);
   if (target.should_stream(facets)) return target.add_instance(target.add_stream(name, stream), Affine(1));
   Mesh mesh{.name = name, .positions = {}, .triangles = {}};
-  target.drop(stream->read([&](std::span<const CornerTriangle> batch) {
+  target.count_dropped(stream->read([&](std::span<const CornerTriangle> batch) {
     for (const CornerTriangle& triangle : batch) add_triangle(mesh, triangle.corners);
   }));
   target.take_warnings(*stream);

@@ -16,7 +16,8 @@ namespace triptych {
 
 namespace {
 constexpr size_t block_bytes = size_t{1} << 20;
-}
+constexpr uint64_t most_in_memory = uint64_t{1} << 18;
+}  // namespace
 
 ByteSpool::~ByteSpool() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -40,17 +41,17 @@ void ByteSpool::flush() {
   if (buffer_.capacity() > 4 * block_bytes) buffer_.shrink_to_fit();
 }
 
-std::shared_ptr<const StreamSource> ByteSpool::take_file() {
+std::shared_ptr<const StreamSource> ByteSpool::take_file(const std::string& name) {
   flush();
   const int descriptor = std::exchange(descriptor_, -1);
-  return std::make_shared<StreamSource>(name_ + ": temporary file", descriptor);
+  return std::make_shared<StreamSource>(name, descriptor);
 }
 
 void MeshSpool::add_vertex(const glm::dvec3& position) {
   if (vertex_count() == std::numeric_limits<uint32_t>::max())
     fail(target_.place(), "more vertices than 32 bits can index");
   vertices_.append(std::as_bytes(std::span(&position, 1)));
-  if (!in_file_ && vertex_count() > target_.memory_left()) grow();
+  grow_beyond(vertex_count());
 }
 
 void MeshSpool::begin_mesh(std::string name) {
@@ -67,10 +68,11 @@ void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material) {
   ++parts_.back().faces;
   parts_.back().end = faces_.size();
   triangles_ += corners.size() - 2;
-  if (!in_file_ && triangles_ > target_.memory_left()) grow();
+  grow_beyond(triangles_);
 }
 
-void MeshSpool::grow() {
+void MeshSpool::grow_beyond(uint64_t triangles_or_vertices) {
+  if (in_file_ || triangles_or_vertices <= std::min(most_in_memory, target_.memory_left())) return;
   in_file_ = true;
   vertices_.move_to_file(target_.options().temporary_folder);
   faces_.move_to_file(target_.options().temporary_folder);
@@ -121,11 +123,11 @@ void MeshSpool::place_in_memory() {
 
 void MeshSpool::place_streams() {
   const PositionTable vertices{
-      .source = vertices_.take_file(),
+      .source = vertices_.take_file(target_.place()),
       .count = vertex_count(),
       .stride = sizeof(glm::dvec3),
       .fields = {{{0, ScalarType::float64}, {8, ScalarType::float64}, {16, ScalarType::float64}}}};
-  const auto faces = faces_.take_file();
+  const auto faces = faces_.take_file(target_.place());
   for (Part& part : parts_) {
     FaceTable table{.source = faces,
                     .element = {"face",

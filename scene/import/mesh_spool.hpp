@@ -29,8 +29,8 @@ class ByteSpool {
   void move_to_file(const std::filesystem::path& folder);
   /// What is in memory: everything before move_to_file.
   std::span<const std::byte> bytes() const { return buffer_; }
-  /// Gives the file away; nothing may be appended after that.
-  std::shared_ptr<const StreamSource> take_file();
+  /// Gives the file away, under the name that errors and warnings use; nothing may be appended after that.
+  std::shared_ptr<const StreamSource> take_file(const std::string& name);
 
  private:
   void flush();
@@ -40,8 +40,9 @@ class ByteSpool {
   std::vector<std::byte> buffer_;
 };
 
-/// Takes vertices and faces in any order, and places the meshes in the end: in memory where they are few
-/// (ImportOptions::most_in_memory), otherwise as streams of a temporary file.
+/// Takes vertices and faces in any order, and places the meshes in the end: in memory where they are few, at
+/// most 262,144 triangles and vertices and what is left of ImportOptions::most_in_memory, otherwise as
+/// streams of a temporary file.
 class MeshSpool {
  public:
   explicit MeshSpool(FileImport& target) : target_(target) {}
@@ -61,7 +62,8 @@ class MeshSpool {
     uint64_t begin = 0;  ///< byte of the first face
     uint64_t faces = 0, end = 0;
   };
-  void grow();
+  /// Goes on in a file where there is so much.
+  void grow_beyond(uint64_t triangles_or_vertices);
   void place_in_memory();
   void place_streams();
 

@@ -63,8 +63,9 @@ class FaceReader {
                               ? std::to_integer<uint8_t>(*bytes)
                               : load_scalar(bytes, *property.count_type, faces_.swapped);
     const uint64_t most = window_.left() / scalar_bytes(property.type);
-    if (!(length >= 0 && length <= static_cast<double>(most)))
-      fail(window_.place(), "a list's length is {}, and must be from 0 to {}", length, most);
+    if (!(length >= 0)) fail(window_.place(), "a list's length is {}", length);
+    if (length > static_cast<double>(most))
+      fail(window_.place(), "the file ends within a list of {} values", length);
     return static_cast<uint64_t>(length);
   }
 
@@ -129,6 +130,7 @@ uint64_t FaceStream::read(const TakeTriangles& take) const {
   FaceReader reader(vertices_, faces_, batch);
   reader.run();
   const uint64_t dropped = batch.finish();
+  dropped_ = dropped;
   skipped_faces_ = reader.skipped();
   fans_ = reader.fans();
   trailing_bytes_ = faces_.end_known ? reader.left() : 0;
@@ -140,6 +142,7 @@ std::vector<std::string> FaceStream::warnings() const {
   const auto warn = [&](uint64_t count, std::string_view what) {
     if (count > 0) warnings.push_back(fmt::format("{}: {} {}", faces_.source->name(), count, what));
   };
+  warn(dropped_, not_finite_warning);
   warn(skipped_faces_, "faces with fewer than three corners were skipped");
   warn(fans_, fan_warning);
   warn(trailing_bytes_, "bytes after the last element were skipped");

@@ -32,7 +32,7 @@ class FaceStream : public MeshStream {
   PositionTable vertices_;
   FaceTable faces_;
   uint64_t triangle_count_;
-  mutable std::atomic<uint64_t> skipped_faces_{0}, fans_{0}, trailing_bytes_{0};
+  mutable std::atomic<uint64_t> dropped_{0}, skipped_faces_{0}, fans_{0}, trailing_bytes_{0};
 };
 
 }  // namespace triptych

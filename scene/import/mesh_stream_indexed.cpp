@@ -104,7 +104,12 @@ uint64_t IndexedStream::read(const TakeTriangles& take) const {
                 part.triangles.material);
     }
   }
-  return batch.finish();
+  return dropped_ = batch.finish();
+}
+
+std::vector<std::string> IndexedStream::warnings() const {
+  if (dropped_ == 0) return {};
+  return {fmt::format("{}: {} {}", parts_.front().triangles.place, dropped_.load(), not_finite_warning)};
 }
 
 }  // namespace triptych

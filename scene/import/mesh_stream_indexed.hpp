@@ -4,6 +4,7 @@
 #include "scene/import/mesh_stream_positions.hpp"
 #include "scene/mesh_stream.hpp"
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,9 +66,11 @@ class IndexedStream : public MeshStream {
 
   uint64_t triangle_count() const override;
   uint64_t read(const TakeTriangles& take) const override;
+  std::vector<std::string> warnings() const override;
 
  private:
   std::vector<Part> parts_;
+  mutable std::atomic<uint64_t> dropped_{0};
 };
 
 }  // namespace triptych

@@ -22,14 +22,19 @@ uint64_t StlStream::read(const TakeTriangles& take) const {
     attributes += bytes[48] != std::byte{0} || bytes[49] != std::byte{0};
   }
   const uint64_t dropped = batch.finish();
+  dropped_ = dropped;
   attributes_ = attributes;
   return dropped;
 }
 
 std::vector<std::string> StlStream::warnings() const {
-  if (attributes_ == 0) return {};
-  return {fmt::format("{}: {} facets with an attribute (a colour, in some dialects), which is not drawn",
-                      source_->name(), attributes_.load())};
+  std::vector<std::string> warnings;
+  const auto warn = [&](uint64_t count, std::string_view what) {
+    if (count > 0) warnings.push_back(fmt::format("{}: {} {}", source_->name(), count, what));
+  };
+  warn(dropped_, not_finite_warning);
+  warn(attributes_, "facets with an attribute (a colour, in some dialects), which is not drawn");
+  return warnings;
 }
 
 }  // namespace triptych

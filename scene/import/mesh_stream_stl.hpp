@@ -22,7 +22,7 @@ class StlStream : public MeshStream {
  private:
   std::shared_ptr<const StreamSource> source_;
   uint64_t facets_;
-  mutable std::atomic<uint64_t> attributes_{0};
+  mutable std::atomic<uint64_t> dropped_{0}, attributes_{0};
 };
 
 }  // namespace triptych

@@ -2,6 +2,8 @@
 
 #include "tests/support/awkward_meshes.hpp"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace triptych {
@@ -50,6 +52,44 @@ TEST(Weld, a_mirroring_transform_keeps_the_outside_outside) {
 TEST(Weld, a_triangle_that_is_thinner_than_anything_but_a_step_stays) {
   const Mesh mesh{"m", {{0, 0, 0}, {1000, 0, 0}, {2000, 0x1p-10, 0}}, {{{0, 1, 2}, 0}}};
   EXPECT_EQ(weld(mesh, Affine(1), lattice, colors).surface.triangles.size(), 1u);
+}
+
+TEST(Weld, what_would_vanish_is_drawn_a_step_wide) {
+  // On a lattice of whole units: a triangle, a box of three hundredths beside it, and a line that leaves it.
+  const Lattice coarse{{0, 0, 0}, 1};
+  Mesh mesh = awkward::box({7, 7, 7}, {7.03, 7.03, 7.03});
+  const auto first = static_cast<uint32_t>(mesh.positions.size());
+  for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), {4, 0, 0}, {0, 4, 0}, {-9, 0, 0}, {-5, 0.1, 0}})
+    mesh.positions.push_back(point);
+  mesh.triangles.push_back({{first, first + 1, first + 2}, 0});
+  mesh.triangles.push_back({{first, first + 3, first + 4}, 0});
+  const Welded welded = weld(mesh, Affine(1), coarse, colors);
+  EXPECT_EQ(welded.surface.triangles.size(), 3u);
+  EXPECT_EQ(welded.enlarged_triangles, 2u);
+  EXPECT_EQ(welded.lone_triangles, 1u);
+  EXPECT_EQ(welded.dropped_triangles, 11u);  // of the box
+  for (const Triangle& triangle : welded.surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    const auto& points = welded.surface.points;
+    EXPECT_FALSE(degenerate(points[a], points[b], points[c]));
+  }
+  // Each vertex has a point of the surface within its rounding and a step.
+  for (const glm::dvec3& vertex : mesh.positions) {
+    double nearest = 1e9;
+    for (const glm::ivec3& point : welded.surface.points)
+      nearest = std::min(nearest, glm::length(coarse.position(point) - vertex));
+    EXPECT_LE(nearest, 1 + coarse.rounding()) << vertex.x;
+  }
+}
+
+TEST(Weld, what_has_no_area_from_the_start_is_not_enlarged) {
+  const Mesh mesh{"m",
+                  {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {9, 9, 9}, {12, 12, 12}, {10.5, 10.5, 10.5}},
+                  {{{0, 1, 2}, 0}, {{3, 3, 3}, 0}, {{3, 4, 5}, 0}, {{3, 4, 4}, 0}}};
+  const Welded welded = weld(mesh, Affine(1), lattice, colors);
+  EXPECT_EQ(welded.surface.triangles.size(), 1u);
+  EXPECT_EQ(welded.enlarged_triangles, 0u);
+  EXPECT_EQ(welded.dropped_triangles, 3u);
 }
 
 TEST(Weld, materials_become_palette_entries) {

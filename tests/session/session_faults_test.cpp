@@ -30,6 +30,16 @@ TEST_F(SessionFaults, a_wrong_delta_without_digests_changes_the_picture) {
   EXPECT_LT(report["identical_frames"].get<size_t>(), frame_count);
 }
 
+TEST_F(SessionFaults, an_unknown_subcommand_is_a_usage_error_that_names_it) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"bild"}, {"bild", "--help"}, {"measure", "bild"}}) {
+    Program program(words);
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.errors().find("there is no subcommand \"bild\""), std::string::npos)
+        << program.errors();
+  }
+}
+
 TEST_F(SessionFaults, an_unknown_fault_is_a_usage_error) {
   Program program(session({"--inject", "no-such-fault"}));
   EXPECT_EQ(program.wait(), 2);

@@ -265,6 +265,14 @@ TEST(ImportGltf, a_binary_file_that_is_cut_or_lies_about_its_lengths_is_refused)
   }
 }
 
+TEST(ImportGltf, another_version_is_refused) {
+  json document = square();
+  document["asset"]["version"] = "1.0";
+  EXPECT_EQ(json_error(document), "is glTF of version 1.0; only 2 is known");
+  document["asset"]["version"] = "2.1";
+  EXPECT_EQ(json_error(document), "");
+}
+
 TEST(ImportGltf, deeply_nested_json_is_refused) {
   for (const char* opening : {"[", "{\"extras\":"}) {
     std::string text;

@@ -45,6 +45,26 @@ TEST(ImportSpool, large_text_files_move_to_a_temporary_file_that_has_no_name) {
   }
 }
 
+TEST(ImportSpool, what_is_dropped_on_the_way_has_the_same_warning) {
+  std::string text = grid_obj(false) + "v nan 0 0\nf 1 2 -1\nf";
+  for (uint32_t i = 1; i < 5000; ++i) text += fmt::format(" {}", i);
+  const auto file = write_model("a.obj", text + "\n");
+  write_model("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  const Model expected = import_model({file}, in_memory),
+              found = import_model({file}, {.most_in_memory = 1000});
+  ASSERT_EQ(expected.report.warnings.size(), 2u);
+  std::vector<std::string> warnings = found.report.warnings;
+  for (const Mesh& mesh : found.meshes) {
+    ASSERT_TRUE(mesh.stream);
+    mesh.stream->read([](std::span<const CornerTriangle>) {});
+    for (const std::string& warning : mesh.stream->warnings()) warnings.push_back(warning);
+  }
+  std::vector<std::string> sorted = expected.report.warnings;
+  std::sort(sorted.begin(), sorted.end());
+  std::sort(warnings.begin(), warnings.end());
+  EXPECT_EQ(warnings, sorted);
+}
+
 TEST(ImportSpool, meshes_beyond_what_memory_holds_wait_in_a_file_and_weld_as_they_would_have) {
   write_model("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
   const auto folder = test::empty_folder("temporary");

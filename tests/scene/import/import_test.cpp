@@ -97,6 +97,13 @@ TEST(ImportObj, materials_come_from_the_library_beside_the_file) {
   EXPECT_TRUE(warns(model, "1 textures"));
 }
 
+TEST(ImportObj, materials_that_let_light_through_are_said) {
+  for (const char* glass : {"d 0.2", "Tr 0.8"}) {
+    write_model("glass.mtl", std::string("newmtl glass\nKd 0 1 0\n") + glass + "\n");
+    EXPECT_TRUE(warns(import_text("a.obj", "mtllib glass.mtl\n" + square_obj), "drawn opaque")) << glass;
+  }
+}
+
 TEST(ImportObj, a_missing_library_a_missing_material_and_skipped_statements_are_warnings) {
   const Model model = import_text("a.obj", "mtllib none.mtl\nusemtl red\nl 1 2\nf 1 2\nbogus\n" + square_obj);
   EXPECT_EQ(model.source_triangles(), 2u);
