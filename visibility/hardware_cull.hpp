@@ -41,8 +41,8 @@ struct CullResult {
 /// subtree costs one test; scene nodes with content that was visible one frame ago are not worth their own
 /// test. A drawable in pieces is tested by its placements' boxes, and again, by its pieces', if it shows; at
 /// once by its pieces' if it was visible one frame ago. What is found visible and is not yet in the
-/// representation is drawn into it between batches, a few at a time. Batches are cut by rank and count alone, so the same
-/// frame gives the same answer whatever the timing (interactive-display-2003 §4.3).
+/// representation is drawn into it between batches, a few at a time. Batches are cut by rank and count alone,
+/// so the same frame gives the same answer whatever the timing (interactive-display-2003 §4.3).
 ///
 /// tester: holds R(i), in which `represented` (drawables of the cut) was drawn under `view`.
 /// previous: V(i−1); emit: called at least once, with V(i−1) → V(i) in pieces.

@@ -64,9 +64,10 @@ class HardwareCull : public testing::TestWithParam<std::string> {
     const Cut cut = cut_of(frame);
     packets.clear();
     const auto represented = map_to_cut(skeleton, eye_cell(skeleton, views[frame]), cut, previous);
-    return hardware_cull(skeleton, views[frame], cut, tester, represented, previous,
-                         {.batch = batch, .least_batch = batch, .most_found = most_found, .packet_ids = packet_ids},
-                         [&](const CullPacket& packet) { packets.push_back(packet); });
+    return hardware_cull(
+        skeleton, views[frame], cut, tester, represented, previous,
+        {.batch = batch, .least_batch = batch, .most_found = most_found, .packet_ids = packet_ids},
+        [&](const CullPacket& packet) { packets.push_back(packet); });
   }
   Cut cut_of(size_t frame) const { return select_cut(skeleton, views[frame], scenes::pixel_error(frame)); }
   VisibleSet of_kind(size_t frame, const std::function<bool(ScreenBounds::Kind)>& wanted) const {
