@@ -48,10 +48,6 @@ double projected_error(double focal_length, double error, const EyeBounds& bound
 }
 
 namespace {
-/// The vertex stage works in 32-bit floats relative to the eye: what it draws is off by less than this share
-/// of the distance (visibility/screen_bounds.cpp has the parts of it). Pixel centres are inside the picture,
-/// so snapping does not matter.
-constexpr double rounding_of_distance = 0x1p-17;
 /// Orthographic, positions and depths are relative to a point near the model's middle, and rounded by less
 /// than this share of the model's size and of how far the box is from the view axis.
 constexpr double rounding_of_size = 0x1p-14;
@@ -91,8 +87,9 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
     bounds.parallel = true;
     return bounds;
   }
-  // Inside the frustum: x − left·depth ≥ 0, right·depth − x ≥ 0, and so on; depth = −z.
-  const double margin = share * rounding_of_distance * (glm::length(centre) + glm::length(half));
+  // Inside the frustum: x − left·depth ≥ 0, right·depth − x ≥ 0, and so on; depth = −z. Pixel centres are
+  // inside the picture, so snapping does not matter.
+  const double margin = share * vertex_rounding * (glm::length(centre) + glm::length(half));
   const auto beyond = [&](const glm::dvec3& plane) {
     return glm::dot(plane, centre) + reach(plane) + glm::length(plane) * margin < 0;
   };

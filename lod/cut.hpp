@@ -28,6 +28,10 @@ DrawRank draw_rank(const Skeleton& skeleton, const glm::ivec3& cell, DrawableId 
 /// Sorts drawables of one view by their draw rank.
 void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<DrawableId>& drawables);
 
+/// The vertex stage works in 32-bit floats relative to the eye: what it draws is off by less than this share
+/// of the distance. visibility/screen_bounds.cpp has the parts of it.
+inline constexpr double vertex_rounding = 0x1p-17;
+
 /// Where a box lies in eye space, as far as selection needs it.
 struct EyeBounds {
   double least_depth = 0;  ///< of the box along the view axis; negative behind the eye

@@ -1,5 +1,7 @@
 #include "visibility/depth_bound.hpp"
 
+#include "lod/cut.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,8 +9,6 @@
 namespace triptych {
 
 namespace {
-/// The vertex stage puts a position off by at most 83 · 2⁻²⁴ of its distance (visibility/screen_bounds.cpp).
-constexpr double float_rounding = 0x1p-17;
 /// Planes with larger terms say nothing; floats hold up to here.
 constexpr double greatest_term = 0x1p20;
 /// Orthographic: faces seen more obliquely than this say nothing.
@@ -51,7 +51,7 @@ DepthPlane FacePlanes::perspective(int axis, const Box& box, double slack) const
   const double middle = scale * (along.x * 0.5 * (camera.left + camera.right) +
                                  along.y * 0.5 * (camera.bottom + camera.top) - along.z);
   const double nearer = 1 + slack * share_of_depth;
-  return with_slack(slope * nearer, middle * nearer, std::abs(scale) * float_rounding * stretch_, slack);
+  return with_slack(slope * nearer, middle * nearer, std::abs(scale) * vertex_rounding * stretch_, slack);
 }
 
 /// The same where rays are parallel: on the face, how far a ray has come is affine in where it starts.
@@ -72,7 +72,7 @@ DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
   const double distance = glm::length(glm::max(glm::abs(box.lo - clip_.reference),  //
                                                glm::abs(box.hi - clip_.reference)));
   return with_slack(slope, middle,
-                    (share_of_depth * clip_.range + float_rounding * distance) * std::abs(scale), slack);
+                    (share_of_depth * clip_.range + vertex_rounding * distance) * std::abs(scale), slack);
 }
 
 /// Snapping moves what is drawn by at most 1/16 pixel; a quarter of a pixel's slope is added.

@@ -15,7 +15,7 @@ namespace {
 struct Waiting {
   uint64_t distance;
   SceneNodeId node;
-  bool again = false;  ///< its drawable was tested before, and showed
+  bool closely = false;  ///< its drawable is tested by the closest boxes that there are
   auto operator<=>(const Waiting&) const = default;
 };
 
@@ -126,11 +126,11 @@ class HardwareCull {
   DrawableBounds bounds_of(Waiting& waiting) const {
     const DrawableId id = cut_.choice[waiting.node];
     const bool in_pieces = has_pieces(skeleton_, id);
-    if (in_pieces && !waiting.again && !was_visible_[id]) {
+    if (in_pieces && !waiting.closely && !was_visible_[id]) {
       const DrawableBounds bounds = placement_bounds(skeleton_, projector_, id);
       if (bounds.kind != ScreenBounds::Kind::unbounded) return bounds;
     }
-    waiting.again = true;
+    waiting.closely = true;
     return in_pieces ? drawable_bounds(skeleton_, projector_, id)
                      : placement_bounds(skeleton_, projector_, id);
   }
@@ -149,10 +149,10 @@ class HardwareCull {
       if (inner && answers_[i]) push_children(node);
       if (inner && !answers_[i]) ++result_.hidden_subtrees;
       if (inner || !answers_[i]) continue;
-      if (tested_[i].again && may_show(node)) {
+      if (tested_[i].closely && may_show(node)) {
         show(node);
       } else {
-        too_many |= tested_[i].again;
+        too_many |= tested_[i].closely;
         queue_.push({tested_[i].distance, node, true});
       }
     }

@@ -2,6 +2,7 @@
 
 #include "base/inject.hpp"
 #include "base/rounding.hpp"
+#include "lod/cut.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,8 +86,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
     seen.corners[seen.count++] = glm::dvec2(corner) / depth;
     greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
   }
-  if (greatest_depth + furthest * roundings_of_margin * float_rounding < clip_.near / near_margin)
-    return {.beyond = true};
+  if (greatest_depth + furthest * vertex_rounding < clip_.near / near_margin) return {.beyond = true};
   if (least_depth < clip_.near * near_margin) {
     if (!injected(Fault::no_near_rule)) return {};
     least_depth = greatest_depth;

@@ -57,7 +57,13 @@ class PlyValues {
   uint64_t read_length(const PlyProperty& property) {
     const uint64_t smallest = encoding_ == PlyEncoding::ascii ? 1 : scalar_bytes(property.type);
     const uint64_t left = encoding_ == PlyEncoding::ascii ? line_.size() : reader_.left();
-    return read_index(*property.count_type, left / smallest, "a list's length");
+    const uint64_t length =
+        read_index(*property.count_type, std::numeric_limits<uint32_t>::max(), "a list's length");
+    if (length > left / smallest) {
+      fail(place(), "the {} ends within a list of {} values",
+           encoding_ == PlyEncoding::ascii ? "line" : "file", length);
+    }
+    return length;
   }
 
   void skip(const PlyProperty& property) {

@@ -1,12 +1,27 @@
-// Collects the triangles of a stream into batches, without those that cannot be used.
+// Collects the triangles of a stream into batches, without those that cannot be used, and what is said of it.
 #pragma once
 
 #include "scene/import/import_limits.hpp"
 #include "scene/mesh_stream.hpp"
 
+#include <fmt/core.h>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace triptych {
+
+/// "<place>: <count> <what>" for each that was counted.
+inline std::vector<std::string> counted_warnings(
+    const std::string& place, std::initializer_list<std::pair<uint64_t, std::string_view>> counted) {
+  std::vector<std::string> warnings;
+  for (const auto& [count, what] : counted) {
+    if (count > 0) warnings.push_back(fmt::format("{}: {} {}", place, count, what));
+  }
+  return warnings;
+}
 
 class TriangleBatch {
  public:

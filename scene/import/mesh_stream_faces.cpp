@@ -138,15 +138,11 @@ uint64_t FaceStream::read(const TakeTriangles& take) const {
 }
 
 std::vector<std::string> FaceStream::warnings() const {
-  std::vector<std::string> warnings;
-  const auto warn = [&](uint64_t count, std::string_view what) {
-    if (count > 0) warnings.push_back(fmt::format("{}: {} {}", faces_.source->name(), count, what));
-  };
-  warn(dropped_, not_finite_warning);
-  warn(skipped_faces_, "faces with fewer than three corners were skipped");
-  warn(fans_, fan_warning);
-  warn(trailing_bytes_, "bytes after the last element were skipped");
-  return warnings;
+  return counted_warnings(faces_.source->name(),
+                          {{dropped_, not_finite_warning},
+                           {skipped_faces_, "faces with fewer than three corners were skipped"},
+                           {fans_, fan_warning},
+                           {trailing_bytes_, "bytes after the last element were skipped"}});
 }
 
 }  // namespace triptych

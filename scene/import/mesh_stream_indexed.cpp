@@ -108,8 +108,8 @@ uint64_t IndexedStream::read(const TakeTriangles& take) const {
 }
 
 std::vector<std::string> IndexedStream::warnings() const {
-  if (dropped_ == 0) return {};
-  return {fmt::format("{}: {} {}", parts_.front().triangles.place, dropped_.load(), not_finite_warning)};
+  if (parts_.empty()) return {};
+  return counted_warnings(parts_.front().triangles.place, {{dropped_, not_finite_warning}});
 }
 
 }  // namespace triptych

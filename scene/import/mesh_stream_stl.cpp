@@ -28,13 +28,10 @@ uint64_t StlStream::read(const TakeTriangles& take) const {
 }
 
 std::vector<std::string> StlStream::warnings() const {
-  std::vector<std::string> warnings;
-  const auto warn = [&](uint64_t count, std::string_view what) {
-    if (count > 0) warnings.push_back(fmt::format("{}: {} {}", source_->name(), count, what));
-  };
-  warn(dropped_, not_finite_warning);
-  warn(attributes_, "facets with an attribute (a colour, in some dialects), which is not drawn");
-  return warnings;
+  return counted_warnings(
+      source_->name(),
+      {{dropped_, not_finite_warning},
+       {attributes_, "facets with an attribute (a colour, in some dialects), which is not drawn"}});
 }
 
 }  // namespace triptych

@@ -96,6 +96,7 @@ TEST(BuildResume, another_model_of_the_same_name_is_built_from_the_start) {
   Program build(build_arguments(model, pack));
   ASSERT_EQ(build.wait(), 0) << build.errors();
   EXPECT_EQ(build.errors().find("resuming"), std::string::npos);
+  EXPECT_NE(build.errors().find("what another build left is dropped"), std::string::npos) << build.errors();
   test::run(build_arguments(model, folder.file("b.tpk")));
   EXPECT_EQ(test::text_of(pack), test::text_of(folder.file("b.tpk")));
 }
