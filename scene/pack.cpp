@@ -4,8 +4,10 @@
 #include "base/descriptor.hpp"
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
+#include "base/unnamed_file.hpp"
 #include "scene/pack_skeleton.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <unistd.h>
@@ -44,6 +46,13 @@ uint64_t geometry_checksum(const std::vector<ChunkInfo>& chunks) {
   return hash_values(std::span<const uint64_t>(checksums));
 }
 
+void write_unfinished_header(AtomicFile& file) {
+  const Header unfinished{.signature = {}};
+  file.write(std::as_bytes(std::span(&unfinished, 1)));
+}
+
+constexpr uint64_t stretch = 1 << 20;  ///< bytes that are copied at a time
+
 }  // namespace
 
 EncodedChunk::EncodedChunk(const Chunk& chunk)
@@ -55,21 +64,20 @@ EncodedChunk::EncodedChunk(const Chunk& chunk)
   std::memcpy(&vertices, bytes.data(), sizeof(vertices));
 }
 
-PackWriter::PackWriter(const std::filesystem::path& file) : file_(file) {
-  const Header unfinished{.signature = {}};
-  file_.write(std::as_bytes(std::span(&unfinished, 1)));
+PackWriter::PackWriter(const std::filesystem::path& file)
+    : file_(file), pieces_(open_unnamed_spool(file.parent_path() / ".")) {
+  write_unfinished_header(file_);
 }
 
-PackWriter::PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, uint64_t keep)
-    : file_(file, partial, keep) {
-  if (keep > 0) return;
-  const Header unfinished{.signature = {}};
-  file_.write(std::as_bytes(std::span(&unfinished, 1)));
+PackWriter::PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept)
+    : file_(file, partial, kept.pack),
+      pieces_(std::make_shared<SpoolFile>(std::filesystem::path(partial) += ".pieces", kept.pieces)) {
+  if (kept.pack == 0) write_unfinished_header(file_);
 }
 
-uint64_t PackWriter::flush() {
+PackWriter::Kept PackWriter::flush() {
   file_.flush();
-  return file_.size();
+  return {file_.size(), pieces_->size()};
 }
 
 uint32_t PackWriter::add_chunk(const Chunk& chunk, uint32_t lattice) {
@@ -83,32 +91,36 @@ uint32_t PackWriter::add_chunk(const EncodedChunk& chunk, uint32_t lattice) {
                      .vertex_count = chunk.vertices,
                      .triangle_count = chunk.triangles,
                      .lattice = lattice,
-                     .first_piece = static_cast<uint32_t>(pieces_.size()),
+                     .first_piece = static_cast<uint32_t>(pieces_->size() / sizeof(LatticeBox)),
                      .box = chunk.box});
-  pieces_.insert(pieces_.end(), chunk.pieces.begin(), chunk.pieces.end());
+  if (!chunk.pieces.empty()) pieces_->append(std::as_bytes(std::span(chunk.pieces)));
   file_.write(chunk.bytes);
   return static_cast<uint32_t>(chunks_.size() - 1);
 }
 
-void PackWriter::adopt(std::span<const ChunkInfo> chunks, std::span<const LatticeBox> pieces) {
+void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
   chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
-  pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
 }
 
 void PackWriter::finish(Skeleton skeleton) {
   skeleton.chunks = std::move(chunks_);
-  skeleton.pieces = std::move(pieces_);
   const uint64_t geometry_end = file_.size();
-  const std::vector<std::byte> skeleton_bytes = encode_skeleton(skeleton);
-  file_.write(skeleton_bytes);
+  StreamHash hash;
+  const auto write = [&](std::span<const std::byte> bytes) {
+    hash.add(bytes);
+    file_.write(bytes);
+  };
+  write_skeleton(skeleton, pieces_->size() / sizeof(LatticeBox), write);
+  for (uint64_t at = 0; at < pieces_->size(); at += stretch)
+    write(pieces_->read({at, std::min(stretch, pieces_->size() - at)}));
   const std::array<Section, 2> table = {Section{.type = geometry_type,
                                                 .offset = sizeof(Header),
                                                 .size = geometry_end - sizeof(Header),
                                                 .checksum = geometry_checksum(skeleton.chunks)},
                                         Section{.type = skeleton_type,
                                                 .offset = geometry_end,
-                                                .size = skeleton_bytes.size(),
-                                                .checksum = hash_bytes(skeleton_bytes)}};
+                                                .size = file_.size() - geometry_end,
+                                                .checksum = hash.checksum()}};
   const auto table_bytes = std::as_bytes(std::span(table));
   const Header header{.section_count = static_cast<uint32_t>(table.size()),
                       .table_offset = file_.size(),

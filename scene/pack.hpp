@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/file.hpp"
+#include "base/spool_file.hpp"
 #include "scene/chunk.hpp"
 #include "scene/skeleton.hpp"
 
@@ -30,27 +31,30 @@ struct EncodedChunk {
 class PackWriter {
  public:
   explicit PackWriter(const std::filesystem::path& file);
-  /// Writes under the name `partial` until then. Its first `keep` bytes were written by an earlier process,
-  /// whose chunks are taken over with adopt(); 0 for a new file.
-  PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, uint64_t keep);
+  /// What an earlier process had written when it was last sure of it: sizes in bytes, 0 for new files.
+  struct Kept {
+    uint64_t pack = 0, pieces = 0;
+  };
+  /// Writes under the name `partial` until then, and boxes of pieces to a file `partial`.pieces, which the
+  /// caller removes. Chunks that are kept are taken over with adopt().
+  PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept);
   /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are
   /// taken down.
   uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
   /// Appends a chunk that was encoded already; for builds on many threads.
   uint32_t add_chunk(const EncodedChunk& chunk, uint32_t lattice);
-  /// Takes over the chunks and pieces that come next.
-  void adopt(std::span<const ChunkInfo> chunks, std::span<const LatticeBox> pieces);
+  /// Takes over the chunks that come next.
+  void adopt(std::span<const ChunkInfo> chunks);
   const std::vector<ChunkInfo>& chunks() const { return chunks_; }
-  const std::vector<LatticeBox>& pieces() const { return pieces_; }
-  /// What was added survives the end of the process. Returns how many bytes that are.
-  uint64_t flush();
-  /// Writes the skeleton (its chunk table is the writer's own) and puts the file in place.
+  /// What was added survives the end of the process. Returns what another one can keep.
+  Kept flush();
+  /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place.
   void finish(Skeleton skeleton);
 
  private:
   AtomicFile file_;
   std::vector<ChunkInfo> chunks_;
-  std::vector<LatticeBox> pieces_;
+  std::shared_ptr<SpoolFile> pieces_;  ///< LatticeBoxes: of large models too many to be held
 };
 
 /// An open pack: the skeleton in memory, chunks read on demand. Safe to read from several threads.

@@ -14,15 +14,13 @@ static_assert(sizeof(SceneNode) == 44 && sizeof(Drawable) == 24 && sizeof(Placem
 static_assert(sizeof(Affine) == 96 && sizeof(Lattice) == 32 && sizeof(ChunkInfo) == 64 &&
               sizeof(LatticeBox) == 24);
 
-template <typename Value>
-void write_array(ByteWriter& writer, const std::vector<Value>& values) {
-  writer.write(static_cast<uint64_t>(values.size()));
-  writer.write_all(std::span<const Value>(values));
-}
+using Write = std::function<void(std::span<const std::byte>)>;
 
 template <typename Value>
-size_t bytes_of(const std::vector<Value>& values) {
-  return values.size() * sizeof(Value);
+void write_array(const Write& write, const std::vector<Value>& values) {
+  const uint64_t count = values.size();
+  write(std::as_bytes(std::span(&count, 1)));
+  write(std::as_bytes(std::span<const Value>(values)));
 }
 
 template <typename Value>
@@ -142,29 +140,34 @@ void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::s
 
 }  // namespace
 
-std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
-  ByteWriter writer;
-  writer.bytes().reserve(4096 + bytes_of(skeleton.lattices) + bytes_of(skeleton.palette) +
-                         bytes_of(skeleton.transforms) + bytes_of(skeleton.scene_nodes) +
-                         bytes_of(skeleton.drawables) + bytes_of(skeleton.placements) +
-                         bytes_of(skeleton.chunks) + bytes_of(skeleton.pieces));
+void write_skeleton(const Skeleton& skeleton, uint64_t piece_count,
+                    const std::function<void(std::span<const std::byte>)>& write) {
+  ByteWriter head;
   for (const uint64_t count :
        {skeleton.source_triangles, skeleton.placed_triangles, skeleton.objects.initial,
         skeleton.objects.partition1, skeleton.objects.clusters, skeleton.objects.partition2,
         skeleton.import.dropped_triangles, skeleton.import.welded_vertices, skeleton.import.repaired_edges,
         skeleton.import.stuck_groups}) {
-    writer.write(count);
+    head.write(count);
   }
-  write_texts(writer, skeleton.import.warnings);
-  write_texts(writer, skeleton.effects);
-  write_array(writer, skeleton.lattices);
-  write_array(writer, skeleton.palette);
-  write_array(writer, skeleton.transforms);
-  write_array(writer, skeleton.scene_nodes);
-  write_array(writer, skeleton.drawables);
-  write_array(writer, skeleton.placements);
-  write_array(writer, skeleton.chunks);
-  write_array(writer, skeleton.pieces);
+  write_texts(head, skeleton.import.warnings);
+  write_texts(head, skeleton.effects);
+  write(head.bytes());
+  write_array(write, skeleton.lattices);
+  write_array(write, skeleton.palette);
+  write_array(write, skeleton.transforms);
+  write_array(write, skeleton.scene_nodes);
+  write_array(write, skeleton.drawables);
+  write_array(write, skeleton.placements);
+  write_array(write, skeleton.chunks);
+  write(std::as_bytes(std::span(&piece_count, 1)));
+}
+
+std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
+  ByteWriter writer;
+  write_skeleton(skeleton, skeleton.pieces.size(),
+                 [&](std::span<const std::byte> bytes) { writer.write_all(bytes); });
+  writer.write_all(std::span<const LatticeBox>(skeleton.pieces));
   return std::move(writer.bytes());
 }
 

@@ -4,12 +4,18 @@
 #include "scene/skeleton.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace triptych {
 
+/// Hands out the bytes of the section up to its last array, the pieces, of which there is only the count: so
+/// many boxes have to follow. The skeleton's own are not written.
+void write_skeleton(const Skeleton& skeleton, uint64_t piece_count,
+                    const std::function<void(std::span<const std::byte>)>& write);
+/// The whole section, with the skeleton's own pieces.
 std::vector<std::byte> encode_skeleton(const Skeleton& skeleton);
 
 /// Error (place, byte) for bytes that end too soon or too late, and for a skeleton that does not hold

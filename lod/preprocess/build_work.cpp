@@ -10,7 +10,7 @@ BuildWork::BuildWork(const std::filesystem::path& pack, const std::string& finge
       left_to_replay_(journal_.replayable()),
       parts_(folder_.file("parts"), kept(0)),
       surfaces_(folder_.file("surfaces"), kept(1)),
-      pack_(pack, folder_.file("pack"), kept(2)) {}
+      pack_(pack, folder_.file("pack"), {kept(2), kept(3)}) {}
 
 void BuildWork::unit(const std::function<void(ByteWriter&)>& work,
                      const std::function<void(ByteReader&)>& take) {
@@ -18,24 +18,21 @@ void BuildWork::unit(const std::function<void(ByteWriter&)>& work,
   if (const auto record = journal_.replay()) {
     --left_to_replay_;
     ByteReader reader(*record, place);
-    const auto chunks = reader.read_all<ChunkInfo>(reader.read<uint64_t>());
-    pack_.adopt(chunks, reader.read_all<LatticeBox>(reader.read<uint64_t>()));
+    pack_.adopt(reader.read_all<ChunkInfo>(reader.read<uint64_t>()));
     take(reader);
     reader.expect_end();
     return;
   }
-  const size_t first_chunk = pack_.chunks().size(), first_piece = pack_.pieces().size();
+  const size_t first_chunk = pack_.chunks().size();
   ByteWriter result;
   work(result);
   const auto chunks = std::span(pack_.chunks()).subspan(first_chunk);
-  const auto pieces = std::span(pack_.pieces()).subspan(first_piece);
   ByteWriter record;
   record.write(uint64_t{chunks.size()});
   record.write_all(chunks);
-  record.write(uint64_t{pieces.size()});
-  record.write_all(pieces);
   record.write_all(std::span<const std::byte>(result.bytes()));
-  journal_.append(record.bytes(), std::array{parts_.size(), surfaces_.size(), pack_.flush()});
+  const PackWriter::Kept kept = pack_.flush();
+  journal_.append(record.bytes(), std::array{parts_.size(), surfaces_.size(), kept.pack, kept.pieces});
   ByteReader reader(result.bytes(), place);
   take(reader);
   reader.expect_end();

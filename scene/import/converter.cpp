@@ -3,8 +3,8 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/one_line.hpp"
+#include "base/unnamed_file.hpp"
 #include "scene/import/mesh_stream_source.hpp"
-#include "scene/import/unnamed_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "scene/import/import_file.hpp"
 
 #include "base/error.hpp"
+#include "base/unnamed_file.hpp"
 #include "scene/import/stored_mesh.hpp"
-#include "scene/import/unnamed_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
+#include "base/unnamed_file.hpp"
 #include "scene/import/mesh_stream_faces.hpp"
 #include "scene/import/triangulate.hpp"
-#include "scene/import/unnamed_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -184,6 +184,18 @@ TEST(Hashing, is_the_same_on_every_machine) {
   EXPECT_EQ(hash_bytes({}), 0x2d06800538d394c2u);
 }
 
+TEST(Hashing, of_stretches_it_is_that_of_the_whole) {
+  std::vector<std::byte> bytes(5000);
+  for (size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i * 7);
+  EXPECT_EQ(StreamHash().checksum(), hash_bytes({}));
+  for (const size_t step : {1, 63, 256, 4999, 5000}) {
+    StreamHash hash;
+    for (size_t at = 0; at < bytes.size(); at += step)
+      hash.add(std::span(bytes).subspan(at, std::min(step, bytes.size() - at)));
+    EXPECT_EQ(hash.checksum(), hash_bytes(bytes)) << step;
+  }
+}
+
 TEST(Inject, faults_are_known_by_their_names_until_they_are_forgotten) {
   clear_injected();
   EXPECT_FALSE(injected(Fault::wrong_delta));
