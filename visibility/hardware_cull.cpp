@@ -11,13 +11,27 @@ namespace triptych {
 
 namespace {
 
+/// What a drawable is tested by: ever more boxes, ever closer ones.
+enum class Boxes : uint8_t { placements, largest_pieces, all };
+
+/// Where one piece shows, it is one of these, most of the time.
+constexpr size_t largest_pieces = 2;
+
 /// A scene node that waits for its turn.
 struct Waiting {
   uint64_t distance;
   SceneNodeId node;
-  bool closely = false;  ///< its drawable is tested by the closest boxes that there are
+  Boxes boxes = Boxes::placements;
   auto operator<=>(const Waiting&) const = default;
 };
+
+void keep_largest(std::vector<ScreenRectangle>& rectangles, size_t count) {
+  const auto area = [](const ScreenRectangle& r) { return (r.right - r.left) * (r.top - r.bottom); };
+  std::partial_sort(rectangles.begin(), rectangles.begin() + static_cast<std::ptrdiff_t>(count),
+                    rectangles.end(),
+                    [&](const ScreenRectangle& a, const ScreenRectangle& b) { return area(a) > area(b); });
+  rectangles.resize(count);
+}
 
 class HardwareCull {
  public:
@@ -122,17 +136,25 @@ class HardwareCull {
   }
 
   /// By the boxes of its placements first, since most of what is tested is hidden; then, or where it was
-  /// visible a frame ago, by its pieces.
+  /// visible a frame ago, by its pieces: the largest first.
   DrawableBounds bounds_of(Waiting& waiting) const {
     const DrawableId id = cut_.choice[waiting.node];
-    const bool in_pieces = has_pieces(skeleton_, id);
-    if (in_pieces && !waiting.closely && !was_visible_[id]) {
+    if (!has_pieces(skeleton_, id)) {
+      waiting.boxes = Boxes::all;
+      return placement_bounds(skeleton_, projector_, id);
+    }
+    if (waiting.boxes == Boxes::placements && !was_visible_[id]) {
       const DrawableBounds bounds = placement_bounds(skeleton_, projector_, id);
       if (bounds.kind != ScreenBounds::Kind::unbounded) return bounds;
     }
-    waiting.closely = true;
-    return in_pieces ? drawable_bounds(skeleton_, projector_, id)
-                     : placement_bounds(skeleton_, projector_, id);
+    DrawableBounds bounds = drawable_bounds(skeleton_, projector_, id);
+    if (waiting.boxes == Boxes::all || bounds.rectangles.size() <= 2 * largest_pieces) {
+      waiting.boxes = Boxes::all;
+    } else {
+      waiting.boxes = Boxes::largest_pieces;
+      keep_largest(bounds.rectangles, largest_pieces);
+    }
+    return bounds;
   }
 
   void test_batch() {
@@ -148,15 +170,25 @@ class HardwareCull {
       if (options_.on_test) options_.on_test(node, answers_[i] != 0);
       if (inner && answers_[i]) push_children(node);
       if (inner && !answers_[i]) ++result_.hidden_subtrees;
-      if (inner || !answers_[i]) continue;
-      if (tested_[i].closely && may_show(node)) {
-        show(node);
-      } else {
-        too_many |= tested_[i].closely;
-        queue_.push({tested_[i].distance, node, true});
-      }
+      if (!inner) judge(tested_[i], answers_[i] != 0, too_many);
     }
     batch_ = too_many ? std::min(batch_, options_.least_batch) : std::min(2 * batch_, options_.batch);
+  }
+
+  /// Shows a drawable, drops it, or has it tested once more.
+  void judge(Waiting tested, bool passed, bool& too_many) {
+    if (!passed) {
+      if (tested.boxes != Boxes::largest_pieces) return;
+      tested.boxes = Boxes::all;
+    } else if (tested.boxes == Boxes::placements) {
+      tested.boxes = Boxes::largest_pieces;
+    } else if (may_show(tested.node)) {
+      show(tested.node);
+      return;
+    } else {
+      too_many = true;
+    }
+    queue_.push(tested);
   }
 
   void draw_found() {

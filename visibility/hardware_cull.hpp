@@ -40,7 +40,8 @@ struct CullResult {
 /// Tests the cut's drawables in draw rank order, in batches, inner scene nodes first, so that a hidden
 /// subtree costs one test; scene nodes with content that was visible one frame ago are not worth their own
 /// test. A drawable in pieces is tested by its placements' boxes, and again, by its pieces', if it shows; at
-/// once by its pieces' if it was visible one frame ago. What is found visible and is not yet in the
+/// once by its pieces' if it was visible one frame ago. Of many pieces the two that are largest on the screen
+/// are tested first, and all of them if neither shows. What is found visible and is not yet in the
 /// representation is drawn into it between batches, a few at a time. Batches are cut by rank and count alone,
 /// so the same frame gives the same answer whatever the timing (interactive-display-2003 §4.3).
 ///

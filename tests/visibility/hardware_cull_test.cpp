@@ -7,6 +7,7 @@
 #include "visibility/visible_stream.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <gtest/gtest.h>
 #include <set>
@@ -26,11 +27,13 @@ class FakeTester : public OcclusionTester {
     largest_batch = std::max(largest_batch, ends.size());
     for (size_t test = 0, i = 0; test < ends.size(); ++test) {
       visible[test] = 0;
+      boxes.push_back(ends[test] - i);
       for (; i < ends[test]; ++i) visible[test] |= answer_(rectangles[i]);
     }
   }
   std::vector<DrawableId> drawn;
   size_t largest_batch = 0;
+  std::vector<size_t> boxes;  ///< how many rectangles each test was of
 
  private:
   std::function<bool(const ScreenRectangle&)> answer_;
@@ -121,9 +124,12 @@ TEST_P(HardwareCull, spends_one_test_on_a_hidden_subtree) {
       const bool inner = cut.choice[id] == Cut::inner;
       ScreenBounds::Kind kind = inner ? projector.bounds(node.box).kind
                                       : placement_bounds(skeleton, projector, cut.choice[id]).kind;
-      // Only then its pieces are looked at.
-      if (!inner && kind == ScreenBounds::Kind::unbounded)
-        kind = drawable_bounds(skeleton, projector, cut.choice[id]).kind;
+      // Only then its pieces are looked at: many of them twice.
+      if (!inner && kind == ScreenBounds::Kind::unbounded) {
+        const DrawableBounds pieces = drawable_bounds(skeleton, projector, cut.choice[id]);
+        kind = pieces.kind;
+        testable += has_pieces(skeleton, cut.choice[id]) && pieces.rectangles.size() > 4;
+      }
       testable += kind == ScreenBounds::Kind::rectangle;
       subtrees += kind == ScreenBounds::Kind::rectangle && inner;
       if (kind != ScreenBounds::Kind::unbounded || !inner) return;
@@ -229,6 +235,53 @@ TEST_P(HardwareCull, draws_only_what_it_found_visible_and_what_is_not_represente
       EXPECT_TRUE(std::binary_search(result.visible.begin(), result.visible.end(), id)) << "is not visible";
     }
     previous = result.visible;
+  }
+}
+
+using Sides = std::array<float, 4>;
+Sides sides_of(const ScreenRectangle& r) { return {r.left, r.bottom, r.right, r.top}; }
+
+TEST_P(HardwareCull, loses_nothing_of_which_only_the_smallest_piece_shows) {
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    const BoxProjector projector(skeleton, views[frame]);
+    std::set<Sides> showing;
+    for (const DrawableId id : cut_of(frame).drawables) {
+      for (const ScreenRectangle& placed : placement_bounds(skeleton, projector, id).rectangles)
+        showing.insert(sides_of(placed));
+      const auto pieces = drawable_bounds(skeleton, projector, id).rectangles;
+      if (pieces.empty()) continue;
+      showing.insert(
+          sides_of(*std::min_element(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
+            return (a.right - a.left) * (a.top - a.bottom) < (b.right - b.left) * (b.top - b.bottom);
+          })));
+    }
+    for (const SceneNode& node : skeleton.scene_nodes)
+      showing.insert(sides_of(projector.bounds(node.box).rectangle));
+    for (const VisibleSet& previous : {VisibleSet(), on_screen(frame)}) {
+      FakeTester tester([&](const ScreenRectangle& r) { return showing.count(sides_of(r)) > 0; });
+      EXPECT_EQ(cull(frame, tester, previous).visible, on_screen(frame)) << "frame " << frame;
+    }
+  }
+}
+
+TEST_P(HardwareCull, tests_the_two_largest_of_many_pieces_where_one_of_them_shows) {
+  most_found = SIZE_MAX;  // or some would be tested again
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    const BoxProjector projector(skeleton, views[frame]);
+    std::vector<size_t> expected;
+    for (const DrawableId id : on_screen(frame)) {
+      const size_t boxes = drawable_bounds(skeleton, projector, id).rectangles.size();
+      expected.push_back(has_pieces(skeleton, id) && boxes > 4 ? 2 : boxes);
+    }
+    FakeTester tester(always);
+    cull(frame, tester, on_screen(frame));
+    // Inner scene nodes without any content on the screen may be tested as well, by a box each.
+    for (std::vector<size_t>* boxes : {&expected, &tester.boxes}) {
+      boxes->erase(std::remove_if(boxes->begin(), boxes->end(), [](size_t count) { return count < 2; }),
+                   boxes->end());
+      std::sort(boxes->begin(), boxes->end());
+    }
+    EXPECT_EQ(tester.boxes, expected) << "frame " << frame;
   }
 }
 
