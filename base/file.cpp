@@ -96,19 +96,24 @@ AtomicFile::~AtomicFile() {
   if (!partial_.empty()) ::unlink(partial_.c_str());
 }
 
-AtomicFile::AtomicFile(std::filesystem::path path, std::filesystem::path partial, uint64_t keep)
-    : path_(std::move(path)), partial_(std::move(partial)), noted_(unwanted.size()), size_(keep) {
+AtomicFile::AtomicFile(std::filesystem::path path, std::filesystem::path partial, const KeptBytes& kept)
+    : path_(std::move(path)), partial_(std::move(partial)), noted_(unwanted.size()), size_(kept.size) {
   check_replaceable(path_);
-  std::error_code error;
-  if (keep > 0) std::filesystem::resize_file(partial_, keep, error);
-  if (!error) file_ = std::fopen(partial_.c_str(), keep > 0 ? "r+b" : "wb");
-  if (!file_ || std::fseek(file_, 0, SEEK_END) != 0) {
-    fail(path_.string(), "cannot be written: {}", error ? error.message() : std::strerror(errno));
+  file_ = std::fopen(partial_.c_str(), kept.size > 0 ? "r+b" : "wb");
+  if (!file_) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+  try {
+    hash_.add_kept(::fileno(file_), kept, partial_.string());
+    if (::ftruncate(::fileno(file_), static_cast<off_t>(size_)) != 0 || std::fseek(file_, 0, SEEK_END) != 0)
+      fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+  } catch (...) {
+    std::fclose(file_);
+    throw;
   }
 }
 
-void AtomicFile::flush() {
+KeptBytes AtomicFile::flush() {
   if (std::fflush(file_) != 0) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+  return {size_, hash_.checksum()};
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
@@ -117,6 +122,7 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
     fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   }
   size_ += bytes.size();
+  hash_.add(bytes);
 }
 
 void AtomicFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }

@@ -1,6 +1,8 @@
 // Files: whole reads, and writes that appear under their name only when they are finished.
 #pragma once
 
+#include "base/hashing.hpp"
+
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -23,8 +25,9 @@ void make_folder(const std::filesystem::path& folder);
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
-  /// Written under the given name until commit(); the first `keep` bytes that already stand there stay.
-  AtomicFile(std::filesystem::path path, std::filesystem::path partial, uint64_t keep);
+  /// Written under the given name until commit(); what was kept of it stays. Error (partial) if it holds
+  /// something else.
+  AtomicFile(std::filesystem::path path, std::filesystem::path partial, const KeptBytes& kept);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -35,8 +38,9 @@ class AtomicFile {
   /// to write.
   void write_at(uint64_t offset, std::span<const std::byte> bytes);
   uint64_t size() const { return size_; }
-  /// Hands what was written to the system: it survives the end of the process. Error if the disk is full.
-  void flush();
+  /// Hands what was written to the system: it survives the end of the process. Returns it all, for a later
+  /// process; write_at() is not counted in. Error if the disk is full.
+  KeptBytes flush();
   /// Flushes to the disk and renames. Error if either fails; then nothing is left.
   void commit();
 
@@ -45,6 +49,7 @@ class AtomicFile {
   size_t noted_;  ///< where its name stands for signals
   std::FILE* file_ = nullptr;
   uint64_t size_ = 0;
+  StreamHash hash_;
 };
 
 /// A signal that ends this process (SIGINT, SIGTERM, SIGHUP, SIGPIPE) takes the AtomicFiles with it that are

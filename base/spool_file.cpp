@@ -10,11 +10,14 @@
 
 namespace triptych {
 
-SpoolFile::SpoolFile(std::filesystem::path path, uint64_t keep) : path_(std::move(path)) {
+SpoolFile::SpoolFile(std::filesystem::path path, const KeptBytes& kept)
+    : path_(std::move(path)), size_(kept.size) {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   try {
-    truncate(keep);
+    hash_.add_kept(file_, kept, path_.string());
+    if (::ftruncate(file_, static_cast<off_t>(size_)) != 0 || ::lseek(file_, 0, SEEK_END) < 0)
+      fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   } catch (...) {
     ::close(file_);
     throw;
@@ -23,19 +26,11 @@ SpoolFile::SpoolFile(std::filesystem::path path, uint64_t keep) : path_(std::mov
 
 SpoolFile::~SpoolFile() { ::close(file_); }
 
-void SpoolFile::truncate(uint64_t size) {
-  const off_t end = ::lseek(file_, 0, SEEK_END);
-  if (end < 0 || static_cast<uint64_t>(end) < size || ::ftruncate(file_, static_cast<off_t>(size)) != 0 ||
-      ::lseek(file_, 0, SEEK_END) < 0) {
-    fail(path_.string(), "does not hold the {} bytes that were kept in it", size);
-  }
-  size_ = size;
-}
-
 SpoolPlace SpoolFile::append(std::span<const std::byte> bytes) {
   const SpoolPlace place{size_, bytes.size()};
   write_all(file_, bytes, path_.string());
   size_ += bytes.size();
+  hash_.add(bytes);
   return place;
 }
 

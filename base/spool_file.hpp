@@ -1,6 +1,8 @@
 // A file for work in progress that does not fit in memory: append, and read anywhere.
 #pragma once
 
+#include "base/hashing.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -21,9 +23,9 @@ struct SpoolPlace {
 /// may read while one appends.
 class SpoolFile {
  public:
-  /// Opens or makes the file and cuts it to its first `keep` bytes. Error (path) if that fails, or if it
-  /// holds less.
-  explicit SpoolFile(std::filesystem::path path, uint64_t keep = 0);
+  /// Opens or makes the file and cuts it to what was kept. Error (path) if that fails, or if it holds
+  /// something else.
+  explicit SpoolFile(std::filesystem::path path, const KeptBytes& kept = {});
   /// Takes over the descriptor of a new file; `name` is for errors.
   SpoolFile(std::string name, int descriptor) : path_(std::move(name)), file_(descriptor) {}
   ~SpoolFile();
@@ -34,15 +36,16 @@ class SpoolFile {
   SpoolPlace append(std::span<const std::byte> bytes);
   /// Error (path, byte) where the file ends before.
   std::vector<std::byte> read(const SpoolPlace& place) const;
-  /// Cuts the file to its first `size` bytes. Error (path) if that fails, or if it holds less.
-  void truncate(uint64_t size);
   uint64_t size() const { return size_; }
+  /// All of it, for a later process.
+  KeptBytes kept() const { return {size_, hash_.checksum()}; }
   const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
   int file_ = -1;
   uint64_t size_ = 0;
+  StreamHash hash_;
 };
 
 }  // namespace triptych

@@ -6,6 +6,7 @@
 #include "launch/build_flags.hpp"
 #include "launch/command.hpp"
 #include "launch/import_flags.hpp"
+#include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "scene/import/import.hpp"
 
@@ -22,9 +23,9 @@ struct BuildCommand {
 
 void print(const BuildReport& report, const std::filesystem::path& output) {
   for (const std::string& warning : report.import.warnings) notice("warning: {}", warning);
-  fmt::print("{}: {} drawables on {} levels, {} source and {} placed triangles, {:.1f} MB\n", output.string(),
+  fmt::print("{}: {} drawables on {} levels, {} source and {} placed triangles, {} bytes\n", output.string(),
              report.drawables, report.levels, report.source_triangles, report.placed_triangles,
-             static_cast<double>(report.pack_bytes) / 1e6);
+             in_threes(static_cast<double>(report.pack_bytes)));
   fmt::print("dropped triangles {}, welded vertices {}, repaired edges {}, stuck groups {}, warnings {}\n",
              report.import.dropped_triangles, report.import.welded_vertices, report.import.repaired_edges,
              report.import.stuck_groups, report.import.warnings.size());

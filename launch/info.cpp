@@ -1,3 +1,4 @@
+#include "base/one_line.hpp"
 #include "launch/command.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hierarchy_quality.hpp"
@@ -63,11 +64,26 @@ void print_hierarchy(const Skeleton& skeleton) {
       100 * quality.overlap.p95);
 }
 
+/// A value as a person reads it: no quotes, no brackets.
+std::string in_words(const nlohmann::json& value) {
+  if (value.is_string()) return one_line(value.get<std::string>());
+  if (value.is_number_unsigned()) return in_threes(value.get<double>());
+  if (!value.is_structured()) return json_text(value);
+  if (value.empty()) return "none";
+  std::string words;
+  for (const auto& [key, part] : value.items()) {
+    if (!words.empty()) words += value.is_object() ? ", " : part.is_string() ? "; " : " ";
+    if (value.is_object()) words += key + " ";
+    words += in_words(part);
+  }
+  return words;
+}
+
 int run(const std::filesystem::path& file, const std::filesystem::path& json) {
   const Pack pack(file);
   const nlohmann::json description = describe(pack);
   for (const auto& [key, value] : description.items()) {
-    if (key != "hierarchy" && key != "objects") fmt::print("{:<17} {}\n", key, json_text(value));
+    if (key != "hierarchy" && key != "objects") fmt::print("{:<17} {}\n", key, in_words(value));
   }
   print_objects(pack.skeleton());
   print_hierarchy(pack.skeleton());

@@ -31,6 +31,16 @@ int end_with(const std::string& line) {
   return 1;
 }
 
+/// The program and the subcommands that were named, as one types them.
+std::string command_name(const CLI::App& app) {
+  std::string name = "triptych";
+  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    name += " " + at->get_name();
+  }
+  return name;
+}
+
 /// The first word where a subcommand should stand and none of that name is; null if there is none.
 const char* unknown_subcommand(CLI::App& app, int argc, char** argv) {
   CLI::App* at = &app;
@@ -77,7 +87,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : usage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    triptych::notice("{0}: {1}; {0} --help says more", command_name(app), error.what());
+    return usage;
   }
   try {
     triptych::check_files_differ(app);

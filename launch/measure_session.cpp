@@ -14,6 +14,16 @@ namespace triptych {
 
 namespace {
 
+/// The frames of a session that plays the path so many times.
+std::vector<FrameRequest> played(const std::vector<FrameRequest>& path, size_t times) {
+  std::vector<FrameRequest> frames;
+  for (size_t i = 0; i < times * path.size(); ++i) {
+    frames.push_back(path[i % path.size()]);
+    frames.back().number = static_cast<uint32_t>(i);
+  }
+  return frames;
+}
+
 /// The same path in one process, with each picture's hash.
 std::vector<FrameRecord> run_one_process(const Pack& pack, const RunOptions& run,
                                          const std::vector<FrameRequest>& requests) {
@@ -90,7 +100,7 @@ int run(SessionOptions options) {
   SessionOutcome outcome = std::move(outcomes.front());
   outcomes.clear();
   const Pack pack(options.run.pack);
-  SessionMeasurement measurement{.requests = load_frames(options.run, pack.skeleton()),
+  SessionMeasurement measurement{.requests = played(load_frames(options.run, pack.skeleton()), options.loop),
                                  .roles = std::move(outcome.records),
                                  .session = {},
                                  .fallback = {},

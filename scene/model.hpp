@@ -67,6 +67,7 @@ struct Model {
   std::vector<std::filesystem::path> files;
   ImportReport report;
 
+  std::string name() const;           ///< of its first file, for errors
   uint64_t source_triangles() const;  ///< unique: each mesh once
   uint64_t placed_triangles() const;  ///< each mesh as often as it is placed
 };

@@ -72,13 +72,10 @@ PackWriter::PackWriter(const std::filesystem::path& file)
 PackWriter::PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept)
     : file_(file, partial, kept.pack),
       pieces_(std::make_shared<SpoolFile>(std::filesystem::path(partial) += ".pieces", kept.pieces)) {
-  if (kept.pack == 0) write_unfinished_header(file_);
+  if (kept.pack.size == 0) write_unfinished_header(file_);
 }
 
-PackWriter::Kept PackWriter::flush() {
-  file_.flush();
-  return {file_.size(), pieces_->size()};
-}
+PackWriter::Kept PackWriter::flush() { return {file_.flush(), pieces_->kept()}; }
 
 uint32_t PackWriter::add_chunk(const Chunk& chunk, uint32_t lattice) {
   return add_chunk(EncodedChunk(chunk), lattice);

@@ -31,9 +31,9 @@ struct EncodedChunk {
 class PackWriter {
  public:
   explicit PackWriter(const std::filesystem::path& file);
-  /// What an earlier process had written when it was last sure of it: sizes in bytes, 0 for new files.
+  /// What an earlier process had written when it was last sure of it; nothing for new files.
   struct Kept {
-    uint64_t pack = 0, pieces = 0;
+    KeptBytes pack, pieces;
   };
   /// Writes under the name `partial` until then, and boxes of pieces to a file `partial`.pieces, which the
   /// caller removes. Chunks that are kept are taken over with adopt().

@@ -34,9 +34,19 @@ void add_nodes(Skeleton& skeleton, std::span<const HierarchyNode> nodes, std::ve
   }
 }
 
+/// Names of files without their folders: the same model gives the same pack wherever it lies.
+std::string without_folders(std::string text, const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files) {
+    const std::string whole = file.string(), name = file.filename().string();
+    if (whole == name || name.empty()) continue;
+    for (size_t at = 0; (at = text.find(whole, at)) != std::string::npos; at += name.size())
+      text.replace(at, whole.size(), name);
+  }
+  return text;
+}
+
 BuildReport build(Model model, const BuildOptions& options, const std::filesystem::path& file) {
-  if (model.source_triangles() == 0 || model.instances.empty())
-    fail(file.string(), "the model holds no triangles");
+  if (model.source_triangles() == 0 || model.instances.empty()) fail(model.name(), "holds no triangles");
   // Units are as large as the memory lets them be: an earlier build's are the same only if they were as
   // large.
   BuildWork work(file, options.fingerprint.empty()
@@ -63,6 +73,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   std::vector<PartLevels> levels;
   std::vector<NodeContent> contents;
   stage("measure", [&] { plan = make_plan(model, options.share_instances); });
+  const std::vector<std::filesystem::path> files = model.files;
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   auto& warnings = skeleton.import.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
@@ -85,6 +96,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     skeleton.transforms = std::move(parts.transforms);
     skeleton.palette = std::move(parts.palette);
     skeleton.objects = objects.counts;
+    for (std::string& warning : skeleton.import.warnings) warning = without_folders(warning, files);
     parts = {};
     levels = {};
     add_nodes(skeleton, nodes, std::move(contents));

@@ -4,13 +4,18 @@
 
 namespace triptych {
 
+namespace {
+/// What units write; the last one belongs to the pack.
+constexpr std::array file_names = {"parts", "surfaces", "pack", "pack.pieces"};
+}  // namespace
+
 BuildWork::BuildWork(const std::filesystem::path& pack, const std::string& fingerprint)
-    : folder_(pack, fingerprint),
+    : folder_(pack, fingerprint, file_names),
       journal_(folder_),
       left_to_replay_(journal_.replayable()),
-      parts_(folder_.file("parts"), kept(0)),
-      surfaces_(folder_.file("surfaces"), kept(1)),
-      pack_(pack, folder_.file("pack"), {kept(2), kept(3)}) {}
+      parts_(folder_.file(file_names[0]), kept(0)),
+      surfaces_(folder_.file(file_names[1]), kept(1)),
+      pack_(pack, folder_.file(file_names[2]), {kept(2), kept(3)}) {}
 
 void BuildWork::unit(const std::function<void(ByteWriter&)>& work,
                      const std::function<void(ByteReader&)>& take) {
@@ -32,7 +37,7 @@ void BuildWork::unit(const std::function<void(ByteWriter&)>& work,
   record.write_all(chunks);
   record.write_all(std::span<const std::byte>(result.bytes()));
   const PackWriter::Kept kept = pack_.flush();
-  journal_.append(record.bytes(), std::array{parts_.size(), surfaces_.size(), kept.pack, kept.pieces});
+  journal_.append(record.bytes(), std::array{parts_.kept(), surfaces_.kept(), kept.pack, kept.pieces});
   ByteReader reader(result.bytes(), place);
   take(reader);
   reader.expect_end();

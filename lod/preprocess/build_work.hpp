@@ -39,7 +39,9 @@ class BuildWork {
   std::filesystem::path file(const std::string& name) const { return folder_.file(name); }
 
  private:
-  uint64_t kept(size_t file) const { return journal_.sizes().empty() ? 0 : journal_.sizes().at(file); }
+  KeptBytes kept(size_t file) const {
+    return journal_.kept().empty() ? KeptBytes() : journal_.kept().at(file);
+  }
 
   WorkFolder folder_;
   BuildJournal journal_;

@@ -275,7 +275,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
     }
     if (first[instance.mesh + 1] > first[instance.mesh]) ++parts.instances;
   }
-  if (parts.placed.empty()) fail("model", "holds no triangle that has an area");
+  if (parts.placed.empty()) fail(model.name(), "holds no triangle that has an area");
   parts.parts = std::move(maker.infos);
   parts.transforms = std::move(plan.transforms);
   parts.stretches = std::move(plan.stretches);

@@ -190,10 +190,10 @@ BuildPlan make_plan(const Model& model, bool share_instances) {
     mesh.lattice = static_cast<uint32_t>(plan.lattices.size());
     plan.lattices.push_back(make_lattice(mesh.box, mesh_bits));
   }
-  if (plan.box.empty()) fail("model", "holds no triangles");
+  if (plan.box.empty()) fail(model.name(), "holds no triangles");
   const double extent = diagonal(plan.box);
   if (extent < least_extent)
-    fail("model", "is {} units large, which is less than numbers bear: give it other units", extent);
+    fail(model.name(), "is {} units large, which is less than numbers bear: give it other units", extent);
   plan.lattices[0] = make_lattice(plan.box, model_bits);
   return plan;
 }

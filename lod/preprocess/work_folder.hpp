@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,9 @@ class WorkFolder {
   /// Makes the folder. If an earlier build left one with the same fingerprint (of its input and options), its
   /// journal is kept; anything else in it goes. An empty fingerprint keeps nothing. Error (path) if another
   /// process is building the same pack, or if the folder is not one that a build left.
-  WorkFolder(const std::filesystem::path& pack, const std::string& fingerprint);
+  /// An earlier build without one of the files that are needed to go on is dropped as well.
+  WorkFolder(const std::filesystem::path& pack, const std::string& fingerprint,
+             std::span<const char* const> needed);
   ~WorkFolder();
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
@@ -29,35 +32,39 @@ class WorkFolder {
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
  private:
-  /// All but the lock.
-  void remove_work();
+  /// Keeps an earlier build's work, or begins anew.
+  void take_over(const std::string& fingerprint, std::span<const char* const> needed);
+  /// Removes it all and gives up the lock.
+  void leave();
+  /// All but the lock. Whether nothing else is left.
+  bool remove_work();
 
   std::filesystem::path folder_;
   int lock_ = -1;
 };
 
 /// What a build has done, unit after unit. A unit's record stands in the journal when all that the unit wrote
-/// elsewhere is written; the sizes that those files had then stand beside it.
+/// elsewhere is written; what those files held then stands beside it.
 class BuildJournal {
  public:
   /// Opens the journal and passes over a last record that was not written whole.
   explicit BuildJournal(const WorkFolder& folder);
 
-  /// Sizes of the files after the last whole record: the order is the caller's own; empty for a new build.
-  const std::vector<uint64_t>& sizes() const { return sizes_; }
+  /// What the files held after the last whole record: the order is the caller's own; empty for a new build.
+  const std::vector<KeptBytes>& kept() const { return kept_; }
   /// Units that an earlier run did.
   uint64_t replayable() const { return records_.size(); }
   /// The next of them, or nothing when from here on the work has to be done.
   std::optional<std::vector<std::byte>> replay();
-  void append(std::span<const std::byte> record, std::span<const uint64_t> sizes);
+  void append(std::span<const std::byte> record, std::span<const KeptBytes> files);
 
  private:
-  /// Returns where the last whole record ends.
-  uint64_t read_records();
+  /// Returns the file up to the end of the last whole record.
+  KeptBytes read_records(const std::filesystem::path& path);
 
-  SpoolFile file_;
   std::vector<SpoolPlace> records_;
-  std::vector<uint64_t> sizes_;
+  std::vector<KeptBytes> kept_;
+  SpoolFile file_;
   size_t next_ = 0;
 };
 

@@ -159,7 +159,7 @@ TEST(File, a_pipe_or_a_device_is_not_replaced) {
   fs::create_symlink(pipe, link);
   for (const fs::path& file : {pipe, link}) {
     EXPECT_NE(message_of([&] { write_file(file, "text"); }).find("no regular file"), std::string::npos);
-    EXPECT_THROW(AtomicFile(file, folder / "partial", 0), Error);
+    EXPECT_THROW(AtomicFile(file, folder / "partial", KeptBytes{}), Error);
   }
   EXPECT_TRUE(fs::is_fifo(pipe));
   EXPECT_TRUE(fs::is_symlink(link));

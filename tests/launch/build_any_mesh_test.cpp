@@ -127,11 +127,26 @@ TEST(BuildAnyName, names_that_are_no_utf_8_do_not_lose_the_report) {
   test::run({"info", pack, "--json", json});
 }
 
+TEST(BuildAnyName, the_folder_of_a_model_does_not_get_into_its_pack) {
+  const Folder folder;
+  std::vector<std::string> packs;
+  for (const std::string name : {"one", "another"}) {
+    std::filesystem::create_directory(folder.file(name));
+    const std::string obj = folder.file(name + "/a.obj"), json = folder.file(name + "/a.json");
+    std::ofstream(obj) << "mtllib not-there.mtl\n" << square << "f 1 2 3\n";
+    test::run({"build", obj, "-o", folder.file(name + "/a.tpk"), "--json", json});
+    EXPECT_GT(test::json_of(json)["import"]["warnings"].size(), 0u);
+    packs.push_back(test::text_of(folder.file(name + "/a.tpk")));
+  }
+  EXPECT_EQ(packs[0], packs[1]);
+}
+
 TEST(BuildNoMesh, a_file_with_nothing_but_triangles_without_area_is_one_line) {
   const Folder folder;
   const std::string obj = folder.file("a.obj");
   std::ofstream(obj) << square << "f 1 1 2\nf 3 3 3\n";
-  EXPECT_NE(test::failure({"build", obj, "-o", folder.file("a.tpk")}).find("no triangle"), std::string::npos);
+  EXPECT_NE(test::failure({"build", obj, "-o", folder.file("a.tpk")}).find(obj + ": holds no triangle"),
+            std::string::npos);
   EXPECT_EQ(folder.files(), 1u);
 }
 

@@ -1,8 +1,11 @@
 // Builds that are killed, starved of disk, or raced.
 #include "tests/session/program.hpp"
 
+#include <fstream>
 #include <random>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace triptych {
 namespace {
@@ -18,6 +21,24 @@ std::string make_plant(const Folder& folder) {
 
 std::vector<std::string> build_arguments(const std::string& model, const std::string& pack) {
   return {"build", model, "-o", pack, "--memory", "128M"};
+}
+
+/// A build that is killed when a good part of it is done.
+void kill_late(const std::string& model, const std::string& pack) {
+  while (true) {
+    Program build(build_arguments(model, pack));
+    const std::string journal = pack + ".work/journal";
+    const auto late = [&] {
+      std::error_code none;
+      const uint64_t size = std::filesystem::file_size(journal, none);
+      return !none && size > 200'000;
+    };
+    while (!late() && !std::filesystem::exists(pack))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    build.signal(SIGKILL);
+    if (build.wait() == -SIGKILL) return;
+    std::filesystem::remove(pack);
+  }
 }
 
 TEST(BuildResume, twenty_kills_leave_the_same_bytes_and_the_work_done_before_counts) {
@@ -53,20 +74,7 @@ TEST(BuildResume, twenty_kills_leave_the_same_bytes_and_the_work_done_before_cou
     done = 0;
   }
   // Killed once more where a good part is done: the last run does the rest alone.
-  while (true) {
-    Program build(build_arguments(model, killed));
-    const std::string journal = killed + ".work/journal";
-    const auto far = [&] {
-      std::error_code none;
-      const uint64_t size = std::filesystem::file_size(journal, none);
-      return !none && size > 500'000;
-    };
-    while (!far() && !std::filesystem::exists(killed))
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    build.signal(SIGKILL);
-    if (build.wait() == -SIGKILL) break;
-    std::filesystem::remove(killed);
-  }
+  kill_late(model, killed);
   const std::string json = folder.file("last.json");
   std::vector<std::string> arguments = build_arguments(model, killed);
   arguments.insert(arguments.end(), {"--json", json});
@@ -76,6 +84,70 @@ TEST(BuildResume, twenty_kills_leave_the_same_bytes_and_the_work_done_before_cou
   EXPECT_GT(resumed, 5);
   EXPECT_GT(test::json_of(json)["resumed_units"].get<uint64_t>(), 0u);
   EXPECT_FALSE(std::filesystem::exists(killed + ".work"));
+}
+
+TEST(BuildResume, kept_files_that_were_changed_are_an_error_and_no_pack) {
+  const Folder folder;
+  const std::string model = make_plant(folder), pack = folder.file("a.tpk");
+  for (const std::string name : {"parts", "surfaces", "pack", "pack.pieces"}) {
+    for (const bool cut : {false, true}) {
+      SCOPED_TRACE(name + (cut ? " cut" : " changed"));
+      kill_late(model, pack);
+      const std::string file = pack + ".work/" + name;
+      ASSERT_GT(std::filesystem::file_size(file), 2000u);
+      if (cut) {
+        std::filesystem::resize_file(file, 1000);
+      } else {
+        std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+        bytes.seekg(1000);
+        const int byte = bytes.get();
+        bytes.seekp(1000);
+        bytes.put(static_cast<char>(byte ^ 1));
+      }
+      const std::string complaint = test::failure(build_arguments(model, pack));
+      EXPECT_NE(complaint.find(file + ": " + (cut ? "does not hold" : "was changed")), std::string::npos)
+          << complaint;
+      EXPECT_FALSE(std::filesystem::exists(pack));
+      EXPECT_FALSE(std::filesystem::exists(pack + ".work"));
+    }
+  }
+}
+
+TEST(BuildResume, work_that_lacks_a_file_is_done_again) {
+  const Folder folder;
+  const std::string model = make_plant(folder), pack = folder.file("a.tpk");
+  test::run(build_arguments(model, folder.file("whole.tpk")));
+  kill_late(model, pack);
+  // As after a kill between the pack's renaming and the journal's removal.
+  std::filesystem::remove(pack + ".work/pack");
+  Program build(build_arguments(model, pack));
+  ASSERT_EQ(build.wait(), 0) << build.errors();
+  EXPECT_NE(build.errors().find("a file of it is missing"), std::string::npos) << build.errors();
+  EXPECT_EQ(test::text_of(pack), test::text_of(folder.file("whole.tpk")));
+}
+
+TEST(BuildResume, a_build_that_cannot_begin_leaves_nothing) {
+  const Folder folder;
+  const std::string model = make_plant(folder);
+  const size_t before = folder.files();
+  struct rlimit old {};
+  ::getrlimit(RLIMIT_NOFILE, &old);
+  for (rlim_t files = 4; files < 12; ++files) {
+    const struct rlimit few { files, old.rlim_max };
+    pid_t child = ::fork();
+    if (child == 0) {
+      ::setrlimit(RLIMIT_NOFILE, &few);
+      ::execl(TRIPTYCH_PROGRAM, "triptych", "build", model.c_str(), "-o", folder.file("a.tpk").c_str(),
+              nullptr);
+      ::_exit(127);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status)) << files;
+    std::filesystem::remove(folder.file("a.tpk"));
+    EXPECT_EQ(folder.files(), before) << "with " << files << " open files";
+    EXPECT_FALSE(std::filesystem::exists(folder.file("a.tpk.work"))) << files;
+  }
 }
 
 TEST(BuildResume, another_model_of_the_same_name_is_built_from_the_start) {

@@ -40,6 +40,19 @@ TEST_F(SessionFaults, an_unknown_subcommand_is_a_usage_error_that_names_it) {
   }
 }
 
+TEST_F(SessionFaults, a_usage_error_is_one_line_that_names_the_command) {
+  for (const auto& [words, line] : {std::pair<std::vector<std::string>, std::string>{{}, "triptych: "},
+                                    {{"build"}, "triptych build: input is required"},
+                                    {{"measure", "build"}, "triptych measure build: input is required"},
+                                    {{"info", "a.tpk", "--bild"}, "triptych info: "}}) {
+    Program program(words);
+    EXPECT_EQ(program.wait(), 2);
+    const std::string errors = program.errors();
+    EXPECT_EQ(errors.rfind(line, 0), 0u) << errors;
+    EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+  }
+}
+
 TEST_F(SessionFaults, an_unknown_fault_is_a_usage_error) {
   Program program(session({"--inject", "no-such-fault"}));
   EXPECT_EQ(program.wait(), 2);

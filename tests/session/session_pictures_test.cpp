@@ -30,6 +30,11 @@ TEST_F(SessionPictures, are_the_un_culled_ones_with_osmesa_queries_and_an_odd_si
   expect_identical(frame_count);
 }
 
+TEST_F(SessionPictures, are_the_un_culled_ones_each_time_that_the_path_is_played) {
+  run(measure({"--frames", "6", "--loop", "3"}));
+  expect_identical(18);
+}
+
 TEST_F(SessionPictures, and_visible_sets_are_the_same_every_time) {
   run(measure({"--frames", "20"}));
   const nlohmann::json once = json_of(json);
