@@ -2,10 +2,12 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace triptych {
 
@@ -23,6 +25,17 @@ void read_at(int descriptor, uint64_t offset, std::span<std::byte> into, const s
     if (count == 0) fail(place, "byte {}: the file ends too soon", offset);
     into = into.subspan(static_cast<size_t>(count));
     offset += static_cast<uint64_t>(count);
+  }
+}
+
+void read_in_stretches(int descriptor, uint64_t size, const std::string& place,
+                       const std::function<void(std::span<const std::byte>)>& take) {
+  constexpr uint64_t stretch = 1 << 20;
+  std::vector<std::byte> bytes;
+  for (uint64_t at = 0; at < size; at += bytes.size()) {
+    bytes.resize(std::min(stretch, size - at));
+    read_at(descriptor, at, bytes, place);
+    take(bytes);
   }
 }
 

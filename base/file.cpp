@@ -102,8 +102,8 @@ AtomicFile::AtomicFile(std::filesystem::path path, std::filesystem::path partial
   file_ = std::fopen(partial_.c_str(), kept.size > 0 ? "r+b" : "wb");
   if (!file_) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   try {
-    hash_.add_kept(::fileno(file_), kept, partial_.string());
-    if (::ftruncate(::fileno(file_), static_cast<off_t>(size_)) != 0 || std::fseek(file_, 0, SEEK_END) != 0)
+    go_on_behind(kept, ::fileno(file_), hash_, partial_.string());
+    if (std::fseek(file_, 0, SEEK_END) != 0)
       fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   } catch (...) {
     std::fclose(file_);

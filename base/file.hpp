@@ -1,7 +1,7 @@
 // Files: whole reads, and writes that appear under their name only when they are finished.
 #pragma once
 
-#include "base/hashing.hpp"
+#include "base/kept_bytes.hpp"
 
 #include <cstddef>
 #include <cstdio>

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 
 struct XXH3_state_s;
 
@@ -18,11 +17,6 @@ uint64_t hash_values(std::span<const Value> values, uint64_t seed = 0) {
   return hash_bytes(std::as_bytes(values), seed);
 }
 
-/// The beginning of a file that another process goes on with: how many bytes, and their checksum.
-struct KeptBytes {
-  uint64_t size = 0, checksum = 0;
-};
-
 /// The checksum of bytes that come a stretch at a time: the same as hash_bytes() of all of them, seed 0.
 class StreamHash {
  public:
@@ -33,8 +27,6 @@ class StreamHash {
 
   void add(std::span<const std::byte> bytes);
   uint64_t checksum() const;
-  /// Adds what stands at the beginning of a file. Error (place) unless it is what was kept.
-  void add_kept(int descriptor, const KeptBytes& kept, const std::string& place);
 
  private:
   XXH3_state_s* state_;

@@ -15,9 +15,7 @@ SpoolFile::SpoolFile(std::filesystem::path path, const KeptBytes& kept)
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   try {
-    hash_.add_kept(file_, kept, path_.string());
-    if (::ftruncate(file_, static_cast<off_t>(size_)) != 0 || ::lseek(file_, 0, SEEK_END) < 0)
-      fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+    go_on_behind(kept, file_, hash_, path_.string());
   } catch (...) {
     ::close(file_);
     throw;
@@ -38,6 +36,10 @@ std::vector<std::byte> SpoolFile::read(const SpoolPlace& place) const {
   std::vector<std::byte> bytes(static_cast<size_t>(place.size));
   read_at(file_, place.offset, bytes, path_.string());
   return bytes;
+}
+
+void SpoolFile::read_all(const std::function<void(std::span<const std::byte>)>& take) const {
+  read_in_stretches(file_, size_, path_.string(), take);
 }
 
 }  // namespace triptych

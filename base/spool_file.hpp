@@ -1,11 +1,12 @@
 // A file for work in progress that does not fit in memory: append, and read anywhere.
 #pragma once
 
-#include "base/hashing.hpp"
+#include "base/kept_bytes.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -36,6 +37,8 @@ class SpoolFile {
   SpoolPlace append(std::span<const std::byte> bytes);
   /// Error (path, byte) where the file ends before.
   std::vector<std::byte> read(const SpoolPlace& place) const;
+  /// Hands out all of it, a stretch at a time.
+  void read_all(const std::function<void(std::span<const std::byte>)>& take) const;
   uint64_t size() const { return size_; }
   /// All of it, for a later process.
   KeptBytes kept() const { return {size_, hash_.checksum()}; }

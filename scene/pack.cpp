@@ -7,7 +7,6 @@
 #include "base/unnamed_file.hpp"
 #include "scene/pack_skeleton.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <unistd.h>
@@ -51,8 +50,6 @@ void write_unfinished_header(AtomicFile& file) {
   file.write(std::as_bytes(std::span(&unfinished, 1)));
 }
 
-constexpr uint64_t stretch = 1 << 20;  ///< bytes that are copied at a time
-
 }  // namespace
 
 EncodedChunk::EncodedChunk(const Chunk& chunk)
@@ -65,17 +62,17 @@ EncodedChunk::EncodedChunk(const Chunk& chunk)
 }
 
 PackWriter::PackWriter(const std::filesystem::path& file)
-    : file_(file), pieces_(open_unnamed_spool(file.parent_path() / ".")) {
+    : file_(file),
+      pieces_(file.string() + ": a temporary file", open_unnamed_file(file.parent_path() / ".")) {
   write_unfinished_header(file_);
 }
 
 PackWriter::PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept)
-    : file_(file, partial, kept.pack),
-      pieces_(std::make_shared<SpoolFile>(std::filesystem::path(partial) += ".pieces", kept.pieces)) {
+    : file_(file, partial, kept.pack), pieces_(std::filesystem::path(partial) += ".pieces", kept.pieces) {
   if (kept.pack.size == 0) write_unfinished_header(file_);
 }
 
-PackWriter::Kept PackWriter::flush() { return {file_.flush(), pieces_->kept()}; }
+PackWriter::Kept PackWriter::flush() { return {file_.flush(), pieces_.kept()}; }
 
 uint32_t PackWriter::add_chunk(const Chunk& chunk, uint32_t lattice) {
   return add_chunk(EncodedChunk(chunk), lattice);
@@ -88,9 +85,9 @@ uint32_t PackWriter::add_chunk(const EncodedChunk& chunk, uint32_t lattice) {
                      .vertex_count = chunk.vertices,
                      .triangle_count = chunk.triangles,
                      .lattice = lattice,
-                     .first_piece = static_cast<uint32_t>(pieces_->size() / sizeof(LatticeBox)),
+                     .first_piece = static_cast<uint32_t>(pieces_.size() / sizeof(LatticeBox)),
                      .box = chunk.box});
-  if (!chunk.pieces.empty()) pieces_->append(std::as_bytes(std::span(chunk.pieces)));
+  if (!chunk.pieces.empty()) pieces_.append(std::as_bytes(std::span(chunk.pieces)));
   file_.write(chunk.bytes);
   return static_cast<uint32_t>(chunks_.size() - 1);
 }
@@ -107,9 +104,8 @@ void PackWriter::finish(Skeleton skeleton) {
     hash.add(bytes);
     file_.write(bytes);
   };
-  write_skeleton(skeleton, pieces_->size() / sizeof(LatticeBox), write);
-  for (uint64_t at = 0; at < pieces_->size(); at += stretch)
-    write(pieces_->read({at, std::min(stretch, pieces_->size() - at)}));
+  write_skeleton(skeleton, pieces_.size() / sizeof(LatticeBox), write);
+  pieces_.read_all(write);
   const std::array<Section, 2> table = {Section{.type = geometry_type,
                                                 .offset = sizeof(Header),
                                                 .size = geometry_end - sizeof(Header),

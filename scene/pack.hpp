@@ -54,7 +54,7 @@ class PackWriter {
  private:
   AtomicFile file_;
   std::vector<ChunkInfo> chunks_;
-  std::shared_ptr<SpoolFile> pieces_;  ///< LatticeBoxes: of large models too many to be held
+  SpoolFile pieces_;  ///< LatticeBoxes: of large models too many to be held
 };
 
 /// An open pack: the skeleton in memory, chunks read on demand. Safe to read from several threads.

@@ -14,7 +14,7 @@ namespace {
 /// What a drawable is tested by: ever more boxes, ever closer ones.
 enum class Boxes : uint8_t { placements, largest_pieces, all };
 
-/// Where one piece shows, it is one of these, most of the time.
+/// Of many, the largest on the screen: where any shows, it is often one of these.
 constexpr size_t largest_pieces = 2;
 
 /// A scene node that waits for its turn.

@@ -34,7 +34,7 @@ void add_nodes(Skeleton& skeleton, std::span<const HierarchyNode> nodes, std::ve
   }
 }
 
-/// Names of files without their folders: the same model gives the same pack wherever it lies.
+/// The text with names of files without their folders: the same model gives the same pack wherever it lies.
 std::string without_folders(std::string text, const std::vector<std::filesystem::path>& files) {
   for (const std::filesystem::path& file : files) {
     const std::string whole = file.string(), name = file.filename().string();
@@ -62,6 +62,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     report.stages.push_back({name, stopwatch.seconds()});
   };
 
+  const std::vector<std::filesystem::path> files = model.files;
   Skeleton skeleton;
   skeleton.import = std::move(model.report);
   skeleton.source_triangles = model.source_triangles();
@@ -73,7 +74,6 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   std::vector<PartLevels> levels;
   std::vector<NodeContent> contents;
   stage("measure", [&] { plan = make_plan(model, options.share_instances); });
-  const std::vector<std::filesystem::path> files = model.files;
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   auto& warnings = skeleton.import.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());

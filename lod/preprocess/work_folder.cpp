@@ -1,10 +1,8 @@
 #include "lod/preprocess/work_folder.hpp"
 
 #include "base/bytes.hpp"
-#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "base/notice.hpp"
 
@@ -70,7 +68,8 @@ void WorkFolder::take_over(const std::string& fingerprint, std::span<const char*
   const bool whole = std::all_of(needed.begin(), needed.end(), [&](const char* name) {
     return std::filesystem::exists(file(name), error);
   });
-  if (same && (whole || !std::filesystem::exists(file(journal_name), error))) return;
+  const uint64_t recorded = std::filesystem::file_size(file(journal_name), error);
+  if (same && (whole || error || recorded == 0)) return;
   if (built) {
     notice("{}: what another build left is dropped: {}", folder_.string(),
            same ? "a file of it is missing" : "its files, flags or program were others");
@@ -94,15 +93,15 @@ bool WorkFolder::remove_work() {
   // Without its journal it is no work to go on with, whatever else is still there.
   std::filesystem::remove(file(journal_name), error);
   bool all = true;
-  auto entry = std::filesystem::directory_iterator(folder_, error);
-  if (error) return false;
-  for (; entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+  std::error_code walk;
+  auto entry = std::filesystem::directory_iterator(folder_, walk);
+  for (; !walk && entry != std::filesystem::directory_iterator(); entry.increment(walk)) {
     if (entry->path() == file("lock")) continue;
     // Files as such, which takes no descriptor.
     if (!std::filesystem::remove(entry->path(), error)) std::filesystem::remove_all(entry->path(), error);
     all = all && !std::filesystem::exists(entry->path(), error);
   }
-  return all;
+  return all && !walk;
 }
 
 // What comes next goes right behind the last whole record, or nobody would find it again.
@@ -112,30 +111,21 @@ BuildJournal::BuildJournal(const WorkFolder& folder)
 KeptBytes BuildJournal::read_records(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return {};
-  const std::string place = path.string();
-  const auto close_file = [](const int* open) { ::close(*open); };
-  const int descriptor = open_to_read(path);
-  const std::unique_ptr<const int, decltype(close_file)> closes(&descriptor, close_file);
-  const uint64_t size = size_of(descriptor, place);
-  uint64_t at = 0;
-  StreamHash hash;
-  while (at + sizeof(RecordHeader) <= size) {
-    std::vector<std::byte> bytes(sizeof(RecordHeader));
-    read_at(descriptor, at, bytes, place);
-    const auto header = ByteReader(bytes, place).read<RecordHeader>();
-    const uint64_t first = at + sizeof(RecordHeader);
-    if (header.bytes > size - first || header.file_count > header.bytes / sizeof(KeptBytes)) break;
-    bytes.resize(sizeof(RecordHeader) + static_cast<size_t>(header.bytes));
-    const auto record = std::span(bytes).subspan(sizeof(RecordHeader));
-    read_at(descriptor, first, record, place);
+  const std::vector<std::byte> all = read_file(path);
+  const std::span<const std::byte> bytes(all);
+  size_t at = 0;
+  while (bytes.size() - at >= sizeof(RecordHeader)) {
+    const auto header = ByteReader(bytes.subspan(at), path.string()).read<RecordHeader>();
+    const size_t first = at + sizeof(RecordHeader);
+    if (header.bytes > bytes.size() - first || header.file_count > header.bytes / sizeof(KeptBytes)) break;
+    const auto record = bytes.subspan(first, static_cast<size_t>(header.bytes));
     if (hash_bytes(record) != header.checksum) break;
-    hash.add(bytes);
-    kept_ = ByteReader(record, place).read_all<KeptBytes>(header.file_count);
+    kept_ = ByteReader(record, path.string()).read_all<KeptBytes>(header.file_count);
     const uint64_t skipped = header.file_count * sizeof(KeptBytes);
     records_.push_back({first + skipped, header.bytes - skipped});
-    at = first + header.bytes;
+    at = first + record.size();
   }
-  return {at, hash.checksum()};
+  return {at, hash_bytes(bytes.first(at))};
 }
 
 std::optional<std::vector<std::byte>> BuildJournal::replay() {

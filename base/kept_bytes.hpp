@@ -1,0 +1,20 @@
+// What an earlier process wrote to a file, for a later one that goes on behind it.
+#pragma once
+
+#include "base/hashing.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace triptych {
+
+/// The beginning of a file: how many bytes, and their checksum.
+struct KeptBytes {
+  uint64_t size = 0, checksum = 0;
+};
+
+/// Cuts the file to what was kept, whose bytes are added to `hash`, a new one; writing goes on at its end.
+/// Error (place) if that fails, or if the file holds something else.
+void go_on_behind(const KeptBytes& kept, int descriptor, StreamHash& hash, const std::string& place);
+
+}  // namespace triptych
