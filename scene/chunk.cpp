@@ -6,6 +6,13 @@
 
 namespace triptych {
 
+namespace {
+
+/// Of vertices. Cards hold more or fewer; what matters here is that indices which were just used come again.
+constexpr unsigned cache_size = 16;
+
+}  // namespace
+
 LatticeBox Chunk::box() const {
   LatticeBox box;
   for (const ChunkVertex& vertex : vertices) box.extend(vertex.point);
@@ -25,7 +32,8 @@ std::vector<LatticeBox> Chunk::pieces() const {
 std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   // Vertex cache order, then vertices in the order of their first use: both codecs count on it.
   std::vector<uint32_t> indices(chunk.indices.size());
-  meshopt_optimizeVertexCache(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size());
+  meshopt_optimizeVertexCacheFifo(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size(),
+                                  cache_size);
   std::vector<ChunkVertex> vertices(chunk.vertices.size());
   vertices.resize(meshopt_optimizeVertexFetch(vertices.data(), indices.data(), indices.size(),
                                               chunk.vertices.data(), chunk.vertices.size(),

@@ -3,6 +3,7 @@
 #include "scene/key_hash.hpp"
 
 #include <tsl/robin_map.h>
+#include <utility>
 
 namespace triptych {
 
@@ -31,18 +32,26 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
 }
 
 Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
+  constexpr uint32_t none = 0xffffffffu;
   Chunk chunk;
-  tsl::robin_map<uint64_t, uint32_t, KeyHash> vertices;
-  vertices.reserve(surface.points.size());
+  chunk.vertices.reserve(surface.points.size());
   chunk.indices.reserve(surface.triangles.size() * 3);
+  // A point has one vertex for each of its colours and pieces: the last one, and for each the one before.
+  std::vector<uint32_t> last(surface.points.size(), none), before;
+  before.reserve(surface.points.size());
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
     const uint32_t color = surface.triangles[i].material;
     const uint8_t piece = pieces.empty() ? 0 : pieces[i];
     for (const uint32_t point : surface.triangles[i].vertices) {
-      const uint64_t key = uint64_t{piece} << 56 | uint64_t{color} << 32 | point;
-      const auto [found, inserted] = vertices.try_emplace(key, static_cast<uint32_t>(chunk.vertices.size()));
-      if (inserted) chunk.vertices.push_back({surface.points[point], color & 0xffffffu, piece});
-      chunk.indices.push_back(found->second);
+      const ChunkVertex vertex{surface.points[point], color & 0xffffffu, piece};
+      uint32_t index = last[point];
+      while (index != none && chunk.vertices[index] != vertex) index = before[index];
+      if (index == none) {
+        index = static_cast<uint32_t>(chunk.vertices.size());
+        chunk.vertices.push_back(vertex);
+        before.push_back(std::exchange(last[point], index));
+      }
+      chunk.indices.push_back(index);
     }
   }
   return chunk;

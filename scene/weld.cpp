@@ -4,8 +4,8 @@
 #include "scene/skeleton.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <tsl/robin_map.h>
-#include <tsl/robin_set.h>
 #include <vector>
 
 namespace triptych {
@@ -16,13 +16,10 @@ class Welder {
  public:
   explicit Welder(size_t triangles) {
     places_.reserve(triangles / 2 + 4);
-    seen_.reserve(triangles);
-    welded.surface.triangles.reserve(triangles);
+    surface.triangles.reserve(triangles);
   }
 
-  /// False if the same one was there before.
-  bool add(const std::array<glm::ivec3, 3>& points, uint32_t color) {
-    Surface& surface = welded.surface;
+  void add(const std::array<glm::ivec3, 3>& points, uint32_t color) {
     std::array<uint32_t, 3> corners;
     for (size_t i = 0; i < 3; ++i) {
       const auto [found, inserted] =
@@ -30,35 +27,64 @@ class Welder {
       if (inserted) surface.points.push_back(points[i]);
       corners[i] = found->second;
     }
-    std::array<uint32_t, 3> turned = corners;
-    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-    if (!seen_.insert(turned).second) return false;
     surface.triangles.push_back({corners, color});
-    return true;
   }
   bool has(const glm::ivec3& point) const { return places_.contains(point); }
 
-  Welded welded;
+  Surface surface;
 
  private:
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places_;
-  tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual> seen_;
 };
+
+/// For each triangle whether the same one came before, turned the same way. Only those of one least corner
+/// are compared.
+std::vector<uint8_t> repeated_triangles(const Surface& surface) {
+  struct Turned {
+    uint32_t second, third, index;
+    auto operator<=>(const Turned&) const = default;
+  };
+  const size_t count = surface.triangles.size();
+  std::vector<uint32_t> ends(surface.points.size() + 1, 0);  // of each corner's triangles, from behind
+  const auto least = [&](size_t i) {
+    const auto& vertices = surface.triangles[i].vertices;
+    return static_cast<size_t>(std::min_element(vertices.begin(), vertices.end()) - vertices.begin());
+  };
+  for (size_t i = 0; i < count; ++i) ++ends[surface.triangles[i].vertices[least(i)] + 1];
+  for (size_t point = 0; point + 1 < ends.size(); ++point) ends[point + 1] += ends[point];
+  std::vector<Turned> turned(count);
+  for (size_t i = 0; i < count; ++i) {
+    const auto& vertices = surface.triangles[i].vertices;
+    const size_t at = least(i);
+    turned[ends[vertices[at]]++] = {vertices[(at + 1) % 3], vertices[(at + 2) % 3], static_cast<uint32_t>(i)};
+  }
+  std::vector<uint8_t> repeated(count, 0);
+  for (size_t point = 0, first = 0; point + 1 < ends.size(); first = ends[point++]) {
+    const std::span<Turned> own = std::span(turned).subspan(first, ends[point] - first);
+    std::sort(own.begin(), own.end());
+    for (size_t i = 1; i < own.size(); ++i)
+      repeated[own[i].index] = own[i].second == own[i - 1].second && own[i].third == own[i - 1].third;
+  }
+  return repeated;
+}
 
 }  // namespace
 
 Welded weld(std::span<const LatticeTriangle> triangles) {
+  Welded welded;
   Welder welder(triangles.size());
-  Welded& welded = welder.welded;
   std::vector<const LatticeTriangle*> flat;
   for (const LatticeTriangle& triangle : triangles) {
     const auto& [a, b, c] = triangle.corners;
-    if (triangle.color != no_id && degenerate(a, b, c)) {
-      flat.push_back(&triangle);
-    } else if (triangle.color == no_id || !welder.add(triangle.corners, triangle.color)) {
+    if (triangle.color == no_id) {
       ++welded.dropped_triangles;
+    } else if (degenerate(a, b, c)) {
+      flat.push_back(&triangle);
+    } else {
+      welder.add(triangle.corners, triangle.color);
     }
   }
+  const size_t with_area_before = welder.surface.triangles.size();
   for (const LatticeTriangle* triangle : flat) {
     const auto& [a, b, c] = triangle->corners;
     const int there = welder.has(a) + welder.has(b) + welder.has(c);
@@ -70,7 +96,18 @@ Welded weld(std::span<const LatticeTriangle> triangles) {
     ++welded.enlarged_triangles;
     welded.lone_triangles += there == 0;
   }
-  return std::move(welded);
+  const std::vector<uint8_t> repeated = repeated_triangles(welder.surface);
+  std::vector<Triangle>& kept = welder.surface.triangles;
+  size_t next = 0;
+  for (size_t i = 0; i < kept.size(); ++i) {
+    if (!repeated[i])
+      kept[next++] = kept[i];
+    else if (i < with_area_before)
+      ++welded.dropped_triangles;
+  }
+  kept.resize(next);
+  welded.surface = std::move(welder.surface);
+  return welded;
 }
 
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,

@@ -40,11 +40,8 @@ std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm
 Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, SpoolFile& spool) : spool_(spool) {
   const uint64_t every = total / largest_sample + 1;
   std::vector<glm::ivec3> sample;
-  uint64_t number = 0;
-  read([&](std::span<const LatticeTriangle> batch) {
-    for (const LatticeTriangle& triangle : batch) {
-      if (number++ % every == 0) sample.push_back(center_of(triangle));
-    }
+  read(every, [&](std::span<const LatticeTriangle> batch) {
+    for (const LatticeTriangle& triangle : batch) sample.push_back(center_of(triangle));
   });
   cut(sample, std::max<uint64_t>(limit / every, 1));
   sample = {};
@@ -93,7 +90,7 @@ void Buckets::distribute(const Read& read) {
     places_[bucket].push_back(spool_.append(std::as_bytes(std::span(waiting[bucket]))));
     waiting[bucket].clear();
   };
-  read([&](std::span<const LatticeTriangle> batch) {
+  read(1, [&](std::span<const LatticeTriangle> batch) {
     for (const LatticeTriangle& triangle : batch) {
       const uint32_t bucket = bucket_of(center_of(triangle));
       waiting[bucket].push_back(triangle);

@@ -35,8 +35,9 @@ std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm
 /// Space cut in half, and each half again, where the triangles are.
 class Buckets {
  public:
-  /// Calls the function that it is given with batches of triangles, the same ones each time.
-  using Read = std::function<void(const std::function<void(std::span<const LatticeTriangle>)>&)>;
+  using Take = std::function<void(std::span<const LatticeTriangle>)>;
+  /// Gives the first triangle and each so many further ones, in batches, the same ones each time.
+  using Read = std::function<void(uint64_t every, const Take&)>;
 
   /// Reads twice (a sample, then all) and writes all triangles to the spool file, which must outlive this.
   /// `total`: how many triangles there are; `limit`: how many go into a bucket, about; more only where they

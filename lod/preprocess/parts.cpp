@@ -194,10 +194,13 @@ class PartMaker {
       if (buckets) return;
       std::vector<LatticeTriangle> batch;
       buckets.emplace(
-          [&](const std::function<void(std::span<const LatticeTriangle>)>& take) {
+          [&](uint64_t every, const Buckets::Take& take) {
+            uint64_t skipped = 0;
             not_finite = read_mesh(model_.meshes[mesh.mesh], [&](std::span<const CornerTriangle> triangles) {
               batch.clear();
-              for (const CornerTriangle& triangle : triangles) batch.push_back(to_lattice(triangle));
+              for (; skipped < triangles.size(); skipped += every)
+                batch.push_back(to_lattice(triangles[skipped]));
+              skipped -= triangles.size();
               take(batch);
             });
           },

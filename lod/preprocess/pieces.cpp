@@ -21,20 +21,20 @@ constexpr uint64_t bundles = 64;
 /// What is connected is not cut into less.
 constexpr uint64_t least_triangles = 8;
 
-/// By how much the area of two boxes rises where one takes their place; what both hold counts once.
-double rise_of(const Box& a, const Box& b) {
-  const Box joint{glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)},
-      common{glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)};
-  return half_area(joint) - half_area(a) - half_area(b) + (common.empty() ? 0 : half_area(common));
-}
-
 /// Joins boxes pair by pair.
 class Joiner {
  public:
   explicit Joiner(std::vector<Box> boxes)
-      : boxes_(std::move(boxes)), joined_(boxes_.size()), best_(boxes_.size()) {
+      : boxes_(std::move(boxes)),
+        joined_(boxes_.size()),
+        rises_(boxes_.size() * boxes_.size()),
+        best_(boxes_.size()) {
+    for (const Box& box : boxes_) areas_.push_back(half_area(box));
     std::iota(joined_.begin(), joined_.end(), 0u);
     alive_ = joined_;
+    for (const uint32_t i : alive_) {
+      for (uint32_t other = 0; other < i; ++other) set_rise(i, other);
+    }
     for (const uint32_t i : alive_) find_best(i);
   }
 
@@ -61,19 +61,30 @@ class Joiner {
     double rise = std::numeric_limits<double>::max();
     uint32_t other = 0;
   };
+  double& rise(uint32_t a, uint32_t b) { return rises_[a * boxes_.size() + b]; }
+  /// By how much the area rises where one box takes the place of both; what both hold counts once.
+  void set_rise(uint32_t a, uint32_t b) {
+    const Box &first = boxes_[a], &second = boxes_[b];
+    const Box joint{glm::min(first.lo, second.lo), glm::max(first.hi, second.hi)},
+        common{glm::max(first.lo, second.lo), glm::min(first.hi, second.hi)};
+    rise(a, b) = rise(b, a) =
+        half_area(joint) - areas_[a] - areas_[b] + (common.empty() ? 0 : half_area(common));
+  }
   void find_best(uint32_t i) {
     best_[i] = {};
     for (const uint32_t other : alive_) {
-      if (other == i) continue;
-      const double rise = rise_of(boxes_[i], boxes_[other]);
-      if (rise < best_[i].rise) best_[i] = {rise, other};
+      if (other != i && rise(i, other) < best_[i].rise) best_[i] = {rise(i, other), other};
     }
   }
   void join(uint32_t a, uint32_t b) {
     const auto [kept, gone] = std::minmax(a, b);
     boxes_[kept].extend(boxes_[gone]);
+    areas_[kept] = half_area(boxes_[kept]);
     joined_[gone] = kept;
     alive_.erase(std::find(alive_.begin(), alive_.end(), gone));
+    for (const uint32_t i : alive_) {
+      if (i != kept) set_rise(i, kept);
+    }
     for (const uint32_t i : alive_) {
       if (i == kept || best_[i].other == kept || best_[i].other == gone) find_best(i);
     }
@@ -81,6 +92,8 @@ class Joiner {
 
   std::vector<Box> boxes_;
   std::vector<uint32_t> joined_, alive_;
+  std::vector<double> areas_;
+  std::vector<double> rises_;  ///< for each box, for each other
   std::vector<Best> best_;
 };
 

@@ -56,14 +56,23 @@ const Collapse* Collapser::find(ShrinkingMesh& mesh, uint32_t point, uint32_t ta
 void Collapser::look_around(const ShrinkingMesh& mesh) {
   const auto spokes = star_.spokes();
   const glm::ivec3 origin = mesh.point(collapse_.point);
-  ++mark_;
-  from_.clear(), to_.clear(), before_.clear(), neighbours_.clear();
-  for (const Spoke& spoke : spokes) {
-    const glm::dvec3& from = from_.emplace_back(difference(mesh.point(spoke.from), origin));
-    const glm::dvec3& to = to_.emplace_back(difference(mesh.point(spoke.to), origin));
-    add_neighbour(spoke.from, from);
-    add_neighbour(spoke.to, to);
-    before_.push_back(spoke.error);
+  mark_ += 2;
+  from_.clear(), to_.clear(), normals_.clear(), before_.clear(), neighbours_.clear();
+  for (const Star::Fan& fan : star_.fans()) {
+    for (size_t i = fan.begin; i < fan.end; ++i) {
+      from_.push_back(difference(mesh.point(spokes[i].from), origin));
+      if (i > fan.begin) to_.push_back(from_.back());
+      add_neighbour(spokes[i].from, from_.back());
+      before_.push_back(spokes[i].error);
+    }
+    const uint32_t last = spokes[fan.end - 1].to;
+    to_.push_back(fan.closed ? from_[fan.begin] : difference(mesh.point(last), origin));
+    add_neighbour(last, to_.back());
+  }
+  for (size_t i = 0; i < spokes.size(); ++i) {
+    const glm::dvec3 doubled = glm::cross(from_[i], to_[i]);
+    const double length = glm::length(doubled);
+    normals_.push_back({length > 0 ? doubled / length : glm::dvec3(0), length});
   }
   if (projected_.size() < star_.fans().size()) projected_.resize(star_.fans().size());
   projects_.assign(star_.fans().size(), 0);
@@ -80,16 +89,11 @@ void Collapser::list_choices() {
   // The mean squared distance from the planes of the triangles, as a quadratic form.
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, area = 0;
   choices_.clear();
-  for (const Star::Fan& fan : star_.fans()) {
-    for (size_t i = fan.begin; i < fan.end; ++i) {
-      const glm::dvec3 normal = glm::cross(from_[i], to_[i]);
-      const double length = glm::length(normal);
-      if (!(length > 0)) continue;
-      const glm::dvec3 scaled = normal / length;
-      xx += normal.x * scaled.x, xy += normal.x * scaled.y, xz += normal.x * scaled.z;
-      yy += normal.y * scaled.y, yz += normal.y * scaled.z, zz += normal.z * scaled.z;
-      area += length;
-    }
+  for (const auto& [normal, doubled_area] : normals_) {
+    const glm::dvec3 weighted = normal * doubled_area;
+    xx += weighted.x * normal.x, xy += weighted.x * normal.y, xz += weighted.x * normal.z;
+    yy += weighted.y * normal.y, yz += weighted.y * normal.z, zz += weighted.z * normal.z;
+    area += doubled_area;
   }
   const auto estimate = [&](const glm::dvec3& d) {
     const double planes = xx * d.x * d.x + yy * d.y * d.y + zz * d.z * d.z +
@@ -141,30 +145,35 @@ bool Collapser::try_target(ShrinkingMesh& mesh, uint32_t target) {
 /// The neighbours that both ends share are the third corners of the triangles between them, and no triangle
 /// of the target lies where one will be.
 bool Collapser::joins_well(ShrinkingMesh& mesh, uint32_t target) {
-  const auto is_third = [&](uint32_t corner) {
-    for (const Spoke& spoke : star_.spokes()) {
-      if ((spoke.from == target && spoke.to == corner) || (spoke.to == target && spoke.from == corner))
-        return true;
-    }
-    return false;
-  };
+  const uint32_t neighbour = mark_, third = mark_ + 1;
+  thirds_.clear();
+  for (const Spoke& spoke : star_.spokes()) {
+    if (spoke.from == target) thirds_.push_back(spoke.to);
+    if (spoke.to == target) thirds_.push_back(spoke.from);
+  }
+  for (const uint32_t corner : thirds_) marks_[corner] = third;
+  marks_[target] = 0;
+  const bool joins = all_fit(mesh, target, neighbour, third);
+  for (const uint32_t corner : thirds_) marks_[corner] = neighbour;
+  marks_[target] = neighbour;
+  return joins;
+}
+
+bool Collapser::all_fit(ShrinkingMesh& mesh, uint32_t target, uint32_t neighbour, uint32_t third) const {
+  // Without branches, which nothing could predict.
   const auto fits = [&](uint32_t triangle) {
     const auto& corners = mesh.face(triangle).corners;
-    if (holds(mesh.face(triangle), collapse_.point)) return true;
-    int shared = 0;
-    for (const uint32_t corner : corners) {
-      if (corner == target || marks_[corner] != mark_) continue;
-      if (++shared == 2 || !is_third(corner)) return false;
-    }
-    return true;
+    const uint32_t a = marks_[corners[0]], b = marks_[corners[1]], c = marks_[corners[2]];
+    return (a != neighbour) & (b != neighbour) & (c != neighbour) &
+           (int{a == third} + int{b == third} + int{c == third} < 2);
   };
   // Of a hub the star is large; all that matters there is also in the stars of the point's neighbours.
   if (mesh.degree(target) > Star::most_spokes) {
     size_t around = 0;
     for (const auto& [corner, way] : neighbours_) around += corner == target ? 0 : mesh.degree(corner);
     if (around < mesh.degree(target)) {
-      return std::all_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& neighbour) {
-        const uint32_t corner = neighbour.point;
+      return std::all_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& near) {
+        const uint32_t corner = near.point;
         const auto triangles = mesh.star(corner);
         return corner == target || std::all_of(triangles.begin(), triangles.end(), [&](uint32_t triangle) {
                  return !holds(mesh.face(triangle), target) || fits(triangle);
@@ -172,8 +181,9 @@ bool Collapser::joins_well(ShrinkingMesh& mesh, uint32_t target) {
       });
     }
   }
-  const auto triangles = mesh.star(target);
-  return std::all_of(triangles.begin(), triangles.end(), fits);
+  bool all = true;
+  for (const uint32_t triangle : mesh.star(target)) all &= fits(triangle);
+  return all;
 }
 
 bool Collapser::map_closed(const Star::Fan& fan, uint32_t target) {
@@ -186,11 +196,7 @@ bool Collapser::map_closed(const Star::Fan& fan, uint32_t target) {
   ProjectedStar& projected = projected_[fan_index];
   if (projects_[fan_index] == 0) {
     glm::dvec3 direction{0};
-    for (size_t i = fan.begin; i < fan.end; ++i) {
-      const glm::dvec3 normal = glm::cross(from_[i], to_[i]);
-      const double length = glm::length(normal);
-      if (length > 0) direction += normal / length;
-    }
+    for (size_t i = fan.begin; i < fan.end; ++i) direction += normals_[i].direction;
     projects_[fan_index] = projected.project({from_.data() + fan.begin, count}, true, direction) ? 1 : 2;
   }
   return projects_[fan_index] == 1 &&
@@ -244,9 +250,8 @@ bool Collapser::move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t tar
       continue;
     }
     if (degenerate(mesh.point(target), mesh.point(spoke.from), mesh.point(spoke.to))) return false;
-    const glm::dvec3 before = glm::cross(from_[i], to_[i]),
-                     after = glm::cross(from_[i] - way_, to_[i] - way_);
-    if (!(glm::dot(before, after) > least_cosine * glm::length(before) * glm::length(after))) return false;
+    const glm::dvec3 after = glm::cross(from_[i] - way_, to_[i] - way_);
+    if (!(glm::dot(normals_[i].direction, after) > least_cosine * glm::length(after))) return false;
     collapse_.errors[i] = before_[i] + length_;
   }
   return true;

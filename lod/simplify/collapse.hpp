@@ -54,6 +54,10 @@ class Collapser {
     uint32_t point;
     glm::dvec3 way;  ///< to it
   };
+  struct Normal {
+    glm::dvec3 direction;  ///< of length 1; 0 without area
+    double doubled_area;
+  };
   struct Border {
     uint32_t first, last;
     double moved;  ///< the square of how far the point is from the line between both; infinite beside it
@@ -64,6 +68,7 @@ class Collapser {
   void list_choices();
   bool try_target(ShrinkingMesh& mesh, uint32_t target);
   bool joins_well(ShrinkingMesh& mesh, uint32_t target);
+  bool all_fit(ShrinkingMesh& mesh, uint32_t target, uint32_t neighbour, uint32_t third) const;
   bool map_closed(const Star::Fan& fan, uint32_t target);
   bool map_open(const Star::Fan& fan, uint32_t target);
   bool move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target);
@@ -75,14 +80,16 @@ class Collapser {
   ProjectedStar along_;
   std::vector<std::pair<size_t, double>> pending_;  ///< spokes that go and are not yet covered, their errors
   std::vector<glm::dvec3> from_, to_;               ///< for each spoke its corners, relative to the point
+  std::vector<Normal> normals_;                     ///< for each spoke
   std::vector<double> before_;                      ///< for each spoke its error
   std::vector<Choice> choices_;
   Collapse collapse_;  ///< that is tried, or was found
   glm::dvec3 way_{0};  ///< from the point to the target that is tried
   double length_ = 0;  ///< of it
   std::vector<glm::dvec3> ring_;
-  std::vector<uint32_t> marks_;  ///< for each point the last star whose corner it was
-  uint32_t mark_ = 0;
+  std::vector<uint32_t> marks_;        ///< for each point the last star whose corner it was
+  uint32_t mark_ = 0;                  ///< of the present star; one more for thirds_
+  std::vector<uint32_t> thirds_;       ///< of the triangles between the point and the target
   std::vector<Neighbour> neighbours_;  ///< of the point, each once
   std::vector<Border> borders_;        ///< of its open fans
 };

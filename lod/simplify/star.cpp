@@ -10,32 +10,55 @@ bool Star::read(ShrinkingMesh& mesh, uint32_t point) {
   crowd_ = 0;
   if (mesh.degree(point) == 0 || mesh.degree(point) > most_spokes) return false;
   mesh.star(point, spokes_);
-  if (order_closed()) {
-    fans_.push_back({0, spokes_.size(), true});
-  } else {
-    order_fans(mesh, point);
+  if (!order_single()) order_fans(mesh, point);
+  return true;
+}
+
+/// The usual cases, fast: chains the spokes in place; false, and in any order, if they are no single fan of
+/// one material, all turned the same way.
+bool Star::order_single() {
+  const size_t count = spokes_.size();
+  size_t chained = 1;
+  for (; chained < count; ++chained) {
+    const Spoke& last = spokes_[chained - 1];
+    size_t next = count;
+    for (size_t j = chained; j < count; ++j) {
+      if (spokes_[j].from != last.to) continue;
+      if (next != count) return false;
+      next = j;
+    }
+    if (next == count) break;
+    if (spokes_[next].material != last.material || last.to == spokes_.front().from) return false;
+    std::swap(spokes_[chained], spokes_[next]);
+  }
+  // Each step found exactly one that goes on, so no two have the same `from`.
+  const bool closed = chained == count && count >= 3 && spokes_.back().to == spokes_.front().from;
+  if (!closed && !(chain_before(chained) && corners_differ())) return false;
+  fans_.push_back({0, count, closed});
+  return true;
+}
+
+/// Goes on with those that come before the first of so many that are chained.
+bool Star::chain_before(size_t chained) {
+  for (; chained < spokes_.size(); ++chained) {
+    const auto rest = spokes_.begin() + static_cast<std::ptrdiff_t>(chained);
+    const auto before = std::find_if(rest, spokes_.end(), [&](const Spoke& spoke) {
+      return spoke.to == spokes_.front().from && spoke.material == spokes_.front().material;
+    });
+    if (before == spokes_.end()) return false;
+    std::rotate(spokes_.begin(), before, before + 1);
   }
   return true;
 }
 
-/// The usual case, fast: chains the spokes in place; false, and in any order, if they are no single fan of
-/// one material, all turned the same way. Each step finds exactly one that goes on, so no two have the same
-/// `from`.
-bool Star::order_closed() {
-  const size_t count = spokes_.size();
-  if (count < 3) return false;
-  for (size_t i = 0; i + 1 < count; ++i) {
-    size_t next = count;
-    for (size_t j = i + 1; j < count; ++j) {
-      if (spokes_[j].from != spokes_[i].to) continue;
-      if (next != count) return false;
-      next = j;
+/// Of an open fan.
+bool Star::corners_differ() const {
+  for (size_t i = 0; i < spokes_.size(); ++i) {
+    for (size_t j = 0; j <= i; ++j) {
+      if (spokes_[j].from == spokes_[i].to) return false;
     }
-    if (next == count || spokes_[next].material != spokes_[i].material) return false;
-    if (spokes_[i].to == spokes_.front().from) return false;  // around, and not all of it
-    std::swap(spokes_[i + 1], spokes_[next]);
   }
-  return spokes_.back().to == spokes_.front().from;
+  return true;
 }
 
 void Star::order_fans(const ShrinkingMesh& mesh, uint32_t point) {

@@ -42,7 +42,9 @@ class Star {
     End end;
   };
 
-  bool order_closed();
+  bool order_single();
+  bool chain_before(size_t chained);
+  bool corners_differ() const;
   void order_fans(const ShrinkingMesh& mesh, uint32_t point);
   void join_ends(const ShrinkingMesh& mesh, uint32_t point);
   void join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<const End> ends);

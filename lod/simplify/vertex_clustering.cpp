@@ -224,7 +224,7 @@ Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, si
   double coarse = longest * 1.001,
          fine = std::max(1.0, longest / (8 * std::sqrt(static_cast<double>(triangles)) + 8));
   std::optional<Clustering> best;
-  for (int i = 0; i < 9 && coarse > 1.05 * fine; ++i) {
+  for (int i = 0; i < 9 && coarse > 1.1 * fine; ++i) {
     const double cell = std::sqrt(coarse * fine);
     Clustering clustering(source, cell, triangles);
     const size_t count = clustering.triangles();
@@ -232,7 +232,7 @@ Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, si
       best.emplace(std::move(clustering));
       coarse = cell;
       // Near enough to what was asked for.
-      if (count * 10 >= triangles * 9) break;
+      if (count * 5 >= triangles * 4) break;
     } else {
       fine = cell;
     }

@@ -31,9 +31,13 @@ std::vector<LatticeTriangle> sheet(int cells) {
 }
 
 Buckets::Read reading(const std::vector<LatticeTriangle>& triangles) {
-  return [&triangles](const std::function<void(std::span<const LatticeTriangle>)>& take) {
-    for (size_t first = 0; first < triangles.size(); first += 100) {
-      take(std::span(triangles).subspan(first, std::min<size_t>(100, triangles.size() - first)));
+  return [&triangles](uint64_t every, const Buckets::Take& take) {
+    std::vector<LatticeTriangle> batch;
+    for (size_t i = 0; i < triangles.size(); i += every) {
+      batch.push_back(triangles[i]);
+      if (batch.size() < 100 && i + every < triangles.size()) continue;
+      take(batch);
+      batch.clear();
     }
   };
 }
