@@ -93,6 +93,10 @@ int run(const ReplayCommand& command) {
   const auto files = recordings_of(Role::render, command.folder);
   if (files.empty()) fail(command.folder.string(), "holds no recording of a render node");
   const RecordingHeader header = RecordingReader(files.front()).header();
+  if (command.pack.empty() && !std::filesystem::exists(header.pack)) {
+    fail(files.front().string(), "was recorded with {}, which is not there: --pack says where it is now",
+         header.pack);
+  }
   const Pack pack(command.pack.empty() ? std::filesystem::path(header.pack) : command.pack);
   if (pack.content_hash() != header.own.pack_hash) {
     fail(files.front().string(), "was recorded with another pack: its hash is {:016x}, this one's {:016x}",

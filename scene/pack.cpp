@@ -158,6 +158,8 @@ void Pack::read_table() {
   if (hash_bytes(table_bytes, header.version) != header.table_checksum) {
     fail(table_place, "byte {}: the checksum does not match: the pack is damaged", header.table_offset);
   }
+  if (const uint64_t end = header.table_offset + table_bytes.size(); end != size_)
+    fail(name_, "byte {}: {} bytes are left over after the section table", end, size_ - end);
   ByteReader reader(table_bytes, table_place);
   const Section* geometry = nullptr;
   const Section* skeleton = nullptr;

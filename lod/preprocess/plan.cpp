@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/ranges.h>
 #include <glm/glm.hpp>
 #include <map>
 
@@ -190,7 +191,10 @@ BuildPlan make_plan(const Model& model, bool share_instances) {
     mesh.lattice = static_cast<uint32_t>(plan.lattices.size());
     plan.lattices.push_back(make_lattice(mesh.box, mesh_bits));
   }
-  if (plan.box.empty()) fail(model.name(), "holds no triangles");
+  if (plan.box.empty()) {
+    fail(model.name(), "holds no triangles{}{}", plan.warnings.empty() ? "" : ": ",
+         fmt::join(plan.warnings, "; "));
+  }
   const double extent = diagonal(plan.box);
   if (extent < least_extent)
     fail(model.name(), "is {} units large, which is less than numbers bear: give it other units", extent);

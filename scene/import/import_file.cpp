@@ -51,6 +51,7 @@ FileImport::FileImport(std::filesystem::path file, Model& model, const ImportOpt
       model_(model),
       options_(options),
       first_instance_(model.instances.size()),
+      first_warning_(model.report.warnings.size()),
       to_metres_y_up_(to_metres_y_up(options)) {
   model_.files.push_back(file_);
   for (const Mesh& mesh : model_.meshes) {
@@ -141,7 +142,15 @@ void FileImport::finish() {
     model_.report.warnings.push_back(count > 0 ? fmt::format("{}: {} {}", place(), count, what)
                                                : fmt::format("{}: {}", place(), what));
   }
-  if (model_.instances.size() == first_instance_) fail(place(), "holds no triangles");
+  if (model_.instances.size() > first_instance_) return;
+  std::string why;
+  const std::string own = place() + ": ";
+  for (size_t i = first_warning_; i < model_.report.warnings.size(); ++i) {
+    const std::string_view warning = model_.report.warnings[i];
+    why += why.empty() ? ": " : "; ";
+    why += warning.starts_with(own) ? warning.substr(own.size()) : warning;
+  }
+  fail(place(), "holds no triangles{}", why);
 }
 
 }  // namespace triptych

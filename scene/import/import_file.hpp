@@ -68,7 +68,7 @@ class FileImport {
   std::filesystem::path file_;
   Model& model_;
   ImportOptions options_;
-  size_t first_instance_;
+  size_t first_instance_, first_warning_;
   uint64_t in_memory_ = 0;  ///< triangles of the model's meshes that do not stay in their files
   uint64_t held_bytes_ = 0;
   std::shared_ptr<SpoolFile> store_;  ///< for meshes beyond ImportOptions::held_bytes

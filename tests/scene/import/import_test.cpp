@@ -119,7 +119,8 @@ TEST(ImportObj, triangles_that_are_not_finite_are_dropped_and_counted) {
   EXPECT_EQ(model.report.dropped_triangles, 2u);
   EXPECT_TRUE(warns(model, "2 triangles were dropped"));
   EXPECT_EQ(model.meshes[0].positions, (std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
-  EXPECT_EQ(import_error("b.obj", "v nan 0 0\nf 1 1 1\n"), "holds no triangles");
+  EXPECT_EQ(import_error("b.obj", "v nan 0 0\nf 1 1 1\n"),
+            "holds no triangles: 1 triangles were dropped: their coordinates are not finite");
 }
 
 TEST(ImportObj, no_damage_makes_it_crash) { expect_robust("a.obj", square_obj); }
@@ -178,7 +179,7 @@ TEST(ImportStl, triangles_that_are_not_finite_are_dropped_and_counted) {
   std::memcpy(two.data() + 84 + 12, &infinite, sizeof(infinite));
   EXPECT_EQ(import_text("a.stl", two).report.dropped_triangles, 1u);
   EXPECT_EQ(import_error("a.stl", binary_stl(2, 2, std::numeric_limits<float>::quiet_NaN())),
-            "holds no triangles");
+            "holds no triangles: 2 triangles were dropped: their coordinates are not finite");
 }
 
 TEST(ImportStl, no_damage_makes_it_crash) {
