@@ -3,7 +3,6 @@
 #include "scene/key_hash.hpp"
 
 #include <tsl/robin_map.h>
-#include <utility>
 
 namespace triptych {
 
@@ -36,21 +35,20 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   Chunk chunk;
   chunk.vertices.reserve(surface.points.size());
   chunk.indices.reserve(surface.triangles.size() * 3);
-  // A point has one vertex for each of its colours and pieces: the last one, and for each the one before.
-  std::vector<uint32_t> last(surface.points.size(), none), before;
-  before.reserve(surface.points.size());
+  // A point has a vertex for each of its colours and pieces; most have one, and the map is for the others.
+  std::vector<uint32_t> first(surface.points.size(), none);
+  tsl::robin_map<uint64_t, uint32_t, KeyHash> further;
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
-    const uint32_t color = surface.triangles[i].material;
+    const uint32_t color = surface.triangles[i].material & 0xffffffu;
     const uint8_t piece = pieces.empty() ? 0 : pieces[i];
     for (const uint32_t point : surface.triangles[i].vertices) {
-      const ChunkVertex vertex{surface.points[point], color & 0xffffffu, piece};
-      uint32_t index = last[point];
-      while (index != none && chunk.vertices[index] != vertex) index = before[index];
-      if (index == none) {
-        index = static_cast<uint32_t>(chunk.vertices.size());
-        chunk.vertices.push_back(vertex);
-        before.push_back(std::exchange(last[point], index));
+      const auto next = static_cast<uint32_t>(chunk.vertices.size());
+      uint32_t index = first[point] == none ? first[point] = next : first[point];
+      if (index != next && (chunk.vertices[index].color != color || chunk.vertices[index].piece != piece)) {
+        const uint64_t key = uint64_t{piece} << 56 | uint64_t{color} << 32 | point;
+        index = further.try_emplace(key, next).first->second;
       }
+      if (index == next) chunk.vertices.push_back({surface.points[point], color & 0xffffffu, piece});
       chunk.indices.push_back(index);
     }
   }

@@ -1,11 +1,13 @@
 #include "scene/chunk.hpp"
 
 #include "base/error.hpp"
+#include "scene/surface.hpp"
 #include "tests/support/small_pack.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 namespace triptych {
 namespace {
@@ -149,6 +151,30 @@ TEST(Chunk, damaged_bytes_are_refused_or_give_a_chunk_that_is_safe_to_draw) {
       ASSERT_TRUE(info.box.contains(again.box()));
     } catch (const Error&) {
     }
+  }
+}
+
+TEST(Chunk, a_point_has_one_vertex_for_each_of_its_colours_and_pieces) {
+  std::mt19937 engine(9);
+  const auto random = [&](uint32_t below) { return static_cast<uint32_t>(engine() % below); };
+  Surface surface;
+  std::vector<uint8_t> pieces;
+  for (int i = 0; i < 40; ++i) surface.points.push_back({i, i * i % 17, i * 7 % 5});
+  std::set<std::array<uint32_t, 3>> distinct;
+  for (int i = 0; i < 3000; ++i) {
+    const uint32_t hub = 3, a = 4 + random(36), b = 4 + random(36), color = random(200);
+    surface.triangles.push_back({{hub, a, b}, color});
+    pieces.push_back(static_cast<uint8_t>(random(3)));
+    for (const uint32_t point : {hub, a, b}) distinct.insert({point, color, pieces.back()});
+  }
+  const Chunk chunk = make_chunk(surface, pieces);
+  EXPECT_EQ(chunk.vertices.size(), distinct.size());
+  ASSERT_EQ(chunk.indices.size(), 3 * surface.triangles.size());
+  for (size_t i = 0; i < chunk.indices.size(); ++i) {
+    const Triangle& triangle = surface.triangles[i / 3];
+    const ChunkVertex expected{surface.points[triangle.vertices[i % 3]], triangle.material & 0xffffffu,
+                               pieces[i / 3]};
+    EXPECT_EQ(chunk.vertices[chunk.indices[i]], expected) << i;
   }
 }
 
