@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstring>
+#include <fstream>
 #include <unistd.h>
 
 namespace triptych {
@@ -50,6 +51,17 @@ void write_unfinished_header(AtomicFile& file) {
   file.write(std::as_bytes(std::span(&unfinished, 1)));
 }
 
+/// Takes back what a process wrote that was killed before its pack had its name. Where that fails the file
+/// cannot be gone on with either, and whoever tries says so.
+const std::filesystem::path& without_header(const std::filesystem::path& partial, uint64_t kept) {
+  const Header unfinished{.signature = {}};
+  if (kept >= sizeof(Header)) {
+    std::fstream file(partial, std::ios::in | std::ios::out | std::ios::binary);
+    file.write(reinterpret_cast<const char*>(&unfinished), sizeof(unfinished));
+  }
+  return partial;
+}
+
 }  // namespace
 
 EncodedChunk::EncodedChunk(const Chunk& chunk)
@@ -68,7 +80,8 @@ PackWriter::PackWriter(const std::filesystem::path& file)
 }
 
 PackWriter::PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept)
-    : file_(file, partial, kept.pack), pieces_(std::filesystem::path(partial) += ".pieces", kept.pieces) {
+    : file_(file, without_header(partial, kept.pack.size), kept.pack),
+      pieces_(std::filesystem::path(partial) += ".pieces", kept.pieces) {
   if (kept.pack.size == 0) write_unfinished_header(file_);
 }
 
