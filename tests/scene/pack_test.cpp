@@ -119,8 +119,8 @@ TEST(Pack, a_file_cut_anywhere_is_refused) {
 TEST(Pack, bytes_behind_the_table_are_refused) {
   const auto file = write_pack(small_pack());
   const std::string whole = read_text_file(file);
-  EXPECT_EQ(error_of(file, whole + "abc"), ": byte " + std::to_string(whole.size()) +
-                                               ": 3 bytes are left over after the section table");
+  EXPECT_EQ(error_of(file, whole + "abc"),
+            ": byte " + std::to_string(whole.size()) + ": 3 bytes are left over after the section table");
 }
 
 TEST(Pack, a_flipped_byte_anywhere_is_refused_and_said_where) {
