@@ -39,16 +39,18 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   std::vector<uint32_t> first(surface.points.size(), none);
   tsl::robin_map<uint64_t, uint32_t, KeyHash> further;
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
-    const uint32_t color = surface.triangles[i].material & 0xffffffu;
+    const uint32_t color = surface.triangles[i].material;
     const uint8_t piece = pieces.empty() ? 0 : pieces[i];
     for (const uint32_t point : surface.triangles[i].vertices) {
+      const ChunkVertex vertex{surface.points[point], color & 0xffffffu, piece};
       const auto next = static_cast<uint32_t>(chunk.vertices.size());
-      uint32_t index = first[point] == none ? first[point] = next : first[point];
-      if (index != next && (chunk.vertices[index].color != color || chunk.vertices[index].piece != piece)) {
+      if (first[point] == none) first[point] = next;
+      uint32_t index = first[point];
+      if (index != next && chunk.vertices[index] != vertex) {
         const uint64_t key = uint64_t{piece} << 56 | uint64_t{color} << 32 | point;
         index = further.try_emplace(key, next).first->second;
       }
-      if (index == next) chunk.vertices.push_back({surface.points[point], color & 0xffffffu, piece});
+      if (index == next) chunk.vertices.push_back(vertex);
       chunk.indices.push_back(index);
     }
   }

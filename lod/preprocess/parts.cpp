@@ -195,12 +195,11 @@ class PartMaker {
       std::vector<LatticeTriangle> batch;
       buckets.emplace(
           [&](uint64_t every, const Buckets::Take& take) {
-            uint64_t skipped = 0;
+            uint64_t next = 0;  // index in the batch of the next one that is wanted
             not_finite = read_mesh(model_.meshes[mesh.mesh], [&](std::span<const CornerTriangle> triangles) {
               batch.clear();
-              for (; skipped < triangles.size(); skipped += every)
-                batch.push_back(to_lattice(triangles[skipped]));
-              skipped -= triangles.size();
+              for (; next < triangles.size(); next += every) batch.push_back(to_lattice(triangles[next]));
+              next -= triangles.size();
               take(batch);
             });
           },
