@@ -1,4 +1,4 @@
-#include "lod/preprocess/build.hpp"
+#include "preprocess/build.hpp"
 
 #include "base/clock.hpp"
 #include "base/memory.hpp"
@@ -8,7 +8,7 @@
 #include "launch/import_flags.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
-#include "scene/import/import.hpp"
+#include "model/import/import.hpp"
 
 #include <fmt/core.h>
 

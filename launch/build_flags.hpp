@@ -1,8 +1,8 @@
 // The flags of every command that builds a pack.
 #pragma once
 
-#include "lod/preprocess/build.hpp"
-#include "scene/import/import.hpp"
+#include "model/import/import.hpp"
+#include "preprocess/build.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "lod/check/check.hpp"
+#include "preprocess/check/check.hpp"
 
 #include "base/error.hpp"
 #include "launch/command.hpp"

@@ -123,16 +123,4 @@ void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids) {
   take_one(add_batch(command, packet_ids))->default_str(std::to_string(packet_ids.front()));
 }
 
-std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {
-  const Path path = load_path(options.path);
-  const size_t count = options.frames > 0 ? std::min(options.frames, path.frames.size()) : path.frames.size();
-  std::vector<FrameRequest> frames;
-  for (size_t i = 0; i < count; ++i) {
-    frames.push_back({.number = static_cast<uint32_t>(i),
-                      .view = path.view(i, options.size.width, options.size.height, skeleton.default_near()),
-                      .pixel_error = options.pixel_error()});
-  }
-  return frames;
-}
-
 }  // namespace triptych

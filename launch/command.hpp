@@ -1,10 +1,7 @@
 // What the subcommands share: flags that mean the same everywhere, and how each enters the program.
 #pragma once
 
-#include "nodes/fallback.hpp"
-#include "render/context.hpp"
-#include "scene/pack.hpp"
-#include "scene/path.hpp"
+#include "session/run_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -16,22 +13,6 @@ namespace triptych {
 
 /// What the chosen subcommand does once the command line was read; returns the exit code.
 using Action = std::function<int()>;
-
-/// Width and height from "WxH"; CLI::ValidationError for anything else.
-struct PictureSize {
-  int width = 512, height = 512;
-};
-
-/// Flags of every command that draws a pack along a path.
-struct RunOptions {
-  std::filesystem::path pack, path, json;
-  PictureSize size;
-  std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
-  ContextKind context = ContextKind::egl;
-  TestKind test = TestKind::storage;
-  size_t frames = 0;  ///< the first so many; 0 is all
-  double pixel_error() const { return pixel_errors.front(); }
-};
 
 /// --json, --inject and --threads, which every subcommand takes.
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
@@ -54,9 +35,6 @@ void add_run_flags(CLI::App& command, RunOptions& options);
 /// --batch: ids a packet of a delta; one, or a list where a command sweeps.
 void add_batch_flag(CLI::App& command, size_t& packet_ids);
 void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
-
-/// The frames that the options ask for, in order. Error for a path that cannot be used.
-std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton);
 
 void add_sample(CLI::App& app, Action& action);
 void add_build(CLI::App& app, Action& action);

@@ -1,7 +1,7 @@
 // The flags of every command that reads model files.
 #pragma once
 
-#include "scene/import/import.hpp"
+#include "model/import/import.hpp"
 
 #include <CLI/CLI.hpp>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
-#include "scene/import/triangulate.hpp"
+#include "model/import/triangulate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,10 @@
 #include "launch/import_flags.hpp"
 #include "launch/measure.hpp"
 #include "launch/run_program.hpp"
-#include "launch/temporary_folder.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/yardstick.hpp"
+#include "session/temporary_folder.hpp"
 
 #include <fmt/core.h>
 

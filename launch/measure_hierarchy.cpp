@@ -2,11 +2,11 @@
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/run_program.hpp"
-#include "launch/temporary_folder.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
 #include "measure/side_by_side.hpp"
+#include "session/temporary_folder.hpp"
 
 #include <fmt/core.h>
 

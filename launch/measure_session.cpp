@@ -2,7 +2,7 @@
 #include "base/progress.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
-#include "launch/session_run.hpp"
+#include "launch/session_flags.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"

@@ -3,11 +3,11 @@
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/run_program.hpp"
-#include "launch/temporary_folder.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/path_deviation.hpp"
 #include "nodes/inbox.hpp"
+#include "session/temporary_folder.hpp"
 
 #include <fmt/core.h>
 

@@ -76,9 +76,6 @@ inline CLI::Validator bytes_from(uint64_t least, const std::string& least_text) 
       "");
 }
 
-/// The most frames, or rounds over a path, that a command counts.
-constexpr uint64_t most_frames = std::numeric_limits<uint32_t>::max();
-
 /// A day is more than anybody waits, and cameras that come at other rates than these are not meant.
 constexpr double most_seconds = 86400, least_rate = 0.001, most_rate = 1e6;
 

@@ -4,11 +4,11 @@
 #include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
 #include "launch/number_flags.hpp"
-#include "launch/pictures.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "measure/timeline_trace.hpp"
 #include "render/png_file.hpp"
+#include "session/pictures.hpp"
 
 #include <fmt/core.h>
 

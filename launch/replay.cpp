@@ -7,10 +7,10 @@
 #include "launch/command.hpp"
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
-#include "launch/pictures.hpp"
 #include "measure/json.hpp"
 #include "nodes/picture_stage.hpp"
 #include "render/png_file.hpp"
+#include "session/pictures.hpp"
 
 #include <fmt/core.h>
 #include <set>

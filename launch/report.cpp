@@ -1,9 +1,9 @@
 #include "base/file.hpp"
 #include "launch/command.hpp"
 #include "launch/named_files.hpp"
-#include "measure/goals.hpp"
 #include "measure/json.hpp"
-#include "measure/report_page.hpp"
+#include "report/goals.hpp"
+#include "report/report_page.hpp"
 
 #include <fmt/core.h>
 

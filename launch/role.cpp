@@ -1,5 +1,5 @@
 #include "launch/number_flags.hpp"
-#include "launch/role_command.hpp"
+#include "session/role_command.hpp"
 
 namespace triptych {
 

@@ -4,8 +4,8 @@
 #include "base/file.hpp"
 #include "base/inject.hpp"
 #include "base/threads.hpp"
-#include "launch/child_processes.hpp"
 #include "nodes/inbox.hpp"
+#include "session/child_processes.hpp"
 
 namespace triptych {
 

@@ -1,5 +1,5 @@
 #include "base/notice.hpp"
-#include "launch/session_run.hpp"
+#include "launch/session_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/session_faults.hpp"
 #include "measure/session_report.hpp"

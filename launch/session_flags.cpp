@@ -1,5 +1,6 @@
+#include "launch/session_flags.hpp"
+
 #include "launch/number_flags.hpp"
-#include "launch/session_run.hpp"
 
 namespace triptych {
 

@@ -1,9 +1,9 @@
 #include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "launch/command.hpp"
-#include "launch/window_source.hpp"
 #include "measure/json.hpp"
 #include "nodes/inbox.hpp"
+#include "session/window_source.hpp"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/distribution.hpp"
-#include "scene/model.hpp"
+#include "scene/import_report.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

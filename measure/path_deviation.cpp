@@ -1,9 +1,9 @@
 #include "measure/path_deviation.hpp"
 
 #include "base/error.hpp"
-#include "lod/check/check_distances.hpp"
 #include "lod/cut.hpp"
 #include "nodes/inbox.hpp"
+#include "preprocess/check/check_distances.hpp"
 
 #include <algorithm>
 #include <cmath>

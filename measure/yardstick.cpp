@@ -2,7 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/progress.hpp"
-#include "scene/read_mesh.hpp"
+#include "model/read_mesh.hpp"
 
 #include <limits>
 #include <meshoptimizer.h>

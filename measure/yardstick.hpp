@@ -2,7 +2,7 @@
 // core.
 #pragma once
 
-#include "scene/model.hpp"
+#include "model/model.hpp"
 
 #include <cstdint>
 

@@ -6,13 +6,6 @@
 
 namespace triptych {
 
-namespace {
-
-/// Of vertices. Cards hold more or fewer; what matters here is that indices which were just used come again.
-constexpr unsigned cache_size = 16;
-
-}  // namespace
-
 LatticeBox Chunk::box() const {
   LatticeBox box;
   for (const ChunkVertex& vertex : vertices) box.extend(vertex.point);
@@ -27,30 +20,6 @@ std::vector<LatticeBox> Chunk::pieces() const {
   }
   if (boxes.size() == 1) boxes.clear();
   return boxes;
-}
-
-std::vector<std::byte> encode_chunk(const Chunk& chunk) {
-  // Vertex cache order, then vertices in the order of their first use: both codecs count on it.
-  std::vector<uint32_t> indices(chunk.indices.size());
-  meshopt_optimizeVertexCacheFifo(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size(),
-                                  cache_size);
-  std::vector<ChunkVertex> vertices(chunk.vertices.size());
-  vertices.resize(meshopt_optimizeVertexFetch(vertices.data(), indices.data(), indices.size(),
-                                              chunk.vertices.data(), chunk.vertices.size(),
-                                              sizeof(ChunkVertex)));
-  std::vector<uint8_t> index_bytes(meshopt_encodeIndexBufferBound(indices.size(), vertices.size()));
-  index_bytes.resize(
-      meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
-  std::vector<uint8_t> vertex_bytes(meshopt_encodeVertexBufferBound(vertices.size(), sizeof(ChunkVertex)));
-  vertex_bytes.resize(meshopt_encodeVertexBuffer(vertex_bytes.data(), vertex_bytes.size(), vertices.data(),
-                                                 vertices.size(), sizeof(ChunkVertex)));
-  ByteWriter writer;
-  writer.write(static_cast<uint32_t>(vertices.size()));
-  writer.write(static_cast<uint32_t>(indices.size() / 3));
-  writer.write(static_cast<uint32_t>(vertex_bytes.size()));
-  writer.write_all(std::span<const uint8_t>(vertex_bytes));
-  writer.write_all(std::span<const uint8_t>(index_bytes));
-  return std::move(writer.bytes());
 }
 
 Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,

@@ -36,13 +36,9 @@ struct Chunk {
   std::vector<LatticeBox> pieces() const;
 };
 
-/// Reorders for the vertex cache and compresses with meshoptimizer's codecs (Arseny Kapoulkine). Degenerate
-/// triangles stay. The chunk must hold at least one triangle, indices in range.
-std::vector<std::byte> encode_chunk(const Chunk& chunk);
-
-/// Reads back what encode_chunk wrote. Error (place) for bytes that do not decode, or that hold other counts,
-/// indices out of range, colours beyond palette_size, points outside their piece's box, or triangles across
-/// pieces. `pieces`: Skeleton::pieces_of() the chunk.
+/// Reads back what encode_chunk (preprocess/encode_chunk.hpp) wrote. Error (place) for bytes that do not
+/// decode, or that hold other counts, indices out of range, colours beyond palette_size, points outside their
+/// piece's box, or triangles across pieces. `pieces`: Skeleton::pieces_of() the chunk.
 Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
                    std::span<const LatticeBox> pieces, size_t palette_size, const std::string& place);
 

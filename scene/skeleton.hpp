@@ -1,9 +1,10 @@
 // The hierarchy without geometry: scene nodes, drawables, placements, chunks. Always in memory.
 #pragma once
 
+#include "scene/affine.hpp"
 #include "scene/box.hpp"
+#include "scene/import_report.hpp"
 #include "scene/lattice.hpp"
-#include "scene/model.hpp"
 
 #include <array>
 #include <cstdint>

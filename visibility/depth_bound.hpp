@@ -1,8 +1,8 @@
 // How near a box's content may come to the eye, pixel by pixel.
 #pragma once
 
+#include "lod/clip_space.hpp"
 #include "scene/skeleton.hpp"
-#include "visibility/clip_space.hpp"
 
 #include <array>
 #include <glm/vec2.hpp>

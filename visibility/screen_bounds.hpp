@@ -1,9 +1,9 @@
 // Where a box may appear on the screen: the rectangle and the nearest depth that the occlusion test uses.
 #pragma once
 
+#include "lod/clip_space.hpp"
 #include "scene/camera.hpp"
 #include "scene/skeleton.hpp"
-#include "visibility/clip_space.hpp"
 #include "visibility/depth_bound.hpp"
 #include "visibility/silhouette.hpp"
 

@@ -1,8 +1,8 @@
 // In a program that speaks a language with a decimal comma, or that rounds otherwise, the same files give the
 // same bytes.
-#include "lod/check/check.hpp"
-#include "lod/preprocess/build.hpp"
-#include "scene/import/import.hpp"
+#include "model/import/import.hpp"
+#include "preprocess/build.hpp"
+#include "preprocess/check/check.hpp"
 #include "scene/pack.hpp"
 #include "scene/path.hpp"
 #include "tests/session/program.hpp"

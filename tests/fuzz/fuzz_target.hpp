@@ -1,7 +1,7 @@
 // What every fuzz target is: libFuzzer calls it with inputs that it makes up, replay.cpp with files.
 #pragma once
 
-#include "scene/import/import_file.hpp"
+#include "model/import/import_file.hpp"
 
 #include <cstddef>
 #include <cstdint>

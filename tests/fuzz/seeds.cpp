@@ -1,7 +1,8 @@
 // Writes a few small, whole files for each fuzz target: seeds FOLDER makes FOLDER/gltf, FOLDER/obj and so on.
 #include "base/bytes.hpp"
 #include "base/file.hpp"
-#include "scene/chunk.hpp"
+#include "preprocess/encode_chunk.hpp"
+#include "preprocess/pack_writer.hpp"
 #include "scene/pack.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "wire_seeds.hpp"

@@ -1,5 +1,5 @@
 // Builds against the model as it was given, not as it lies on its lattices.
-#include "lod/check/check.hpp"
+#include "preprocess/check/check.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/support/distance_judge.hpp"
 #include "tests/support/drawable_triangles.hpp"

@@ -1,9 +1,9 @@
 // A hard case: a small scene with cameras on which something breaks easily, and the faults that it catches.
 #pragma once
 
-#include "lod/preprocess/build.hpp"
+#include "model/model.hpp"
+#include "preprocess/build.hpp"
 #include "scene/camera.hpp"
-#include "scene/model.hpp"
 
 #include <functional>
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include "base/error.hpp"
 #include "launch/command.hpp"
-#include "launch/role_arguments.hpp"
+#include "session/role_arguments.hpp"
 #include "tests/session/program.hpp"
 
 #include <set>

@@ -1,6 +1,6 @@
 // Closed surfaces in many parts, seen from inside at mixed levels of detail: a pixel of the background would
 // be a hole.
-#include "lod/preprocess/build.hpp"
+#include "preprocess/build.hpp"
 #include "tests/render/rig.hpp"
 #include "tests/support/awkward_meshes.hpp"
 

@@ -1,7 +1,7 @@
 // Folders that samples are written to, and their models read back.
 #pragma once
 
-#include "scene/import/import.hpp"
+#include "model/import/import.hpp"
 
 #include <filesystem>
 #include <limits>

@@ -1,7 +1,8 @@
 #include "scene/chunk.hpp"
 
 #include "base/error.hpp"
-#include "scene/surface.hpp"
+#include "preprocess/encode_chunk.hpp"
+#include "simplify/surface.hpp"
 #include "tests/support/small_pack.hpp"
 
 #include <algorithm>

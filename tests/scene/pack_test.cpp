@@ -3,6 +3,8 @@
 #include "base/bytes.hpp"
 #include "base/error.hpp"
 #include "base/hashing.hpp"
+#include "preprocess/pack_writer.hpp"
+#include "scene/pack_format.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "tests/support/small_pack.hpp"
 

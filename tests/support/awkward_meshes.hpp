@@ -1,10 +1,10 @@
 // Meshes for tests: smooth ones, and those that simplifiers and partitions trip over.
 #pragma once
 
+#include "model/model.hpp"
+#include "preprocess/weld.hpp"
 #include "scene/lattice.hpp"
-#include "scene/model.hpp"
-#include "scene/surface.hpp"
-#include "scene/weld.hpp"
+#include "simplify/surface.hpp"
 
 #include <cmath>
 #include <cstdint>

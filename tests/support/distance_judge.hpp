@@ -2,7 +2,7 @@
 // bounds that it judges. Never more than the truth, but for rounding.
 #pragma once
 
-#include "scene/surface.hpp"
+#include "simplify/surface.hpp"
 #include "tests/support/corners.hpp"
 
 #include <algorithm>

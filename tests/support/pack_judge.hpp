@@ -1,7 +1,7 @@
 // Holds every drawable of a pack against the model that the pack was built from, both ways.
 #pragma once
 
-#include "scene/model.hpp"
+#include "model/model.hpp"
 #include "scene/pack.hpp"
 
 #include <string>

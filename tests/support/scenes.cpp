@@ -1,6 +1,6 @@
 #include "tests/support/scenes.hpp"
 
-#include "lod/preprocess/build.hpp"
+#include "preprocess/build.hpp"
 #include "tests/support/awkward_meshes.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 // Awkward little scenes with their packs, and camera paths through them: what culling and cuts are tried on.
 #pragma once
 
+#include "model/model.hpp"
 #include "scene/camera.hpp"
-#include "scene/model.hpp"
 #include "scene/pack.hpp"
 
 #include <memory>

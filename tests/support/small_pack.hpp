@@ -1,7 +1,7 @@
 // A small pack made by hand: a root over two leaves, for tests that need a pack whose every value is known.
 #pragma once
 
-#include "scene/pack.hpp"
+#include "preprocess/pack_writer.hpp"
 
 #include <cstdlib>
 #include <filesystem>

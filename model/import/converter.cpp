@@ -1,0 +1,168 @@
+#include "model/import/converter.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/one_line.hpp"
+#include "base/unnamed_file.hpp"
+#include "model/import/mesh_stream_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <optional>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+
+constexpr std::string_view complaint_prefix = "triptych: ", warning_prefix = "warning: ";
+constexpr size_t most_talk = size_t{1} << 16;  ///< bytes that are listened to
+
+/// A child process that is killed and collected when it goes out of scope.
+class Child {
+ public:
+  /// `output` becomes its descriptor 3, `errors` its standard error.
+  Child(const std::string& program, const std::vector<std::string>& arguments, int output, int errors) {
+    std::vector<std::string> copies = arguments;
+    copies.insert(copies.begin(), program);
+    std::vector<char*> words;
+    for (std::string& copy : copies) words.push_back(copy.data());
+    words.push_back(nullptr);
+    const pid_t parent = ::getpid();
+    pid_ = ::fork();
+    if (pid_ < 0) fail(program, "cannot be started: {}", std::strerror(errno));
+    if (pid_ > 0) return;
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
+    // Both are moved out of the way first, so that neither lands on the other.
+    const int output_copy = ::fcntl(output, F_DUPFD, 10), errors_copy = ::fcntl(errors, F_DUPFD, 10);
+    ::dup2(output_copy, 3);
+    ::dup2(errors_copy, STDERR_FILENO);
+    ::close(output_copy);
+    ::close(errors_copy);
+    ::execv(program.c_str(), words.data());
+    ::_exit(127);
+  }
+  ~Child() {
+    if (!running_) return;
+    ::kill(pid_, SIGKILL);
+    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Its status when it has ended; nothing if it has not when the seconds are over.
+  std::optional<int> wait(double seconds) {
+    const Stopwatch stopwatch;
+    int status = 0;
+    for (;;) {
+      const pid_t ended = ::waitpid(pid_, &status, WNOHANG);
+      if (ended == pid_) {
+        running_ = false;
+        return status;
+      }
+      if (stopwatch.seconds() > seconds) return std::nullopt;
+      ::usleep(1000);
+    }
+  }
+
+ private:
+  pid_t pid_ = -1;
+  bool running_ = true;
+};
+
+struct Descriptor {
+  int number = -1;
+  Descriptor() = default;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  void close() {
+    if (number >= 0) ::close(std::exchange(number, -1));
+  }
+};
+
+std::filesystem::path beside_this_program() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "triptych-import";
+}
+
+/// Everything that the child says on its standard error until it closes it, or the time is over.
+std::string listen(int errors, double seconds) {
+  std::string said;
+  const Stopwatch stopwatch;
+  for (double left = seconds; left > 0; left = seconds - stopwatch.seconds()) {
+    pollfd waiting{.fd = errors, .events = POLLIN, .revents = 0};
+    if (::poll(&waiting, 1, static_cast<int>(std::min(left, 1.0) * 1000) + 1) <= 0) continue;
+    std::array<char, 4096> buffer{};
+    const ssize_t count = ::read(errors, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    if (said.size() < most_talk) said.append(buffer.data(), static_cast<size_t>(count));
+  }
+  return said;
+}
+
+/// What a damaged file made the child say is shown in one line of plain characters.
+std::string plain(std::string_view line) { return one_line(std::string(line.substr(0, 200))); }
+
+}  // namespace
+
+Converted convert_model(const std::filesystem::path& file, const ImportOptions& options) {
+  const std::string place = file.string();
+  StreamSource exists(file);  // says so if it does not
+  const std::filesystem::path program = options.converter.empty() ? beside_this_program() : options.converter;
+  if (::access(program.c_str(), X_OK) != 0)
+    fail(place, "is of a format that {} reads, which is not there", program.string());
+
+  Descriptor output;
+  output.number = open_unnamed_file(options.temporary_folder);
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail(place, "cannot be read: {}", std::strerror(errno));
+  Descriptor read_end, write_end;
+  read_end.number = pipe[0];
+  write_end.number = pipe[1];
+  Child child(program.string(), {"--memory", std::to_string(options.converter_bytes), place}, output.number,
+              write_end.number);
+  write_end.close();
+  const Stopwatch stopwatch;
+  const std::string said = listen(read_end.number, options.converter_seconds);
+  const auto ended = child.wait(options.converter_seconds - stopwatch.seconds());
+  if (!ended) fail(place, "takes more than {} s to read; it was given up", options.converter_seconds);
+  const int status = *ended;
+
+  Converted converted;
+  std::string complaint;
+  for (size_t begin = 0; begin < said.size();) {
+    const size_t end = std::min(said.find('\n', begin), said.size());
+    const std::string_view line = std::string_view(said).substr(begin, end - begin);
+    if (line.starts_with(warning_prefix)) {
+      converted.warnings.push_back(plain(line.substr(warning_prefix.size())));
+    } else if (line.starts_with(complaint_prefix)) {
+      complaint = plain(line.substr(complaint_prefix.size()));
+    }
+    begin = end + 1;
+  }
+  if (WIFSIGNALED(status)) {
+    fail(place, "makes its reader crash (signal {}, {}); the file is damaged, or Assimp cannot read it",
+         WTERMSIG(status), ::strsignal(WTERMSIG(status)));
+  }
+  if (WEXITSTATUS(status) != 0) {
+    fail(place, "{}",
+         complaint.empty() ? fmt::format("its reader ended with exit code {}", WEXITSTATUS(status))
+                           : complaint);
+  }
+  converted.glb = std::make_shared<StreamSource>(place, std::exchange(output.number, -1));
+  return converted;
+}
+
+}  // namespace triptych

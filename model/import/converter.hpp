@@ -1,0 +1,24 @@
+// triptych-import, the program that reads further formats with Assimp: started, watched, and ended.
+#pragma once
+
+#include "model/import/import.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+class StreamSource;
+
+struct Converted {
+  std::shared_ptr<const StreamSource> glb;  ///< in a temporary file without a name
+  std::vector<std::string> warnings;
+};
+
+/// Has the file converted, in a process of its own: the libraries that know these formats crash on hostile
+/// files. Error (the file) where the program complains, crashes, takes too long or too much memory, or is not
+/// there; nothing is left behind.
+Converted convert_model(const std::filesystem::path& file, const ImportOptions& options);
+
+}  // namespace triptych

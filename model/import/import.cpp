@@ -1,0 +1,98 @@
+#include "model/import/import.hpp"
+
+#include "base/error.hpp"
+#include "base/progress.hpp"
+#include "base/rounding.hpp"
+#include "model/import/import_file.hpp"
+#include "model/import/mesh_stream_positions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace triptych {
+
+namespace {
+
+std::vector<std::filesystem::path> nothing_beside(const std::filesystem::path&) { return {}; }
+
+struct Format {
+  const char* extension;
+  void (*import)(FileImport&);
+  std::vector<std::filesystem::path> (*files_beside)(const std::filesystem::path&);
+};
+
+constexpr std::array formats = {
+    Format{".gltf", import_gltf, files_beside_gltf}, Format{".glb", import_gltf, files_beside_gltf},
+    Format{".obj", import_obj, files_beside_obj}, Format{".ply", import_ply, nothing_beside},
+    Format{".stl", import_stl, nothing_beside}};
+
+/// What Assimp's readers claim and hold models. Pure motion, and what has a reader of ours, is left out; a
+/// test asks triptych-import for the same list.
+constexpr std::array converted = {
+    ".3d",     ".3ds",   ".3mf",  ".ac",      ".ac3d", ".acc", ".amf",  ".ase",  ".ask", ".assbin",
+    ".b3d",    ".blend", ".bsp",  ".cob",     ".dae",  ".dxf", ".enff", ".fbx",  ".hmp", ".ifc",
+    ".ifczip", ".iqm",   ".irr",  ".irrmesh", ".lwo",  ".lws", ".lxo",  ".md2",  ".md3", ".md5mesh",
+    ".mdc",    ".mdl",   ".mesh", ".ms3d",    ".ndo",  ".nff", ".off",  ".ogex", ".pk3", ".pmx",
+    ".prj",    ".q3o",   ".q3s",  ".raw",     ".scn",  ".sib", ".smd",  ".step", ".stp", ".ter",
+    ".uc",     ".x",     ".x3d",  ".x3db",    ".xgl",  ".zae", ".zgl"};
+
+Format format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  for (const Format& format : formats) {
+    if (extension == format.extension) return format;
+  }
+  if (const auto* other = std::find(converted.begin(), converted.end(), extension); other != converted.end())
+    return {*other, import_other, nothing_beside};
+  std::string own;
+  for (const Format& format : formats) own += fmt::format("{}{}", own.empty() ? "" : ", ", format.extension);
+  fail(file.string(),
+       "is of a format that is not known by its name; known are {}, and those of Assimp: "
+       "`triptych build --help` lists them",
+       own);
+}
+
+}  // namespace
+
+std::vector<std::string> known_extensions() {
+  std::vector<std::string> known;
+  for (const Format& format : formats) known.emplace_back(format.extension);
+  known.insert(known.end(), converted.begin(), converted.end());
+  return known;
+}
+
+namespace {
+
+Model import(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
+  if (files.empty()) fail("import", "no model file was named");
+  for (const auto& file : files) format_of(file);  // before the first long read
+  PositionCache::limit_all(options.position_cache_bytes);
+  Model model;
+  model.materials.emplace_back();
+  Progress progress("import", files.size());
+  for (const auto& file : files) {
+    FileImport target(file, model, options);
+    format_of(file).import(target);
+    target.finish();
+    progress.advance();
+  }
+  return model;
+}
+
+}  // namespace
+
+Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
+  return round_to_nearest([&] { return import(files, options); });
+}
+
+std::vector<std::filesystem::path> files_of_models(const std::vector<std::filesystem::path>& models) {
+  std::vector<std::filesystem::path> files = models;
+  for (const auto& model : models) {
+    const auto beside = format_of(model).files_beside(model);
+    files.insert(files.end(), beside.begin(), beside.end());
+  }
+  return files;
+}
+
+}  // namespace triptych

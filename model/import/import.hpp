@@ -1,0 +1,56 @@
+// Model files in: glTF and GLB, OBJ, PLY, STL, by their extension, and what Assimp knows besides.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+enum class UpAxis : uint8_t { y, z };
+enum class LengthUnit : uint8_t { metre, centimetre, millimetre, inch, foot };
+
+struct ImportOptions {
+  /// What files mean that do not say it themselves (OBJ, PLY, STL); metres and y up where nothing is given.
+  /// Where a format says otherwise, the report has a warning, and the format is right.
+  std::optional<UpAxis> up = std::nullopt;
+  std::optional<LengthUnit> unit = std::nullopt;
+  /// Where large text files are put in binary while they are imported, in files without a name; empty: TMPDIR
+  /// or /tmp.
+  std::filesystem::path temporary_folder = {};
+  /// Meshes of more triangles stay in their file (Mesh::stream) ...
+  uint64_t stream_above = 4096;
+  /// ... and so do all further ones when those in memory would have more than these together.
+  uint64_t most_in_memory = 2'000'000;
+  /// Meshes that are held in memory take no more than this, bytes: further ones wait in the temporary folder,
+  /// and look like streams that MeshStream::load() knows.
+  uint64_t held_bytes = uint64_t{1} << 40;
+  /// Positions of meshes that stay in their files, kept while those are read: of all threads together, and
+  /// for the rest of the process. Less of it makes reading slower where triangles use vertices in no order.
+  uint64_t position_cache_bytes = uint64_t{64} << 20;
+  /// The program that reads further formats; empty: triptych-import beside the program that runs.
+  std::filesystem::path converter = {};
+  /// It is ended where it takes more address space or longer.
+  uint64_t converter_bytes = uint64_t{4} << 30;
+  double converter_seconds = 600;
+};
+
+/// Reads every file into one model in metres, y up. What is dropped, merged or not understood stands in the
+/// model's report; of streams, what they find when they are read. Error (file and place in it) for a file
+/// that is missing, damaged, empty of triangles or of an unknown format.
+Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options = {});
+
+/// The models' own files: these, and the buffers, material libraries and textures that they name, read or
+/// not, there or not. What triptych-import opens beside a file is not among them. Geometry is not read. Error
+/// for a file that cannot be opened.
+std::vector<std::filesystem::path> files_of_models(const std::vector<std::filesystem::path>& models);
+
+/// The extensions that import_model knows, with their dots: those of our own readers, then those that
+/// triptych-import reads.
+std::vector<std::string> known_extensions();
+
+}  // namespace triptych

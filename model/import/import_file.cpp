@@ -1,0 +1,156 @@
+#include "model/import/import_file.hpp"
+
+#include "base/error.hpp"
+#include "base/unnamed_file.hpp"
+#include "model/import/stored_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <limits>
+
+namespace triptych {
+
+namespace {
+
+/// From the file's unit and axes to metres, y up.
+Affine to_metres_y_up(const ImportOptions& options) {
+  static constexpr std::array<double, 5> metres = {1, 0.01, 0.001, 0.0254, 0.3048};
+  const double scale = metres[static_cast<size_t>(options.unit.value_or(LengthUnit::metre))];
+  if (options.up.value_or(UpAxis::y) == UpAxis::y)
+    return {glm::dvec3(scale, 0, 0), glm::dvec3(0, scale, 0), glm::dvec3(0, 0, scale), glm::dvec3(0)};
+  return {glm::dvec3(scale, 0, 0), glm::dvec3(0, 0, -scale), glm::dvec3(0, scale, 0), glm::dvec3(0)};
+}
+
+/// Drops triangles with unusable coordinates, then the vertices that nothing uses any more. Returns how many
+/// triangles.
+uint64_t drop_unusable(Mesh& mesh) {
+  if (std::all_of(mesh.positions.begin(), mesh.positions.end(), is_usable)) return 0;
+  const auto dropped = std::erase_if(mesh.triangles, [&](const Triangle& triangle) {
+    return !std::all_of(triangle.vertices.begin(), triangle.vertices.end(),
+                        [&](uint32_t vertex) { return is_usable(mesh.positions[vertex]); });
+  });
+  std::vector<uint32_t> renamed(mesh.positions.size());
+  uint32_t kept = 0;
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (!is_usable(mesh.positions[i])) continue;
+    mesh.positions[kept] = mesh.positions[i];
+    renamed[i] = kept++;
+  }
+  mesh.positions.resize(kept);
+  for (Triangle& triangle : mesh.triangles) {
+    for (uint32_t& vertex : triangle.vertices) vertex = renamed[vertex];
+  }
+  return dropped;
+}
+
+}  // namespace
+
+FileImport::FileImport(std::filesystem::path file, Model& model, const ImportOptions& options)
+    : file_(std::move(file)),
+      model_(model),
+      options_(options),
+      first_instance_(model.instances.size()),
+      first_warning_(model.report.warnings.size()),
+      to_metres_y_up_(to_metres_y_up(options)) {
+  model_.files.push_back(file_);
+  for (const Mesh& mesh : model_.meshes) {
+    in_memory_ += held_triangles(mesh);
+    held_bytes_ += held_bytes(mesh);
+  }
+}
+
+std::string FileImport::line_place(uint64_t line) const { return fmt::format("{}: line {}", place(), line); }
+
+void FileImport::warn(std::string_view what, uint64_t count) {
+  if (count == 0) return;
+  const auto known = std::find_if(warnings_.begin(), warnings_.end(),
+                                  [&](const auto& warning) { return warning.first == what; });
+  if (known != warnings_.end()) {
+    known->second += count;
+  } else {
+    warnings_.emplace_back(what, count);
+  }
+}
+
+void FileImport::remark(std::string what) { warnings_.emplace_back(std::move(what), 0); }
+
+void FileImport::says_up(std::optional<UpAxis> up) {
+  if (options_.up && options_.up != up) remark("the format says which axis is up; --up was not applied");
+  options_.up.reset();
+  to_metres_y_up_ = to_metres_y_up(options_);
+}
+
+void FileImport::says_unit(std::optional<LengthUnit> unit) {
+  if (options_.unit && options_.unit != unit) remark("the format says its unit; --unit was not applied");
+  options_.unit.reset();
+  to_metres_y_up_ = to_metres_y_up(options_);
+}
+
+void FileImport::drop(uint64_t triangles) {
+  count_dropped(triangles);
+  warn(not_finite_warning, triangles);
+}
+
+void FileImport::count_dropped(uint64_t triangles) { model_.report.dropped_triangles += triangles; }
+
+void FileImport::take_warnings(const MeshStream& stream) {
+  for (std::string& warning : stream.warnings()) model_.report.warnings.push_back(std::move(warning));
+}
+
+uint32_t FileImport::add_material(const Material& material) {
+  model_.materials.push_back(material);
+  return static_cast<uint32_t>(model_.materials.size() - 1);
+}
+
+std::optional<uint32_t> FileImport::add_mesh(Mesh mesh) {
+  drop(drop_unusable(mesh));
+  if (mesh.triangles.empty()) return std::nullopt;
+  in_memory_ += mesh.triangles.size();
+  if (held_bytes_ + held_bytes(mesh) <= options_.held_bytes) {
+    held_bytes_ += held_bytes(mesh);
+    return push_mesh(std::move(mesh));
+  }
+  if (!store_) store_ = open_unnamed_spool(options_.temporary_folder);
+  return add_stream(std::move(mesh.name), std::make_shared<StoredMesh>(store_, mesh));
+}
+
+bool FileImport::should_stream(uint64_t triangles) const {
+  return triangles > options_.stream_above || triangles > memory_left();
+}
+
+uint64_t FileImport::memory_left() const {
+  return options_.most_in_memory - std::min(in_memory_, options_.most_in_memory);
+}
+
+uint32_t FileImport::add_stream(std::string name, std::shared_ptr<const MeshStream> stream) {
+  return push_mesh({.name = std::move(name), .positions = {}, .triangles = {}, .stream = std::move(stream)});
+}
+
+uint32_t FileImport::push_mesh(Mesh mesh) {
+  if (model_.meshes.size() == std::numeric_limits<uint32_t>::max()) fail(place(), "holds too many meshes");
+  model_.meshes.push_back(std::move(mesh));
+  return static_cast<uint32_t>(model_.meshes.size() - 1);
+}
+
+void FileImport::add_instance(uint32_t mesh, const Affine& transform) {
+  model_.instances.push_back({mesh, to_metres_y_up_ * glm::dmat4(transform)});
+}
+
+void FileImport::finish() {
+  for (const auto& [what, count] : warnings_) {
+    model_.report.warnings.push_back(count > 0 ? fmt::format("{}: {} {}", place(), count, what)
+                                               : fmt::format("{}: {}", place(), what));
+  }
+  if (model_.instances.size() > first_instance_) return;
+  std::string why;
+  const std::string own = place() + ": ";
+  for (size_t i = first_warning_; i < model_.report.warnings.size(); ++i) {
+    const std::string_view warning = model_.report.warnings[i];
+    why += why.empty() ? ": " : "; ";
+    why += warning.starts_with(own) ? warning.substr(own.size()) : warning;
+  }
+  fail(place(), "holds no triangles{}", why);
+}
+
+}  // namespace triptych

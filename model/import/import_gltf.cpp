@@ -1,0 +1,211 @@
+// glTF 2.0 and its binary form: the node tree, composed in double.
+#include "model/import/import_gltf.hpp"
+
+#include "base/error.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace triptych {
+
+namespace {
+
+/// First `inner`, then `outer`.
+Affine compose(const Affine& outer, const Affine& inner) { return outer * glm::dmat4(inner); }
+
+Affine from_parts(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale,
+                  const std::string& place) {
+  const double length = glm::length(rotation);
+  if (!(length > 0) || !std::isfinite(length)) fail(place, "a rotation that is no rotation");
+  const glm::dmat3 turn = glm::mat3_cast(rotation / length);
+  return Affine(turn[0] * scale.x, turn[1] * scale.y, turn[2] * scale.z, translation);
+}
+
+Affine local_transform(const tinygltf::Node& node, const std::string& place) {
+  const auto expect = [&](const std::vector<double>& values, size_t count, const char* what) {
+    if (!values.empty() && values.size() != count) fail(place, "a {} of {} numbers", what, values.size());
+    return !values.empty();
+  };
+  if (expect(node.matrix, 16, "matrix")) {
+    const auto& m = node.matrix;
+    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) fail(place, "a matrix that is not affine");
+    return Affine(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[12], m[13], m[14]);
+  }
+  glm::dvec3 translation{0}, scale{1};
+  glm::dquat rotation(1, 0, 0, 0);
+  if (expect(node.translation, 3, "translation"))
+    translation = {node.translation[0], node.translation[1], node.translation[2]};
+  if (expect(node.rotation, 4, "rotation"))
+    rotation = glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+  if (expect(node.scale, 3, "scale")) scale = {node.scale[0], node.scale[1], node.scale[2]};
+  return from_parts(translation, rotation, scale, place);
+}
+
+bool is_finite(const Affine& transform) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!(std::abs(transform[column][row]) <= largest_coordinate)) return false;
+    }
+  }
+  return true;
+}
+
+/// The transforms of EXT_mesh_gpu_instancing, relative to their node.
+std::vector<Affine> instance_transforms(const GltfFile& gltf, const tinygltf::Value& extension,
+                                        const std::string& place) {
+  static constexpr std::array names = {"TRANSLATION", "ROTATION", "SCALE"};
+  const tinygltf::Value& attributes = extension.Get("attributes");
+  std::array<std::optional<GltfAccessor>, 3> parts;
+  std::optional<size_t> count;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (!attributes.IsObject() || !attributes.Has(names[i])) continue;
+    if (!attributes.Get(names[i]).IsInt()) fail(place, "{} names no accessor", names[i]);
+    parts[i].emplace(gltf, attributes.Get(names[i]).GetNumberAsInt(), place);
+    parts[i]->load();
+    if (parts[i]->components() != (i == 1 ? 4 : 3))
+      fail(place, "{} of {} components", names[i], parts[i]->components());
+    if (count && *count != parts[i]->count()) fail(place, "instance attributes of different lengths");
+    count = parts[i]->count();
+  }
+  if (!count) fail(place, "instances without a translation, rotation or scale");
+  const auto vector = [&](size_t part, size_t i, double otherwise) {
+    if (!parts[part]) return glm::dvec3(otherwise);
+    return glm::dvec3(parts[part]->component(i, 0), parts[part]->component(i, 1),
+                      parts[part]->component(i, 2));
+  };
+  std::vector<Affine> transforms;
+  for (size_t i = 0; i < *count; ++i) {
+    glm::dquat rotation(1, 0, 0, 0);
+    if (parts[1]) {
+      rotation = glm::dquat(parts[1]->component(i, 3), parts[1]->component(i, 0), parts[1]->component(i, 1),
+                            parts[1]->component(i, 2));
+    }
+    transforms.push_back(from_parts(vector(0, i, 0), rotation, vector(2, i, 1), place));
+  }
+  return transforms;
+}
+
+std::string node_place(const FileImport& target, size_t node) {
+  return fmt::format("{}: node {}", target.place(), node);
+}
+
+/// The parent of each node, −1 where it has none. Every node has at most one, and following them comes to an
+/// end.
+std::vector<int> check_tree(const tinygltf::Model& gltf, const FileImport& target) {
+  std::vector<int> parents(gltf.nodes.size(), -1);
+  for (size_t i = 0; i < gltf.nodes.size(); ++i) {
+    for (const int child : gltf.nodes[i].children) {
+      if (child < 0 || static_cast<size_t>(child) >= parents.size())
+        fail(node_place(target, i), "names node {} of {}", child, parents.size());
+      int& parent = parents[static_cast<size_t>(child)];
+      if (parent != -1) fail(node_place(target, static_cast<size_t>(child)), "has several parents");
+      parent = static_cast<int>(i);
+    }
+  }
+  std::vector<int> open;
+  for (size_t i = 0; i < parents.size(); ++i) {
+    if (parents[i] == -1) open.push_back(static_cast<int>(i));
+  }
+  std::vector<bool> reached(parents.size());
+  while (!open.empty()) {
+    const auto node = static_cast<size_t>(open.back());
+    open.pop_back();
+    reached[node] = true;
+    open.insert(open.end(), gltf.nodes[node].children.begin(), gltf.nodes[node].children.end());
+  }
+  for (size_t i = 0; i < reached.size(); ++i) {
+    if (!reached[i]) fail(node_place(target, i), "hangs in a cycle of nodes");
+  }
+  return parents;
+}
+
+/// The roots of the default scene; every node without a parent where the file names no default scene.
+std::vector<int> scene_roots(const tinygltf::Model& gltf, const std::vector<int>& parents,
+                             const FileImport& target) {
+  std::vector<int> roots;
+  if (gltf.defaultScene == -1) {
+    for (size_t i = 0; i < parents.size(); ++i) {
+      if (parents[i] == -1) roots.push_back(static_cast<int>(i));
+    }
+    return roots;
+  }
+  if (gltf.defaultScene < 0 || static_cast<size_t>(gltf.defaultScene) >= gltf.scenes.size()) {
+    fail(target.place(), "names scene {} of {}", gltf.defaultScene, gltf.scenes.size());
+  }
+  std::vector<bool> named(parents.size());
+  for (const int node : gltf.scenes[static_cast<size_t>(gltf.defaultScene)].nodes) {
+    if (node < 0 || static_cast<size_t>(node) >= parents.size())
+      fail(target.place(), "the scene names node {} of {}", node, parents.size());
+    if (parents[static_cast<size_t>(node)] != -1)
+      fail(node_place(target, static_cast<size_t>(node)), "is a root of the scene, but has a parent");
+    if (named[static_cast<size_t>(node)])
+      fail(node_place(target, static_cast<size_t>(node)), "is a root of the scene twice");
+    named[static_cast<size_t>(node)] = true;
+    roots.push_back(node);
+  }
+  return roots;
+}
+
+void place_node(const GltfFile& gltf, size_t index, const Affine& transform, FileImport& target,
+                GltfMeshes& meshes) {
+  const auto& node = gltf.model.nodes[index];
+  if (node.mesh == -1) return;
+  const std::string place = node_place(target, index);
+  const auto mesh = meshes.mesh(node.mesh, place);
+  if (!mesh) return target.warn("nodes place a mesh without triangles");
+  std::vector<Affine> placements = {Affine(1)};
+  const auto instancing = node.extensions.find("EXT_mesh_gpu_instancing");
+  if (instancing != node.extensions.end()) placements = instance_transforms(gltf, instancing->second, place);
+  for (const Affine& placement : placements) {
+    const Affine placed = compose(transform, placement);
+    if (is_finite(placed)) {
+      target.add_instance(*mesh, placed);
+    } else {
+      target.warn("placements were dropped: their transforms are not finite");
+    }
+  }
+}
+
+}  // namespace
+
+void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes) {
+  struct Open {
+    int node;
+    Affine transform;
+  };
+  const std::vector<int> roots = scene_roots(gltf.model, check_tree(gltf.model, target), target);
+  std::vector<Open> open;
+  for (size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], Affine(1)});
+  while (!open.empty()) {  // depth first, in the file's order
+    const Open next = open.back();
+    open.pop_back();
+    const auto index = static_cast<size_t>(next.node);
+    const Affine transform =
+        compose(next.transform, local_transform(gltf.model.nodes[index], node_place(target, index)));
+    place_node(gltf, index, transform, target, meshes);
+    const auto& children = gltf.model.nodes[index].children;
+    for (size_t i = children.size(); i-- > 0;) open.push_back({children[i], transform});
+  }
+}
+
+void import_gltf(FileImport& target) {
+  target.says_up(UpAxis::y);
+  target.says_unit(LengthUnit::metre);
+  import_gltf(target, std::make_shared<StreamSource>(target.file()));
+}
+
+void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source) {
+  const GltfFile gltf = load_gltf(target, source);
+  for (const GltfBuffer& buffer : gltf.buffers) {
+    if (buffer.source != source && buffer.source->has_file()) target.also_reads(buffer.source->name());
+  }
+  GltfMeshes meshes(gltf, target);
+  place_gltf_nodes(gltf, target, meshes);
+  target.warn("meshes are placed nowhere in the scene and were not imported", meshes.unused_count());
+  target.warn("animations are not played", gltf.model.animations.size());
+}
+
+}  // namespace triptych

@@ -1,0 +1,118 @@
+// The inner seams of the glTF importer. tinygltf parses, without buffers and images; every range is checked
+// here, it checks none.
+#pragma once
+
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#include "model/import/import_file.hpp"
+#include "model/import/mesh_stream_indexed.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tiny_gltf.h>
+#include <vector>
+
+namespace triptych {
+
+/// The bytes of a buffer, which stay in their file; those of a data URI are in memory.
+struct GltfBuffer {
+  std::shared_ptr<const StreamSource> source;
+  uint64_t offset = 0, size = 0;
+};
+
+struct GltfFile {
+  tinygltf::Model model;  ///< without its buffers and images
+  std::vector<GltfBuffer> buffers;
+};
+
+/// Parses a .gltf or .glb file. Error (file) for one that does not parse, lacks a buffer, or requires an
+/// extension that is not known.
+GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>& source);
+
+/// Takes the values of the top-level member "images" and "buffers" out of the JSON text, and returns the
+/// latter; empty if there is none. Error (place, byte) for JSON nested too deeply for a parser.
+std::string take_buffers(std::string& json, const std::string& place);
+/// The files that buffers and images of the JSON text name; values that mean nothing are passed over.
+std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place);
+/// Finds what the JSON value "buffers" names. Files are looked for in the folder, and a buffer without an URI
+/// is `binary`, the second chunk of a binary file.
+std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string& folder,
+                                     const std::optional<GltfBuffer>& binary, const std::string& place);
+
+/// The elements of one accessor, sparse ones included. Construction checks every range (Error, place), so
+/// that element 0 … count() − 1 never leaves the buffer.
+class GltfAccessor {
+ public:
+  GltfAccessor(const GltfFile& gltf, int accessor, const std::string& place);
+
+  size_t count() const { return count_; }
+  int components() const { return components_; }
+  bool holds_indices() const;
+
+  /// Whether all elements stand in the file as they are, so that they can stay there.
+  bool can_stream() const { return !sparse_ && stride_ <= PositionTable::longest_stride; }
+  PositionTable positions() const;  ///< of three components
+  IndexTable indices() const;
+
+  /// Reads all elements; needed before component().
+  void load();
+  /// Component c of element i; normalized integers as −1..1 or 0..1.
+  double component(size_t i, int c) const;
+  std::vector<std::byte> take_elements() { return std::move(elements_); }
+
+ private:
+  size_t count_ = 0, stride_ = 0, element_bytes_ = 0;
+  int components_ = 0, component_type_ = 0;
+  bool normalized_ = false, sparse_ = false;
+  GltfBuffer data_, sparse_values_;       ///< without a source: every element is zero
+  std::vector<uint32_t> sparse_indices_;  ///< rising
+  std::vector<std::byte> elements_;       ///< when loaded, without gaps
+};
+
+/// Adds the meshes of the file to the target when they are asked for, each once.
+class GltfMeshes {
+ public:
+  GltfMeshes(const GltfFile& gltf, FileImport& target);
+  /// The model's index of the file's mesh; nothing if it holds no triangles. Error for an index out of range.
+  std::optional<uint32_t> mesh(int index, const std::string& place);
+  size_t unused_count() const;
+
+ private:
+  /// A primitive whose ranges are checked.
+  struct Part {
+    IndexedPart triangles;
+    int positions = -1;  ///< accessor
+    bool can_stream = false;
+  };
+  /// Positions of an accessor by number: from its file, or in memory.
+  struct Positions {
+    GltfAccessor accessor;
+    std::unique_ptr<PositionCache> cache;
+    glm::dvec3 at(uint32_t vertex);
+  };
+  std::optional<uint32_t> read_mesh(size_t index);
+  std::optional<Part> read_primitive(const tinygltf::Primitive& primitive, const std::string& place);
+  void read_indices(const tinygltf::Primitive& primitive, const std::string& place, Part& part);
+  void read_triangles(const Part& part, Mesh& mesh);
+  Positions& positions(int accessor, const std::string& place);
+  void read_material(const tinygltf::Material& material);
+
+  const GltfFile& gltf_;
+  FileImport& target_;
+  std::vector<uint32_t> materials_;              ///< the file's to the model's
+  std::vector<bool> known_;                      ///< whether the mesh was asked for
+  std::vector<std::optional<uint32_t>> meshes_;  ///< the file's to the model's
+  std::vector<uint32_t> renamed_;  ///< an accessor's vertex to the mesh's, while a primitive is read
+  int last_accessor_ = -1;
+  std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor
+};
+
+/// Walks the scene's node tree and places its meshes, EXT_mesh_gpu_instancing included. Error for nodes that
+/// are out of range, have several parents or form a cycle.
+void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes);
+
+}  // namespace triptych

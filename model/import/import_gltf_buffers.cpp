@@ -1,0 +1,150 @@
+// The buffers of a glTF file: found, and left where they are.
+#include "base/error.hpp"
+#include "model/import/import_gltf.hpp"
+
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+namespace triptych {
+
+namespace {
+
+/// Parsers recurse into nested values; a file nested as deeply as this is no model.
+constexpr int deepest_nesting = 200;
+
+/// A member of the outermost object: its name and where its value stands.
+struct Member {
+  std::string_view name;
+  size_t begin, end;
+};
+
+/// Finds members without parsing their values. Text that is no JSON gives some members or none.
+std::vector<Member> outermost_members(std::string_view json, const std::string& place) {
+  std::vector<Member> members;
+  std::string_view text;  // the last at the first level
+  int depth = 0;
+  bool in_value = false;
+  for (size_t i = 0; i < json.size(); ++i) {
+    const char letter = json[i];
+    if (letter == '"') {
+      const size_t begin = i + 1;
+      for (++i; i < json.size() && json[i] != '"'; ++i) i += json[i] == '\\';
+      if (depth == 1 && !in_value) text = json.substr(begin, std::min(i, json.size()) - begin);
+    } else if (letter == '[' || letter == '{') {
+      if (++depth > deepest_nesting)
+        fail(place, "byte {}: JSON nested deeper than {} levels", i, deepest_nesting);
+    } else if (letter == ':' && depth == 1 && !in_value) {
+      members.push_back({text, i + 1, json.size()});
+      in_value = true;
+    } else if (letter == ']' || letter == '}' || letter == ',') {
+      const bool ends = in_value && depth == 1;
+      if (letter != ',') --depth;
+      if (!ends) continue;
+      members.back().end = i;
+      in_value = false;
+    }
+  }
+  return members;
+}
+
+int hexadecimal(char digit) {
+  if (digit >= '0' && digit <= '9') return digit - '0';
+  const int letter = std::tolower(static_cast<unsigned char>(digit));
+  return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
+}
+
+/// "a%20b" to "a b".
+std::string without_percents(const std::string& uri) {
+  std::string text;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    const bool coded =
+        uri[i] == '%' && i + 2 < uri.size() && hexadecimal(uri[i + 1]) >= 0 && hexadecimal(uri[i + 2]) >= 0;
+    text += coded ? static_cast<char>(hexadecimal(uri[i + 1]) * 16 + hexadecimal(uri[i + 2])) : uri[i];
+    if (coded) i += 2;
+  }
+  return text;
+}
+
+GltfBuffer from_data_uri(const std::string& uri, uint64_t size, const std::string& place) {
+  std::vector<unsigned char> data;
+  std::string kind;
+  if (!tinygltf::DecodeDataURI(&data, kind, uri, 0, false)) fail(place, "its data URI cannot be read");
+  if (data.size() < size) fail(place, "its data URI holds {} bytes of {}", data.size(), size);
+  const auto bytes = std::as_bytes(std::span(data));
+  return {std::make_shared<StreamSource>(place, std::vector<std::byte>(bytes.begin(), bytes.end())), 0, size};
+}
+
+GltfBuffer beside(const std::string& folder, const std::string& uri, uint64_t size,
+                  const std::string& place) {
+  const std::string name = without_percents(uri);
+  if (name.empty() || name.find('\0') != std::string::npos) fail(place, "names no file");
+  std::shared_ptr<const StreamSource> source;
+  try {
+    source = std::make_shared<StreamSource>(std::filesystem::path(folder + "/" + name));
+  } catch (const Error& error) {
+    fail(place, "{}", error.what());
+  }
+  if (source->size() < size) fail(place, "{} holds {} bytes of {}", source->name(), source->size(), size);
+  return {source, 0, size};
+}
+
+}  // namespace
+
+std::string take_buffers(std::string& json, const std::string& place) {
+  std::string buffers, kept;
+  size_t copied = 0;
+  for (const Member& member : outermost_members(json, place)) {
+    if (member.name != "buffers" && member.name != "images") continue;
+    if (member.name == "buffers") buffers = json.substr(member.begin, member.end - member.begin);
+    kept.append(json, copied, member.begin - copied).append("[]");
+    copied = member.end;
+  }
+  json = kept.append(json, copied);
+  return buffers;
+}
+
+std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place) {
+  std::vector<std::string> names;
+  for (const Member& member : outermost_members(text, place)) {
+    if (member.name != "buffers" && member.name != "images") continue;
+    const auto value = text.begin() + static_cast<std::ptrdiff_t>(member.begin);
+    const auto list =
+        nlohmann::json::parse(value, text.begin() + static_cast<std::ptrdiff_t>(member.end), nullptr, false);
+    for (const auto& entry : list) {
+      const auto uri = entry.is_object() ? entry.find("uri") : entry.end();
+      if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
+      if (!tinygltf::IsDataURI(uri->get<std::string>()))
+        names.push_back(without_percents(uri->get<std::string>()));
+    }
+  }
+  return names;
+}
+
+std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string& folder,
+                                     const std::optional<GltfBuffer>& binary, const std::string& file_place) {
+  std::vector<GltfBuffer> buffers;
+  if (json.empty()) return buffers;
+  const auto list = nlohmann::json::parse(json);
+  if (!list.is_array()) fail(file_place, "\"buffers\" is no list");
+  for (const auto& entry : list) {
+    const std::string place = fmt::format("{}: buffer {}", file_place, buffers.size());
+    const auto length = entry.is_object() ? entry.find("byteLength") : entry.end();
+    if (!entry.is_object() || length == entry.end() || !length->is_number_unsigned())
+      fail(place, "has no length");
+    const auto size = length->get<uint64_t>();
+    const auto uri = entry.find("uri");
+    if (uri != entry.end() && !uri->is_string()) fail(place, "its URI is no text");
+    if (uri == entry.end()) {
+      if (!binary || !buffers.empty()) fail(place, "has neither an URI nor a chunk of its own");
+      if (size > binary->size) fail(place, "is longer than its chunk of {} bytes", binary->size);
+      buffers.push_back({binary->source, binary->offset, size});
+    } else if (tinygltf::IsDataURI(uri->get<std::string>())) {
+      buffers.push_back(from_data_uri(uri->get<std::string>(), size, place));
+    } else {
+      buffers.push_back(beside(folder, uri->get<std::string>(), size, place));
+    }
+  }
+  return buffers;
+}
+
+}  // namespace triptych

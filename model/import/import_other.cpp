@@ -1,0 +1,45 @@
+// Formats without a reader of ours: triptych-import makes a .glb of them.
+#include "model/import/converter.hpp"
+#include "model/import/import_file.hpp"
+#include "model/import/mesh_stream_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace triptych {
+
+namespace {
+
+/// What formats say of their axes and unit. triptych-import hands all of these over y up, and those with a
+/// unit in metres.
+struct Convention {
+  const char* extension;
+  bool unit;
+  std::optional<UpAxis> up;  ///< nothing: each file says it
+};
+
+constexpr std::array conventions = {
+    Convention{".dae", true, std::nullopt}, Convention{".zae", true, std::nullopt},
+    Convention{".fbx", true, std::nullopt}, Convention{".ifc", true, UpAxis::z},
+    Convention{".ifczip", true, UpAxis::z}, Convention{".step", true, UpAxis::z},
+    Convention{".stp", true, UpAxis::z},    Convention{".3ds", false, UpAxis::z},
+    Convention{".prj", false, UpAxis::z},   Convention{".dxf", false, UpAxis::z},
+    Convention{".ase", false, UpAxis::z},   Convention{".ask", false, UpAxis::z}};
+
+}  // namespace
+
+void import_other(FileImport& target) {
+  std::string extension = target.file().extension().string();
+  for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  for (const Convention& convention : conventions) {
+    if (extension != convention.extension) continue;
+    target.says_up(convention.up);
+    if (convention.unit) target.says_unit(std::nullopt);
+  }
+  Converted converted = convert_model(target.file(), target.options());
+  for (std::string& warning : converted.warnings) target.remark(std::move(warning));
+  import_gltf(target, std::move(converted.glb));
+}
+
+}  // namespace triptych

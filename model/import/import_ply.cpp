@@ -1,0 +1,278 @@
+// PLY, ASCII and binary of both byte orders, with elements and properties of any kind around vertices and
+// faces.
+#include "base/error.hpp"
+#include "model/import/import_file.hpp"
+#include "model/import/import_ply_header.hpp"
+#include "model/import/mesh_spool.hpp"
+#include "model/import/mesh_stream_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace triptych {
+
+namespace {
+
+/// Reads the values of records one after the other, whichever way they are written. Every type fits a double
+/// exactly.
+class PlyValues {
+ public:
+  PlyValues(ImportReader& reader, PlyEncoding encoding, std::string name)
+      : reader_(reader), encoding_(encoding), name_(std::move(name)) {}
+
+  /// In ASCII each record has its own line; empty lines are passed over.
+  void begin_record() {
+    if (encoding_ != PlyEncoding::ascii) return;
+    while (trimmed(line_).empty()) {
+      if (!reader_.next_line(line_)) fail(place(), "the file ends too soon");
+    }
+  }
+
+  void end_record() {
+    if (encoding_ != PlyEncoding::ascii) return;
+    if (!trimmed(line_).empty()) fail(place(), "more values than the element has properties");
+    line_ = {};
+  }
+
+  double read(PlyType type) {
+    if (encoding_ == PlyEncoding::ascii) {
+      const auto number = to_number(take_word(line_));
+      if (!number) fail(place(), "a number is missing");
+      return *number;
+    }
+    return load_scalar(reader_.read(scalar_bytes(type)).data(), type, encoding_ == PlyEncoding::big_endian);
+  }
+
+  /// A whole number from 0 to `limit`; anything else is an Error.
+  uint64_t read_index(PlyType type, uint64_t limit, const char* what) {
+    const double value = read(type);
+    if (!(value >= 0 && value <= static_cast<double>(limit)) || value != std::floor(value)) {
+      fail(place(), "{} is {}, and must be from 0 to {}", what, value, limit);
+    }
+    return static_cast<uint64_t>(value);
+  }
+
+  /// The length of a list, checked against what the file can still hold.
+  uint64_t read_length(const PlyProperty& property) {
+    const uint64_t smallest = encoding_ == PlyEncoding::ascii ? 1 : scalar_bytes(property.type);
+    const uint64_t left = encoding_ == PlyEncoding::ascii ? line_.size() : reader_.left();
+    const uint64_t length =
+        read_index(*property.count_type, std::numeric_limits<uint32_t>::max(), "a list's length");
+    if (length > left / smallest) {
+      fail(place(), "the {} ends within a list of {} values",
+           encoding_ == PlyEncoding::ascii ? "line" : "file", length);
+    }
+    return length;
+  }
+
+  void skip(const PlyProperty& property) {
+    const uint64_t count = property.count_type ? read_length(property) : 1;
+    for (uint64_t i = 0; i < count; ++i) read(property.type);
+  }
+
+  std::string place() const {
+    return encoding_ == PlyEncoding::ascii ? reader_.line_place()
+                                           : fmt::format("{}: byte {}", name_, reader_.offset());
+  }
+
+ private:
+  ImportReader& reader_;
+  PlyEncoding encoding_;
+  std::string name_;
+  std::string_view line_;
+};
+
+/// Which properties of a vertex hold x, y and z.
+std::array<size_t, 3> coordinates_of(const PlyElement& element, FileImport& target) {
+  std::array<size_t, 3> at;
+  for (size_t i = 0; i < 3; ++i) {
+    static constexpr std::array names = {"x", "y", "z"};
+    const auto found = element.find({names[i]});
+    if (!found || element.properties[*found].count_type)
+      fail(target.place(), "element \"vertex\" has no property \"{}\"", names[i]);
+    at[i] = *found;
+  }
+  if (element.count > std::numeric_limits<uint32_t>::max())
+    fail(target.place(), "more vertices than 32 bits can index");
+  if (element.find({"red", "green", "blue", "diffuse_red", "r"})) {
+    target.warn("vertices with a colour, which is not drawn yet", element.count);
+  }
+  return at;
+}
+
+size_t corner_list_of(const PlyElement& element, uint64_t vertex_count, const FileImport& target) {
+  const auto list = element.find({"vertex_indices", "vertex_index"});
+  if (!list || !element.properties[*list].count_type)
+    fail(target.place(), "element \"face\" has no list \"vertex_indices\"");
+  if (vertex_count == 0) fail(target.place(), "faces without vertices");
+  return *list;
+}
+
+void read_vertices(const PlyElement& element, PlyValues& values, FileImport& target, MeshSpool& spool) {
+  const std::array<size_t, 3> at = coordinates_of(element, target);
+  for (uint64_t i = 0; i < element.count; ++i) {
+    values.begin_record();
+    glm::dvec3 position{0};
+    for (size_t k = 0; k < element.properties.size(); ++k) {
+      const PlyProperty& property = element.properties[k];
+      if (property.count_type) {
+        values.skip(property);
+        continue;
+      }
+      const double value = values.read(property.type);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (k == at[static_cast<size_t>(axis)]) position[axis] = value;
+      }
+    }
+    values.end_record();
+    spool.add_vertex(position);
+  }
+}
+
+void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
+                MeshSpool& spool) {
+  if (element.count == 0) return;
+  const size_t list = corner_list_of(element, vertex_count, target);
+  std::vector<uint32_t> corners;
+  for (uint64_t i = 0; i < element.count; ++i) {
+    values.begin_record();
+    for (size_t k = 0; k < element.properties.size(); ++k) {
+      const PlyProperty& property = element.properties[k];
+      if (k != list) {
+        values.skip(property);
+        continue;
+      }
+      corners.resize(values.read_length(property));
+      for (uint32_t& corner : corners) {
+        corner = static_cast<uint32_t>(values.read_index(property.type, vertex_count - 1, "a face's vertex"));
+      }
+    }
+    values.end_record();
+    spool.add_face(corners, 0);
+  }
+}
+
+PositionTable vertex_table(const PlyElement& element, FileImport& target) {
+  PositionTable table{.source = nullptr, .fields = {}};
+  const std::array<size_t, 3> at = coordinates_of(element, target);
+  for (size_t k = 0; k < element.properties.size(); ++k) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      if (k == at[axis]) table.fields[axis] = {table.stride, element.properties[k].type};
+    }
+    table.stride += scalar_bytes(element.properties[k].type);
+  }
+  table.count = element.count;
+  return table;
+}
+
+/// Whether the file can be read in place: binary vertices of one length, whose offset is known, and faces
+/// whose offset is known.
+bool can_stream(const PlyHeader& header) {
+  if (header.encoding == PlyEncoding::ascii) return false;
+  bool offset_known = true, faces = false;
+  for (const PlyElement& element : header.elements) {
+    const auto record = element.record_bytes();
+    if (element.name == "vertex" && (!record || !offset_known || *record > PositionTable::longest_stride))
+      return false;
+    if (element.name == "face" && !offset_known) return false;
+    faces = faces || element.name == "face";
+    offset_known = offset_known && record;
+  }
+  return faces;
+}
+
+void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count, FileImport& target) {
+  const auto source = std::make_shared<StreamSource>(target.file());
+  PositionTable vertices;
+  FaceTable faces{.source = source, .element = {}, .material = {}, .end = source->size()};
+  for (const PlyElement& element : header.elements) {
+    const auto record = element.record_bytes();
+    if (element.name == "vertex") {
+      vertices = vertex_table(element, target);
+      vertices.offset = offset;
+    } else if (element.name == "face") {
+      faces.element = element;
+      faces.begin = offset;
+      faces.end_known = true;
+    } else {
+      target.warn(fmt::format("records of the element \"{}\" were skipped", element.name), element.count);
+      faces.end_known = faces.end_known && record;
+      if (faces.end_known) faces.end -= *record * element.count;
+    }
+    if (record) offset += *record * element.count;
+  }
+  faces.list = corner_list_of(faces.element, vertex_count, target);
+  vertices.source = source;
+  vertices.swapped = faces.swapped = header.encoding == PlyEncoding::big_endian;
+  vertices.check();
+  const auto stream = std::make_shared<FaceStream>(std::move(vertices), std::move(faces));
+  target.add_instance(target.add_stream(target.file().stem().string(), stream), Affine(1));
+}
+
+/// Normals, confidences and the like, which the model has no place for.
+void warn_of_unused(const PlyHeader& header, FileImport& target) {
+  static constexpr std::array used = {"x", "y", "z", "vertex_indices", "vertex_index"};
+  static constexpr std::array colours = {"red",   "green",       "blue",
+                                         "alpha", "diffuse_red", "r"};  // have a warning
+  for (const PlyElement& element : header.elements) {
+    if (element.name != "vertex" && element.name != "face") continue;
+    std::string names;
+    for (const PlyProperty& property : element.properties) {
+      const bool known = std::count(used.begin(), used.end(), property.name) > 0 ||
+                         std::count(colours.begin(), colours.end(), property.name) > 0;
+      if (!known && names.size() < 120) names += " " + property.name.substr(0, 40);
+    }
+    if (!names.empty())
+      target.remark(fmt::format("properties of \"{}\" are not used:{}", element.name, names));
+  }
+}
+
+uint64_t count_of(const PlyHeader& header, const std::string& name, const FileImport& target) {
+  uint64_t count = 0;
+  int found = 0;
+  for (const PlyElement& element : header.elements) {
+    if (element.name != name) continue;
+    count = element.count;
+    ++found;
+  }
+  if (found > 1) fail(target.place(), "has several elements \"{}\"", name);
+  return count;
+}
+
+}  // namespace
+
+void import_ply(FileImport& target) {
+  ImportReader reader(target.file());
+  const PlyHeader header = read_ply_header(reader);
+  if (count_of(header, "tristrips", target) > 0)
+    fail(target.place(), "holds triangle strips, which are not supported");
+  const uint64_t vertex_count = count_of(header, "vertex", target);
+  const uint64_t face_count = count_of(header, "face", target);
+  if (face_count == 0) fail(target.place(), "holds no triangles");
+  warn_of_unused(header, target);
+  if (can_stream(header) && target.should_stream(face_count))
+    return add_stream(header, reader.offset(), vertex_count, target);
+  PlyValues values(reader, header.encoding, target.place());
+  MeshSpool spool(target);
+  spool.begin_mesh(target.file().stem().string());
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") {
+      read_vertices(element, values, target, spool);
+    } else if (element.name == "face") {
+      read_faces(element, vertex_count, values, target, spool);
+    } else {
+      target.warn(fmt::format("records of the element \"{}\" were skipped", element.name), element.count);
+      for (uint64_t i = 0; i < element.count; ++i) {
+        values.begin_record();
+        for (const PlyProperty& property : element.properties) values.skip(property);
+        values.end_record();
+      }
+    }
+  }
+  if (header.encoding != PlyEncoding::ascii)
+    target.warn("bytes after the last element were skipped", reader.left());
+  spool.finish();
+}
+
+}  // namespace triptych

@@ -1,0 +1,147 @@
+#include "model/import/mesh_spool.hpp"
+
+#include "base/descriptor.hpp"
+#include "base/error.hpp"
+#include "base/unnamed_file.hpp"
+#include "model/import/mesh_stream_faces.hpp"
+#include "model/import/triangulate.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <unistd.h>
+
+namespace triptych {
+
+namespace {
+constexpr size_t block_bytes = size_t{1} << 20;
+constexpr uint64_t most_in_memory = uint64_t{1} << 18;
+}  // namespace
+
+ByteSpool::~ByteSpool() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void ByteSpool::append(std::span<const std::byte> bytes) {
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  if (descriptor_ >= 0 && buffer_.size() >= block_bytes) flush();
+}
+
+void ByteSpool::move_to_file(const std::filesystem::path& folder) {
+  name_ = folder.empty() ? "the folder for temporary files" : folder.string();
+  descriptor_ = open_unnamed_file(folder);
+  flush();
+}
+
+void ByteSpool::flush() {
+  write_all(descriptor_, buffer_, name_ + ": a temporary file");
+  written_ += buffer_.size();
+  buffer_.clear();
+  if (buffer_.capacity() > 4 * block_bytes) buffer_.shrink_to_fit();
+}
+
+std::shared_ptr<const StreamSource> ByteSpool::take_file(const std::string& name) {
+  flush();
+  const int descriptor = std::exchange(descriptor_, -1);
+  return std::make_shared<StreamSource>(name, descriptor);
+}
+
+void MeshSpool::add_vertex(const glm::dvec3& position) {
+  if (vertex_count() == std::numeric_limits<uint32_t>::max())
+    fail(target_.place(), "more vertices than 32 bits can index");
+  vertices_.append(std::as_bytes(std::span(&position, 1)));
+  grow_beyond(vertex_count());
+}
+
+void MeshSpool::begin_mesh(std::string name) {
+  if (parts_.empty() || parts_.back().faces > 0) parts_.push_back({{}, faces_.size()});
+  parts_.back().name = std::move(name);
+}
+
+void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material) {
+  if (corners.size() < 3) return target_.warn("faces with fewer than three corners were skipped");
+  if (parts_.empty()) begin_mesh("");
+  const std::array<uint32_t, 2> head = {material, static_cast<uint32_t>(corners.size())};
+  faces_.append(std::as_bytes(std::span(head)));
+  faces_.append(std::as_bytes(corners));
+  ++parts_.back().faces;
+  parts_.back().end = faces_.size();
+  triangles_ += corners.size() - 2;
+  grow_beyond(triangles_);
+}
+
+void MeshSpool::grow_beyond(uint64_t triangles_or_vertices) {
+  if (in_file_ || triangles_or_vertices <= std::min(most_in_memory, target_.memory_left())) return;
+  in_file_ = true;
+  vertices_.move_to_file(target_.options().temporary_folder);
+  faces_.move_to_file(target_.options().temporary_folder);
+}
+
+void MeshSpool::finish() {
+  if (!parts_.empty() && parts_.back().faces == 0) parts_.pop_back();
+  if (in_file_) {
+    place_streams();
+  } else {
+    place_in_memory();
+  }
+}
+
+/// Each mesh gets the vertices that it uses.
+void MeshSpool::place_in_memory() {
+  std::vector<glm::dvec3> positions(vertex_count()), corners;
+  if (!positions.empty()) std::memcpy(positions.data(), vertices_.bytes().data(), vertices_.bytes().size());
+  std::vector<uint32_t> local(positions.size()), owner(positions.size(), 0), face;
+  std::vector<std::array<uint32_t, 3>> cut;
+  uint32_t number = 0;
+  for (Part& part : parts_) {
+    ++number;
+    Mesh mesh{.name = std::move(part.name), .positions = {}, .triangles = {}};
+    for (auto bytes = faces_.bytes().subspan(part.begin, part.end - part.begin); !bytes.empty();) {
+      std::array<uint32_t, 2> head;
+      std::memcpy(head.data(), bytes.data(), sizeof(head));
+      face.resize(head[1]);
+      std::memcpy(face.data(), bytes.data() + sizeof(head), face.size() * sizeof(uint32_t));
+      bytes = bytes.subspan(sizeof(head) + face.size() * sizeof(uint32_t));
+      corners.clear();
+      for (uint32_t& vertex : face) {
+        corners.push_back(positions[vertex]);
+        if (owner[vertex] != number) {
+          owner[vertex] = number;
+          local[vertex] = static_cast<uint32_t>(mesh.positions.size());
+          mesh.positions.push_back(positions[vertex]);
+        }
+        vertex = local[vertex];
+      }
+      triangulate(corners, cut);
+      target_.warn(fan_warning, corners.size() > most_clipped_corners);
+      for (const auto& [a, b, c] : cut) mesh.triangles.push_back({{face[a], face[b], face[c]}, head[0]});
+    }
+    if (const auto added = target_.add_mesh(std::move(mesh))) target_.add_instance(*added, Affine(1));
+  }
+}
+
+void MeshSpool::place_streams() {
+  const PositionTable vertices{
+      .source = vertices_.take_file(target_.place()),
+      .count = vertex_count(),
+      .stride = sizeof(glm::dvec3),
+      .fields = {{{0, ScalarType::float64}, {8, ScalarType::float64}, {16, ScalarType::float64}}}};
+  const auto faces = faces_.take_file(target_.place());
+  for (Part& part : parts_) {
+    FaceTable table{.source = faces,
+                    .element = {"face",
+                                part.faces,
+                                {{"material", ScalarType::uint32, std::nullopt},
+                                 {"corners", ScalarType::uint32, ScalarType::uint32}}},
+                    .list = 1,
+                    .material = 0,
+                    .begin = part.begin,
+                    .end = part.end,
+                    .end_known = true};
+    const auto stream = std::make_shared<FaceStream>(vertices, std::move(table));
+    target_.add_instance(target_.add_stream(std::move(part.name), stream), Affine(1));
+  }
+}
+
+}  // namespace triptych

@@ -1,0 +1,148 @@
+#include "model/import/mesh_stream_faces.hpp"
+
+#include "model/import/mesh_stream_batch.hpp"
+#include "model/import/triangulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace triptych {
+
+namespace {
+
+/// What the file's length says of the corners, if it says anything: a face of n corners is n − 2 triangles.
+uint64_t promised_triangles(const FaceTable& faces) {
+  uint64_t fixed = 0;
+  for (size_t k = 0; k < faces.element.properties.size(); ++k) {
+    const PlyProperty& property = faces.element.properties[k];
+    if (property.count_type && k != faces.list) return faces.element.count;
+    fixed += scalar_bytes(property.count_type.value_or(property.type));
+  }
+  const uint64_t item = scalar_bytes(faces.element.properties[faces.list].type);
+  const uint64_t count = faces.element.count;
+  if (!faces.end_known || count > (faces.end - faces.begin) / (fixed + item)) return count;
+  const uint64_t items = (faces.end - faces.begin - count * fixed) / item;
+  return std::max(count, items - std::min(items, 2 * count));
+}
+
+/// Reads the faces one after the other.
+class FaceReader {
+ public:
+  FaceReader(const PositionTable& vertices, const FaceTable& faces, TriangleBatch& batch)
+      : faces_(faces),
+        positions_(vertices),
+        window_(faces.source, faces.begin, faces.end),
+        batch_(batch),
+        type_(faces.element.properties[faces.list].type) {}
+
+  void run() {
+    const auto& properties = faces_.element.properties;
+    for (uint64_t i = 0; i < faces_.element.count; ++i) {
+      for (size_t k = 0; k < properties.size(); ++k) {
+        if (!properties[k].count_type) {
+          const std::byte* bytes = window_.take(scalar_bytes(properties[k].type));
+          if (k == faces_.material) std::memcpy(&material_, bytes, sizeof(material_));
+        } else if (k == faces_.list) {
+          read_corners(read_length(properties[k]));
+        } else {
+          window_.skip(read_length(properties[k]) * scalar_bytes(properties[k].type));
+        }
+      }
+    }
+  }
+
+  uint64_t skipped() const { return skipped_; }
+  uint64_t fans() const { return fans_; }
+  uint64_t left() const { return window_.left(); }
+
+ private:
+  uint64_t read_length(const PlyProperty& property) {
+    const std::byte* bytes = window_.take(scalar_bytes(*property.count_type));
+    const double length = *property.count_type == ScalarType::uint8
+                              ? std::to_integer<uint8_t>(*bytes)
+                              : load_scalar(bytes, *property.count_type, faces_.swapped);
+    const uint64_t most = window_.left() / scalar_bytes(property.type);
+    if (!(length >= 0)) fail(window_.place(), "a list's length is {}", length);
+    if (length > static_cast<double>(most))
+      fail(window_.place(), "the file ends within a list of {} values", length);
+    return static_cast<uint64_t>(length);
+  }
+
+  uint32_t vertex(const std::byte* bytes) {
+    if (type_ == ScalarType::int32 || type_ == ScalarType::uint32) {
+      uint32_t index = 0;  // a negative one is beyond 2^31, and read with its sign below
+      std::memcpy(&index, bytes, sizeof(index));
+      if (faces_.swapped) index = __builtin_bswap32(index);
+      if (index < positions_.count() && (type_ == ScalarType::uint32 || index < uint32_t{1} << 31))
+        return index;
+    }
+    const double value = load_scalar(bytes, type_, faces_.swapped);
+    if (!(value >= 0 && value < static_cast<double>(positions_.count())) || value != std::floor(value)) {
+      fail(window_.place(), "a face's vertex is {}, and must be from 0 to {}", value, positions_.count() - 1);
+    }
+    return static_cast<uint32_t>(value);
+  }
+
+  void read_corners(uint64_t count) {
+    const size_t item = scalar_bytes(type_);
+    if (count > most_clipped_corners) return read_fan(count);
+    const std::byte* bytes = window_.take(count * item);
+    corners_.resize(count);
+    for (uint64_t i = 0; i < count; ++i) corners_[i] = positions_.at(vertex(bytes + i * item));
+    if (count == 3) return batch_.add(corners_[0], corners_[1], corners_[2], material_);
+    skipped_ += count < 3;
+    triangulate(corners_, triangles_);
+    for (const auto& [a, b, c] : triangles_) batch_.add(corners_[a], corners_[b], corners_[c], material_);
+  }
+
+  /// A face of any number of corners, none of which is kept.
+  void read_fan(uint64_t count) {
+    ++fans_;
+    const size_t item = scalar_bytes(type_);
+    const glm::dvec3 first = positions_.at(vertex(window_.take(item)));
+    glm::dvec3 before = positions_.at(vertex(window_.take(item)));
+    for (uint64_t i = 2; i < count; ++i) {
+      const glm::dvec3 corner = positions_.at(vertex(window_.take(item)));
+      batch_.add(first, before, corner, material_);
+      before = corner;
+    }
+  }
+
+  const FaceTable& faces_;
+  PositionCache positions_;
+  SourceWindow window_;
+  TriangleBatch& batch_;
+  ScalarType type_;
+  uint32_t material_ = 0;
+  std::vector<glm::dvec3> corners_;
+  std::vector<std::array<uint32_t, 3>> triangles_;
+  uint64_t skipped_ = 0, fans_ = 0;
+};
+
+}  // namespace
+
+FaceStream::FaceStream(PositionTable vertices, FaceTable faces)
+    : vertices_(std::move(vertices)), faces_(std::move(faces)), triangle_count_(promised_triangles(faces_)) {}
+
+uint64_t FaceStream::read(const TakeTriangles& take) const {
+  TriangleBatch batch(take);
+  FaceReader reader(vertices_, faces_, batch);
+  reader.run();
+  const uint64_t dropped = batch.finish();
+  dropped_ = dropped;
+  skipped_faces_ = reader.skipped();
+  fans_ = reader.fans();
+  trailing_bytes_ = faces_.end_known ? reader.left() : 0;
+  return dropped;
+}
+
+std::vector<std::string> FaceStream::warnings() const {
+  return counted_warnings(faces_.source->name(),
+                          {{dropped_, not_finite_warning},
+                           {skipped_faces_, "faces with fewer than three corners were skipped"},
+                           {fans_, fan_warning},
+                           {trailing_bytes_, "bytes after the last element were skipped"}});
+}
+
+}  // namespace triptych

@@ -1,0 +1,38 @@
+// Faces of any number of corners, in binary records with a list each, as a stream: PLY files, and our own
+// temporary ones.
+#pragma once
+
+#include "model/import/import_ply_header.hpp"
+#include "model/mesh_stream.hpp"
+
+#include <atomic>
+
+namespace triptych {
+
+/// Where the faces are in their file, and how they are written.
+struct FaceTable {
+  std::shared_ptr<const StreamSource> source;
+  PlyElement element;
+  size_t list = 0;                 ///< the property that holds the corners
+  std::optional<size_t> material;  ///< the property that holds the model's material, an uint32
+  uint64_t begin = 0, end = 0;     ///< bytes; the last face may end before
+  bool end_known = false;          ///< the last face should end there
+  bool swapped = false;            ///< in the other byte order
+};
+
+class FaceStream : public MeshStream {
+ public:
+  FaceStream(PositionTable vertices, FaceTable faces);
+
+  uint64_t triangle_count() const override { return triangle_count_; }
+  uint64_t read(const TakeTriangles& take) const override;
+  std::vector<std::string> warnings() const override;
+
+ private:
+  PositionTable vertices_;
+  FaceTable faces_;
+  uint64_t triangle_count_;
+  mutable std::atomic<uint64_t> dropped_{0}, skipped_faces_{0}, fans_{0}, trailing_bytes_{0};
+};
+
+}  // namespace triptych

@@ -1,0 +1,97 @@
+// Positions of a vertex table in a file, at random, through a cache of decoded blocks.
+#pragma once
+
+#include "model/import/mesh_stream_source.hpp"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace triptych {
+
+enum class ScalarType : uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+constexpr size_t scalar_bytes(ScalarType type) {
+  constexpr std::array<size_t, 8> sizes = {1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[static_cast<size_t>(type)];
+}
+
+/// The value at a place, which need not be aligned. Every type fits a double exactly. Normalized integers
+/// stand for −1..1 or 0..1.
+double load_scalar(const std::byte* bytes, ScalarType type, bool swapped, bool normalized = false);
+
+/// Records of one length, one a vertex, with three scalars somewhere in each.
+struct PositionTable {
+  struct Field {
+    size_t at;  ///< byte within the record
+    ScalarType type;
+  };
+  /// Records longer than this do not stream.
+  static constexpr size_t longest_stride = 8192;
+
+  std::shared_ptr<const StreamSource> source;
+  uint64_t offset = 0, count = 0;
+  size_t stride = 0;
+  std::array<Field, 3> fields{};
+  bool swapped = false;     ///< in the other byte order
+  bool normalized = false;  ///< integers stand for −1..1 or 0..1
+
+  /// Bytes from the first record's first to the last record's last that is used.
+  uint64_t bytes() const;
+  /// Error (name) unless every record lies within the source.
+  void check() const;
+};
+
+/// Reads positions by their number. Caches of all threads together hold what limit_all() lets them: each
+/// takes blocks as long as there are any, 1.5 MiB in any case, then reuses its own. Vertices in the order of
+/// their use, as scans have them, are read sequentially. For one thread.
+class PositionCache {
+ public:
+  explicit PositionCache(const PositionTable& table);
+  /// For the rest of the process, or until the next call.
+  static void limit_all(uint64_t bytes);
+  ~PositionCache();
+  PositionCache(const PositionCache&) = delete;
+  PositionCache& operator=(const PositionCache&) = delete;
+
+  uint64_t count() const { return table_.count; }
+  /// index < count()
+  glm::dvec3 at(uint64_t index) {
+    const uint64_t block = index / block_positions;
+    const Recent& recent = recent_[block % recent_.size()];
+    const glm::dvec3* positions = recent.block == block ? recent.positions : find(block);
+    return positions[index % block_positions];
+  }
+
+ private:
+  static constexpr uint64_t block_positions = 256, no_block = ~uint64_t{0};
+  static constexpr size_t block_bytes = block_positions * sizeof(glm::dvec3);
+  /// Blocks that were found last: most look-ups end here.
+  struct Recent {
+    uint64_t block = no_block;
+    const glm::dvec3* positions = nullptr;
+  };
+  struct Slot {
+    uint64_t block = no_block;
+    bool used = false;  ///< since the hand passed
+    glm::dvec3* positions = nullptr;
+  };
+  const glm::dvec3* find(uint64_t block);
+  size_t free_slot();
+  glm::dvec3* new_block();
+  void read(uint64_t block, glm::dvec3* positions);
+
+  PositionTable table_;
+  SourceReader reader_;
+  std::array<Recent, 1024> recent_;
+  std::unordered_map<uint64_t, size_t> slot_of_;
+  std::vector<Slot> slots_;
+  std::vector<void*> slabs_;  ///< of the kernel's, so that all goes back when the cache goes
+  size_t hand_ = 0;
+  std::vector<std::byte> raw_;
+};
+
+}  // namespace triptych

@@ -1,0 +1,37 @@
+#include "model/import/stored_mesh.hpp"
+
+#include "base/bytes.hpp"
+#include "model/read_mesh.hpp"
+
+namespace triptych {
+
+StoredMesh::StoredMesh(std::shared_ptr<SpoolFile> file, const Mesh& mesh)
+    : vertices_(mesh.positions.size()), triangles_(mesh.triangles.size()) {
+  ByteWriter writer;
+  writer.write_all(std::span<const glm::dvec3>(mesh.positions));
+  writer.write_all(std::span<const Triangle>(mesh.triangles));
+  place_ = file->append(writer.bytes());
+  file_ = std::move(file);
+}
+
+std::shared_ptr<const Mesh> StoredMesh::load() const {
+  const std::vector<std::byte> bytes = file_->read(place_);
+  ByteReader reader(bytes, file_->path().string());
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions = reader.read_all<glm::dvec3>(vertices_);
+  mesh->triangles = reader.read_all<Triangle>(triangles_);
+  return mesh;
+}
+
+uint64_t StoredMesh::read(const TakeTriangles& take) const { return read_mesh(*load(), take); }
+
+uint64_t held_triangles(const Mesh& mesh) {
+  const auto* stored = dynamic_cast<const StoredMesh*>(mesh.stream.get());
+  return stored ? stored->triangle_count() : mesh.triangles.size();
+}
+
+uint64_t held_bytes(const Mesh& mesh) {
+  return mesh.positions.capacity() * sizeof(glm::dvec3) + mesh.triangles.capacity() * sizeof(Triangle);
+}
+
+}  // namespace triptych

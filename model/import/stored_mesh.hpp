@@ -1,0 +1,33 @@
+// Meshes that were read and are not held: they wait in a temporary file, vertices and all.
+#pragma once
+
+#include "base/spool_file.hpp"
+#include "model/model.hpp"
+
+#include <memory>
+
+namespace triptych {
+
+/// A mesh in a spool file, which may hold others too. Read, it is what it was in memory.
+class StoredMesh : public MeshStream {
+ public:
+  /// Appends the mesh to the file.
+  StoredMesh(std::shared_ptr<SpoolFile> file, const Mesh& mesh);
+
+  uint64_t triangle_count() const override { return triangles_; }
+  uint64_t read(const TakeTriangles& take) const override;
+  std::shared_ptr<const Mesh> load() const override;
+
+ private:
+  std::shared_ptr<const SpoolFile> file_;
+  uint64_t vertices_, triangles_;
+  SpoolPlace place_;  ///< positions, then triangles
+};
+
+/// Triangles of a mesh that is held in memory, or stored; 0 for those that stay in the model's file.
+uint64_t held_triangles(const Mesh& mesh);
+
+/// What a mesh takes in memory.
+uint64_t held_bytes(const Mesh& mesh);
+
+}  // namespace triptych

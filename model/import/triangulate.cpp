@@ -1,0 +1,156 @@
+#include "model/import/triangulate.hpp"
+
+#include "model/import/import_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace triptych {
+
+namespace {
+
+/// Twice the signed area.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool holds(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& point) {
+  return turn(a, b, point) >= 0 && turn(b, c, point) >= 0 && turn(c, a, point) >= 0;
+}
+
+/// The corners on the face's best plane, about its first corner, scaled to at most 1; counter-clockwise.
+/// Empty where there is no such plane.
+std::vector<glm::dvec2> on_best_plane(std::span<const glm::dvec3> corners) {
+  double size = 0;
+  for (const glm::dvec3& corner : corners) {
+    if (!is_usable(corner)) return {};
+    const glm::dvec3 from_first = glm::abs(corner - corners[0]);
+    size = std::max({size, from_first.x, from_first.y, from_first.z});
+  }
+  if (!(size > 0)) return {};
+  const auto scaled = [&](size_t i) { return (corners[i] - corners[0]) / size; };
+  glm::dvec3 normal{0};  // Newell's: the sum of the fan's
+  for (size_t i = 2; i < corners.size(); ++i) normal += glm::cross(scaled(i - 1), scaled(i));
+  const double length = glm::length(normal);
+  if (!(length > 0)) return {};
+  normal /= length;
+  const glm::dvec3 sizes = glm::abs(normal);
+  const glm::dvec3 other = sizes.x <= sizes.y && sizes.x <= sizes.z ? glm::dvec3(1, 0, 0)
+                           : sizes.y <= sizes.z                     ? glm::dvec3(0, 1, 0)
+                                                                    : glm::dvec3(0, 0, 1);
+  const glm::dvec3 u = glm::normalize(glm::cross(other, normal)), v = glm::cross(normal, u);
+  std::vector<glm::dvec2> points;
+  points.reserve(corners.size());
+  for (size_t i = 0; i < corners.size(); ++i)
+    points.emplace_back(glm::dot(scaled(i), u), glm::dot(scaled(i), v));
+  return points;
+}
+
+class EarClipping {
+ public:
+  EarClipping(std::vector<glm::dvec2> points, std::vector<std::array<uint32_t, 3>>& triangles)
+      : points_(std::move(points)), triangles_(triangles) {
+    const auto count = static_cast<uint32_t>(points_.size());
+    for (uint32_t i = 0; i < count; ++i) links_.push_back({(i + count - 1) % count, (i + 1) % count});
+    for (uint32_t i = 0; i < count; ++i) {
+      if (is_reflex(i)) reflex_.push_back(i);
+    }
+  }
+
+  /// Whether the fan of the first corner covers the face.
+  bool is_convex() const {
+    if (!reflex_.empty()) return false;
+    // An outline may turn left all the way and go round twice.
+    for (size_t i = 2; i < points_.size(); ++i) {
+      if (turn(points_[0], points_[i - 1], points_[i]) < 0) return false;
+    }
+    return true;
+  }
+
+  void run() {
+    size_t left = points_.size(), since_last_ear = 0;
+    uint32_t at = 1;
+    while (left > 3 && since_last_ear <= left) {
+      if (!is_ear(at)) {
+        at = links_[at].next;
+        ++since_last_ear;
+        continue;
+      }
+      const uint32_t before = links_[at].before, after = links_[at].next;
+      triangles_.push_back({before, at, after});
+      links_[before].next = after;
+      links_[after].before = before;
+      // An ear's neighbours only ever get more convex.
+      std::erase_if(reflex_, [&](uint32_t corner) {
+        return (corner == before || corner == after || corner == at) && (corner == at || !is_reflex(corner));
+      });
+      --left;
+      since_last_ear = 0;
+      at = links_[after].next;  // not its neighbour at once: fewer slivers
+    }
+    const uint32_t first = links_[at].before;  // what is left is a triangle, or has no ear
+    for (uint32_t corner = at; links_[corner].next != first; corner = links_[corner].next) {
+      triangles_.push_back({first, corner, links_[corner].next});
+    }
+  }
+
+ private:
+  struct Link {
+    uint32_t before, next;
+  };
+  bool is_reflex(uint32_t corner) const {
+    return turn(points_[links_[corner].before], points_[corner], points_[links_[corner].next]) <= 0;
+  }
+  bool is_ear(uint32_t corner) const {
+    const uint32_t before = links_[corner].before, after = links_[corner].next;
+    const glm::dvec2 &a = points_[before], &b = points_[corner], &c = points_[after];
+    if (turn(a, b, c) <= 0) return false;
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](uint32_t other) {
+      // Corners that touch an end of the ear's base belong to a bridge between outline and hole.
+      return other != before && other != after && points_[other] != a && points_[other] != c &&
+             points_[other] != b && holds(a, b, c, points_[other]);
+    });
+  }
+
+  std::vector<glm::dvec2> points_;
+  std::vector<std::array<uint32_t, 3>>& triangles_;
+  std::vector<Link> links_;
+  std::vector<uint32_t> reflex_;  ///< corners that are not convex; only they can lie in an ear
+};
+
+/// Cuts along the diagonal that leaves two triangles which face the same way; along the first corner's where
+/// both do or neither.
+std::array<std::array<uint32_t, 3>, 2> cut_quad(std::span<const glm::dvec3> corners) {
+  const glm::dvec3 normal = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
+  const auto faces_out = [&](size_t a, size_t b, size_t c) {
+    return glm::dot(glm::cross(corners[b] - corners[a], corners[c] - corners[a]), normal) > 0;
+  };
+  const bool second = !(faces_out(0, 1, 2) && faces_out(0, 2, 3)) && faces_out(0, 1, 3) && faces_out(1, 2, 3);
+  if (second) return {{{0, 1, 3}, {1, 2, 3}}};
+  return {{{0, 1, 2}, {0, 2, 3}}};
+}
+
+}  // namespace
+
+void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<uint32_t, 3>>& triangles) {
+  triangles.clear();
+  if (corners.size() < 3) return;
+  const auto count = static_cast<uint32_t>(corners.size());
+  if (count == 4) {
+    const auto halves = cut_quad(corners);
+    triangles.assign(halves.begin(), halves.end());
+    return;
+  }
+  if (count > 4 && count <= most_clipped_corners) {
+    std::vector<glm::dvec2> points = on_best_plane(corners);
+    if (!points.empty()) {
+      EarClipping clipping(std::move(points), triangles);
+      if (!clipping.is_convex()) return clipping.run();
+    }
+  }
+  for (uint32_t i = 2; i < count; ++i) triangles.push_back({0, i - 1, i});
+}
+
+}  // namespace triptych

@@ -1,0 +1,64 @@
+// What the user gave us: meshes, instances of them, materials. Positions and transforms keep their doubles.
+#pragma once
+
+#include "model/mesh_stream.hpp"
+#include "scene/affine.hpp"
+#include "scene/import_report.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct Material {
+  /// Linear factor as the file gives it, red, green, blue, alpha in 0..1.
+  glm::vec4 base_color{0.8f, 0.8f, 0.8f, 1};
+  bool operator==(const Material&) const = default;
+};
+
+/// A triangle of a mesh: three vertex indices and the index of its material.
+struct Triangle {
+  std::array<uint32_t, 3> vertices;
+  uint32_t material;
+  bool operator==(const Triangle&) const = default;
+};
+
+/// Triangles in mesh space; any triangles: soups, non-manifold, degenerate. Coordinates are finite, indices
+/// in range. The geometry is in memory (positions and triangles), or in its file (stream, and both empty).
+struct Mesh {
+  std::string name;
+  std::vector<glm::dvec3> positions;
+  std::vector<Triangle> triangles;
+  std::shared_ptr<const MeshStream> stream = nullptr;  ///< null: in memory
+
+  /// Of a stream: as MeshStream::triangle_count.
+  uint64_t triangle_count() const;
+};
+
+/// One placement of a mesh in the model.
+struct Instance {
+  uint32_t mesh = 0;
+  Affine transform{1};
+};
+
+struct Model {
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;  ///< at least one
+  std::vector<Instance> instances;
+  /// What was or will be read: the model files, and the buffers and material libraries that they name. What
+  /// triptych-import opens beside a file is not among them.
+  std::vector<std::filesystem::path> files;
+  ImportReport report;
+
+  std::string name() const;           ///< of its first file, for errors
+  uint64_t source_triangles() const;  ///< unique: each mesh once
+  uint64_t placed_triangles() const;  ///< each mesh as often as it is placed
+};
+
+}  // namespace triptych

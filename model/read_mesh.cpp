@@ -1,0 +1,26 @@
+#include "model/read_mesh.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace triptych {
+
+uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take) {
+  if (mesh.stream) return mesh.stream->read(take);
+  constexpr size_t batch = 4096;
+  std::vector<CornerTriangle> triangles;
+  triangles.reserve(std::min(batch, mesh.triangles.size()));
+  for (const Triangle& triangle : mesh.triangles) {
+    triangles.push_back({{mesh.positions[triangle.vertices[0]], mesh.positions[triangle.vertices[1]],
+                          mesh.positions[triangle.vertices[2]]},
+                         triangle.material});
+    if (triangles.size() == batch) {
+      take(triangles);
+      triangles.clear();
+    }
+  }
+  if (!triangles.empty()) take(triangles);
+  return 0;
+}
+
+}  // namespace triptych

@@ -1,0 +1,67 @@
+// From a model to a pack: weld, partition-cluster-partition, hierarchy, LODs, HLODs.
+#pragma once
+
+#include "model/model.hpp"
+#include "preprocess/hierarchy.hpp"
+#include "scene/skeleton.hpp"
+#include "simplify/simplify.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct BuildOptions {
+  /// Triangles of a part of a mesh after the first partition, at most; smaller parts cull better and cost
+  /// more draws.
+  uint32_t part_triangles = 4096;
+  /// Placed triangles of a leaf of the hierarchy, roughly.
+  uint32_t leaf_triangles = 4096;
+  /// A mesh of more triangles is not held in memory: its triangles are sorted by place into files of about so
+  /// many.
+  uint32_t bucket_triangles = 1u << 18;
+  /// Triangles of an inner scene node's coarsest drawable, roughly.
+  uint32_t hlod_triangles = 32;
+  HierarchyKind hierarchy = HierarchyKind::partition_cluster_partition;
+  /// Whether what is mostly air becomes several chunks with a box each; the plain median split has objects as
+  /// they are.
+  bool in_pieces() const { return hierarchy == HierarchyKind::partition_cluster_partition; }
+  /// Simplifier and kind of bound; the other limits are the build's own.
+  SimplifyLimits simplify = {};
+  /// Off: every placement is geometry of its own.
+  bool share_instances = true;
+  /// The resident size to aim at, bytes: it sets how much geometry is worked on at a time. What is known
+  /// about the parts grows with the model whatever it is. The result does not depend on it.
+  uint64_t memory = uint64_t{1} << 30;
+  /// Of the input and of all options that change the result: a build that was killed goes on where it was if
+  /// this is the same. Empty: it starts again.
+  std::string fingerprint = {};
+};
+
+/// Triangles of one unit of work, all threads together.
+inline uint64_t unit_triangles(const BuildOptions& options) {
+  return std::clamp<uint64_t>(options.memory >> 10, 1u << 16, 1u << 20);
+}
+
+struct BuildStage {
+  std::string name;
+  double seconds = 0;
+};
+
+struct BuildReport {
+  std::vector<BuildStage> stages;
+  uint64_t source_triangles = 0, placed_triangles = 0, drawables = 0, pack_bytes = 0;
+  uint32_t levels = 0;         ///< of the hierarchy: the longest way from its root to a leaf
+  uint64_t resumed_units = 0;  ///< units of work that an earlier, killed build had done
+  ImportReport import;
+};
+
+/// Builds the pack; it appears under its name only when it is whole. The same model gives the same bytes for
+/// any number of threads, and whether or not the build was killed and resumed. What does not fit in memory
+/// lies in the folder `FILE.work` while the build runs. Error for a model without a triangle.
+BuildReport build_pack(Model model, const BuildOptions& options, const std::filesystem::path& file);
+
+}  // namespace triptych

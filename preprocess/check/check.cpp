@@ -1,0 +1,158 @@
+#include "preprocess/check/check.hpp"
+
+#include "base/error.hpp"
+#include "base/progress.hpp"
+#include "base/rounding.hpp"
+#include "base/threads.hpp"
+#include "preprocess/check/check_distances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+
+namespace triptych {
+
+namespace {
+
+class Checking {
+ public:
+  Checking(const Pack& pack, const CheckOptions& options)
+      : pack_(pack), skeleton_(pack.skeleton()), options_(options) {}
+
+  CheckReport run() {
+    check_nested_boxes();
+    check_errors();
+    check_chunks();
+    check_distances();
+    return std::move(report_);
+  }
+
+ private:
+  template <typename... Arguments>
+  void violation(uint64_t& count, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    ++count;
+    if (report_.messages.size() < options_.messages) {
+      report_.messages.push_back(pack_.name() + ": " +
+                                 fmt::format(format, std::forward<Arguments>(arguments)...));
+    }
+  }
+
+  void check_nested_boxes() {
+    for (size_t i = 1; i < skeleton_.scene_nodes.size(); ++i) {
+      const SceneNode& node = skeleton_.scene_nodes[i];
+      if (skeleton_.scene_nodes[node.parent].box.contains(node.box)) continue;
+      violation(report_.box_violations, "scene node {}: its box leaves that of its parent {}", i,
+                node.parent);
+    }
+  }
+
+  /// Errors must not shrink from a drawable to the next coarser one, nor from a scene node's coarsest to its
+  /// parent's finest.
+  void check_errors() {
+    const auto& nodes = skeleton_.scene_nodes;
+    std::vector<double> below(nodes.size(), 0);  // the largest error that any child ends with
+    for (size_t i = nodes.size(); i-- > 0;) {
+      double last = below[i];
+      for (uint32_t k = 0; k < nodes[i].drawable_count; ++k) {
+        const DrawableId id = nodes[i].first_drawable + k;
+        const double error = skeleton_.drawables[id].error;
+        if (error < last) {
+          violation(report_.monotonicity_violations,
+                    "drawable {}: error {} is less than {}, that of a finer one", id, error, last);
+        }
+        last = std::max(last, error);
+      }
+      if (i > 0) below[nodes[i].parent] = std::max(below[nodes[i].parent], last);
+    }
+  }
+
+  /// Reads every chunk once and follows it through all its placements.
+  void check_chunks() {
+    std::vector<std::vector<std::pair<DrawableId, uint32_t>>> users(
+        skeleton_.chunks.size());  // drawable, transform
+    for (DrawableId id = 0; id < skeleton_.drawables.size(); ++id) {
+      const Drawable& drawable = skeleton_.drawables[id];
+      for (uint32_t i = 0; i < drawable.placement_count; ++i) {
+        const Placement& placement = skeleton_.placements[drawable.first_placement + i];
+        users[placement.chunk].emplace_back(id, placement.transform);
+      }
+    }
+    std::vector<std::string> damage(users.size());
+    std::vector<std::vector<DrawableId>> outside(users.size());
+    Progress progress("check: chunks", users.size());
+    parallel_for(users.size(), [&](size_t i) {
+      try {
+        const Chunk chunk = pack_.read_chunk(static_cast<uint32_t>(i));
+        for (const auto& [id, transform] : users[i]) {
+          if (leaves_box(chunk, skeleton_.lattices[skeleton_.chunks[i].lattice], id, transform))
+            outside[i].push_back(id);
+        }
+      } catch (const Error& error) {
+        damage[i] = error.what();
+      }
+      progress.advance();
+    });
+    for (size_t i = 0; i < users.size(); ++i) {
+      if (!damage[i].empty()) {
+        ++report_.checksum_errors;
+        if (report_.messages.size() < options_.messages) report_.messages.push_back(damage[i]);
+      }
+      for (const DrawableId id : outside[i]) {
+        violation(report_.box_violations, "drawable {}: chunk {} leaves the box of scene node {}", id, i,
+                  skeleton_.drawables[id].scene_node);
+      }
+    }
+  }
+
+  bool leaves_box(const Chunk& chunk, const Lattice& lattice, DrawableId id, uint32_t transform_index) const {
+    const Box box = skeleton_.lattice().box(skeleton_.scene_nodes[skeleton_.drawables[id].scene_node].box);
+    const Affine& transform = skeleton_.transforms[transform_index];
+    return std::any_of(chunk.vertices.begin(), chunk.vertices.end(), [&](const ChunkVertex& vertex) {
+      const glm::dvec3 position = transform * glm::dvec4(lattice.position(vertex.point), 1);
+      return !box.contains(Box{position, position});
+    });
+  }
+
+  void check_distances();
+
+  const Pack& pack_;
+  const Skeleton& skeleton_;
+  const CheckOptions& options_;
+  CheckReport report_;
+};
+
+void Checking::check_distances() {
+  const auto& drawables = skeleton_.drawables;
+  const std::vector<double> measured = measured_distances(pack_, options_.points);
+  const Box model = skeleton_.lattice().box(skeleton_.scene_nodes[0].box);
+  const glm::dvec3 furthest = glm::max(glm::abs(model.lo), glm::abs(model.hi));
+  const double tolerance =
+      64 * std::numeric_limits<double>::epsilon() * std::max({furthest.x, furthest.y, furthest.z});
+  std::vector<double> ratios;
+  for (DrawableId id = 0; id < drawables.size(); ++id) {
+    const double error = drawables[id].error;
+    if (std::isnan(measured[id])) {
+      ++report_.drawables_not_checked;
+      continue;
+    }
+    ++report_.drawables_checked;
+    if (measured[id] > error * (1 + 1e-6) + tolerance) {
+      violation(report_.bound_violations,
+                "drawable {} of scene node {}: is {} from its source, and promises {}", id,
+                drawables[id].scene_node, measured[id], error);
+    }
+    if (!is_source(skeleton_, id) && measured[id] > skeleton_.lattice().rounding())
+      ratios.push_back(error / measured[id]);
+  }
+  report_.bound_over_measured = distribution(ratios);
+}
+
+}  // namespace
+
+CheckReport check_pack(const Pack& pack, const CheckOptions& options) {
+  return round_to_nearest([&] { return Checking(pack, options).run(); });
+}
+
+}  // namespace triptych

@@ -1,0 +1,15 @@
+// Chunks as the bytes of a pack; scene/chunk.hpp reads them back.
+#pragma once
+
+#include "scene/chunk.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace triptych {
+
+/// Reorders for the vertex cache and compresses with meshoptimizer's codecs (Arseny Kapoulkine). Degenerate
+/// triangles stay. The chunk must hold at least one triangle, indices in range.
+std::vector<std::byte> encode_chunk(const Chunk& chunk);
+
+}  // namespace triptych

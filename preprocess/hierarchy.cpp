@@ -1,0 +1,110 @@
+#include "preprocess/hierarchy.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+
+using Range = std::span<uint32_t>;
+
+class Splitter {
+ public:
+  explicit Splitter(std::span<const ObjectExtent> objects) : objects_(objects) {
+    for (const auto& [box, triangles] : objects) centers_.push_back((box.lo + box.hi) * 0.5);
+  }
+
+  /// At the median along the longest axis of the centres.
+  std::vector<Range> halves(Range range) const {
+    Box centers;
+    for (const uint32_t object : range) centers.extend(centers_[object]);
+    const glm::dvec3 size = centers.hi - centers.lo;
+    sort(range, size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2);
+    return {range.first(range.size() / 2), range.subspan(range.size() / 2)};
+  }
+
+  /// At the median along the axis, and for odd counts on the side, where the expected cost is least.
+  std::vector<Range> small_halves(Range range) const {
+    const size_t middle = range.size() / 2;
+    std::pair<int, size_t> best{0, middle};  // axis, and how many come first
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      sort(range, axis);
+      for (size_t first = middle; first <= range.size() - middle; ++first) {
+        const double cost = cost_of(range.first(first)) + cost_of(range.subspan(first));
+        if (cost < least) {
+          least = cost;
+          best = {axis, first};
+        }
+      }
+    }
+    sort(range, best.first);
+    return {range.first(best.second), range.subspan(best.second)};
+  }
+
+ private:
+  double cost_of(Range range) const {
+    Box box;
+    double triangles = 0;
+    for (const uint32_t object : range) {
+      box.extend(objects_[object].box);
+      triangles += static_cast<double>(objects_[object].triangles);
+    }
+    return expected_cost(box, static_cast<double>(range.size()), triangles);
+  }
+  void sort(Range range, int axis) const {
+    std::sort(range.begin(), range.end(), [&](uint32_t a, uint32_t b) {
+      return centers_[a][axis] != centers_[b][axis] ? centers_[a][axis] < centers_[b][axis] : a < b;
+    });
+  }
+
+  std::span<const ObjectExtent> objects_;
+  std::vector<glm::dvec3> centers_;
+};
+
+/// Up to four ranges: the halves of the halves.
+std::vector<Range> quarters(const Splitter& splitter, Range range) {
+  std::vector<Range> quarters;
+  for (const Range half : splitter.small_halves(range)) {
+    if (half.size() < 2) {
+      quarters.push_back(half);
+    } else {
+      for (const Range quarter : splitter.small_halves(half)) quarters.push_back(quarter);
+    }
+  }
+  return quarters;
+}
+
+}  // namespace
+
+std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects, HierarchyKind kind) {
+  const Splitter splitter(objects);
+  std::vector<uint32_t> order(objects.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::vector<HierarchyNode> nodes(1);
+  std::vector<Range> ranges = {order};
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const Range range = ranges[i];
+    nodes[i].first_place = static_cast<uint32_t>(range.data() - order.data());
+    nodes[i].end_place = nodes[i].first_place + static_cast<uint32_t>(range.size());
+    if (range.size() == 1) {
+      nodes[i].object = range[0];
+      continue;
+    }
+    nodes[i].first_child = static_cast<uint32_t>(nodes.size());
+    const std::vector<Range> children =
+        kind == HierarchyKind::median_split ? splitter.halves(range) : quarters(splitter, range);
+    for (const Range child : children) {
+      HierarchyNode& node = nodes.emplace_back();
+      node.parent = static_cast<uint32_t>(i);
+      ranges.push_back(child);
+    }
+    nodes[i].child_count = static_cast<uint32_t>(nodes.size()) - nodes[i].first_child;
+  }
+  return nodes;
+}
+
+}  // namespace triptych

@@ -1,0 +1,37 @@
+// The AABB hierarchy over the final objects, top-down (section 2.2 of Manocha 2003, step 4).
+#pragma once
+
+#include "preprocess/object_extent.hpp"
+#include "scene/skeleton.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// How objects become leaves, and leaves a tree.
+enum class HierarchyKind {
+  partition_cluster_partition,
+  median_split,  ///< the original objects, cut at the median along the longest axis: for comparison
+};
+
+struct HierarchyNode {
+  SceneNodeId parent = no_id;
+  SceneNodeId first_child = 0;
+  uint32_t child_count = 0;  ///< 0 for a leaf, 2 to 4 otherwise
+  uint32_t object = no_id;   ///< of a leaf: the index of its object
+  /// The leaves below hold these places in the order of a depth-first walk: first_place up to, not including,
+  /// end_place.
+  uint32_t first_place = 0, end_place = 0;
+};
+
+/// Nodes breadth first: a parent before its children, the children of one parent side by side. Ranges are cut
+/// at the median of their boxes' centres, so that the tree is balanced whatever the boxes are, along the axis
+/// that gives the halves the least expected cost. Two levels of cuts make one of
+/// up to four children. With HierarchyKind::median_split each cut is along the longest axis and makes a
+/// level. At least one object must be given; one gives a root that is a leaf.
+std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects,
+                                           HierarchyKind kind = HierarchyKind::partition_cluster_partition);
+
+}  // namespace triptych

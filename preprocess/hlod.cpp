@@ -1,0 +1,111 @@
+#include "preprocess/hlod.hpp"
+
+#include "base/inject.hpp"
+#include "preprocess/part.hpp"
+#include "simplify/simplify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace triptych {
+
+uint32_t Baker::place(const glm::ivec3& point, const LeafSpan& span) {
+  auto& points = baked_.surface.points;
+  const auto [found, inserted] = points_.try_emplace(point, static_cast<uint32_t>(points.size()));
+  if (inserted) {
+    points.push_back(point);
+    baked_.spans.push_back(span);
+  } else {
+    baked_.spans[found->second].extend(span);
+  }
+  return found->second;
+}
+
+void Baker::add_triangle(const Triangle& triangle) {
+  std::array<uint32_t, 3> turned = triangle.vertices;
+  std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+  if (triangles_.insert(turned).second) baked_.surface.triangles.push_back(triangle);
+}
+
+void Baker::add(const Surface& surface, std::span<const LeafSpan> spans) {
+  std::vector<uint32_t> placed;
+  for (size_t i = 0; i < surface.points.size(); ++i) placed.push_back(place(surface.points[i], spans[i]));
+  for (Triangle triangle : surface.triangles) {
+    for (uint32_t& vertex : triangle.vertices) vertex = placed[vertex];
+    add_triangle(triangle);
+  }
+}
+
+void Baker::add(const Surface& surface, const Lattice& from, const Affine& transform,
+                std::span<const LeafSpan> spans) {
+  moved_ = std::max(moved_, std::sqrt(3.0) / 2 * (1 + 1e-9));
+  std::vector<glm::ivec3> points;
+  for (const glm::ivec3& point : surface.points) {
+    points.push_back(lattice_.nearest(transform * glm::dvec4(from.position(point), 1)));
+  }
+  const bool mirrors = glm::determinant(glm::dmat3(transform)) < 0 && !injected(Fault::unflipped_mirror);
+  for (Triangle triangle : surface.triangles) {
+    if (mirrors) std::swap(triangle.vertices[1], triangle.vertices[2]);
+    std::array<glm::ivec3, 3> corners;
+    for (size_t i = 0; i < 3; ++i) corners[i] = points[triangle.vertices[i]];
+    if (degenerate(corners[0], corners[1], corners[2])) {
+      corners = with_area(corners);
+      moved_ = std::max(moved_, std::sqrt(3.0) / 2 + 1 + 1e-9);
+    }
+    for (size_t i = 0; i < 3; ++i) triangle.vertices[i] = place(corners[i], spans[triangle.vertices[i]]);
+    add_triangle(triangle);
+  }
+}
+
+Baked Baker::finish(double error) {
+  baked_.error = error + moved_ * lattice_.step;
+  return std::move(baked_);
+}
+
+SpoolPlace store(SpoolFile& file, const Baked& baked) {
+  ByteWriter writer;
+  writer.write(baked.error);
+  write_surface(writer, baked.surface);
+  writer.write_all(std::span<const LeafSpan>(baked.spans));
+  return file.append(writer.bytes());
+}
+
+Baked load_baked(const SpoolFile& file, const SpoolPlace& place) {
+  const std::vector<std::byte> bytes = file.read(place);
+  ByteReader reader(bytes, file.path().string());
+  Baked baked;
+  baked.error = reader.read<double>();
+  baked.surface = read_surface(reader);
+  baked.spans = reader.read_all<LeafSpan>(baked.surface.points.size());
+  return baked;
+}
+
+Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
+               uint32_t triangles, const SimplifyLimits& how, bool in_pieces) {
+  std::vector<uint8_t> locked;
+  for (const LeafSpan& span : children.spans)
+    locked.push_back(span.first < first_place || span.last >= end_place);
+  Hlod hlod;
+  SimplifyLimits limits = how;
+  limits.triangles = triangles;
+  limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
+  Chain chain = simplify(children.surface, locked, limits);
+  hlod.stuck = chain.stuck && chain.levels.empty();
+  for (const Level& level : chain.levels) {
+    hlod.drawables.push_back(
+        {encode(level.piece.surface, in_pieces), children.error + level.bound * lattice.step});
+  }
+  if (chain.levels.empty()) {
+    hlod.drawables.push_back({encode(children.surface, in_pieces), children.error});
+    hlod.coarsest = std::move(children);
+  } else {
+    Piece& piece = chain.levels.back().piece;
+    for (const uint32_t source : piece.sources) hlod.coarsest.spans.push_back(children.spans[source]);
+    hlod.coarsest.surface = std::move(piece.surface);
+    hlod.coarsest.error = hlod.drawables.back().error;
+  }
+  return hlod;
+}
+
+}  // namespace triptych

@@ -1,0 +1,82 @@
+// Hierarchical LODs: the geometry of a whole subtree, simplified, bottom-up (Erikson, Manocha and Baxter,
+// HLODs for faster display of large static and dynamic environments, 2001).
+#pragma once
+
+#include "base/spool_file.hpp"
+#include "preprocess/pieces.hpp"
+#include "scene/lattice.hpp"
+#include "simplify/key_hash.hpp"
+#include "simplify/simplify.hpp"
+#include "simplify/surface.hpp"
+
+#include <cstdint>
+#include <span>
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
+#include <vector>
+
+namespace triptych {
+
+/// Places of the leaves that a point of a border belongs to: the first and the last; empty for a point that
+/// is on no border. Objects that only touch are no borders of each other: they may part, as far as the bound
+/// lets them.
+struct LeafSpan {
+  uint32_t first = 0xffffffffu, last = 0;
+  void extend(const LeafSpan& other) {
+    first = first < other.first ? first : other.first;
+    last = last > other.last ? last : other.last;
+  }
+};
+
+/// Geometry of a subtree on the model's lattice.
+struct Baked {
+  Surface surface;
+  std::vector<LeafSpan> spans;  ///< for each point
+  double error = 0;             ///< proven bound of the two-sided distance to the source, model units
+};
+
+SpoolPlace store(SpoolFile& file, const Baked& baked);
+Baked load_baked(const SpoolFile& file, const SpoolPlace& place);
+
+/// Collects surfaces into one: equal points meet, equal triangles are one.
+class Baker {
+ public:
+  explicit Baker(const Lattice& lattice) : lattice_(lattice) {}
+  /// Geometry that is on the model's lattice already.
+  void add(const Surface& surface, std::span<const LeafSpan> spans);
+  /// Geometry on the lattice of its mesh, under a transform: each position is rounded to the model's lattice.
+  /// Where that leaves a triangle without area, its corners move by one more step: nothing is lost.
+  void add(const Surface& surface, const Lattice& from, const Affine& transform,
+           std::span<const LeafSpan> spans);
+  /// What was collected. `error`: the bound of what was added; how far it moved is added to it.
+  Baked finish(double error);
+
+ private:
+  uint32_t place(const glm::ivec3& point, const LeafSpan& span);
+  void add_triangle(const Triangle& triangle);
+
+  const Lattice& lattice_;
+  Baked baked_;
+  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> points_;
+  tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual> triangles_;
+  double moved_ = 0;  ///< lattice steps
+};
+
+struct HlodDrawable {
+  EncodedChunk chunk;
+  double error = 0;
+};
+
+struct Hlod {
+  std::vector<HlodDrawable> drawables;  ///< finest first
+  Baked coarsest;
+  bool stuck = false;  ///< still as many triangles as its children have, and more than wanted
+};
+
+/// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.
+/// `how`: simplifier and kind of bound. `in_pieces`: what is mostly air has boxes for its pieces. Points of
+/// borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of levels.
+Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
+               uint32_t triangles, const SimplifyLimits& how, bool in_pieces);
+
+}  // namespace triptych

@@ -1,0 +1,111 @@
+#include "preprocess/objects.hpp"
+
+#include "preprocess/cluster.hpp"
+#include "preprocess/partition.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+
+/// The middle of the values, each weighed by its triangles.
+double weighted_median(std::vector<std::pair<double, uint64_t>> values) {
+  std::sort(values.begin(), values.end());
+  uint64_t total = 0, below = 0;
+  for (const auto& value : values) total += value.second;
+  for (const auto& [value, weight] : values) {
+    below += weight;
+    if (2 * below >= total) return value;
+  }
+  return 0;
+}
+
+/// How large a place is that holds `leaf_triangles`, as a rule: by splitting all parts evenly, whatever their
+/// extent. A few vast objects, such as the ground that a building stands on, do not change it; the model's
+/// box would.
+double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triangles) {
+  std::vector<uint32_t> all(extents.size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<std::pair<double, uint64_t>> places, parts;
+  for (const auto& group : partition_objects(extents, all, leaf_triangles)) {
+    Box centers;
+    uint64_t triangles = 0;
+    for (const uint32_t index : group) {
+      centers.extend((extents[index].box.lo + extents[index].box.hi) * 0.5);
+      triangles += extents[index].triangles;
+    }
+    places.push_back({diagonal(centers), triangles});
+  }
+  for (const ObjectExtent& extent : extents) parts.push_back({diagonal(extent.box), extent.triangles});
+  return std::max(weighted_median(std::move(places)), 2 * weighted_median(std::move(parts)));
+}
+
+/// Placed parts come instance by instance.
+Objects original_objects(const Parts& parts, std::span<const ObjectExtent> extents) {
+  Objects objects;
+  for (uint32_t i = 0; i < extents.size(); ++i) {
+    if (i == 0 || parts.placed[i].instance != parts.placed[i - 1].instance) {
+      objects.members.emplace_back();
+      objects.extents.emplace_back();
+    }
+    objects.members.back().push_back(i);
+    objects.extents.back().box.extend(extents[i].box);
+    objects.extents.back().triangles += extents[i].triangles;
+  }
+  const uint64_t count = objects.members.size();
+  objects.counts = {count, count, count, count};
+  return objects;
+}
+
+}  // namespace
+
+Objects make_objects(const Parts& parts, const BuildOptions& options) {
+  std::vector<ObjectExtent> extents(parts.placed.size());
+  for (size_t i = 0; i < extents.size(); ++i) {
+    extents[i].box = parts.lattices[0].box(parts.boxes[i]);
+    extents[i].triangles = parts.parts[parts.placed[i].part].triangles;
+  }
+  if (options.hierarchy == HierarchyKind::median_split) return original_objects(parts, extents);
+
+  std::vector<uint32_t> small;
+  std::vector<ObjectExtent> small_extents;
+  std::vector<std::vector<uint32_t>> clusters;
+  for (uint32_t i = 0; i < extents.size(); ++i) {
+    if (extents[i].triangles <= options.leaf_triangles / 2) {
+      small.push_back(i);
+      small_extents.push_back(extents[i]);
+    } else {
+      clusters.push_back({i});
+    }
+  }
+  // Clusters may grow beyond a leaf's size, as their shapes ask; the second partition evens them out.
+  ClusterLimits limits;
+  limits.triangles = uint64_t{options.leaf_triangles} * 2;
+  limits.scale = even_diagonal(extents, options.leaf_triangles) / 16;
+  for (const auto& cluster : cluster_objects(small_extents, limits)) {
+    auto& members = clusters.emplace_back();
+    for (const uint32_t index : cluster) members.push_back(small[index]);
+  }
+  std::sort(clusters.begin(), clusters.end());
+
+  Objects objects;
+  for (const auto& cluster : clusters) {
+    auto pieces = partition_objects(extents, cluster, options.leaf_triangles);
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(objects.members));
+  }
+  for (const auto& members : objects.members) {
+    ObjectExtent& extent = objects.extents.emplace_back();
+    for (const uint32_t member : members) {
+      extent.box.extend(extents[member].box);
+      extent.triangles += extents[member].triangles;
+    }
+  }
+  objects.counts = {parts.instances, parts.placed.size(), clusters.size(), objects.members.size()};
+  return objects;
+}
+
+}  // namespace triptych

@@ -1,0 +1,107 @@
+#include "preprocess/pack_writer.hpp"
+
+#include "base/hashing.hpp"
+#include "base/unnamed_file.hpp"
+#include "preprocess/encode_chunk.hpp"
+#include "scene/pack_format.hpp"
+#include "scene/pack_skeleton.hpp"
+
+#include <array>
+#include <cstring>
+#include <fstream>
+
+namespace triptych {
+
+namespace {
+
+void write_unfinished_header(AtomicFile& file) {
+  const PackHeader unfinished{.signature = {}};
+  file.write(std::as_bytes(std::span(&unfinished, 1)));
+}
+
+/// Takes back what a process wrote that was killed before its pack had its name. Where that fails the file
+/// cannot be gone on with either, and whoever tries says so.
+const std::filesystem::path& without_header(const std::filesystem::path& partial, uint64_t kept) {
+  const PackHeader unfinished{.signature = {}};
+  if (kept >= sizeof(PackHeader)) {
+    std::fstream file(partial, std::ios::in | std::ios::out | std::ios::binary);
+    file.write(reinterpret_cast<const char*>(&unfinished), sizeof(unfinished));
+  }
+  return partial;
+}
+
+}  // namespace
+
+EncodedChunk::EncodedChunk(const Chunk& chunk)
+    : bytes(encode_chunk(chunk)),
+      triangles(static_cast<uint32_t>(chunk.triangle_count())),
+      box(chunk.box()),
+      pieces(chunk.pieces()) {
+  // The codec drops vertices that no triangle uses, so the bytes say how many there are.
+  std::memcpy(&vertices, bytes.data(), sizeof(vertices));
+}
+
+PackWriter::PackWriter(const std::filesystem::path& file)
+    : file_(file),
+      pieces_(file.string() + ": a temporary file", open_unnamed_file(file.parent_path() / ".")) {
+  write_unfinished_header(file_);
+}
+
+PackWriter::PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept)
+    : file_(file, without_header(partial, kept.pack.size), kept.pack),
+      pieces_(std::filesystem::path(partial) += ".pieces", kept.pieces) {
+  if (kept.pack.size == 0) write_unfinished_header(file_);
+}
+
+PackWriter::Kept PackWriter::flush() { return {file_.flush(), pieces_.kept()}; }
+
+uint32_t PackWriter::add_chunk(const Chunk& chunk, uint32_t lattice) {
+  return add_chunk(EncodedChunk(chunk), lattice);
+}
+
+uint32_t PackWriter::add_chunk(const EncodedChunk& chunk, uint32_t lattice) {
+  chunks_.push_back({.offset = file_.size() - sizeof(PackHeader),
+                     .size = chunk.bytes.size(),
+                     .checksum = hash_bytes(chunk.bytes),
+                     .vertex_count = chunk.vertices,
+                     .triangle_count = chunk.triangles,
+                     .lattice = lattice,
+                     .first_piece = static_cast<uint32_t>(pieces_.size() / sizeof(LatticeBox)),
+                     .box = chunk.box});
+  if (!chunk.pieces.empty()) pieces_.append(std::as_bytes(std::span(chunk.pieces)));
+  file_.write(chunk.bytes);
+  return static_cast<uint32_t>(chunks_.size() - 1);
+}
+
+void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
+  chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
+}
+
+void PackWriter::finish(Skeleton skeleton) {
+  skeleton.chunks = std::move(chunks_);
+  const uint64_t geometry_end = file_.size();
+  StreamHash hash;
+  const auto write = [&](std::span<const std::byte> bytes) {
+    hash.add(bytes);
+    file_.write(bytes);
+  };
+  write_skeleton(skeleton, pieces_.size() / sizeof(LatticeBox), write);
+  pieces_.read_all(write);
+  const std::array<PackSection, 2> table = {PackSection{.type = geometry_type,
+                                                        .offset = sizeof(PackHeader),
+                                                        .size = geometry_end - sizeof(PackHeader),
+                                                        .checksum = geometry_checksum(skeleton.chunks)},
+                                            PackSection{.type = skeleton_type,
+                                                        .offset = geometry_end,
+                                                        .size = file_.size() - geometry_end,
+                                                        .checksum = hash.checksum()}};
+  const auto table_bytes = std::as_bytes(std::span(table));
+  const PackHeader header{.section_count = static_cast<uint32_t>(table.size()),
+                          .table_offset = file_.size(),
+                          .table_checksum = hash_bytes(table_bytes, pack_format_version)};
+  file_.write(table_bytes);
+  file_.write_at(0, std::as_bytes(std::span(&header, 1)));
+  file_.commit();
+}
+
+}  // namespace triptych

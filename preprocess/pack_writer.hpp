@@ -1,0 +1,57 @@
+// Packs are written here, chunk by chunk, and read in scene/pack.hpp.
+#pragma once
+
+#include "base/file.hpp"
+#include "base/spool_file.hpp"
+#include "scene/chunk.hpp"
+#include "scene/skeleton.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// A chunk that waits for its turn to be written: threads encode, one writes in a fixed order.
+struct EncodedChunk {
+  explicit EncodedChunk(const Chunk& chunk);
+
+  std::vector<std::byte> bytes;
+  uint32_t vertices = 0, triangles = 0;
+  LatticeBox box;
+  std::vector<LatticeBox> pieces;  ///< Chunk::pieces()
+};
+
+/// Writes chunks as they come, then the skeleton; the file appears under its name with finish() and not
+/// before.
+class PackWriter {
+ public:
+  explicit PackWriter(const std::filesystem::path& file);
+  /// What an earlier process had written when it was last sure of it; nothing for new files.
+  struct Kept {
+    KeptBytes pack, pieces;
+  };
+  /// Writes under the name `partial` until then, and boxes of pieces to a file `partial`.pieces, which the
+  /// caller removes. Chunks that are kept are taken over with adopt().
+  PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept);
+  /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are
+  /// taken down.
+  uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
+  /// Appends a chunk that was encoded already; for builds on many threads.
+  uint32_t add_chunk(const EncodedChunk& chunk, uint32_t lattice);
+  /// Takes over the chunks that come next.
+  void adopt(std::span<const ChunkInfo> chunks);
+  const std::vector<ChunkInfo>& chunks() const { return chunks_; }
+  /// What was added survives the end of the process. Returns what another one can keep.
+  Kept flush();
+  /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place.
+  void finish(Skeleton skeleton);
+
+ private:
+  AtomicFile file_;
+  std::vector<ChunkInfo> chunks_;
+  SpoolFile pieces_;  ///< LatticeBoxes: of large models too many to be held
+};
+
+}  // namespace triptych

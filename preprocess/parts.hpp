@@ -1,0 +1,47 @@
+// From the model to its parts: welded, on their lattices, partitioned once a mesh, placed as often as the
+// mesh is. The geometry lies in a spool file; what is here fits in memory.
+#pragma once
+
+#include "model/model.hpp"
+#include "preprocess/build_work.hpp"
+#include "preprocess/part.hpp"
+#include "preprocess/plan.hpp"
+#include "scene/lattice.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace triptych {
+
+/// What is known of a part without its geometry.
+struct PartInfo {
+  SpoolPlace place;
+  uint32_t lattice = 0, triangles = 0;
+  uint32_t borders = 0;  ///< how many border points it has
+  uint32_t moved = 0;    ///< steps by which points of it may have been moved, so that nothing vanishes
+};
+
+/// A part under one of its mesh's placements.
+struct PlacedPart {
+  uint32_t part = 0, transform = 0, instance = 0;
+};
+
+struct Parts {
+  std::vector<PartInfo> parts;
+  std::vector<PlacedPart> placed;       ///< by instance
+  std::vector<LatticeBox> boxes;        ///< of each placed part, on the model's lattice
+  std::vector<uint32_t> border_counts;  ///< for each instance how many border points its mesh has
+  std::vector<Affine> transforms;       ///< 0: the identity
+  std::vector<double> stretches;        ///< for each transform its largest singular value
+  std::vector<Lattice> lattices;        ///< 0: the model's
+  std::vector<std::array<uint8_t, 4>> palette;
+  uint64_t instances = 0;  ///< that were placed
+};
+
+/// Divides all meshes, in units of `work`. What is dropped is added to the report. Error for a model of which
+/// nothing is left.
+Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options, BuildWork& work,
+                 ImportReport& report);
+
+}  // namespace triptych

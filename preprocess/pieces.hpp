@@ -1,0 +1,27 @@
+// Surfaces whose box is mostly air, such as pipes that cross in a hall, in pieces whose boxes fit.
+#pragma once
+
+#include "preprocess/pack_writer.hpp"
+#include "simplify/surface.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace triptych {
+
+/// A surface is never in more pieces than this.
+constexpr size_t most_pieces = 32;
+static_assert(most_pieces <= most_chunk_pieces);
+
+/// For each triangle which piece it is in, numbered as they first come; nothing if the surface is better
+/// tested by one box. Connected components, large ones cut like partition_triangles(), are joined bottom-up,
+/// each time the two that raise the area of all boxes the least, while that costs less than another box, or
+/// there are more than `most_pieces` (agglomerative clustering as in Walter, Bala, Kulkarni and Pingali, Fast
+/// agglomerative clustering for rendering, 2008).
+std::vector<uint8_t> fitting_pieces(const Surface& surface);
+
+/// The surface as a chunk, in pieces where they fit it better if `in_pieces`.
+EncodedChunk encode(const Surface& surface, bool in_pieces);
+
+}  // namespace triptych

@@ -1,0 +1,36 @@
+#include "preprocess/to_lattice.hpp"
+
+#include "scene/skeleton.hpp"
+#include "simplify/surface.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+bool has_area(const CornerTriangle& triangle, const glm::dmat3& linear) {
+  const auto& [a, b, c] = triangle.corners;
+  return glm::cross(linear * (b - a), linear * (c - a)) != glm::dvec3(0);
+}
+}  // namespace
+
+ToLattice::ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors)
+    : transform_(transform),
+      lattice_(lattice),
+      colors_(colors),
+      mirrors_(glm::determinant(glm::dmat3(transform)) < 0) {}
+
+LatticeTriangle ToLattice::operator()(const CornerTriangle& triangle) const {
+  LatticeTriangle result;
+  for (size_t i = 0; i < 3; ++i)
+    result.corners[i] = lattice_.nearest(transform_ * glm::dvec4(triangle.corners[i], 1));
+  if (mirrors_) std::swap(result.corners[1], result.corners[2]);
+  const auto& [a, b, c] = result.corners;
+  result.color =
+      degenerate(a, b, c) && !has_area(triangle, glm::dmat3(transform_)) ? no_id : colors_[triangle.material];
+  return result;
+}
+
+}  // namespace triptych

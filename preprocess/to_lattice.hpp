@@ -1,0 +1,37 @@
+// The triangles of a mesh on a lattice.
+#pragma once
+
+#include "model/mesh_stream.hpp"
+#include "scene/affine.hpp"
+#include "scene/lattice.hpp"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+namespace triptych {
+
+/// A triangle by its corners on a lattice. The colour is an index into the palette; no_id if the triangle has
+/// no area, neither on the lattice nor where it comes from.
+struct LatticeTriangle {
+  std::array<glm::ivec3, 3> corners;
+  uint32_t color;
+  bool operator==(const LatticeTriangle&) const = default;
+};
+
+/// How triangles come to a lattice: transformed, rounded, turned round where the transform mirrors.
+class ToLattice {
+ public:
+  /// `colors` gives the palette index of each material; it must outlive this.
+  ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors);
+  LatticeTriangle operator()(const CornerTriangle& triangle) const;
+
+ private:
+  Affine transform_;
+  Lattice lattice_;
+  std::span<const uint32_t> colors_;
+  bool mirrors_;
+};
+
+}  // namespace triptych

@@ -1,0 +1,101 @@
+#include "report/html.hpp"
+
+#include <fmt/core.h>
+
+namespace triptych {
+
+std::string escape_html(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string grouped(double value, int decimals) {
+  const std::string plain = fmt::format("{:.{}f}", value, decimals);
+  const size_t start = plain.front() == '-' ? 1 : 0;
+  const size_t end = plain.find('.') == std::string::npos ? plain.size() : plain.find('.');
+  std::string text = plain.substr(0, start);
+  for (size_t i = start; i < plain.size(); ++i) {
+    if (i > start && i < end && (end - i) % 3 == 0) text += "\u202f";
+    text += plain[i];
+  }
+  return text;
+}
+
+std::string to_html(const HtmlTable& table) {
+  std::string html = "<div class=\"wide\"><table>\n<thead><tr>";
+  for (const std::string& cell : table.head) html += "<th>" + cell + "</th>";
+  html += "</tr></thead>\n<tbody>\n";
+  for (const std::vector<std::string>& row : table.rows) {
+    html += "<tr>";
+    for (size_t i = 0; i < row.size(); ++i)
+      html += i == 0 ? "<th>" + row[i] + "</th>" : "<td>" + row[i] + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+namespace {
+constexpr const char* style = R"css(
+:root { color-scheme: light dark; --page: #fcfcfb; --ink: #1b1d21; --quiet: #62666e; --rule: #dfe0e3; --panel: #f3f3f1;
+  --one: #2563b8; --two: #c2560c; --three: #287d4d; --bad: #b3261e; }
+@media (prefers-color-scheme: dark) { :root { --page: #16181b; --ink: #e6e7e9; --quiet: #9ba0a8; --rule: #33363b;
+  --panel: #1f2226; --one: #74a9f5; --two: #f0985a; --three: #6cc592; --bad: #ff8a80; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.2rem 4rem; background: var(--page); color: var(--ink);
+  font: 16px/1.55 system-ui, "DejaVu Sans", sans-serif; }
+h1 { font-size: 1.7rem; line-height: 1.2; margin: 0 0 .6rem; }
+h2 { font-size: 1.15rem; margin: 2.6rem 0 .6rem; padding-top: .8rem; border-top: 1px solid var(--rule); }
+p { max-width: 46rem; margin: .5rem 0; }
+.wide { overflow-x: auto; margin: .6rem 0; }
+table { border-collapse: collapse; width: 100%; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--rule); text-align: right; vertical-align: top; }
+th:first-child { text-align: left; padding-left: 0; }
+th { font-weight: 500; } thead th { color: var(--quiet); font-weight: 400; vertical-align: bottom; }
+.met { color: var(--three); font-weight: 600; }
+.missed { color: var(--bad); font-weight: 600; }
+.from, figcaption, .quiet { color: var(--quiet); font-size: .82rem; }
+.from { max-width: none; } code { font: .95em ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
+.from code { display: block; background: var(--panel); padding: .25rem .5rem; margin: .2rem 0; border-radius: 3px; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(15rem, 44vw), 1fr)); gap: 1rem; }
+figure { margin: 1rem 0; } .pictures figure { margin: 0; }
+img { width: 100%; height: auto; display: block; background: var(--panel); border-radius: 3px; }
+.chart { overflow-x: auto; } svg { width: 100%; min-width: 34rem; max-width: 50rem; height: auto; display: block; }
+svg polyline, svg line { fill: none; stroke-width: 1.6; stroke-linejoin: round; }
+svg .grid { stroke: var(--rule); stroke-width: 1; } svg .label { fill: var(--quiet); font-size: 12px; }
+.end { text-anchor: end; } .middle { text-anchor: middle; }
+.series-1 { stroke: var(--one); } .series-2 { stroke: var(--two); } .series-3 { stroke: var(--three); }
+ol { padding-left: 1.4rem; font-size: .85rem; } li { margin: .4rem 0; }
+)css";
+}  // namespace
+
+std::string html_page(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n"
+      "</head>\n<body>\n{}</body>\n</html>\n",
+      escape_html(title), style, body);
+}
+
+}  // namespace triptych

@@ -1,0 +1,109 @@
+#include "report/report.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "scene/known_keys.hpp"
+
+namespace triptych {
+
+using nlohmann::json;
+
+namespace {
+
+json read_json(const std::filesystem::path& file) {
+  json document;
+  try {
+    document = json::parse(read_text_file(file));
+  } catch (const json::exception& error) {
+    fail(file.string(), "is no JSON: {}", error.what());
+  }
+  if (!document.is_object()) fail(file.string(), "holds no JSON object");
+  return document;
+}
+
+std::string member(const json& object, const char* key, const std::string& place) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  if (!object.is_object() || found == object.end() || !found->is_string())
+    fail(place, "lacks the text \"{}\"", key);
+  return found->get<std::string>();
+}
+
+/// The array of that name; an empty one where there is none.
+json list(const json& object, const char* key, const std::string& place) {
+  const json items = object.value(key, json::array());
+  if (!items.is_array()) fail(place, "\"{}\" is no list", key);
+  return items;
+}
+
+}  // namespace
+
+double ReportEntry::figure(const std::string& pointer) const {
+  const json::json_pointer key(pointer);
+  if (!figures.contains(key) || !figures.at(key).is_number())
+    fail(file.string(), "has no number at {}", pointer);
+  return figures.at(key).get<double>();
+}
+
+std::string ReportEntry::text(const std::string& pointer) const {
+  const json::json_pointer key(pointer);
+  if (!figures.contains(key) || !figures.at(key).is_string())
+    fail(file.string(), "has no text at {}", pointer);
+  return figures.at(key).get<std::string>();
+}
+
+std::vector<double> ReportEntry::numbers(const std::string& pointer) const {
+  const json::json_pointer key(pointer);
+  if (!figures.contains(key) || !figures.at(key).is_array())
+    fail(file.string(), "has no list at {}", pointer);
+  std::vector<double> values;
+  for (const json& value : figures.at(key)) {
+    if (!value.is_number()) fail(file.string(), "has something else than numbers at {}", pointer);
+    values.push_back(value.get<double>());
+  }
+  return values;
+}
+
+const ReportEntry* Report::find(const std::string& name) const {
+  for (const ReportEntry& entry : entries) {
+    if (entry.name == name) return &entry;
+  }
+  return nullptr;
+}
+
+Report load_report(const std::filesystem::path& manifest) {
+  const std::string place = manifest.string();
+  const json document = read_json(manifest);
+  const std::filesystem::path folder = manifest.parent_path();
+  Report report;
+  report.title = member(document, "title", place);
+  expect_known_keys(document, {"title", "note", "held_to", "entries", "pictures"}, place);
+  if (document.contains("note")) report.note = member(document, "note", place);
+  if (document.contains("held_to")) {
+    const std::string held_to = member(document, "held_to", place);
+    if (held_to != "exactness" && held_to != "everything")
+      fail(place, "\"held_to\" is neither \"everything\" nor \"exactness\"");
+    report.held_to_exactness_alone = held_to == "exactness";
+  }
+  for (const json& item : list(document, "entries", place)) {
+    ReportEntry entry{.name = member(item, "name", place),
+                      .command = member(item, "command", place),
+                      .file = folder / member(item, "json", place),
+                      .figures = {}};
+    expect_known_keys(item, {"name", "command", "json"}, place + ": entry " + entry.name);
+    if (report.find(entry.name)) fail(place, "names \"{}\" twice", entry.name);
+    entry.figures = read_json(entry.file);
+    report.entries.push_back(std::move(entry));
+  }
+  if (report.entries.empty()) fail(place, "names no entries");
+  for (const json& item : list(document, "pictures", place)) {
+    report.pictures.push_back(
+        {member(item, "file", place), member(item, "caption", place), member(item, "command", place)});
+    expect_known_keys(item, {"file", "caption", "command"},
+                      place + ": picture " + report.pictures.back().file);
+    const std::filesystem::path picture = folder / report.pictures.back().file;
+    if (!std::filesystem::is_regular_file(picture)) fail(picture.string(), "is not there");
+  }
+  return report;
+}
+
+}  // namespace triptych

@@ -1,0 +1,40 @@
+// The parts of a pack that its reader and its writer share: header, section table, checksums.
+// docs/pack-format.md has them to the byte.
+#pragma once
+
+#include "scene/skeleton.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace triptych {
+
+inline constexpr uint32_t pack_format_version = 2;
+
+inline constexpr std::array<char, 8> pack_magic = {'T', 'R', 'I', 'P', 'T', 'Y', 'C', 'H'};
+inline constexpr std::array<char, 4> geometry_type = {'G', 'E', 'O', 'M'};
+inline constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
+
+struct PackHeader {
+  std::array<char, 8> signature = pack_magic;
+  uint32_t version = pack_format_version;
+  uint32_t section_count = 0;
+  uint64_t table_offset = 0;
+  uint64_t table_checksum = 0;  ///< of the table's bytes, seeded with the version
+};
+static_assert(sizeof(PackHeader) == 32);
+
+struct PackSection {
+  std::array<char, 4> type{};
+  uint32_t version = 1;
+  uint64_t offset = 0, size = 0;
+  uint64_t checksum = 0;
+};
+static_assert(sizeof(PackSection) == 32);
+
+/// The geometry section is too large to be read at once: its checksum is that of its chunks' checksums in
+/// order.
+uint64_t geometry_checksum(std::span<const ChunkInfo> chunks);
+
+}  // namespace triptych

@@ -1,0 +1,262 @@
+#include "session/child_processes.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/notice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace triptych {
+
+namespace {
+constexpr int slice_ms = 100;
+constexpr std::string_view complaint_prefix = "triptych: ", record_prefix = "triptych-record: ";
+
+/// Keeps signals waiting while a child is made: one that comes before its program has begun is the child's
+/// own, and not lost on the handlers of its starter.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsHeld() { release(); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  void release() const { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+}  // namespace
+
+ChildProcesses::~ChildProcesses() {
+  end_all(std::chrono::milliseconds(1000));
+  for (const Child& child : children_) {
+    if (child.errors >= 0) ::close(child.errors);
+  }
+  close_inputs();
+}
+
+pid_t ChildProcesses::start(const std::string& name, const std::vector<std::string>& arguments,
+                            Output output) {
+  std::vector<std::string> words = {"triptych"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return launch(name, "/proc/self/exe", std::move(words), output, false);
+}
+
+pid_t ChildProcesses::start_line(const std::string& name, const std::string& line) {
+  return launch(name, "/bin/sh", {"sh", "-c", line}, Output::as_error, true);
+}
+
+pid_t ChildProcesses::launch(const std::string& name, const char* program, std::vector<std::string> words,
+                             Output output, bool own_input) {
+  std::array<int, 2> pipe{}, input{-1, -1};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0 || (own_input && ::pipe2(input.data(), O_CLOEXEC) != 0))
+    fail(name, "cannot be started: {}", std::strerror(errno));
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const pid_t parent = ::getpid();
+  const SignalsHeld held;
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
+    ::dup2(pipe[1], STDERR_FILENO);
+    if (output == Output::as_error) ::dup2(pipe[1], STDOUT_FILENO);
+    if (own_input) {
+      ::dup2(input[0], STDIN_FILENO);
+      // A terminal's signals are for this program: who carries what the other machine says stays till it has.
+      ::signal(SIGHUP, SIG_IGN);
+    }
+    ::signal(SIGINT, own_input ? SIG_IGN : SIG_DFL);
+    ::signal(SIGTERM, SIG_DFL);
+    held.release();
+    ::execv(program, pointers.data());
+    ::_exit(127);
+  }
+  const int problem = errno;
+  ::close(pipe[1]);
+  if (own_input) ::close(input[0]);
+  children_.push_back({.name = name,
+                       .pid = pid,
+                       .errors = pipe[0],
+                       .input = input[1],
+                       .by_line = own_input,
+                       .line = {},
+                       .complaint = {}});
+  if (pid < 0) {
+    children_.back().running = false;
+    fail(name, "cannot be started: {}", std::strerror(problem));
+  }
+  return pid;
+}
+
+void ChildProcesses::close_inputs() {
+  for (Child& child : children_) {
+    if (child.input >= 0) ::close(child.input);
+    child.input = -1;
+  }
+}
+
+std::vector<std::string> ChildProcesses::records(const std::string& name) const {
+  std::vector<std::string> records;
+  for (const Child& child : children_) {
+    if (child.name == name && !child.record.empty()) records.push_back(child.record);
+  }
+  return records;
+}
+
+void ChildProcesses::take_lines(Child& child, const char* characters, size_t count) {
+  child.line.append(characters, count);
+  for (size_t end; (end = child.line.find('\n')) != std::string::npos; child.line.erase(0, end + 1)) {
+    const std::string line = child.line.substr(0, end);
+    if (line.starts_with(complaint_prefix)) {
+      child.complaint = line.substr(complaint_prefix.size());
+    } else if (line.starts_with(record_prefix)) {
+      child.record = line.substr(record_prefix.size());
+    } else {
+      if (child.by_line && !line.empty()) child.said_last = line;
+      notice("{}", line);
+    }
+  }
+}
+
+void ChildProcesses::read_errors(int timeout_ms) {
+  std::vector<pollfd> waiting;
+  for (const Child& child : children_)
+    waiting.push_back({.fd = child.errors, .events = POLLIN, .revents = 0});
+  if (::poll(waiting.data(), waiting.size(), timeout_ms) <= 0) return;
+  for (size_t i = 0; i < waiting.size(); ++i) {
+    if (waiting[i].revents == 0) continue;
+    std::array<char, 4096> buffer{};
+    const ssize_t count = ::read(children_[i].errors, buffer.data(), buffer.size());
+    if (count > 0) {
+      take_lines(children_[i], buffer.data(), static_cast<size_t>(count));
+    } else {
+      ::close(children_[i].errors);
+      children_[i].errors = -1;  // poll passes negative descriptors over
+    }
+  }
+}
+
+ChildProcesses::Child* ChildProcesses::reap() {
+  Child* failed = nullptr;
+  for (Child& child : children_) {
+    if (!child.running || ::waitpid(child.pid, &child.status, WNOHANG) != child.pid) continue;
+    child.running = false;
+    if (child.status != 0 && !failed) failed = &child;
+  }
+  return failed;
+}
+
+bool ChildProcesses::any_running() const {
+  for (const Child& child : children_) {
+    if (child.running) return true;
+  }
+  return false;
+}
+
+void ChildProcesses::signal_all(int signal) {
+  for (const Child& child : children_) {
+    if (child.running) ::kill(child.pid, signal);
+  }
+}
+
+void ChildProcesses::end_all(std::chrono::milliseconds grace) {
+  // The end of its input reaches a program on another machine; a signal would reach only what started it.
+  const bool beyond = std::any_of(children_.begin(), children_.end(),
+                                  [](const Child& child) { return child.running && child.input >= 0; });
+  close_inputs();
+  for (const Stopwatch stopwatch;
+       beyond && any_running() && stopwatch.milliseconds() < static_cast<double>(grace.count());) {
+    read_errors(20);
+    reap();
+  }
+  signal_all(SIGTERM);
+  const Stopwatch stopwatch;
+  while (any_running() && stopwatch.milliseconds() < static_cast<double>(grace.count())) {
+    read_errors(20);
+    reap();
+  }
+  signal_all(SIGKILL);
+  while (any_running()) {
+    read_errors(5);
+    reap();
+  }
+}
+
+std::string ChildProcesses::failure(const Child& child) {
+  if (WIFSIGNALED(child.status)) {
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(child.status),
+                       ::strsignal(WTERMSIG(child.status)));
+  }
+  if (!child.complaint.empty()) return child.complaint;
+  const std::string code = fmt::format("ended with exit code {}", WEXITSTATUS(child.status));
+  return child.said_last.empty() ? code : fmt::format("{}; it said: {}", code, child.said_last);
+}
+
+void ChildProcesses::read_the_rest(const Child& child) {
+  const Stopwatch stopwatch;
+  constexpr double limit_ms = 200;  // somebody else may hold the pipe
+  while (child.errors >= 0 && stopwatch.milliseconds() < limit_ms) read_errors(5);
+}
+
+std::optional<ChildProcesses::Ended> ChildProcesses::wait_for_one(bool (*stop)()) {
+  while (!stop()) {
+    reap();
+    for (Child& child : children_) {
+      if (child.running || child.told) continue;
+      child.told = true;
+      read_the_rest(child);
+      const bool killed = WIFSIGNALED(child.status);
+      return Ended{.name = child.name,
+                   .pid = child.pid,
+                   .signal = killed ? WTERMSIG(child.status) : 0,
+                   .exit_code = killed ? 0 : WEXITSTATUS(child.status),
+                   .seconds = child.alive.seconds(),
+                   .reason = failure(child)};
+    }
+    read_errors(slice_ms);
+  }
+  return std::nullopt;
+}
+
+bool ChildProcesses::wait(bool (*stop)()) {
+  while (any_running()) {
+    if (stop()) {
+      end_all(std::chrono::milliseconds(1000));
+      return false;
+    }
+    read_errors(slice_ms);
+    const Child* failed = reap();
+    if (!failed) continue;
+    // A killed process is the cause of what its peers complain about; of complaints the first is.
+    const Stopwatch grace;
+    constexpr double grace_ms = 2000;
+    while (any_running() && grace.milliseconds() < grace_ms) {
+      read_errors(slice_ms);
+      reap();
+    }
+    end_all(std::chrono::milliseconds(1000));
+    read_errors(0);
+    for (const Child& child : children_) {
+      if (WIFSIGNALED(child.status) && WTERMSIG(child.status) != SIGTERM) failed = &child;
+    }
+    fail(fmt::format("{} (process {})", failed->name, failed->pid), "{}", failure(*failed));
+  }
+  return true;
+}
+
+}  // namespace triptych

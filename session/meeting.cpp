@@ -1,0 +1,108 @@
+#include "session/meeting.hpp"
+
+#include "base/clock.hpp"
+#include "base/file.hpp"
+#include "base/notice.hpp"
+#include "base/timeline.hpp"
+#include "render/raster_certificate.hpp"
+
+#include <algorithm>
+#include <thread>
+
+namespace triptych {
+
+namespace {
+
+/// Without a key a session stays on its machine, unless somebody insists.
+void check_without_key(const Address& address, bool insecure) {
+  if (is_loopback(address)) return;
+  if (!insecure) fail(to_text(address), "is beyond this machine: give --key-file FILE, or --insecure");
+  notice("{}: not encrypted; whoever reaches it can read along and take a role", to_text(address));
+}
+
+}  // namespace
+
+const std::string& raster_verdict() {
+  static const std::string& verdict = verdict_name(measure_raster().verdict());
+  return verdict;
+}
+
+Meeting::Meeting(const RoleCommand& command, const Pack& pack, const GlNames& gl)
+    : timeout_(static_cast<int64_t>(command.connect_timeout_s * 1000)) {
+  if (command.timeline) start_timeline();
+  own_.role = command.self;
+  own_.session = command.session;
+  own_.pack_hash = pack.content_hash();
+  own_.gl_vendor = gl.vendor;
+  own_.gl_renderer = gl.renderer;
+  own_.gl_version = gl.version;
+  own_.raster = raster_verdict();
+  if (command.listen_descriptor >= 0) {
+    listener_.emplace(command.listen_descriptor);
+  } else if (!command.listen.empty()) {
+    listener_.emplace(parse_address(command.listen));
+  }
+  if (command.self != Role::render) dial_[Role::render] = parse_address(command.render_address);
+  if (command.self == Role::switch_1) dial_[Role::switch_0] = parse_address(command.switch_0_address);
+  if (!command.key_file.empty()) {
+    key_ = read_key_file(command.key_file);
+  } else {
+    if (listener_) check_without_key(listener_->address(), command.insecure);
+    for (const auto& [role, address] : dial_) check_without_key(address, command.insecure);
+  }
+  if (command.record.empty()) return;
+  make_folder(command.record);
+  const size_t earlier = recordings_of(command.self, command.record).size();
+  recording_ = std::make_unique<RecordingWriter>(
+      command.record / recording_name(command.self, earlier + 1),
+      RecordingHeader{.own = own_, .pack = std::filesystem::absolute(command.run.pack).string()});
+}
+
+std::unique_ptr<Mailbox> Meeting::connect(const std::function<bool()>& stop) const {
+  auto mailbox = connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop,
+                                 key_ ? &*key_ : nullptr);
+  if (mailbox) compare_opengl(*mailbox);
+  if (mailbox && recording_) {
+    mailbox->observe = [this](const RecordedMessage& message) { recording_->add(message); };
+  }
+  return mailbox;
+}
+
+void Meeting::record_alone(const FrameRequest& frame) const {
+  if (!recording_) return;
+  recording_->add({.time_ms = steady_milliseconds(),
+                   .sent = true,
+                   .peer = own_.role,
+                   .channel = Channel::camera,
+                   .message = CameraMessage{frame.number, frame.view, frame.pixel_error, false, false}});
+}
+
+std::unique_ptr<Mailbox> Meeting::connect_again(const std::function<bool()>& stop) const {
+  for (;;) {
+    try {
+      return connect(stop);
+    } catch (const PeerDiffers&) {
+      throw;
+    } catch (const PeersMissing& missing) {
+      if (std::count(missing.roles.begin(), missing.roles.end(), Role::render) != 0) throw;
+    } catch (const Error&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));  // a peer that begins again as well
+    }
+  }
+}
+
+/// Only where all three agree can pictures be claimed to be identical to those of one process.
+void Meeting::compare_opengl(const Mailbox& mailbox) const {
+  if (own_.role != Role::render) return;
+  for (const Role role : {Role::switch_0, Role::switch_1}) {
+    const Hello& peer = mailbox.peer_hello(role);
+    const auto text = [](const Hello& hello) {
+      return fmt::format("{}, {}, {}", hello.gl_vendor, hello.gl_renderer, hello.gl_version);
+    };
+    if (text(peer) == text(own_)) continue;
+    notice("OpenGL differs: {} has {}; {} has {}: culling is conservative", role_name(own_.role), text(own_),
+           role_name(role), text(peer));
+  }
+}
+
+}  // namespace triptych

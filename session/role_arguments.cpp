@@ -1,0 +1,75 @@
+#include "session/role_arguments.hpp"
+
+#include "base/inject.hpp"
+#include "measure/frame_journal.hpp"
+
+namespace triptych {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+
+/// For a command line, where a name that begins with a dash would be a flag.
+std::string unmistakable(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
+
+Words shared_arguments(const SessionOptions& options, const Stage& stage, const std::string& pack,
+                       const std::string& key_file) {
+  Words words = {unmistakable(pack),
+                 "--session",
+                 std::to_string(stage.session),
+                 "--context",
+                 options.run.context == ContextKind::egl ? "egl" : "osmesa",
+                 "--test",
+                 options.run.test == TestKind::storage ? "storage" : "queries"};
+  if (!options.timeline.empty()) append(words, {"--timeline"});
+  if (!options.record.empty()) append(words, {"--record", options.record.string()});
+  if (!key_file.empty()) append(words, {"--key-file", key_file});
+  if (options.insecure) append(words, {"--insecure"});
+  for (const std::string& name : injected_names()) append(words, {"--inject", name});
+  return words;
+}
+
+}  // namespace
+
+Words render_arguments(const SessionOptions& options, const Stage& stage) {
+  const RunOptions& run = options.run;
+  Words words = {"role", "render"};
+  append(words, shared_arguments(options, stage, run.pack.string(),
+                                 stage.hosts ? stage.hosts->key_file : options.key_file.string()));
+  append(words,
+         {"--journal", stage.journal.string(), "--begin", std::to_string(mend_frame_journal(stage.journal)),
+          "--size", fmt::format("{}x{}", run.size.width, run.size.height), "--pixel-error",
+          fmt::format("{}", run.pixel_error()), "--listen-descriptor",
+          std::to_string(stage.render_listener->descriptor()), "--loop", std::to_string(options.loop),
+          "--timeout", fmt::format("{}", options.timeout_ms)});
+  if (run.frames > 0) append(words, {"--frames", std::to_string(run.frames)});
+  if (options.rate > 0) append(words, {"--rate", fmt::format("{}", options.rate)});
+  if (!options.output.empty()) append(words, {"-o", options.output.string()});
+  if (!run.path.empty()) append(words, {"--path", run.path.string()});
+  if (options.window) append(words, {"--window"});
+  if (options.hash) append(words, {"--hash"});
+  return words;
+}
+
+Words switch_arguments(const SessionOptions& options, const Stage& stage, Role role) {
+  const bool first = role == Role::switch_0;
+  const Host* host = stage.hosts ? &stage.hosts->switch_nodes[first ? 0 : 1] : nullptr;
+  Words words = {"role", "switch"};
+  append(words, shared_arguments(options, stage, host ? host->pack : options.run.pack.string(),
+                                 host ? host->key_file : options.key_file.string()));
+  append(words, {"--index", first ? "0" : "1", "--batch", std::to_string(options.batches.front()), "--render",
+                 to_text(stage.render_listener->address())});
+  if (host) {
+    append(words, {"--end-with-stdin", "--tell-record", first ? "--listen" : "--switch-0",
+                   to_text(stage.hosts->switch_0)});
+  } else if (first) {
+    append(words, {"--listen-descriptor", std::to_string(stage.switch_listener->descriptor())});
+  } else {
+    append(words, {"--switch-0", to_text(stage.switch_listener->address())});
+  }
+  return words;
+}
+
+}  // namespace triptych

@@ -1,0 +1,28 @@
+// The command lines by which a session starts its roles.
+#pragma once
+
+#include "session/hosts.hpp"
+#include "session/session_run.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+/// What the roles of one session have in common, besides its options.
+struct Stage {
+  uint64_t session = 0;        ///< the number that they share
+  std::optional<Hosts> hosts;  ///< of a session over several machines
+  const Listener* render_listener = nullptr;
+  const Listener* switch_listener = nullptr;  ///< used by a session on this machine alone
+  std::filesystem::path journal;              ///< of the render node's frames
+};
+
+/// `role render …`, from the first frame that the journal has not.
+std::vector<std::string> render_arguments(const SessionOptions& options, const Stage& stage);
+
+/// `role switch …`, for this machine or for its host.
+std::vector<std::string> switch_arguments(const SessionOptions& options, const Stage& stage, Role role);
+
+}  // namespace triptych

@@ -1,0 +1,40 @@
+// What `triptych role` was told, and the two kinds of role that it can be.
+#pragma once
+
+#include "protocol/role.hpp"
+#include "session/run_options.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace triptych {
+
+/// Flags of both kinds of role.
+struct RoleCommand {
+  Role self = Role::render;
+  RunOptions run;
+  std::string listen, render_address, switch_0_address;
+  std::filesystem::path key_file;
+  bool insecure = false, end_with_stdin = false, tell_record = false;
+  int listen_descriptor = -1;
+  CullOptions cull;
+  uint64_t session = 0;
+  double connect_timeout_s = 20;
+  bool timeline = false, window = false;
+  std::filesystem::path record;  ///< folder for the recording; none where empty
+  // of the render node alone
+  std::filesystem::path output, journal;
+  size_t loop = 1;
+  double rate = 0;
+  double timeout_ms = 500;
+  uint32_t begin = 0;
+  bool hash = false;
+};
+
+/// Plays a switch node until the session is over, and writes its record. Error where it cannot go on.
+int run_switch(const RoleCommand& command);
+
+/// Plays the render node until the last frame, and writes its record. Error where it cannot go on.
+int run_render(const RoleCommand& command);
+
+}  // namespace triptych

@@ -1,0 +1,35 @@
+// What every process that draws a pack along a path is told.
+#pragma once
+
+#include "nodes/fallback.hpp"
+#include "render/context.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <vector>
+
+namespace triptych {
+
+/// The most frames, or rounds over a path, that a command counts.
+constexpr uint64_t most_frames = std::numeric_limits<uint32_t>::max();
+
+/// Pixels.
+struct PictureSize {
+  int width = 512, height = 512;
+};
+
+struct RunOptions {
+  std::filesystem::path pack, path, json;
+  PictureSize size;
+  std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
+  ContextKind context = ContextKind::egl;
+  TestKind test = TestKind::storage;
+  size_t frames = 0;  ///< the first so many; 0 is all
+  double pixel_error() const { return pixel_errors.front(); }
+};
+
+/// The frames that the options ask for, in order. Error for a path that cannot be used.
+std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton);
+
+}  // namespace triptych

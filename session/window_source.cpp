@@ -1,0 +1,52 @@
+#include "session/window_source.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace triptych {
+
+ViewerOptions viewer_options(const RunOptions& run) {
+  ViewerOptions options;
+  options.window.title = run.pack.filename().string();
+  options.window.width = run.size.width;
+  options.window.height = run.size.height;
+  options.pixel_error = run.pixel_error();
+  if (run.path.empty()) return options;
+  options.path = load_path(run.path);
+  auto& frames = options.path->frames;
+  if (run.frames > 0) frames.resize(std::min(frames.size(), run.frames));
+  return options;
+}
+
+FrameSource WindowSource::frames(uint32_t first) {
+  constexpr double patience_s = 0.05;
+  return {.first = first,
+          .count = std::numeric_limits<uint32_t>::max(),
+          .frame =
+              [this](uint32_t number) {
+                FrameRequest frame = viewer_.next_frame();
+                frame.number = number;
+                return frame;
+              },
+          .ready = [this](bool may_wait) { return viewer_.wait_for_frame(may_wait ? patience_s : 0); },
+          .finished = [this] { return viewer_.left(); }};
+}
+
+void WindowSource::show(const FrameRequest& frame, const FrameRecord& record, Fallback& stages) {
+  if (viewer_.culling()) return viewer_.show(frame, record, stages.target(), stages.renderer());
+  const View& view = frame.view;
+  if (!whole_cut_ || whole_cut_->target().width() != view.width ||
+      whole_cut_->target().height() != view.height) {
+    whole_cut_.emplace(stages.renderer(), view.width, view.height);
+  }
+  FrameRecord uncut = record;
+  uncut.visible = select_cut(stages.renderer().skeleton(), view, frame.pixel_error).drawables;
+  whole_cut_->begin(view, frame.number);
+  whole_cut_->draw(uncut.visible);
+  whole_cut_->finish();
+  std::sort(uncut.visible.begin(), uncut.visible.end());
+  uncut.drawn_triangles = whole_cut_->drawn_triangles();
+  viewer_.show(frame, uncut, whole_cut_->target(), stages.renderer());
+}
+
+}  // namespace triptych

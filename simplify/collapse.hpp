@@ -1,0 +1,97 @@
+// One edge collapse: where a point may go, and how far that takes the surface from its source.
+#pragma once
+
+#include "simplify/fan.hpp"
+#include "simplify/star.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace triptych {
+
+/// A point that moves to a neighbour, whose triangles then close the hole.
+struct Collapse {
+  uint32_t point = 0, target = 0;
+  double error_before = 0;  ///< the largest of the star's triangles
+  double bound = 0;         ///< the largest error of the triangles that it changes
+  double cost = 0;          ///< to be compared with others'
+  /// For each spoke of the star the error of its triangle afterwards; negative: it goes.
+  std::vector<double> errors;
+  /// Triangles beside the star on which one that goes comes to lie, and what their errors must be at least.
+  std::vector<std::pair<uint32_t, double>> beside;
+};
+
+/// Finds collapses and does them. Each fan of the star bounds its part of the error by itself, by the best of
+/// these: a closed fan around the target, by the heights of star and fan over each other; an open one that
+/// ends at the target and at p, by the way to the line from p to the target, and from there by heights; any,
+/// by the length of the collapsed edge. Colours, borders and edges of many triangles move along in all three.
+class Collapser {
+ public:
+  static constexpr uint32_t any = 0xffffffffu;
+  /// The cost of a collapse is its bound and so much of its edge's length: of those that cost nothing (flat
+  /// regions) the short ones come first, which keeps triangles in shape.
+  static constexpr double length_weight = 1e-4;
+
+  /// For a mesh of so many points.
+  explicit Collapser(size_t points) : marks_(points, 0) {}
+
+  /// The neighbour nearest to the planes around the point among those that it may go to; valid until the next
+  /// call; null if it must stay. With a target, that one only.
+  const Collapse* find(ShrinkingMesh& mesh, uint32_t point, uint32_t target = any);
+  /// Does the collapse of the last find.
+  void apply(ShrinkingMesh& mesh);
+  /// Of the last find.
+  const Star& star() const { return star_; }
+
+ private:
+  struct Choice {
+    double estimate;
+    uint32_t target;
+  };
+
+  struct Neighbour {
+    uint32_t point;
+    glm::dvec3 way;  ///< to it
+  };
+  struct Normal {
+    glm::dvec3 direction;  ///< of length 1; 0 without area
+    double doubled_area;
+  };
+  struct Border {
+    uint32_t first, last;
+    double moved;  ///< the square of how far the point is from the line between both; infinite beside it
+  };
+
+  void add_neighbour(uint32_t corner, const glm::dvec3& way);
+  void look_around(const ShrinkingMesh& mesh);
+  void list_choices();
+  bool try_target(ShrinkingMesh& mesh, uint32_t target);
+  bool joins_well(ShrinkingMesh& mesh, uint32_t target);
+  bool all_fit(ShrinkingMesh& mesh, uint32_t target, uint32_t neighbour, uint32_t third) const;
+  bool map_closed(const Star::Fan& fan, uint32_t target);
+  bool map_open(const Star::Fan& fan, uint32_t target);
+  bool move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target);
+  bool cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, double error);
+
+  Star star_;
+  std::vector<ProjectedStar> projected_;  ///< for each fan
+  std::vector<uint8_t> projects_;         ///< 0: not yet known, 1: it does, 2: it does not
+  ProjectedStar along_;
+  std::vector<std::pair<size_t, double>> pending_;  ///< spokes that go and are not yet covered, their errors
+  std::vector<glm::dvec3> from_, to_;               ///< for each spoke its corners, relative to the point
+  std::vector<Normal> normals_;                     ///< for each spoke
+  std::vector<double> before_;                      ///< for each spoke its error
+  std::vector<Choice> choices_;
+  Collapse collapse_;  ///< that is tried, or was found
+  glm::dvec3 way_{0};  ///< from the point to the target that is tried
+  double length_ = 0;  ///< of it
+  std::vector<glm::dvec3> ring_;
+  std::vector<uint32_t> marks_;        ///< for each point the last star whose corner it was
+  uint32_t mark_ = 0;                  ///< of the present star; one more for thirds_
+  std::vector<uint32_t> thirds_;       ///< of the triangles between the point and the target
+  std::vector<Neighbour> neighbours_;  ///< of the point, each once
+  std::vector<Border> borders_;        ///< of its open fans
+};
+
+}  // namespace triptych

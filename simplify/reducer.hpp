@@ -1,0 +1,40 @@
+// The seam behind which simplifiers differ.
+#pragma once
+
+#include "simplify/simplify.hpp"
+#include "simplify/surface.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+struct Reduced {
+  Piece piece;  ///< sources: indices into the points of the surface that the reducer began with
+  /// Of the two-sided distance to that surface, material by material, if the construction gives it.
+  std::optional<double> bound;
+  /// The same for the points of each triangle by itself; empty if the construction does not give it.
+  std::vector<double> errors;
+  bool further = false;  ///< more was possible, but for the largest bound
+};
+
+/// Takes a surface to fewer and fewer triangles. Points stay where they are: they only become fewer.
+class Reducer {
+ public:
+  virtual ~Reducer() = default;
+  /// At most so many triangles, or as few as it gets to; of those that know their bound, without going beyond
+  /// `largest_bound`. Goals fall from call to call.
+  virtual Reduced reduce_to(size_t triangles, double largest_bound) = 0;
+  /// Triangles of the surface that meet the others in a way that half-edges cannot express.
+  virtual size_t detached_triangles() const { return 0; }
+};
+
+/// `locked`, if not empty, says for each point whether it must stay. The surface holds at least one triangle;
+/// both are kept by reference.
+std::unique_ptr<Reducer> make_reducer(Simplifier simplifier, const Surface& surface,
+                                      std::span<const uint8_t> locked);
+
+}  // namespace triptych

@@ -1,0 +1,135 @@
+#include "simplify/shrinking_mesh.hpp"
+
+#include <algorithm>
+
+namespace triptych {
+
+ShrinkingMesh::ShrinkingMesh(const Surface& surface)
+    : points_(surface.points), slots_(surface.points.size()) {
+  alive_ = surface.triangles.size();
+  faces_.reserve(alive_);
+  for (const Triangle& triangle : surface.triangles) {
+    faces_.push_back({triangle.vertices, triangle.material, 0});
+    for (const uint32_t corner : triangle.vertices) ++slots_[corner].capacity;
+  }
+  uint32_t next = 0;
+  for (Slot& slot : slots_) {
+    slot.first = next;
+    next += slot.capacity;
+  }
+  places_.resize(next);
+  for (uint32_t i = 0; i < faces_.size(); ++i) {
+    for (const uint32_t corner : faces_[i].corners) {
+      Slot& slot = slots_[corner];
+      places_[slot.first + slot.count++] = i;
+      ++slot.alive;
+    }
+  }
+  packed_size_ = places_.size();
+}
+
+std::span<const uint32_t> ShrinkingMesh::star(uint32_t point) {
+  Slot& slot = slots_[point];
+  uint32_t* const places = places_.data() + slot.first;
+  if (slot.count > slot.alive) {
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < slot.count; ++i) {
+      if (faces_[places[i]].corners[0] != gone) places[kept++] = places[i];
+    }
+    slot.count = kept;
+  }
+  return {places, slot.count};
+}
+
+void ShrinkingMesh::star(uint32_t point, std::vector<Spoke>& spokes) {
+  const auto own = star(point);
+  spokes.resize(own.size());
+  for (size_t i = 0; i < own.size(); ++i) {
+    const Face& face = faces_[own[i]];
+    const size_t at = face.corners[0] == point ? 0 : face.corners[1] == point ? 1 : 2;
+    spokes[i] = {own[i], face.corners[at == 2 ? 0 : at + 1], face.corners[at == 0 ? 2 : at - 1],
+                 face.material, face.error};
+  }
+}
+
+void ShrinkingMesh::remove(uint32_t triangle) {
+  for (const uint32_t corner : faces_[triangle].corners) --slots_[corner].alive;
+  faces_[triangle].corners[0] = gone;
+  --alive_;
+}
+
+void ShrinkingMesh::move(std::span<const uint32_t> triangles, uint32_t from, uint32_t to) {
+  for (const uint32_t triangle : triangles) {
+    auto& corners = faces_[triangle].corners;
+    *std::find(corners.begin(), corners.end(), from) = to;
+  }
+  make_room(to, static_cast<uint32_t>(triangles.size()), slots_[from]);
+  Slot& slot = slots_[to];
+  std::copy(triangles.begin(), triangles.end(), places_.begin() + slot.first + slot.count);
+  slot.count += static_cast<uint32_t>(triangles.size());
+  slot.alive += static_cast<uint32_t>(triangles.size());
+  slots_[from].count = slots_[from].alive = 0;
+  if (places_.size() > 2 * packed_size_ + 64) pack();
+}
+
+/// In the star of the point, for so many more; the star that is left behind may have it, otherwise the end
+/// has.
+void ShrinkingMesh::make_room(uint32_t point, uint32_t added, Slot& left) {
+  Slot& slot = slots_[point];
+  if (slot.count + added <= slot.capacity) return;
+  const auto own = star(point);
+  if (slot.count + added <= slot.capacity) return;
+  const bool into_left = slot.count + added <= left.capacity;
+  // A hub that grows by a few at a time is not copied each time.
+  const uint32_t capacity = into_left ? left.capacity : slot.count + std::max(added, slot.count / 4);
+  const auto first = into_left ? left.first : static_cast<uint32_t>(places_.size());
+  const auto before = slot.first;
+  if (!into_left) places_.resize(places_.size() + capacity);
+  std::copy_n(places_.begin() + before, own.size(), places_.begin() + first);
+  slot.first = first;
+  slot.capacity = capacity;
+  if (into_left) left.capacity = 0;
+}
+
+void ShrinkingMesh::pack() {
+  std::vector<uint32_t> packed;
+  packed.reserve(3 * alive_);
+  for (uint32_t i = 0; i < slots_.size(); ++i) {
+    const auto own = star(i);
+    const auto size = static_cast<uint32_t>(own.size());
+    slots_[i] = {static_cast<uint32_t>(packed.size()), size, size, size};
+    packed.insert(packed.end(), own.begin(), own.end());
+  }
+  places_ = std::move(packed);
+  packed_size_ = places_.size();
+}
+
+Piece ShrinkingMesh::piece() const {
+  Piece piece;
+  piece.surface.triangles.reserve(alive_);
+  std::vector<uint32_t> places(points_.size(), gone);
+  for (const Face& face : faces_) {
+    if (face.corners[0] == gone) continue;
+    Triangle& triangle = piece.surface.triangles.emplace_back(Triangle{face.corners, face.material});
+    for (uint32_t& corner : triangle.vertices) {
+      if (places[corner] == gone) {
+        places[corner] = static_cast<uint32_t>(piece.sources.size());
+        piece.sources.push_back(corner);
+        piece.surface.points.push_back(points_[corner]);
+      }
+      corner = places[corner];
+    }
+  }
+  return piece;
+}
+
+std::vector<double> ShrinkingMesh::errors() const {
+  std::vector<double> errors;
+  errors.reserve(alive_);
+  for (const Face& face : faces_) {
+    if (face.corners[0] != gone) errors.push_back(face.error);
+  }
+  return errors;
+}
+
+}  // namespace triptych

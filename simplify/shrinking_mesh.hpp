@@ -1,0 +1,69 @@
+// A surface that loses its triangles one by one: flat arrays, no half-edges, so any surface will do.
+#pragma once
+
+#include "simplify/surface.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// A triangle of a star, turned so that the star's point is its first corner: (point, from, to).
+struct Spoke {
+  uint32_t triangle, from, to, material;
+  double error;
+};
+
+class ShrinkingMesh {
+ public:
+  explicit ShrinkingMesh(const Surface& surface);
+
+  struct Face {
+    std::array<uint32_t, 3> corners;  ///< the first is `gone` where the triangle is
+    uint32_t material;
+    double error;  ///< how far its points are from those of the source that they stand for
+  };
+  static constexpr uint32_t gone = 0xffffffffu;
+
+  size_t triangle_count() const { return alive_; }
+  size_t point_count() const { return points_.size(); }
+  const glm::ivec3& point(uint32_t index) const { return points_[index]; }
+  /// Those that are gone among them.
+  size_t face_count() const { return faces_.size(); }
+  Face& face(uint32_t index) { return faces_[index]; }
+  const Face& face(uint32_t index) const { return faces_[index]; }
+
+  /// How many triangles hold the point.
+  size_t degree(uint32_t point) const { return slots_[point].alive; }
+  /// The triangles that hold the point, and no others; valid until something is removed or moved.
+  std::span<const uint32_t> star(uint32_t point);
+  /// The same as spokes.
+  void star(uint32_t point, std::vector<Spoke>& spokes);
+
+  void remove(uint32_t triangle);
+  /// The triangles, which hold `from`, take `to` in its place.
+  void move(std::span<const uint32_t> triangles, uint32_t from, uint32_t to);
+
+  /// What is left; sources: indices into the points that this mesh began with.
+  Piece piece() const;
+  /// For each triangle of that piece its error.
+  std::vector<double> errors() const;
+
+ private:
+  struct Slot {
+    uint32_t first, count, capacity, alive;
+  };
+  void make_room(uint32_t point, uint32_t added, Slot& left);
+  void pack();
+
+  std::vector<glm::ivec3> points_;
+  std::vector<Face> faces_;
+  std::vector<Slot>
+      slots_;  ///< for each point its triangles in places_, the first `count`, gone ones among them
+  std::vector<uint32_t> places_;
+  size_t alive_ = 0, packed_size_ = 0;
+};
+
+}  // namespace triptych

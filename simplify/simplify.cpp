@@ -1,0 +1,187 @@
+#include "simplify/simplify.hpp"
+
+#include "base/disjoint_sets.hpp"
+#include "simplify/reducer.hpp"
+#include "simplify/vertex_clustering.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+namespace triptych {
+
+namespace {
+
+/// A level must have at most this share of the triangles of the one before it, or it is not worth its place.
+constexpr double worth_it = 0.75;
+/// Halving a surface about doubles its distance; where it takes so many times more, clustering may be nearer.
+constexpr double steep = 16;
+/// Where levels are measured in a hurry the bound may be so many times the truth.
+constexpr double hurried = 2;
+/// And so many where they are measured against the source.
+constexpr double tight = 1.5;
+/// What hangs together is a small thing if it has fewer triangles, and less than half of all.
+constexpr size_t small_thing = 256;
+
+/// Whether most of the surface are small things of their own: collapses merge nothing, so they soon get stuck
+/// there, and what they reached by then is no nearer than a clustering. What has a locked point is a piece of
+/// something larger.
+bool is_heap(const Surface& surface, std::span<const uint8_t> locked) {
+  DisjointSets sets(surface.points.size());
+  for (const Triangle& triangle : surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    sets.join(a, b);
+    sets.join(b, c);
+  }
+  std::vector<size_t> sizes(surface.points.size(), 0);
+  for (const Triangle& triangle : surface.triangles) ++sizes[sets.root(triangle.vertices[0])];
+  for (uint32_t i = 0; i < locked.size(); ++i) {
+    if (locked[i]) sizes[sets.root(i)] = 0;
+  }
+  const size_t small = std::min(small_thing, surface.triangles.size() / 2);
+  size_t in_small = 0;
+  for (const size_t size : sizes) in_small += size < small ? size : 0;
+  return 4 * in_small >= 3 * surface.triangles.size();
+}
+
+/// A level with its fast bound.
+struct Stage {
+  Piece piece;
+  double bound = 0;
+  std::vector<double> errors;  ///< Reduced::errors, but to the chain's source; empty if not known
+};
+
+/// What the chain has arrived at, and the reducer that goes on from there.
+class ChainMaker {
+ public:
+  ChainMaker(const Surface& source, std::span<const uint8_t> locked, const SimplifyLimits& limits)
+      : source_(source), limits_(limits), locked_(locked.begin(), locked.end()) {
+    current_.piece.surface = source;
+    current_.piece.sources.resize(source.points.size());
+    std::iota(current_.piece.sources.begin(), current_.piece.sources.end(), 0u);
+    is_heap_ = limits.colors == Colors::ignore && is_heap(source, locked);
+    start();
+    if (reducer_) detached_triangles_ = reducer_->detached_triangles();
+  }
+
+  size_t triangles() const { return current_.piece.surface.triangles.size(); }
+  size_t detached_triangles() const { return detached_triangles_; }
+  /// The last `next` gave nothing because of the largest bound.
+  bool at_limit() const { return at_limit_; }
+
+  /// Goes on to about `goal` triangles; nothing if that is not possible.
+  std::optional<Level> next(size_t goal) {
+    const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
+    if (is_heap_) {
+      Stage clustered = cluster(current_, goal);
+      if (clustered.piece.surface.triangles.size() > enough) return std::nullopt;
+      current_ = std::move(clustered);
+      return measured();
+    }
+    Stage reduced = reduce(goal);
+    const bool got_there = reduced.piece.surface.triangles.size() <= enough;
+    at_limit_ = !got_there && reduced_further_;
+    if (!got_there || (is_steep(reduced) && clusters_better(goal, reduced.bound))) {
+      // From where the reducer got stuck, or, where it went too far, from before.
+      Stage clustered = cluster(got_there ? current_ : reduced, goal);
+      const size_t count = clustered.piece.surface.triangles.size();
+      if (count <= enough && (!got_there || clustered.bound < reduced.bound)) {
+        current_ = std::move(clustered);
+        start();
+        return measured();
+      }
+    }
+    if (!got_there) return std::nullopt;
+    current_ = std::move(reduced);
+    return measured();
+  }
+
+ private:
+  void start() {
+    if (is_heap_) return;
+    start_ = current_;
+    start_locked_ = locked_of(start_.piece);
+    reducer_ = make_reducer(limits_.simplifier, start_.piece.surface, start_locked_);
+  }
+
+  /// The reducer's next surface, with its fast bound.
+  Stage reduce(size_t goal) {
+    // The tight bound may be that much smaller.
+    const double largest = limits_.largest_bound * (limits_.bound == Bound::tight ? 4 : 1);
+    Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
+    reduced_further_ = reduced.further;
+    Stage level{std::move(reduced.piece), 0, std::move(reduced.errors)};
+    for (double& error : level.errors) error += start_.bound;
+    level.bound = reduced.bound ? start_.bound + *reduced.bound
+                                : current_.bound + distance_bound(current_.piece.surface, level.piece.surface,
+                                                                  limits_.colors, {hurried});
+    for (uint32_t& source : level.piece.sources) source = start_.piece.sources[source];
+    return level;
+  }
+
+  std::vector<uint8_t> locked_of(const Piece& piece) const {
+    std::vector<uint8_t> locked;
+    if (!locked_.empty()) {
+      for (const uint32_t source : piece.sources) locked.push_back(locked_[source]);
+    }
+    return locked;
+  }
+
+  Stage cluster(const Stage& from, size_t goal) const {
+    Clustered clustered = cluster_to(from.piece.surface, locked_of(from.piece), goal, limits_.colors);
+    Stage level{std::move(clustered.piece), from.bound + clustered.bound, {}};
+    for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
+    return level;
+  }
+
+  bool is_steep(const Stage& next) const { return next.bound > steep * std::max(current_.bound, 1.0); }
+
+  /// Clustering moves points by about a cell: one clustering says whether it is worth to look for the best.
+  bool clusters_better(size_t goal, double bound) const {
+    const double cell = bound - current_.bound;
+    return clusters_within(current_.piece.surface, locked_of(current_.piece), cell, goal, limits_.colors);
+  }
+
+  Level measured() {
+    Level level{current_.piece, current_.bound};
+    if (limits_.bound == Bound::tight) {
+      if (!meter_) meter_.emplace(source_, limits_.colors);
+      level.bound = meter_->bound(level.piece.surface, {tight, level.bound, current_.errors});
+    }
+    level.bound = last_bound_ = std::max(level.bound, last_bound_);
+    return level;
+  }
+
+  const Surface& source_;
+  const SimplifyLimits& limits_;
+  std::vector<uint8_t> locked_;  ///< for each point of the source
+  Stage start_, current_;        ///< where the reducer began, where it is; sources in the source
+  std::vector<uint8_t> start_locked_;
+  std::unique_ptr<Reducer> reducer_;
+  std::optional<DistanceMeter> meter_;
+  bool is_heap_ = false;   ///< is clustered at once
+  double last_bound_ = 0;  ///< of the levels given
+  size_t detached_triangles_ = 0;
+  bool reduced_further_ = false, at_limit_ = false;
+};
+
+}  // namespace
+
+Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits) {
+  Chain chain;
+  const auto locked_points = static_cast<size_t>(std::count(locked.begin(), locked.end(), 1));
+  const size_t enough = limits.triangles + 2 * locked_points;
+  if (surface.triangles.size() <= enough) return chain;
+  ChainMaker maker(surface, locked, limits);
+  while (maker.triangles() > enough) {
+    auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
+    chain.stuck = !level && !maker.at_limit();
+    if (!level || level->bound > limits.largest_bound) break;
+    chain.levels.push_back(std::move(*level));
+  }
+  chain.detached_triangles = maker.detached_triangles();
+  return chain;
+}
+
+}  // namespace triptych

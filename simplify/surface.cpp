@@ -1,0 +1,78 @@
+#include "simplify/surface.hpp"
+
+#include "simplify/key_hash.hpp"
+
+#include <tsl/robin_map.h>
+
+namespace triptych {
+
+LatticeBox Surface::box() const {
+  LatticeBox box;
+  for (const glm::ivec3& point : points) box.extend(point);
+  return box;
+}
+
+Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles) {
+  Piece piece;
+  tsl::robin_map<uint32_t, uint32_t, KeyHash> local;
+  local.reserve(triangles.size() / 2 + 16);
+  piece.surface.triangles.assign(triangles.begin(), triangles.end());
+  for (Triangle& triangle : piece.surface.triangles) {
+    for (uint32_t& vertex : triangle.vertices) {
+      const auto [found, inserted] = local.try_emplace(vertex, static_cast<uint32_t>(piece.sources.size()));
+      if (inserted) {
+        piece.sources.push_back(vertex);
+        piece.surface.points.push_back(points[vertex]);
+      }
+      vertex = found->second;
+    }
+  }
+  return piece;
+}
+
+Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
+  constexpr uint32_t none = 0xffffffffu;
+  Chunk chunk;
+  chunk.vertices.reserve(surface.points.size());
+  chunk.indices.reserve(surface.triangles.size() * 3);
+  // A point has a vertex for each of its colours and pieces; most have one, and the map is for the others.
+  std::vector<uint32_t> first(surface.points.size(), none);
+  tsl::robin_map<uint64_t, uint32_t, KeyHash> further;
+  for (size_t i = 0; i < surface.triangles.size(); ++i) {
+    const uint32_t color = surface.triangles[i].material;
+    const uint8_t piece = pieces.empty() ? 0 : pieces[i];
+    for (const uint32_t point : surface.triangles[i].vertices) {
+      const ChunkVertex vertex{surface.points[point], color & 0xffffffu, piece};
+      const auto next = static_cast<uint32_t>(chunk.vertices.size());
+      if (first[point] == none) first[point] = next;
+      uint32_t index = first[point];
+      if (index != next && chunk.vertices[index] != vertex) {
+        const uint64_t key = uint64_t{piece} << 56 | uint64_t{color} << 32 | point;
+        index = further.try_emplace(key, next).first->second;
+      }
+      if (index == next) chunk.vertices.push_back(vertex);
+      chunk.indices.push_back(index);
+    }
+  }
+  return chunk;
+}
+
+bool degenerate(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
+  // Differences fit 30 bits and more, their products 61: exact in 64.
+  const int64_t ux = int64_t{b.x} - a.x, uy = int64_t{b.y} - a.y, uz = int64_t{b.z} - a.z;
+  const int64_t vx = int64_t{c.x} - a.x, vy = int64_t{c.y} - a.y, vz = int64_t{c.z} - a.z;
+  return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
+}
+
+std::array<glm::ivec3, 3> with_area(const std::array<glm::ivec3, 3>& corners) {
+  const std::array<glm::ivec3, 4> steps = {glm::ivec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const glm::ivec3& b : steps) {
+    for (const glm::ivec3& c : steps) {
+      if (!degenerate(corners[0], corners[1] + b, corners[2] + c))
+        return {corners[0], corners[1] + b, corners[2] + c};
+    }
+  }
+  return corners;  // not reached: of three directions at most one is that of the line
+}
+
+}  // namespace triptych

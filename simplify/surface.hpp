@@ -1,0 +1,42 @@
+// Triangles on a lattice: what welding, partition and simplification pass to each other.
+#pragma once
+
+#include "model/model.hpp"
+#include "scene/box.hpp"
+#include "scene/chunk.hpp"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// Points of a lattice, each of them once, and triangles that share them. Triangle::material is an index into
+/// the palette here. No triangle is degenerate, and every point belongs to one.
+struct Surface {
+  std::vector<glm::ivec3> points;
+  std::vector<Triangle> triangles;
+
+  LatticeBox box() const;
+};
+
+/// A piece of a surface, and where each of its points stood in the whole.
+struct Piece {
+  Surface surface;
+  std::vector<uint32_t> sources;  ///< for each point of the piece its index in the whole
+};
+
+/// The given triangles of the surface as a piece of its own, points in the order of their first use.
+Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles);
+
+/// The surface as it is drawn: a vertex for each point, colour and piece that meet. `pieces`: for each
+/// triangle ChunkVertex::piece; none if all of it is one.
+Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
+
+/// True if the corners lie on one line; exact.
+bool degenerate(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c);
+/// The corners of a degenerate triangle, two of them moved by at most a step each so that it has an area.
+std::array<glm::ivec3, 3> with_area(const std::array<glm::ivec3, 3>& corners);
+
+}  // namespace triptych

@@ -1,0 +1,191 @@
+#include "model/import/import.hpp"
+
+#include "import_support.hpp"
+
+#include <limits>
+
+namespace triptych {
+namespace {
+
+using test::append;
+using test::expect_robust;
+using test::import_error;
+using test::import_text;
+using test::warns;
+using test::write_model;
+
+const std::string square_obj =
+    "# a square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\no square\nf 1/1/1 2//1 3/1 4\n";
+
+TEST(Import, an_unknown_extension_is_refused_with_the_names_of_the_known_ones) {
+  const std::string error = import_error("kind.xyz", "hello");
+  for (const char* known : {".gltf", ".glb", ".obj", ".ply", ".stl"})
+    EXPECT_NE(error.find(known), std::string::npos);
+}
+
+TEST(Import, a_missing_file_and_a_folder_are_refused) {
+  EXPECT_THROW(import_model({"/nonexistent/model.obj"}), Error);
+  for (const char* name : {"folder.obj", "folder.ply", "folder.stl", "folder.gltf", "folder.glb"}) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / name;
+    make_folder(folder);
+    EXPECT_THROW(import_model({folder}), Error) << name;
+  }
+}
+
+TEST(Import, an_empty_file_of_any_format_is_refused) {
+  for (const char* name : {"empty.obj", "empty.ply", "empty.stl", "empty.gltf", "empty.glb"}) {
+    EXPECT_NE(import_error(name, ""), "") << name;
+  }
+  EXPECT_EQ(import_error("empty.obj", ""), "holds no triangles");
+}
+
+TEST(Import, several_files_make_one_model_and_extensions_may_be_capitals) {
+  const auto first = write_model("a.OBJ", square_obj), second = write_model("b.obj", square_obj);
+  const Model model = import_model({first, second});
+  EXPECT_EQ(model.meshes.size(), 2u);
+  EXPECT_EQ(model.instances.size(), 2u);
+  EXPECT_EQ(model.placed_triangles(), 4u);
+}
+
+TEST(Import, one_empty_file_among_good_ones_is_an_error) {
+  EXPECT_THROW(import_model({write_model("a.obj", square_obj), write_model("b.obj", "v 0 0 0\n")}), Error);
+}
+
+TEST(ImportObj, faces_of_many_corners_become_triangles_and_doubles_stay_exact) {
+  const Model model =
+      import_text("a.obj", "v 0.1 1e-300 123456789.123456789\nv +1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  ASSERT_EQ(model.meshes.size(), 1u);
+  EXPECT_EQ(model.meshes[0].positions[0], glm::dvec3(0.1, 1e-300, 123456789.123456789));
+  EXPECT_EQ(model.meshes[0].triangles[1].vertices, (std::array<uint32_t, 3>{0, 2, 3}));
+}
+
+TEST(ImportObj, objects_and_groups_become_meshes_with_the_vertices_that_they_use) {
+  const Model model = import_text(
+      "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\no one\ng empty\ng left\nf 1 2 3\ng right\nf -1 -2 -3\n");
+  ASSERT_EQ(model.meshes.size(), 2u);
+  EXPECT_EQ(model.meshes[0].name, "left");
+  EXPECT_EQ(model.meshes[1].name, "right");
+  EXPECT_EQ(model.meshes[1].positions, (std::vector<glm::dvec3>{{5, 5, 5}, {0, 1, 0}, {1, 0, 0}}));
+}
+
+TEST(ImportObj, windows_lines_continued_lines_and_vertices_that_follow_their_faces_are_read) {
+  const Model model = import_text("a.obj", "f 1 2 \\\r\n 3\r\nv 0 0 0\r\nv 1 0 0\r\nv 0 1 0 # last\r\n");
+  EXPECT_EQ(model.source_triangles(), 1u);
+}
+
+TEST(ImportObj, a_damaged_face_or_vertex_is_named_with_its_line) {
+  EXPECT_EQ(import_error("a.obj", "v 0 0 0\nf 1 2 900\n"), "line 2: names vertex 900 of 1");
+  EXPECT_EQ(import_error("a.obj", "v 0 0 0\nf 1 0 1\n"), "line 2: names vertex 0 of 1");
+  EXPECT_EQ(import_error("a.obj", "v 0 0 0\nf 1 1 -2\n"), "line 2: names vertex -2 of 1");
+  EXPECT_EQ(import_error("a.obj", "v 0 0 0\n\nf 1 1 99999999999999\n"),
+            "line 3: names vertex 99999999999999 of 1");
+  EXPECT_EQ(import_error("a.obj", "v 0 0 0\nf 1 x 1\n").substr(0, 6), "line 2");
+  EXPECT_EQ(import_error("a.obj", "v 0 0\n").substr(0, 6), "line 1");
+  EXPECT_EQ(import_error("a.obj", "v 0 0 zero\n").substr(0, 6), "line 1");
+}
+
+TEST(ImportObj, materials_come_from_the_library_beside_the_file) {
+  write_model("my colours.mtl", "newmtl red\nKd 1 0 0.25\nd 0.5\nnewmtl grey\nKd 0.5\nmap_Kd wood.png\n");
+  const Model model = import_text(
+      "a.obj", "mtllib my colours.mtl\n" + square_obj + "usemtl red\nf 1 2 3\nusemtl grey\nf 1 2 3\n");
+  const auto color_of = [&](size_t triangle) {
+    return model.materials[model.meshes[0].triangles[triangle].material].base_color;
+  };
+  EXPECT_EQ(color_of(0), Material().base_color);
+  EXPECT_EQ(color_of(2), glm::vec4(1, 0, 0.25, 0.5));
+  EXPECT_EQ(color_of(3), glm::vec4(0.5, 0.5, 0.5, 1));
+  EXPECT_TRUE(warns(model, "1 textures"));
+}
+
+TEST(ImportObj, materials_that_let_light_through_are_said) {
+  for (const char* glass : {"d 0.2", "Tr 0.8"}) {
+    write_model("glass.mtl", std::string("newmtl glass\nKd 0 1 0\n") + glass + "\n");
+    EXPECT_TRUE(warns(import_text("a.obj", "mtllib glass.mtl\n" + square_obj), "drawn opaque")) << glass;
+  }
+}
+
+TEST(ImportObj, a_missing_library_a_missing_material_and_skipped_statements_are_warnings) {
+  const Model model = import_text("a.obj", "mtllib none.mtl\nusemtl red\nl 1 2\nf 1 2\nbogus\n" + square_obj);
+  EXPECT_EQ(model.source_triangles(), 2u);
+  for (const char* warning :
+       {"none.mtl", "material that no library", "lines or points", "fewer than three", "not understood"}) {
+    EXPECT_TRUE(warns(model, warning)) << warning;
+  }
+}
+
+TEST(ImportObj, triangles_that_are_not_finite_are_dropped_and_counted) {
+  const Model model =
+      import_text("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1e999 0 0\nf 1 2 3\nf 2 3 4\nf 5 3 4\n");
+  EXPECT_EQ(model.report.dropped_triangles, 2u);
+  EXPECT_TRUE(warns(model, "2 triangles were dropped"));
+  EXPECT_EQ(model.meshes[0].positions, (std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  EXPECT_EQ(import_error("b.obj", "v nan 0 0\nf 1 1 1\n"),
+            "holds no triangles: 1 triangles were dropped: their coordinates are not finite");
+}
+
+TEST(ImportObj, no_damage_makes_it_crash) { expect_robust("a.obj", square_obj); }
+
+std::string binary_stl(uint32_t promised, int facets, float x = 1) {
+  std::string bytes = "solid that is binary";
+  bytes.resize(80);
+  append(bytes, promised);
+  for (int i = 0; i < facets; ++i) {
+    for (const float value : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, x, 0.f, 0.f, 0.f, 1.f, static_cast<float>(i)})
+      append(bytes, value);
+    append(bytes, uint16_t{0});
+  }
+  return bytes;
+}
+
+const std::string ascii_stl =
+    "solid a thing\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0.1\n "
+    " endloop\n"
+    " endfacet\nendsolid a thing\nSOLID other\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 "
+    "0\nVERTEX 0 1 0\n"
+    "ENDLOOP\nENDFACET\nENDSOLID\n";
+
+TEST(ImportStl, the_size_tells_a_binary_file_even_if_it_begins_with_solid) {
+  const Model model = import_text("a.stl", binary_stl(3, 3));
+  EXPECT_EQ(model.source_triangles(), 3u);
+  EXPECT_EQ(model.meshes[0].positions[8], glm::dvec3(0, 1, 2));
+}
+
+TEST(ImportStl, every_solid_of_an_ascii_file_becomes_a_mesh) {
+  const Model model = import_text("a.stl", ascii_stl);
+  ASSERT_EQ(model.meshes.size(), 2u);
+  EXPECT_EQ(model.meshes[0].name, "a thing");
+  EXPECT_EQ(model.meshes[0].positions[2], glm::dvec3(0, 1, 0.1));
+}
+
+TEST(ImportStl, a_file_of_another_length_than_it_says_or_of_noise_is_refused) {
+  EXPECT_NE(import_error("a.stl", binary_stl(4, 3)), "");
+  EXPECT_NE(import_error("a.stl", binary_stl(0xffffffff, 1)), "");
+  EXPECT_EQ(import_error("a.stl", binary_stl(0, 0)), "holds no triangles");
+  std::string noise;
+  for (int i = 0; i < 4096; ++i) noise.push_back(static_cast<char>(i));
+  EXPECT_NE(import_error("noise.stl", noise).find("is no STL file"), std::string::npos);
+}
+
+TEST(ImportStl, an_ascii_file_that_is_cut_or_out_of_order_is_refused_with_its_line) {
+  EXPECT_EQ(import_error("a.stl", ascii_stl.substr(0, 80)).substr(0, 4), "line");
+  EXPECT_EQ(import_error("a.stl", "solid\nvertex 0 0 0\nendsolid\n"), "line 2: a statement out of its place");
+  EXPECT_EQ(import_error("a.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nendloop\n").substr(0, 7),
+            "line 5:");
+}
+
+TEST(ImportStl, triangles_that_are_not_finite_are_dropped_and_counted) {
+  std::string two = binary_stl(2, 2);
+  const float infinite = std::numeric_limits<float>::infinity();
+  std::memcpy(two.data() + 84 + 12, &infinite, sizeof(infinite));
+  EXPECT_EQ(import_text("a.stl", two).report.dropped_triangles, 1u);
+  EXPECT_EQ(import_error("a.stl", binary_stl(2, 2, std::numeric_limits<float>::quiet_NaN())),
+            "holds no triangles: 2 triangles were dropped: their coordinates are not finite");
+}
+
+TEST(ImportStl, no_damage_makes_it_crash) {
+  expect_robust("a.stl", ascii_stl);
+  expect_robust("b.stl", binary_stl(2, 2));
+}
+
+}  // namespace
+}  // namespace triptych

@@ -1,0 +1,205 @@
+#include "preprocess/check/check.hpp"
+
+#include "base/error.hpp"
+#include "preprocess/check/check_distances.hpp"
+#include "preprocess/check/check_surfaces.hpp"
+#include "tests/support/small_pack.hpp"
+
+#include <atomic>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace triptych {
+namespace {
+
+using test::small_pack;
+using test::SmallPack;
+using test::write_pack;
+
+CheckReport check(const SmallPack& pack) { return check_pack(Pack(write_pack(pack)), {.points = 100'000}); }
+
+TEST(Check, a_sound_pack_passes_and_its_bounds_are_measured) {
+  const CheckReport report = check(small_pack());
+  EXPECT_TRUE(report.sound()) << (report.messages.empty() ? "" : report.messages[0]);
+  EXPECT_EQ(report.drawables_checked, 5u);
+  EXPECT_EQ(report.drawables_not_checked, 0u);
+  EXPECT_TRUE(report.messages.empty());
+  EXPECT_NEAR(report.bound_over_measured.p50, 1,
+              1e-9);  // the lifted middle is 0.5 from the flat square, as promised
+  EXPECT_NEAR(report.bound_over_measured.p95, 1, 1e-9);
+}
+
+TEST(Check, an_error_that_promises_too_much_is_found_on_leaves_instances_and_inner_nodes) {
+  for (const DrawableId id : {0u, 2u, 4u}) {
+    SmallPack pack = small_pack();
+    pack.skeleton.drawables[id].error = 0.4999;
+    const CheckReport report = check(pack);
+    EXPECT_EQ(report.bound_violations, 1u) << id;
+    ASSERT_FALSE(report.messages.empty());
+    EXPECT_NE((report.messages[0] + report.messages.back()).find("drawable " + std::to_string(id)),
+              std::string::npos);
+  }
+}
+
+TEST(Check, a_larger_error_is_no_violation_but_shows_in_the_ratio) {
+  SmallPack pack = small_pack();
+  for (const DrawableId id : {0u, 2u, 4u}) pack.skeleton.drawables[id].error = 1.5;
+  const CheckReport report = check(pack);
+  EXPECT_TRUE(report.sound());
+  EXPECT_NEAR(report.bound_over_measured.p50, 3, 1e-9);
+}
+
+TEST(Check, a_piece_that_vanished_is_found_though_what_is_left_lies_on_the_source) {
+  SmallPack pack = small_pack();
+  pack.skeleton.drawables[0].placement_count = 1;  // the root forgets the second leaf
+  pack.skeleton.drawables[0].triangles /= 2;
+  EXPECT_EQ(check(pack).bound_violations, 1u);
+}
+
+TEST(Check, a_piece_that_the_source_does_not_have_is_found) {
+  SmallPack pack = small_pack();
+  pack.skeleton.drawables[2].first_placement = 1;  // leaf 1's simplification stands where leaf 2 is
+  const CheckReport report = check(pack);
+  EXPECT_EQ(report.bound_violations, 1u);
+  EXPECT_EQ(report.box_violations, 1u);
+}
+
+TEST(Check, a_shrunk_box_is_found) {
+  SmallPack pack = small_pack();
+  pack.skeleton.scene_nodes[1].box.hi.z = 3;
+  EXPECT_EQ(check(pack).box_violations, 1u);
+  pack = small_pack();
+  pack.skeleton.scene_nodes[2].box.lo.x += 1;  // holds the placed instance and its simplification
+  EXPECT_EQ(check(pack).box_violations, 2u);
+}
+
+TEST(Check, a_box_that_leaves_its_parents_is_found) {
+  SmallPack pack = small_pack();
+  pack.skeleton.scene_nodes[2].box.hi.x = 321;
+  const CheckReport report = check(pack);
+  EXPECT_EQ(report.box_violations, 1u);
+  EXPECT_EQ(report.bound_violations, 0u);
+}
+
+TEST(Check, an_error_that_shrinks_is_found_along_a_node_and_towards_the_root) {
+  SmallPack pack = small_pack();
+  pack.skeleton.drawables[1].error = 0.6;  // the next of the same node and the root promise 0.5
+  EXPECT_EQ(check(pack).monotonicity_violations, 2u);
+  pack = small_pack();
+  pack.skeleton.drawables[2].error = 0.6;  // the root promises 0.5
+  EXPECT_EQ(check(pack).monotonicity_violations, 1u);
+}
+
+TEST(Check, a_damaged_chunk_is_counted_and_what_hangs_on_it_is_not_checked) {
+  const auto file = write_pack(small_pack());
+  uint64_t offset = 0;
+  {
+    const Pack pack(file);
+    offset = 32 + pack.skeleton().chunks[2].offset + 40;
+  }
+  {
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekg(static_cast<std::streamoff>(offset));
+    const int old = bytes.get();
+    bytes.seekp(static_cast<std::streamoff>(offset));
+    bytes.put(static_cast<char>(old ^ 1));
+  }
+  const CheckReport report = check_pack(Pack(file));
+  EXPECT_EQ(report.checksum_errors, 1u);
+  EXPECT_EQ(report.bound_violations, 0u);
+  EXPECT_GE(report.drawables_not_checked, 2u);  // leaf 2's simplification and the root
+  ASSERT_EQ(report.messages.size(), 1u);
+  EXPECT_NE(report.messages[0].find("chunk 2"), std::string::npos);
+  EXPECT_FALSE(report.sound());
+}
+
+TEST(Check, says_the_same_twice_and_no_more_than_it_was_asked_for) {
+  SmallPack pack = small_pack();
+  for (Drawable& drawable : pack.skeleton.drawables) drawable.error = 0;
+  const Pack opened(write_pack(pack));
+  const CheckReport once = check_pack(opened, {.points = 10'000, .messages = 2}),
+                    again = check_pack(opened, {.points = 10'000, .messages = 2});
+  EXPECT_EQ(once.bound_violations, 3u);
+  EXPECT_EQ(once.messages.size(), 2u);
+  EXPECT_EQ(once.messages, again.messages);
+}
+
+TEST(Check, a_measurement_ends_when_it_is_told_to_before_or_in_the_middle_of_a_drawable) {
+  SmallPack pack = small_pack();
+  const Pack opened(write_pack(pack));
+  const std::vector<DrawableId> all = {0, 1, 2, 3, 4};
+  std::atomic<int> calls = 0;
+  const std::vector<double> whole = measured_distances(opened, all, 10'000, [&] { ++calls; });
+  EXPECT_EQ(whole, measured_distances(opened, 10'000));
+  ASSERT_GE(calls, 5);
+  for (int last = 0; last < calls; ++last) {
+    std::atomic<int> left = last;
+    const auto told = [&] {
+      if (--left < 0) fail("check", "was told to end");
+    };
+    EXPECT_THROW(measured_distances(opened, all, 10'000, told), Error) << last;
+  }
+}
+
+TEST(CheckSurfaces, the_distance_to_a_triangle_is_the_least_over_its_points) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto any = [&] { return glm::dvec3(coordinate(random), coordinate(random), coordinate(random)); };
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 a = any(), b = any(),
+                     c = i % 5 == 0   ? a
+                         : i % 7 == 0 ? (a + b) * 0.5
+                                      : any(),
+                     point = any() * 2.0;
+    double least = 1e9;
+    constexpr int steps = 200;
+    for (int u = 0; u <= steps; ++u) {
+      for (int v = 0; u + v <= steps; ++v) {
+        least = std::min(least,
+                         glm::distance(point, a + (b - a) * (u * 1.0 / steps) + (c - a) * (v * 1.0 / steps)));
+      }
+    }
+    const double distance = distance_to_triangle(point, a, b, c);
+    EXPECT_LE(distance, least + 1e-12);
+    EXPECT_GE(distance, least - 0.02);
+  }
+}
+
+TEST(CheckSurfaces, the_tree_finds_what_a_full_search_finds_under_any_transform) {
+  const Chunk chunk = test::grid_chunk({100'000'000, -5, 7}, 12, 9, 5);
+  SmallPack pack = small_pack();
+  pack.chunks[2] = chunk;
+  pack.skeleton.drawables[3].triangles = static_cast<uint32_t>(chunk.triangle_count());
+  Affine sheared(1);  // a shear, a mirror and a scale that differs along the axes
+  sheared[0] = {0.5, 0.1, 0};
+  sheared[1] = {0.7, -3, 0.2};
+  sheared[2] = {0, 0.3, 8};
+  sheared[3] = {-1234.5, 17, 1e5};
+  pack.skeleton.transforms[1] = sheared;
+  const Pack opened(write_pack(pack));
+  const PackSurfaces surfaces(opened);
+  const auto tree = surfaces.tree(2);
+  const Lattice lattice = opened.skeleton().lattices[1];
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> jitter(-40, 40);
+  for (int i = 0; i < 300; ++i) {
+    const glm::dvec3 near =
+        sheared * glm::dvec4(lattice.position(chunk.vertices[random() % chunk.vertices.size()].point), 1);
+    const glm::dvec3 point =
+        near + glm::dvec3(jitter(random), jitter(random), jitter(random)) * (i % 3 == 0 ? 1e-3 : 1.0);
+    double least = 1e300;
+    for (size_t k = 0; k < chunk.indices.size(); k += 3) {
+      std::array<glm::dvec3, 3> corners;
+      for (size_t j = 0; j < 3; ++j)
+        corners[j] = sheared * glm::dvec4(lattice.position(chunk.vertices[chunk.indices[k + j]].point), 1);
+      least = std::min(least, distance_to_triangle(point, corners[0], corners[1], corners[2]));
+    }
+    EXPECT_NEAR(tree->distance(surfaces.placing(1), point, 1e300, 0), least, 1e-11);
+    EXPECT_EQ(tree->distance(surfaces.placing(1), point, least / 2, 0), least / 2);
+  }
+}
+
+}  // namespace
+}  // namespace triptych
