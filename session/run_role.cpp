@@ -1,3 +1,4 @@
+#include "base/file.hpp"
 #include "base/hashing.hpp"
 #include "base/notice.hpp"
 #include "base/progress.hpp"
