@@ -5,6 +5,7 @@
 #include "launch/text_table.hpp"
 #include "measure/explanation.hpp"
 #include "measure/json.hpp"
+#include "scene/pack.hpp"
 
 #include <cmath>
 #include <fmt/core.h>

@@ -3,6 +3,7 @@
 #include "launch/text_table.hpp"
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
+#include "scene/pack.hpp"
 
 #include <fmt/core.h>
 

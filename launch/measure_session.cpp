@@ -7,6 +7,7 @@
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"
 #include "nodes/inbox.hpp"
+#include "nodes/local_pipeline.hpp"
 
 #include <fmt/core.h>
 
@@ -27,13 +28,12 @@ std::vector<FrameRequest> played(const std::vector<FrameRequest>& path, size_t t
 /// The same path in one process, with each picture's hash.
 std::vector<FrameRecord> run_one_process(const Pack& pack, const RunOptions& run,
                                          const std::vector<FrameRequest>& requests) {
-  Fallback fallback(pack,
-                    {.width = run.size.width, .height = run.size.height, .test = run.test, .batches = {}});
+  LocalPipeline pipeline(pack, {.width = run.size.width, .height = run.size.height, .device = {run.test}});
   std::vector<FrameRecord> records;
   Progress progress("one process", requests.size());
   for (const FrameRequest& request : requests) {
-    records.push_back(fallback.draw(request));
-    const std::vector<uint8_t> colors = fallback.target().read_colors();
+    records.push_back(pipeline.draw(request));
+    const std::vector<uint8_t> colors = pipeline.target().read_colors();
     records.back().picture_hash = hash_values(std::span<const uint8_t>(colors));
     progress.advance();
     end_if_asked("one process");

@@ -7,6 +7,8 @@
 #include "measure/json.hpp"
 #include "measure/path_deviation.hpp"
 #include "nodes/inbox.hpp"
+#include "nodes/local_pipeline.hpp"
+#include "scene/path.hpp"
 #include "session/temporary_folder.hpp"
 
 #include <fmt/core.h>
@@ -32,11 +34,11 @@ std::vector<std::vector<FrameRequest>> sweep(const RunOptions& options, const Sk
   return paths;
 }
 
-std::vector<FrameRecord> draw(Fallback& fallback, const std::vector<FrameRequest>& path) {
-  fallback.forget();
+std::vector<FrameRecord> draw(LocalPipeline& pipeline, const std::vector<FrameRequest>& path) {
+  pipeline.forget();
   std::vector<FrameRecord> records;
   for (const FrameRequest& frame : path) {
-    records.push_back(fallback.draw(frame));
+    records.push_back(pipeline.draw(frame));
     end_if_asked("measure simplifiers");
   }
   return records;
@@ -57,13 +59,12 @@ void measure(const MeasureSimplifiersCommand& command, const BuildFlags& flags, 
   const Pack pack(file);
   const std::vector<std::vector<FrameRequest>> paths = sweep(command.run, pack.skeleton());
   const std::vector<PathDeviation> deviations = measure_deviation(pack, paths, command.points);
-  Fallback fallback(pack, {.width = command.run.size.width,
-                           .height = command.run.size.height,
-                           .test = command.run.test,
-                           .batches = {}});
+  LocalPipeline pipeline(
+      pack,
+      {.width = command.run.size.width, .height = command.run.size.height, .device = {command.run.test}});
   Progress progress("draw", paths.size());
   for (size_t i = 0; i < paths.size(); ++i) {
-    const std::vector<FrameRecord> frames = draw(fallback, paths[i]);
+    const std::vector<FrameRecord> frames = draw(pipeline, paths[i]);
     const PathDeviation& deviation = deviations[i];
     const nlohmann::json triangles =
         distribution_json(frames, [](const FrameRecord& r) { return r.drawn_triangles; });

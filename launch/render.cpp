@@ -1,3 +1,4 @@
+#include "base/file.hpp"
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "base/timeline.hpp"
@@ -7,7 +8,9 @@
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "measure/timeline_trace.hpp"
+#include "nodes/local_pipeline.hpp"
 #include "render/png_file.hpp"
+#include "scene/pack.hpp"
 #include "session/pictures.hpp"
 
 #include <fmt/core.h>
@@ -19,7 +22,7 @@ namespace {
 struct RenderCommand {
   RunOptions run;
   std::filesystem::path output, timeline;
-  CullMode cull = CullMode::occlusion;
+  StrategyKind cull = StrategyKind::occlusion;
   bool full_detail = false, item_buffer = false;
   uint32_t every = 1;
 };
@@ -32,19 +35,18 @@ int run(const RenderCommand& command) {
   make_folder(command.output);
   const auto context = make_context(command.run.context);
   const auto [width, height] = command.run.size;
-  Fallback fallback(pack, {.width = width,
-                           .height = height,
-                           .cull = command.cull,
-                           .test = command.run.test,
-                           .batches = {},
-                           .item_buffer = command.item_buffer});
+  LocalPipeline pipeline(pack, {.width = width,
+                                .height = height,
+                                .cull = command.cull,
+                                .device = {command.run.test},
+                                .item_buffer = command.item_buffer});
   std::vector<FrameRecord> records;
   {
     Progress progress("render", frames.size());
     for (FrameRequest& frame : frames) {
-      if (command.full_detail) frame.pixel_error = 0;
-      records.push_back(fallback.draw(frame));
-      const Target& target = fallback.target();
+      if (command.full_detail) frame.state.pixel_error = 0;
+      records.push_back(pipeline.draw(frame));
+      const FrameTarget& target = pipeline.target();
       write_png(command.output / picture_name(frame.number), width, height,
                 command.item_buffer ? item_colors(target.read_items()) : target.read_colors());
       progress.advance();
@@ -84,8 +86,7 @@ void add_render(CLI::App& app, Action& action) {
   sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
   add_run_flags(*sub, command->run);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
-  const std::map<std::string, CullMode> modes{
-      {"occlusion", CullMode::occlusion}, {"frustum", CullMode::frustum}, {"none", CullMode::none}};
+  const std::map<std::string, StrategyKind> modes(strategy_names().begin(), strategy_names().end());
   add_choice_flag(*sub, "--cull", command->cull, modes, "What is left out")->default_str("occlusion");
   add_timeline_flag(*sub, command->timeline);
   sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");

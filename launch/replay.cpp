@@ -8,8 +8,11 @@
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
 #include "measure/json.hpp"
+#include "nodes/injected_rules.hpp"
+#include "nodes/pack_device.hpp"
 #include "nodes/picture_stage.hpp"
 #include "render/png_file.hpp"
+#include "scene/pack.hpp"
 #include "session/pictures.hpp"
 
 #include <fmt/core.h>
@@ -29,8 +32,7 @@ struct ReplayCommand {
 /// Draws replayed frames; keeps what it needs from one to the next.
 class Replayer {
  public:
-  Replayer(const ReplayCommand& command, const Pack& pack)
-      : command_(command), pack_(pack), renderer_(pack) {}
+  Replayer(const ReplayCommand& command, const Pack& pack) : command_(command), pack_(pack), device_(pack) {}
 
   /// A frame that a killed render node drew and its successor drew again is wanted once.
   bool wants(uint32_t frame) const {
@@ -39,13 +41,14 @@ class Replayer {
   bool done() const { return command_.frame && !frames_.empty(); }
 
   void draw(const ReplayedFrame& frame) {
-    const View& view = frame.request.view;
+    const View& view = frame.request.state.view;
     if (!picture_ || picture_->target().width() != view.width || picture_->target().height() != view.height) {
-      picture_.emplace(renderer_, view.width, view.height);
+      picture_.emplace(device_.device(), view.width, view.height);
     }
     std::vector<DrawableId> ordered = frame.visible;
-    sort_by_rank(pack_.skeleton(), eye_cell(pack_.skeleton(), view), ordered);
-    picture_->begin(view);
+    const FrameView frame_view(pack_.skeleton(), frame.request.state, injected_frame_rules());
+    sort_by_rank(pack_.skeleton(), frame_view.cell, ordered);
+    picture_->begin(frame_view);
     picture_->draw(ordered);
     const std::vector<uint8_t> colors = picture_->target().read_colors();
     const uint64_t hash = hash_values(std::span<const uint8_t>(colors));
@@ -53,7 +56,7 @@ class Replayer {
               view.width, view.height, colors);
     drawn_.insert(frame.request.number);
     frames_.push_back({{"number", frame.request.number},
-                       {"pixel_error", frame.request.pixel_error},
+                       {"pixel_error", frame.request.state.pixel_error},
                        {"visible", frame.visible.size()},
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},
@@ -65,7 +68,7 @@ class Replayer {
  private:
   const ReplayCommand& command_;
   const Pack& pack_;
-  Renderer renderer_;
+  PackDevice device_;
   std::optional<PictureStage> picture_;
   std::set<uint32_t> drawn_;
   nlohmann::json frames_ = nlohmann::json::array();

@@ -12,7 +12,7 @@ namespace {
 int run(ContextKind kind, const std::filesystem::path& json) {
   const auto context = make_context(kind);
   const RasterCertificate certificate = measure_raster();
-  const GlNames& names = context->names();
+  const DeviceNames& names = context->names();
   fmt::print("{}, {}, OpenGL {}\n{} bits of a pixel by its own account\n\n", names.vendor, names.renderer,
              names.version, certificate.claimed_subpixel_bits);
   nlohmann::json findings = nlohmann::json::array();

@@ -3,6 +3,8 @@
 #include "launch/command.hpp"
 #include "measure/json.hpp"
 #include "nodes/inbox.hpp"
+#include "nodes/local_pipeline.hpp"
+#include "scene/pack.hpp"
 #include "session/window_source.hpp"
 
 #include <fmt/core.h>
@@ -28,27 +30,26 @@ int run(const ViewCommand& command) {
   if (options.play && !options.path) fail("view", "--play needs a --path to play");
   Viewer viewer(pack, options);
   say(viewer_help());
-  Fallback fallback(pack, {.width = viewer.window().width(),
-                           .height = viewer.window().height(),
-                           .test = command.run.test,
-                           .batches = {}});
+  LocalPipeline pipeline(
+      pack,
+      {.width = viewer.window().width(), .height = viewer.window().height(), .device = {command.run.test}});
   std::vector<FrameRecord> records;
   while (!viewer.left()) {
     constexpr double patience_s = 1;
     if (!viewer.wait_for_frame(patience_s)) continue;
     const FrameRequest frame = viewer.next_frame();
-    if (const Target& target = fallback.target();
-        target.width() != frame.view.width || target.height() != frame.view.height) {
-      fallback.resize(frame.view.width, frame.view.height);
+    if (const FrameTarget& target = pipeline.target();
+        target.width() != frame.state.view.width || target.height() != frame.state.view.height) {
+      pipeline.resize(frame.state.view.width, frame.state.view.height);
     }
-    fallback.set_cull(viewer.culling() ? CullMode::occlusion : CullMode::frustum);
-    const FrameRecord record = fallback.draw(frame);
-    viewer.show(frame, record, fallback.target(), fallback.renderer());
+    pipeline.set_strategy(viewer.culling() ? StrategyKind::occlusion : StrategyKind::frustum);
+    const FrameRecord record = pipeline.draw(frame);
+    viewer.show(frame, record, pipeline.target(), pipeline.device());
     // The figures of a day at the window do not fill the memory: sets are dropped.
     records.push_back(record);
     records.back().visible = {};
   }
-  const GlNames& gl = viewer.window().names();
+  const DeviceNames& gl = viewer.window().names();
   const nlohmann::json report = {
       {"frames", records.size()},
       {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},

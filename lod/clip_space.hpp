@@ -4,6 +4,7 @@
 #include "scene/camera.hpp"
 #include "scene/skeleton.hpp"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace triptych {
@@ -30,6 +31,8 @@ struct ClipSpace {
   double depth(double z) const { return orthographic ? 1 - (z - near) / range : near / z; }
 };
 
-ClipSpace clip_space(const Skeleton& skeleton, const View& view);
+/// rotation: view.rotation(). model_units: FrameRules::model_units.
+ClipSpace clip_space(const Skeleton& skeleton, const View& view, const glm::dmat3& rotation,
+                     bool model_units = true);
 
 }  // namespace triptych

@@ -2,62 +2,12 @@
 // pixel error.
 #pragma once
 
-#include "scene/camera.hpp"
-#include "scene/skeleton.hpp"
+#include "lod/draw_rank.hpp"
+#include "lod/frame_view.hpp"
 
-#include <compare>
-#include <cstdint>
 #include <vector>
 
 namespace triptych {
-
-/// The order in which drawables are tested and drawn: squared distance from the eye's lattice cell to the
-/// scene node's box, in integers, ties by id. Every machine agrees on it, and a child never ranks before its
-/// parent.
-struct DrawRank {
-  uint64_t distance = 0;
-  DrawableId id = 0;
-  auto operator<=>(const DrawRank&) const = default;
-};
-
-/// The eye's cell on the model lattice, clamped to where differences still fit.
-glm::ivec3 eye_cell(const Skeleton& skeleton, const View& view);
-/// Squared distance from the cell to the box, in lattice steps; 0 inside it.
-uint64_t squared_distance(const glm::ivec3& cell, const LatticeBox& box);
-DrawRank draw_rank(const Skeleton& skeleton, const glm::ivec3& cell, DrawableId drawable);
-/// Sorts drawables of one view by their draw rank.
-void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<DrawableId>& drawables);
-
-/// The vertex stage works in 32-bit floats relative to the eye: what it draws is off by less than this share
-/// of the distance. visibility/screen_bounds.cpp has the parts of it.
-inline constexpr double vertex_rounding = 0x1p-17;
-
-/// Where a box lies in eye space, as far as selection needs it.
-struct EyeBounds {
-  double least_depth = 0;  ///< of the box along the view axis; negative behind the eye
-  bool outside = false;    ///< so far beyond one of the frustum's planes that no rounding draws any of it
-  double stretch = 1;     ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
-  bool parallel = false;  ///< orthographic: the picture does not depend on depth
-};
-
-/// The pixel error of a surface that deviates by at most `error` (δ, model units): f·δ·√(1+|t|²)/(z−δ), and
-/// infinite where z ≤ δ (vlod-2005 §4; derived in docs/algorithms.md). Orthographic: f·δ, f in pixels per
-/// model unit.
-double projected_error(double focal_length, double error, const EyeBounds& bounds);
-
-/// What one view needs to place boxes: computed once a frame.
-class EyeSpace {
- public:
-  EyeSpace(const Skeleton& skeleton, const View& view);
-  EyeBounds bounds(const LatticeBox& box) const;
-
- private:
-  const Lattice& lattice_;
-  glm::dvec3 eye_;
-  glm::dmat3 rotation_;
-  double left_, right_, bottom_, top_, near_, corner_stretch_, diagonal_;
-  bool orthographic_;
-};
 
 /// Whether drawables outside the frustum belong to the selection: `on` gives the cut; `off` adds the rest of
 /// the model at the detail that its distance asks for, which is what a program without any culling would
@@ -74,8 +24,25 @@ struct Cut {
   std::vector<DrawableId> choice;
 };
 
-/// pixel_error 0 selects full detail: every leaf's finest drawable.
-Cut select_cut(const Skeleton& skeleton, const View& view, double pixel_error,
-               FrustumCulling culling = FrustumCulling::on);
+/// What the cut has at a scene node that it reaches: a drawable, Cut::inner, or no_id beyond the frustum. The
+/// one rule by which select_cut() and LazyCut choose.
+DrawableId choose_level(const FrameView& view, SceneNodeId node, FrustumCulling culling = FrustumCulling::on);
+
+/// The whole cut at once: the reference that LazyCut must agree with. Pixel error 0 selects full detail:
+/// every leaf's finest drawable.
+Cut select_cut(const FrameView& view, FrustumCulling culling = FrustumCulling::on);
+
+/// The drawables of a cut alone, into the same list each time: walks what lies in the frustum, and touches
+/// nothing else.
+class CutLister {
+ public:
+  /// In draw rank order; good until the next call.
+  const std::vector<DrawableId>& list(const FrameView& view, FrustumCulling culling = FrustumCulling::on);
+
+ private:
+  std::vector<SceneNodeId> open_;
+  std::vector<DrawableId> drawables_;
+  RankSorter sorter_;
+};
 
 }  // namespace triptych

@@ -3,7 +3,11 @@
 #include "base/error.hpp"
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
+#include "lod/cut.hpp"
 #include "nodes/inbox.hpp"
+#include "nodes/injected_rules.hpp"
+#include "nodes/pack_device.hpp"
+#include "nodes/picture_stage.hpp"
 
 #include <algorithm>
 
@@ -35,14 +39,16 @@ std::vector<Comparison> compare(const Pack& pack, const std::vector<FrameRequest
   for (const std::vector<FrameRecord>* run : runs) frames = std::max(frames, run->size());
   if (frames > requests.size()) fail("comparison", "{} frames were drawn of {}", frames, requests.size());
   if (frames == 0) return comparisons;
-  Renderer renderer(pack);
-  const View& first = requests.front().view;
-  PictureStage pictures(renderer, first.width, first.height, TargetKind::color_and_item);
+  PackDevice device(pack);
+  const View& first = requests.front().state.view;
+  PictureStage pictures(device.device(), first.width, first.height, TargetKind::color_and_item);
+  const FrameRules rules = injected_frame_rules();
+  CutLister cuts;
   Progress progress("compare with un-culled", frames);
   for (size_t i = 0; i < frames; ++i) {
-    const Cut cut = select_cut(pack.skeleton(), requests[i].view, requests[i].pixel_error);
-    pictures.begin(requests[i].view);
-    pictures.draw(cut.drawables);
+    const FrameView view(pack.skeleton(), requests[i].state, rules);
+    pictures.begin(view);
+    pictures.draw(cuts.list(view));
     const std::vector<uint8_t> colors = pictures.target().read_colors();
     const VisibleSet truth = owners(pictures.target().read_items());
     const uint64_t hash = hash_values(std::span<const uint8_t>(colors));

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "nodes/frame_record.hpp"
-#include "nodes/picture_stage.hpp"
+#include "scene/frame_state.hpp"
+#include "scene/pack.hpp"
 
 #include <vector>
 

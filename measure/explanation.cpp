@@ -8,27 +8,35 @@
 
 namespace triptych {
 
+namespace {
+LocalPipelineOptions of_size(int width, int height) {
+  LocalPipelineOptions options;
+  options.width = width;
+  options.height = height;
+  return options;
+}
+}  // namespace
+
 Explainer::Explainer(const Pack& pack, int width, int height, TestKind test)
     : skeleton_(pack.skeleton()),
-      fallback_(pack,
-                {.width = width,
-                 .height = height,
-                 .test = test,
-                 .batches = {.on_test = [this](SceneNodeId node, bool shows) { tests_[node] = shows; }}}),
-      item_stage_(fallback_.renderer(), width, height, TargetKind::item) {}
+      device_(pack, {test}),
+      strategy_(device_.hierarchy(), {.observer = this}),
+      pipeline_(device_.hierarchy(), device_.device(), strategy_, of_size(width, height)),
+      item_stage_(device_.device(), width, height, TargetKind::item) {}
 
 void Explainer::draw(const FrameRequest& frame) {
   tests_.clear();
   items_.clear();
   frame_ = frame;
-  record_ = fallback_.draw(frame);
+  record_ = pipeline_.draw(frame);
 }
 
 const std::vector<uint32_t>& Explainer::items() {
   if (items_.empty()) {
     std::vector<DrawableId> ordered = record_.visible;
-    sort_by_rank(skeleton_, eye_cell(skeleton_, frame_.view), ordered);
-    item_stage_.begin(frame_.view);
+    const FrameView frame_view = view();
+    sort_by_rank(skeleton_, frame_view.cell, ordered);
+    item_stage_.begin(frame_view);
     item_stage_.draw(ordered);
     items_ = item_stage_.target().read_items();
   }
@@ -36,7 +44,7 @@ const std::vector<uint32_t>& Explainer::items() {
 }
 
 std::optional<DrawableId> Explainer::at(int x, int y) {
-  const View& view = frame_.view;
+  const View& view = frame_.state.view;
   if (x < 0 || y < 0 || x >= view.width || y >= view.height) {
     fail(fmt::format("pixel {},{}", x, y), "lies outside the picture of {}x{}", view.width, view.height);
   }
@@ -56,8 +64,9 @@ DrawableFacts Explainer::facts_of(DrawableId id) const {
                       .error = drawable.error};
   for (SceneNodeId up = drawable.scene_node; up != no_id; up = skeleton_.scene_nodes[up].parent)
     ++facts.depth;
-  facts.pixels = projected_error(frame_.view.focal_length(), drawable.error,
-                                 EyeSpace(skeleton_, frame_.view).bounds(node.box));
+  const FrameView frame_view = view();
+  facts.pixels =
+      projected_error(frame_view.focal_length, drawable.error, frame_view.eye_space.bounds(node.box));
   return facts;
 }
 
@@ -82,30 +91,30 @@ DrawableExplanation Explainer::explain(DrawableId id) {
   explanation.facts = facts_of(id);
   const uint32_t item = id + 1;
   explanation.pixels_owned = static_cast<uint64_t>(std::count(items().begin(), items().end(), item));
-  if (fallback_.occlusion().cut().choice[explanation.facts.scene_node] != id) {
+  if (strategy_.cut().choice(explanation.facts.scene_node) != id) {
     explain_cut(explanation);
     return explanation;
   }
   explanation.coarser = next_coarser(id);
-  explanation.finest_there_is = !(explanation.facts.pixels <= frame_.pixel_error);
+  explanation.finest_there_is = !(explanation.facts.pixels <= frame_.state.pixel_error);
   explain_culling(explanation);
   return explanation;
 }
 
 void Explainer::explain_cut(DrawableExplanation& explanation) {
-  const std::vector<DrawableId>& choice = fallback_.occlusion().cut().choice;
+  const auto choice = [&](SceneNodeId at) { return strategy_.cut().choice(at); };
   const SceneNodeId own = explanation.facts.scene_node;
-  if (choice[own] == Cut::inner) {
+  if (choice(own) == Cut::inner) {
     explanation.fate = Fate::finer;
     name_descendants(own, explanation);
     return;
   }
-  const EyeSpace eye_space(skeleton_, frame_.view);
+  const EyeSpace eye_space = view().eye_space;
   for (SceneNodeId node = own; node != no_id; node = skeleton_.scene_nodes[node].parent) {
     if (eye_space.bounds(skeleton_.scene_nodes[node].box).outside) explanation.decided_at = node;
-    if (choice[node] >= Cut::inner) continue;
-    explanation.by = {facts_of(choice[node])};
-    explanation.fate = node == own && choice[node] < explanation.facts.id ? Fate::finer : Fate::coarser;
+    if (choice(node) >= Cut::inner) continue;
+    explanation.by = {facts_of(choice(node))};
+    explanation.fate = node == own && choice(node) < explanation.facts.id ? Fate::finer : Fate::coarser;
   }
   if (explanation.by.empty()) {
     explanation.fate = Fate::outside_frustum;
@@ -115,7 +124,7 @@ void Explainer::explain_cut(DrawableExplanation& explanation) {
 }
 
 void Explainer::name_descendants(SceneNodeId node, DrawableExplanation& explanation) {
-  const std::vector<DrawableId>& choice = fallback_.occlusion().cut().choice;
+  const auto choice = [&](SceneNodeId at) { return strategy_.cut().choice(at); };
   std::vector<SceneNodeId> open = {node};
   std::map<uint32_t, uint64_t> owned;
   for (const uint32_t item : items()) ++owned[item];
@@ -124,9 +133,9 @@ void Explainer::name_descendants(SceneNodeId node, DrawableExplanation& explanat
     const SceneNode& inner = skeleton_.scene_nodes[open.back()];
     open.pop_back();
     for (SceneNodeId child = inner.first_child; child < inner.first_child + inner.child_count; ++child) {
-      if (choice[child] == Cut::inner) open.push_back(child);
-      if (choice[child] >= Cut::inner) continue;
-      found.emplace_back(owned[choice[child] + 1], choice[child]);
+      if (choice(child) == Cut::inner) open.push_back(child);
+      if (choice(child) >= Cut::inner) continue;
+      found.emplace_back(owned[choice(child) + 1], choice(child));
     }
   }
   std::sort(found.begin(), found.end(), [](const auto& one, const auto& other) {
@@ -144,15 +153,15 @@ void Explainer::explain_culling(DrawableExplanation& explanation) {
     return;
   }
   explanation.fate = Fate::withheld;
-  const BoxProjector projector(skeleton_, frame_.view);
+  const BoxProjector projector(view());
   for (SceneNodeId node = explanation.facts.scene_node; node != no_id;
        node = skeleton_.scene_nodes[node].parent) {
     const auto test = tests_.find(node);
     const bool hidden = test != tests_.end() && !test->second;
     // A scene node is not tested where its box covers no pixel's centre; those above it may be.
-    const bool between_pixels =
-        node == explanation.facts.scene_node &&
-        drawable_bounds(skeleton_, projector, explanation.facts.id).kind == ScreenBounds::Kind::off_screen;
+    const bool between_pixels = node == explanation.facts.scene_node &&
+                                drawable_bounds(device_.hierarchy(), projector, explanation.facts.id).kind ==
+                                    ScreenBounds::Kind::off_screen;
     if (!hidden && !between_pixels) continue;
     explanation.fate = hidden ? Fate::hidden : Fate::between_pixels;
     explanation.decided_at = node;
@@ -161,14 +170,14 @@ void Explainer::explain_culling(DrawableExplanation& explanation) {
 }
 
 void Explainer::name_what_is_in_front(DrawableExplanation& explanation) {
-  const BoxProjector projector(skeleton_, frame_.view);
+  const BoxProjector projector(view());
   std::vector<ScreenRectangle> rectangles;
   if (explanation.decided_at == explanation.facts.scene_node) {
-    rectangles = drawable_bounds(skeleton_, projector, explanation.facts.id).rectangles;
+    rectangles = drawable_bounds(device_.hierarchy(), projector, explanation.facts.id).rectangles;
   } else {
     rectangles = {projector.bounds(skeleton_.scene_nodes[explanation.decided_at].box).rectangle};
   }
-  const int width = frame_.view.width, height = frame_.view.height;
+  const int width = frame_.state.view.width, height = frame_.state.view.height;
   const auto device = [](int at, int side) { return static_cast<float>((2 * at + 1.0) / side - 1); };
   std::map<uint32_t, uint64_t> owners;
   for (int y = 0; y < height; ++y) {

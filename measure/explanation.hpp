@@ -1,7 +1,8 @@
 // Why a frame shows what it shows: which drawable owns a pixel, why it was chosen, and why another was not.
 #pragma once
 
-#include "nodes/fallback.hpp"
+#include "nodes/local_pipeline.hpp"
+#include "visibility/occlusion_strategy.hpp"
 
 #include <map>
 #include <optional>
@@ -49,7 +50,7 @@ struct DrawableExplanation {
 };
 
 /// Draws frames as the one-process fallback does, and explains the last. A context must be current.
-class Explainer {
+class Explainer : private TestObserver {
  public:
   Explainer(const Pack& pack, int width, int height, TestKind test);
 
@@ -63,6 +64,7 @@ class Explainer {
   DrawableExplanation explain(DrawableId id);
 
  private:
+  void tested(SceneNodeId node, bool shows) override { tests_[node] = shows; }
   DrawableFacts facts_of(DrawableId id) const;
   std::optional<DrawableFacts> next_coarser(DrawableId id) const;
   void explain_cut(DrawableExplanation& explanation);
@@ -71,8 +73,12 @@ class Explainer {
   void name_descendants(SceneNodeId node, DrawableExplanation& explanation);
   const std::vector<uint32_t>& items();
 
+  FrameView view() const { return {skeleton_, frame_.state, pipeline_.rules()}; }
+
   const Skeleton& skeleton_;
-  Fallback fallback_;
+  PackDevice device_;
+  OcclusionStrategy strategy_;
+  LocalPipeline pipeline_;
   PictureStage item_stage_;
   FrameRequest frame_;
   FrameRecord record_;

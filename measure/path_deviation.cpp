@@ -19,10 +19,11 @@ constexpr const char* stage = "deviation";
 std::vector<std::vector<DrawableId>> drawables_along(const Skeleton& skeleton,
                                                      std::span<const std::vector<FrameRequest>> paths) {
   std::vector<std::vector<DrawableId>> all;
+  CutLister cuts;
   for (const std::vector<FrameRequest>& frames : paths) {
     std::vector<uint8_t> used(skeleton.drawables.size(), 0);
     for (const FrameRequest& frame : frames) {
-      for (const DrawableId id : select_cut(skeleton, frame.view, frame.pixel_error).drawables) used[id] = 1;
+      for (const DrawableId id : cuts.list(FrameView(skeleton, frame.state))) used[id] = 1;
       end_if_asked(stage);
     }
     std::vector<DrawableId>& drawables = all.emplace_back();
@@ -52,13 +53,13 @@ std::vector<double> distances(const Pack& pack, const std::vector<std::vector<Dr
 
 void add_frame(PathDeviation& deviation, const Skeleton& skeleton, const FrameRequest& frame,
                const std::vector<double>& distances) {
-  const EyeSpace eye_space(skeleton, frame.view);
-  const double focal_length = frame.view.focal_length();
-  for (const DrawableId id : select_cut(skeleton, frame.view, frame.pixel_error).drawables) {
+  const FrameView view(skeleton, frame.state);
+  for (const DrawableId id : select_cut(view).drawables) {
     if (distances[id] == 0) continue;  // however near the eye is
     const LatticeBox& box = skeleton.scene_nodes[skeleton.drawables[id].scene_node].box;
-    const double pixels = std::min(projected_error(focal_length, distances[id], eye_space.bounds(box)),
-                                   std::numeric_limits<double>::max());
+    const double pixels =
+        std::min(projected_error(view.focal_length, distances[id], view.eye_space.bounds(box)),
+                 std::numeric_limits<double>::max());
     if (pixels <= deviation.pixels_max) continue;
     deviation.pixels_max = pixels;
     deviation.drawable = id;

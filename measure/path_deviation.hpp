@@ -3,7 +3,7 @@
 
 #include "base/distribution.hpp"
 #include "nodes/frame_record.hpp"
-#include "nodes/occlusion_stage.hpp"
+#include "scene/frame_state.hpp"
 #include "scene/pack.hpp"
 
 #include <cstdint>

@@ -16,7 +16,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_repr
                                    latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,
                                    cut_drawables, drawn_triangles, tests, added, removed, level_changes,
                                    visible_count, digest_mismatch, fallback, lost, visible, picture_hash)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GlNames, vendor, renderer, version)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceNames, vendor, renderer, version)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Waiting, messages, bytes)
@@ -126,7 +126,7 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
   try {
     return {document.at("sockets").get<std::vector<SocketRecord>>(),
             document.at("frames").get<std::vector<FrameRecord>>(),
-            document.at("gl").get<GlNames>(),
+            document.at("gl").get<DeviceNames>(),
             document.at("raster").get<std::string>(),
             document.at("timeline").get<ProcessTimeline>(),
             document.at("clocks").get<std::vector<PeerClock>>(),

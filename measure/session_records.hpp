@@ -43,7 +43,7 @@ constexpr int role_record_version = 1;
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
   std::vector<FrameRecord> frames;    ///< the render node's
-  GlNames gl;
+  DeviceNames gl;
   std::string raster;  ///< verdict of the role's raster certificate
   ProcessTimeline timeline;
   std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own

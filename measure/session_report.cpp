@@ -139,11 +139,11 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
   }
   const Delta sum = sum_deltas(frames);
   const double frames_per_second = seconds > 0 ? static_cast<double>(frames.size()) / seconds : 0;
-  const View view = measurement.requests.empty() ? View{} : measurement.requests.front().view;
+  const View view = measurement.requests.empty() ? View{} : measurement.requests.front().state.view;
   return {
       {"frames", frames.size()},
       {"size", fmt::format("{}x{}", view.width, view.height)},
-      {"pixel_error", measurement.requests.empty() ? 0.0 : measurement.requests.front().pixel_error},
+      {"pixel_error", measurement.requests.empty() ? 0.0 : measurement.requests.front().state.pixel_error},
       {"triangles", pack.skeleton().placed_triangles},
       {"drawables", pack.skeleton().drawables.size()},
       {"frame_ms", distribution_json(frames, [](const auto& r) { return r.frame_ms; })},

@@ -14,11 +14,11 @@ std::vector<SideBySideRun> run_side_by_side(std::span<const Pack* const> packs,
   std::vector<SideBySideRun> runs(packs.size());
   if (requests.empty()) return runs;
   {
-    const View& first = requests.front().view;
-    std::vector<std::unique_ptr<Fallback>> fallbacks;
+    const View& first = requests.front().state.view;
+    std::vector<std::unique_ptr<LocalPipeline>> fallbacks;
     for (const Pack* pack : packs) {
-      fallbacks.push_back(std::make_unique<Fallback>(
-          *pack, FallbackOptions{.width = first.width, .height = first.height, .test = test, .batches = {}}));
+      fallbacks.push_back(std::make_unique<LocalPipeline>(
+          *pack, LocalPipelineOptions{.width = first.width, .height = first.height, .device = {test}}));
     }
     Progress progress("side by side", rounds * requests.size());
     for (size_t round = 0; round < rounds; ++round) {

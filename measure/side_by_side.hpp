@@ -3,7 +3,7 @@
 #pragma once
 
 #include "measure/comparison.hpp"
-#include "nodes/fallback.hpp"
+#include "nodes/local_pipeline.hpp"
 
 #include <span>
 #include <vector>

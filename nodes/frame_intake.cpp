@@ -27,7 +27,7 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
                         const VisibleSet& previous,
                         const std::function<void(const std::vector<DrawableId>&)>& decided) {
   IntakeResult result;
-  VisibleStream stream(skeleton, eye_cell(skeleton, frame.view), previous);
+  VisibleStream stream(skeleton, eye_cell(skeleton, frame.state.view), previous);
   for (;;) {
     const double began_ms = steady_milliseconds();
     const auto message = inbox.packet(frame.number);
@@ -44,7 +44,7 @@ IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_ha
       decided(fresh);
   }
   const auto matches = [&](const VisibleSet& visible) {
-    return frame_digest(frame.number, frame.view, frame.pixel_error, pack_hash, visible) ==
+    return frame_digest(frame.number, frame.state.view, frame.state.pixel_error, pack_hash, visible) ==
            result.sentinel.digest;
   };
   result.visible = stream.visible();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "nodes/inbox.hpp"
-#include "nodes/occlusion_stage.hpp"
+#include "scene/frame_state.hpp"
 #include "visibility/visible_stream.hpp"
 
 namespace triptych {

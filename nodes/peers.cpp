@@ -75,7 +75,7 @@ void Peers::rehearse(const FrameRequest& frame) {
   since_ = Clock::now();
   for (const Role peer : {Role::switch_0, Role::switch_1}) {
     mailbox_->send(peer, Channel::camera,
-                   CameraMessage{frame.number, frame.view, frame.pixel_error, false, true});
+                   CameraMessage{frame.number, frame.state.view, frame.state.pixel_error, false, true});
   }
 }
 

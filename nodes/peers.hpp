@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nodes/inbox.hpp"
-#include "nodes/occlusion_stage.hpp"
+#include "scene/frame_state.hpp"
 
 #include <atomic>
 #include <functional>

@@ -4,25 +4,22 @@
 
 namespace triptych {
 
-PictureStage::PictureStage(Renderer& renderer, int width, int height, TargetKind kind)
-    : renderer_(renderer), target_(kind, width, height), kind_(kind) {}
+PictureStage::PictureStage(Device& device, int width, int height, TargetKind kind)
+    : target_(device.make_target(kind, width, height)) {}
 
-void PictureStage::begin(const View& view, uint32_t frame) {
+void PictureStage::begin(const FrameView& view, uint32_t frame) {
   frame_ = frame;
-  renderer_.set_view(view);
-  target_.clear();
-  drawn_triangles_ = drawn_drawables_ = 0;
+  target_->begin(view);
 }
 
-void PictureStage::draw(const std::vector<DrawableId>& drawables) {
+void PictureStage::draw(std::span<const DrawableId> drawables) {
   const TimelineScope scope("draw picture", frame_);
-  drawn_triangles_ += renderer_.draw(drawables, target_, kind_);
-  drawn_drawables_ += drawables.size();
+  target_->draw(drawables);
 }
 
 void PictureStage::finish() {
   const TimelineScope scope("finish picture", frame_);
-  glFinish();
+  target_->finish();
 }
 
 }  // namespace triptych

@@ -4,8 +4,8 @@
 #include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "base/timeline.hpp"
-#include "nodes/fallback.hpp"
 #include "nodes/frame_intake.hpp"
+#include "nodes/local_pipeline.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -34,7 +34,11 @@ class RenderNode {
       : pack_(pack),
         frames_(frames),
         options_(options),
-        stages_(pack, {.width = 1, .height = 1, .test = options.test, .batches = options.cull}),
+        stages_(pack, {.width = 1,
+                       .height = 1,
+                       .batches = options.cull,
+                       .device = options.device,
+                       .rules = options.rules}),
         peers_(options.connect, options.on_epoch_end, options.on_clocks) {}
 
   void run() {
@@ -101,7 +105,7 @@ class RenderNode {
   void send(Released& released) {
     released.sent_ms = clock_.milliseconds() - released.at_ms;
     const FrameRequest& frame = released.request;
-    const CameraMessage message{frame.number, frame.view, frame.pixel_error,
+    const CameraMessage message{frame.number, frame.state.view, frame.state.pixel_error,
                                 frame.number + 1 == frames_.count};
     for (const Role peer : {Role::switch_0, Role::switch_1})
       peers_.inbox()->mailbox().send(peer, Channel::camera, message);
@@ -133,8 +137,8 @@ class RenderNode {
 
   FrameRecord play(const Released& frame) {
     const uint32_t number = frame.request.number;
-    const View& view = frame.request.view;
-    if (const Target& target = stages_.target();
+    const View& view = frame.request.state.view;
+    if (const FrameTarget& target = stages_.target();
         target.width() != view.width || target.height() != view.height)
       stages_.resize(view.width, view.height);
     try {
@@ -154,7 +158,7 @@ class RenderNode {
   }
 
   FrameRecord draw_alone(const FrameRequest& frame) {
-    stages_.resume(std::move(visible_));
+    stages_.resume(visible_);
     FrameRecord record = stages_.draw(frame);
     record.fallback = true;
     done_ms_ = clock_.milliseconds();
@@ -172,14 +176,15 @@ class RenderNode {
       drawing_ms += stopwatch.milliseconds();
     };
     Inbox& inbox = *peers_.inbox();
-    picture.begin(frame.view, frame.number);
+    const FrameView view(pack_.skeleton(), frame.state, options_.rules);
+    picture.begin(view, frame.number);
     inbox.limit_waiting(options_.timeout);
     IntakeResult intake =
         take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more);
     if (intake.digest_mismatch) {
       std::vector<DrawableId> ordered = intake.visible;
-      sort_by_rank(pack_.skeleton(), eye_cell(pack_.skeleton(), frame.view), ordered);
-      picture.begin(frame.view, frame.number);
+      sort_by_rank(pack_.skeleton(), view.cell, ordered);
+      picture.begin(view, frame.number);
       draw_more(ordered);
     }
     const Stopwatch finishing;
@@ -227,7 +232,7 @@ class RenderNode {
   const Pack& pack_;
   const FrameSource& frames_;
   const RenderNodeOptions& options_;
-  Fallback stages_;
+  LocalPipeline stages_;
   Peers peers_;
   Stopwatch clock_;
   uint32_t next_release_ = frames_.first;

@@ -2,8 +2,8 @@
 // missing.
 #pragma once
 
-#include "nodes/fallback.hpp"
 #include "nodes/frame_record.hpp"
+#include "nodes/local_pipeline.hpp"
 #include "nodes/peers.hpp"
 #include "nodes/picture_stage.hpp"
 
@@ -27,7 +27,8 @@ struct RenderNodeOptions {
   double rate = 0;
   /// A visible set that takes longer ends the epoch.
   std::chrono::milliseconds timeout{500};
-  TestKind test = TestKind::storage;
+  DeviceOptions device = {};
+  FrameRules rules = injected_frame_rules();
   CullOptions cull;
   Peers::Connect connect;
   Peers::OnEnd on_epoch_end;
@@ -36,9 +37,9 @@ struct RenderNodeOptions {
   /// Hears of the switch nodes' clocks at the beginning of each epoch.
   Peers::OnClocks on_clocks = {};
   /// Called with each frame as soon as its picture stands, before on_picture: shows it to somebody.
-  std::function<void(const FrameRequest&, const FrameRecord&, Fallback&)> show = {};
+  std::function<void(const FrameRequest&, const FrameRecord&, LocalPipeline&)> show = {};
   /// Called after each frame with its picture.
-  std::function<void(FrameRecord, const Target&)> on_picture;
+  std::function<void(FrameRecord, const FrameTarget&)> on_picture;
 };
 
 /// What a render node has done.

@@ -1,6 +1,7 @@
 #include "nodes/replay.hpp"
 
 #include "base/error.hpp"
+#include "lod/cut.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 
@@ -22,8 +23,8 @@ void Replay::forget_epoch() {
 
 ReplayedFrame Replay::draw_alone(const CameraMessage& camera) {
   forget_epoch();
-  ReplayedFrame frame{{camera.frame, camera.view, camera.pixel_error}, {}, false, true};
-  frame.visible = select_cut(skeleton_, camera.view, camera.pixel_error).drawables;
+  ReplayedFrame frame{{camera.frame, {camera.view, camera.pixel_error}}, {}, false, true};
+  frame.visible = select_cut(FrameView(skeleton_, frame.request.state)).drawables;
   std::sort(frame.visible.begin(), frame.visible.end());
   return frame;
 }
@@ -41,7 +42,7 @@ std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
     if (camera->rehearsal) {
       forget_epoch();
     } else {
-      cameras_[camera->frame] = {camera->frame, camera->view, camera->pixel_error};
+      cameras_[camera->frame] = {camera->frame, {camera->view, camera->pixel_error}};
     }
   } else if (std::holds_alternative<DeltaMessage>(message) || std::holds_alternative<Sentinel>(message) ||
              std::holds_alternative<FullSet>(message)) {
@@ -70,7 +71,7 @@ std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
 void Replay::begin(const FrameRequest& frame) {
   current_ = ReplayedFrame{frame, {}, false, false};
   sentinel_.reset();
-  stream_.emplace(skeleton_, eye_cell(skeleton_, frame.view), previous_);
+  stream_.emplace(skeleton_, eye_cell(skeleton_, frame.state.view), previous_);
 }
 
 bool Replay::feed(const Message& message) {
@@ -99,7 +100,8 @@ bool Replay::feed(const Message& message) {
 bool Replay::accept(const VisibleSet& visible) {
   const FrameRequest& frame = current_->request;
   current_->visible = visible;
-  return frame_digest(frame.number, frame.view, frame.pixel_error, pack_hash_, visible) == sentinel_->digest;
+  return frame_digest(frame.number, frame.state.view, frame.state.pixel_error, pack_hash_, visible) ==
+         sentinel_->digest;
 }
 
 }  // namespace triptych

@@ -1,8 +1,8 @@
 // Frames of a session again, from the messages of its render node alone.
 #pragma once
 
-#include "nodes/occlusion_stage.hpp"
 #include "protocol/recording.hpp"
+#include "scene/frame_state.hpp"
 #include "visibility/visible_stream.hpp"
 
 #include <deque>

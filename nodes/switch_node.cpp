@@ -5,6 +5,7 @@
 #include "nodes/frame_intake.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
+#include "visibility/strategies.hpp"
 
 #include <optional>
 
@@ -15,11 +16,16 @@ namespace {
 /// What lasts longer than an epoch.
 struct Workshop {
   Workshop(const Pack& of_pack, Role role, const SwitchNodeOptions& with)
-      : pack(of_pack), self(role), options(with), renderer(of_pack) {}
+      : pack(of_pack),
+        self(role),
+        options(with),
+        device(of_pack, with.device),
+        strategy(make_exact_strategy(StrategyKind::occlusion, device.hierarchy(), with.cull)) {}
   const Pack& pack;
   Role self;
   const SwitchNodeOptions& options;
-  Renderer renderer;
+  PackDevice device;
+  std::unique_ptr<ExactStrategy> strategy;  ///< a session's pictures are claimed to be the un-culled ones
   std::optional<OcclusionStage> stage;
   int width = 0, height = 0;
   SwitchNodeSummary summary;
@@ -53,14 +59,15 @@ class Epoch {
 
  private:
   static FrameRequest request(const CameraMessage& camera) {
-    return {camera.frame, camera.view, camera.pixel_error};
+    return {camera.frame, {camera.view, camera.pixel_error}};
   }
 
   void begin(const CameraMessage& camera) {
     if (!shop_.stage || shop_.width != camera.view.width || shop_.height != camera.view.height) {
       shop_.width = camera.view.width;
       shop_.height = camera.view.height;
-      shop_.stage.emplace(shop_.renderer, shop_.width, shop_.height, shop_.options.test);
+      shop_.stage.emplace(shop_.device.skeleton(), shop_.device.device(), *shop_.strategy, shop_.width,
+                          shop_.height, shop_.options.rules);
     }
     shop_.stage->begin(request(camera));
   }
@@ -68,9 +75,10 @@ class Epoch {
   /// Does what the frame will want, so that its geometry and programs are on the graphics card.
   void rehearse() {
     begin(camera_);
-    const CullResult result = shop_.stage->cull({}, shop_.options.cull, [](const CullPacket&) {});
+    NoSink nobody;
+    const VisibleSet visible = shop_.stage->cull({}, nobody).visible;
     begin(camera_);
-    shop_.stage->represent(result.visible);
+    shop_.stage->represent(visible);
     shop_.stage->finish();
     inbox_.mailbox().send(Role::render, Channel::nodes, Ready{camera_.frame});
   }
@@ -79,19 +87,34 @@ class Epoch {
     if (shop_.self == Role::switch_1) dawdle(Fault::slow_switch_node);
   }
 
+  /// Sends each packet of a frame to the other two as it is decided.
+  class PacketSender final : public CullSink {
+   public:
+    PacketSender(Epoch& epoch, uint32_t frame, Sentinel& sentinel)
+        : epoch_(epoch), frame_(frame), sentinel_(sentinel) {}
+    void take(const CullPacket& packet) override {
+      sentinel_.added += static_cast<uint32_t>(packet.delta.added.size());
+      sentinel_.removed += static_cast<uint32_t>(packet.delta.removed.size());
+      VisibleDelta delta = packet.delta;
+      if (injected(Fault::wrong_delta) && !delta.added.empty()) delta.added.pop_back();
+      const DeltaMessage message{frame_, packet.watermark, encode_delta(delta, epoch_.visible_)};
+      epoch_.be_slow();
+      epoch_.inbox_.mailbox().send(epoch_.peer_, Channel::nodes, message);
+      epoch_.inbox_.mailbox().send(Role::render, Channel::nodes, message);
+    }
+
+   private:
+    Epoch& epoch_;
+    uint32_t frame_;
+    Sentinel& sentinel_;
+  };
+
   /// HC in frame i: R(i) stands, V(i−1) is known.
   void cull(uint32_t frame) {
     const Stopwatch stopwatch;
     Sentinel sentinel{.frame = frame, .visible = 0, .added = 0, .removed = 0, .digest = 0, .times = {}};
-    const CullResult result = shop_.stage->cull(visible_, shop_.options.cull, [&](CullPacket packet) {
-      sentinel.added += static_cast<uint32_t>(packet.delta.added.size());
-      sentinel.removed += static_cast<uint32_t>(packet.delta.removed.size());
-      if (injected(Fault::wrong_delta) && !packet.delta.added.empty()) packet.delta.added.pop_back();
-      const DeltaMessage message{frame, packet.watermark, encode_delta(packet.delta, visible_)};
-      be_slow();
-      inbox_.mailbox().send(peer_, Channel::nodes, message);
-      inbox_.mailbox().send(Role::render, Channel::nodes, message);
-    });
+    PacketSender sender(*this, frame, sentinel);
+    const CullResult& result = shop_.stage->cull(visible_, sender);
     previous_visible_ = std::move(visible_);
     visible_ = result.visible;
     visible_frame_ = frame;
@@ -100,7 +123,7 @@ class Epoch {
         frame_digest(frame, camera_.view, camera_.pixel_error, shop_.pack.content_hash(), visible_);
     sentinel.times = {.hardware_cull_ms = to_the_microsecond(stopwatch.milliseconds()),
                       .queries = static_cast<uint32_t>(result.tests),
-                      .cut_size = static_cast<uint32_t>(shop_.stage->cut().drawables.size()),
+                      .cut_size = static_cast<uint32_t>(result.selected),
                       .sent_at_ms = to_the_microsecond(steady_milliseconds())};
     inbox_.mailbox().send(peer_, Channel::nodes, sentinel);
     inbox_.mailbox().send(Role::render, Channel::nodes, sentinel);

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "nodes/inbox.hpp"
+#include "nodes/injected_rules.hpp"
 #include "nodes/occlusion_stage.hpp"
+#include "nodes/pack_device.hpp"
+#include "visibility/hardware_cull.hpp"
 
 #include <functional>
 #include <memory>
@@ -10,7 +13,8 @@
 namespace triptych {
 
 struct SwitchNodeOptions {
-  TestKind test = TestKind::storage;
+  DeviceOptions device = {};
+  FrameRules rules = injected_frame_rules();
   CullOptions cull;
   /// Connects both peers: for the first epoch, or for another one after a loss. Nothing where the session is
   /// over.

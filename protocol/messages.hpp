@@ -1,7 +1,7 @@
 // What the roles say to each other. Plain values; docs/protocol.md gives every byte.
 #pragma once
 
-#include "lod/cut.hpp"
+#include "lod/draw_rank.hpp"
 #include "protocol/role.hpp"
 #include "scene/camera.hpp"
 #include "visibility/visible_set.hpp"
@@ -40,9 +40,6 @@ struct CameraMessage {
   bool rehearsal = false;
   bool operator==(const CameraMessage&) const = default;
 };
-
-/// Above every draw rank.
-inline constexpr DrawRank everything_decided{std::numeric_limits<uint64_t>::max(), no_id};
 
 /// From HC to the other two: a packet of the delta V(i−1) → V(i), in draw rank order from packet to packet.
 struct DeltaMessage {

@@ -15,6 +15,8 @@ std::string text(GLenum name) {
 }
 }  // namespace
 
+DeviceNames current_opengl() { return {text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)}; }
+
 void Context::load(Loader loader, const std::string& place) {
   const int version = gladLoadGL(loader);
   if (version < GLAD_MAKE_VERSION(4, 5)) {
@@ -22,7 +24,7 @@ void Context::load(Loader loader, const std::string& place) {
          GLAD_VERSION_MINOR(version));
   }
   if (!GLAD_GL_ARB_shader_draw_parameters) fail(place, "lacks GL_ARB_shader_draw_parameters");
-  names_ = {text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)};
+  names_ = current_opengl();
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEPTH_TEST);
   glClearDepth(0);

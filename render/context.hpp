@@ -1,18 +1,14 @@
 // OpenGL 4.5 core without a window: EGL surfaceless or OSMesa, chosen at run time.
 #pragma once
 
+#include "visibility/device.hpp"
+
 #include <memory>
 #include <string>
 
 namespace triptych {
 
 enum class ContextKind { egl, osmesa };
-
-/// What glGetString says; two runs are compared as "identical" only where all three match.
-struct GlNames {
-  std::string vendor, renderer, version;
-  bool operator==(const GlNames&) const = default;
-};
 
 /// A current OpenGL context of this thread, with its functions loaded. One kind a process: the loaded
 /// functions are the first context's. Error where the machine offers none.
@@ -22,7 +18,7 @@ class Context {
   Context() = default;
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
-  const GlNames& names() const { return names_; }
+  const DeviceNames& names() const { return names_; }
 
  protected:
   /// Loads the functions and sets the state that every pass shares: reversed depth in 0 to 1.
@@ -30,9 +26,12 @@ class Context {
   void load(Loader loader, const std::string& place);
 
  private:
-  GlNames names_;
+  DeviceNames names_;
 };
 
 std::unique_ptr<Context> make_context(ContextKind kind);
+
+/// What the OpenGL of the current context says of itself.
+DeviceNames current_opengl();
 
 }  // namespace triptych

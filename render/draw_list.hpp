@@ -2,16 +2,22 @@
 // given, and the bounds of its pieces.
 #pragma once
 
-#include "render/device_scene.hpp"
-#include "scene/camera.hpp"
+#include "base/epoch_marks.hpp"
+#include "lod/representation.hpp"
 #include "visibility/screen_bounds.hpp"
 
-#include <glm/mat4x3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace triptych {
+
+/// Where a chunk lies in the device's buffers; nowhere where it is not there.
+struct ChunkRange {
+  uint32_t first_index = 0, index_count = 0, base_vertex = 0;
+  bool loaded() const { return index_count > 0; }
+};
 
 /// What the vertex stage reads for one placement; laid out as the shader has it.
 struct DrawRecord {
@@ -36,25 +42,30 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Places chunks under one view. Positions are taken relative to the cell of the eye (ClipSpace::reference)
-/// on the chunk's own lattice, in integers, so that precision does not depend on where the model stands.
+struct DrawList {
+  std::vector<DrawRecord> records;
+  std::vector<BoundRecord> bounds;
+  std::vector<DrawCommand> commands;
+  uint64_t triangles = 0;
+
+  /// Empties it and keeps its room.
+  void clear();
+};
+
+/// Places chunks under one frame view at a time. Positions are taken relative to the cell of the eye
+/// (ClipSpace::reference) on the chunk's own lattice, in integers, so that precision does not depend on where
+/// the model stands. Keeps its room from frame to frame.
 class DrawListBuilder {
  public:
-  DrawListBuilder(const Skeleton& skeleton, const View& view);
+  explicit DrawListBuilder(const Skeleton& skeleton);
 
-  struct DrawList {
-    std::vector<DrawRecord> records;
-    std::vector<BoundRecord> bounds;
-    std::vector<DrawCommand> commands;
-    uint64_t triangles = 0;
-  };
-  /// The chunks must be loaded.
-  void append(const DeviceScene& scene, std::span<const DrawableId> drawables, DrawList& list);
-  const ClipSpace& clip() const { return clip_; }
+  void begin(const FrameView& view);
+  /// ranges: of each chunk where it lies in device memory; those that are not loaded are left out.
+  void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, DrawList& list);
 
  private:
   struct PlacedLattice {
-    bool known = false;
+    uint32_t lattice = no_id;
     glm::vec4 rows[3];
     glm::ivec3 cell;
   };
@@ -62,13 +73,10 @@ class DrawListBuilder {
   BoundRecord bound(const LatticeBox& box) const;
 
   const Skeleton& skeleton_;
-  View view_;
-  ClipSpace clip_;
-  glm::dmat3 rotation_;
-  BoxProjector projector_;
-  std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice it was last asked with
-  std::vector<uint32_t> placed_with_lattice_;
-  std::vector<LatticeBox> boxes_;
+  std::optional<FrameView> view_;
+  std::optional<BoxProjector> projector_;
+  EpochMarks is_placed_;               ///< transforms
+  std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice that it was last asked with
 };
 
 }  // namespace triptych

@@ -1,6 +1,6 @@
 #include "render/raster_certificate.hpp"
 
-#include "render/raster_probe.hpp"
+#include "render/gl/raster_probe.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -27,7 +27,7 @@ const std::string& raster_verdict() {
   return verdict;
 }
 
-Meeting::Meeting(const RoleCommand& command, const Pack& pack, const GlNames& gl)
+Meeting::Meeting(const RoleCommand& command, const Pack& pack, const DeviceNames& gl)
     : timeout_(static_cast<int64_t>(command.connect_timeout_s * 1000)) {
   if (command.timeline) start_timeline();
   own_.role = command.self;
@@ -70,11 +70,12 @@ std::unique_ptr<Mailbox> Meeting::connect(const std::function<bool()>& stop) con
 
 void Meeting::record_alone(const FrameRequest& frame) const {
   if (!recording_) return;
-  recording_->add({.time_ms = steady_milliseconds(),
-                   .sent = true,
-                   .peer = own_.role,
-                   .channel = Channel::camera,
-                   .message = CameraMessage{frame.number, frame.view, frame.pixel_error, false, false}});
+  recording_->add(
+      {.time_ms = steady_milliseconds(),
+       .sent = true,
+       .peer = own_.role,
+       .channel = Channel::camera,
+       .message = CameraMessage{frame.number, frame.state.view, frame.state.pixel_error, false, false}});
 }
 
 std::unique_ptr<Mailbox> Meeting::connect_again(const std::function<bool()>& stop) const {

@@ -24,7 +24,7 @@ class Meeting {
  public:
   /// Error for an address beyond this machine without a key, unless the command insists, and for key files
   /// that do not serve.
-  Meeting(const RoleCommand& command, const Pack& pack, const GlNames& gl);
+  Meeting(const RoleCommand& command, const Pack& pack, const DeviceNames& gl);
 
   /// The first time, or after the epoch before is over. Nothing where `stop` says so.
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const;

@@ -11,9 +11,9 @@ std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton&
   const size_t count = options.frames > 0 ? std::min(options.frames, path.frames.size()) : path.frames.size();
   std::vector<FrameRequest> frames;
   for (size_t i = 0; i < count; ++i) {
-    frames.push_back({.number = static_cast<uint32_t>(i),
-                      .view = path.view(i, options.size.width, options.size.height, skeleton.default_near()),
-                      .pixel_error = options.pixel_error()});
+    frames.push_back({static_cast<uint32_t>(i),
+                      {path.view(i, options.size.width, options.size.height, skeleton.default_near()),
+                       options.pixel_error()}});
   }
   return frames;
 }

@@ -1,8 +1,11 @@
 // What every process that draws a pack along a path is told.
 #pragma once
 
-#include "nodes/fallback.hpp"
 #include "render/context.hpp"
+#include "render/gl_device.hpp"
+#include "scene/frame_state.hpp"
+#include "scene/pack.hpp"
+#include "visibility/hardware_cull.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -44,7 +44,7 @@ int run_switch(const RoleCommand& command) {
   record.gl = context->names();
   record.raster = raster_verdict();
   SwitchNodeOptions options{
-      .test = command.run.test, .cull = command.cull, .connect = {}, .on_epoch_end = {}};
+      .device = {command.run.test}, .cull = command.cull, .connect = {}, .on_epoch_end = {}};
   options.connect = [&](bool again) {
     return again ? meeting.connect_again(stop_requested) : meeting.connect(stop_requested);
   };
@@ -107,7 +107,7 @@ int run_render(const RoleCommand& command) {
   } else {
     context = make_context(command.run.context);
   }
-  const GlNames& gl = window ? window->names() : context->names();
+  const DeviceNames& gl = window ? window->names() : context->names();
   const FrameSource frames =
       window ? window->frames(command.begin)
              : path_frames(load_frames(command.run, pack.skeleton()), command.begin, command.loop);
@@ -124,7 +124,7 @@ int run_render(const RoleCommand& command) {
     RenderNodeOptions options{
         .rate = command.rate,
         .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
-        .test = command.run.test,
+        .device = {command.run.test},
         .cull = command.cull,
         .connect = [&](const std::function<bool()>& stop) { return meeting.connect(stop); },
         .on_epoch_end = {},
@@ -135,11 +135,11 @@ int run_render(const RoleCommand& command) {
       add_waiting(role.most_waiting, mailbox.most_waiting());
     };
     options.on_clocks = [&](const std::vector<PeerClock>& clocks) { role.clocks = clocks; };
-    options.show = [&](const FrameRequest& frame, const FrameRecord& record, Fallback& stages) {
+    options.show = [&](const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
       if (record.fallback) meeting.record_alone(frame);
       if (window) window->show(frame, record, stages);
     };
-    options.on_picture = [&](FrameRecord record, const Target& target) {
+    options.on_picture = [&](FrameRecord record, const FrameTarget& target) {
       progress.advance();
       if (!command.hash && command.output.empty()) return records.add(std::move(record));
       std::vector<uint8_t> colors = target.read_colors();

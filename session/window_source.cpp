@@ -32,21 +32,22 @@ FrameSource WindowSource::frames(uint32_t first) {
           .finished = [this] { return viewer_.left(); }};
 }
 
-void WindowSource::show(const FrameRequest& frame, const FrameRecord& record, Fallback& stages) {
-  if (viewer_.culling()) return viewer_.show(frame, record, stages.target(), stages.renderer());
-  const View& view = frame.view;
+void WindowSource::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
+  if (viewer_.culling()) return viewer_.show(frame, record, stages.target(), stages.device());
+  const View& view = frame.state.view;
   if (!whole_cut_ || whole_cut_->target().width() != view.width ||
       whole_cut_->target().height() != view.height) {
-    whole_cut_.emplace(stages.renderer(), view.width, view.height);
+    whole_cut_.emplace(stages.device(), view.width, view.height);
   }
   FrameRecord uncut = record;
-  uncut.visible = select_cut(stages.renderer().skeleton(), view, frame.pixel_error).drawables;
-  whole_cut_->begin(view, frame.number);
+  const FrameView frame_view(stages.hierarchy().skeleton(), frame.state, stages.rules());
+  uncut.visible = select_cut(frame_view).drawables;
+  whole_cut_->begin(frame_view, frame.number);
   whole_cut_->draw(uncut.visible);
   whole_cut_->finish();
   std::sort(uncut.visible.begin(), uncut.visible.end());
   uncut.drawn_triangles = whole_cut_->drawn_triangles();
-  viewer_.show(frame, uncut, whole_cut_->target(), stages.renderer());
+  viewer_.show(frame, uncut, whole_cut_->target(), stages.device());
 }
 
 }  // namespace triptych

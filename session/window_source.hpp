@@ -22,8 +22,8 @@ class WindowSource {
   /// Frames from `first` on, as long as the person stays.
   FrameSource frames(uint32_t first);
   /// Shows a frame; where culling is off, the whole cut that it was culled from.
-  void show(const FrameRequest& frame, const FrameRecord& record, Fallback& stages);
-  const GlNames& names() const { return viewer_.names(); }
+  void show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages);
+  const DeviceNames& names() const { return viewer_.names(); }
 
  private:
   Viewer viewer_;

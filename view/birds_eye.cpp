@@ -50,32 +50,32 @@ View birds_eye_view(const Skeleton& skeleton, const View& view, const std::vecto
   return above;
 }
 
-const Target& BirdsEye::draw(const View& view, const Cut& cut, const VisibleSet& visible) {
-  if (!target_ || target_->width() != view.width || target_->height() != view.height) {
-    target_.emplace(TargetKind::color, view.width, view.height);
-  }
-  const Skeleton& skeleton = renderer_.skeleton();
-  View above = birds_eye_view(skeleton, view, cut.drawables);
-  renderer_.set_view(above);
-  target_->clear();
+const FrameTarget& BirdsEye::draw(const FrameView& frame, const VisibleSet& visible) {
+  const View& view = frame.view();
+  if (!target_ || target_->width() != view.width || target_->height() != view.height)
+    target_ = device_.make_target(TargetKind::color, view.width, view.height);
+  const std::vector<DrawableId> cut = select_cut(frame).drawables;
+  View above = birds_eye_view(skeleton_, view, cut);
+  const FrameView from_above(skeleton_, {above, frame.state.pixel_error}, frame.rules);
+  target_->begin(from_above);
   std::vector<DrawableId> ordered = visible;
-  sort_by_rank(skeleton, eye_cell(skeleton, above), ordered);
-  renderer_.draw(ordered, *target_, TargetKind::color);
+  sort_by_rank(skeleton_, from_above.cell, ordered);
+  target_->draw(ordered);
 
   const glm::vec4 green(0.05f, 0.55f, 0.15f, 1), red(0.85f, 0.1f, 0.1f, 1), yellow(0.95f, 0.7f, 0, 1);
   const double covered = glm::length(above.camera.eye - above.camera.target);
   above.camera.near = covered / 100;
-  lines_.begin(above);
+  ScreenLines lines(above);
   const auto add_box = [&](DrawableId id, const glm::vec4& color) {
-    lines_.add_box(skeleton.lattice().box(skeleton.scene_nodes[skeleton.drawables[id].scene_node].box),
-                   color);
+    lines.add_box(skeleton_.lattice().box(skeleton_.scene_nodes[skeleton_.drawables[id].scene_node].box),
+                  color);
   };
-  for (const DrawableId id : cut.drawables) {
+  for (const DrawableId id : cut) {
     if (!std::binary_search(visible.begin(), visible.end(), id)) add_box(id, red);
   }
   for (const DrawableId id : visible) add_box(id, green);
-  lines_.add_frustum(view, covered, yellow);
-  lines_.draw(*target_);
+  lines.add_frustum(view, covered, yellow);
+  target_->draw_lines(lines.lines());
   return *target_;
 }
 

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "lod/cut.hpp"
-#include "render/line_pass.hpp"
-#include "render/renderer.hpp"
+#include "visibility/device.hpp"
 #include "visibility/visible_set.hpp"
 
-#include <optional>
+#include <memory>
 
 namespace triptych {
 
@@ -18,16 +17,16 @@ View birds_eye_view(const Skeleton& skeleton, const View& view, const std::vecto
 
 class BirdsEye {
  public:
-  explicit BirdsEye(Renderer& renderer) : renderer_(renderer) {}
+  BirdsEye(const Skeleton& skeleton, Device& device) : skeleton_(skeleton), device_(device) {}
 
   /// Draws V(i) and over it the view's frustum (yellow) and the boxes of cut i: green where the drawable is
-  /// visible, red where it was culled.
-  const Target& draw(const View& view, const Cut& cut, const VisibleSet& visible);
+  /// visible, red where it was culled. Good until the next call.
+  const FrameTarget& draw(const FrameView& view, const VisibleSet& visible);
 
  private:
-  Renderer& renderer_;
-  LinePass lines_;
-  std::optional<Target> target_;
+  const Skeleton& skeleton_;
+  Device& device_;
+  std::unique_ptr<FrameTarget> target_;
 };
 
 }  // namespace triptych

@@ -99,22 +99,21 @@ FrameRequest Viewer::next_frame() {
     walker_.jump_to(view().camera);
   }
   new_frame_ = false;
-  return {.number = next_number_++, .view = view(), .pixel_error = options_.pixel_error};
+  return {next_number_++, {view(), options_.pixel_error}};
 }
 
-void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Target& picture,
-                  Renderer& renderer) {
-  const Target* shown = &picture;
+void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,
+                  Device& device) {
+  const FrameTarget* shown = &picture;
   if (birds_eye_wanted_) {
-    if (!birds_eye_) birds_eye_.emplace(renderer);
-    const Cut cut = select_cut(pack_.skeleton(), frame.view, frame.pixel_error);
-    shown = &birds_eye_->draw(frame.view, cut, record.visible);
+    if (!birds_eye_) birds_eye_.emplace(pack_.skeleton(), device);
+    shown = &birds_eye_->draw(FrameView(pack_.skeleton(), frame.state), record.visible);
   }
   const std::vector<uint8_t> colors = window_.show(*shown, picture_wanted_);
   if (picture_wanted_) save(colors);
   window_.set_title(fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:g} px, culling {}",
                                 options_.window.title, record.frame_ms, record.visible.size(),
-                                record.cut_drawables, record.drawn_triangles, frame.pixel_error,
+                                record.cut_drawables, record.drawn_triangles, frame.state.pixel_error,
                                 options_.culling ? "on" : "off"));
 }
 

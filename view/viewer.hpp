@@ -1,8 +1,9 @@
 // A person at the camera: turns what happens in the window into frames to draw, and shows them.
 #pragma once
 
+#include "lod/frame_rules.hpp"
 #include "nodes/frame_record.hpp"
-#include "nodes/occlusion_stage.hpp"
+#include "scene/frame_state.hpp"
 #include "scene/pack.hpp"
 #include "scene/path.hpp"
 #include "view/birds_eye.hpp"
@@ -42,11 +43,11 @@ class Viewer {
   bool culling() const { return options_.culling; }
 
   /// Shows a frame that was drawn: its picture or, if the person wants that, the bird's-eye view of it.
-  /// renderer: any of this pack in the window's context.
-  void show(const FrameRequest& frame, const FrameRecord& record, const Target& picture, Renderer& renderer);
+  /// device: any of this pack in the window's context.
+  void show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture, Device& device);
 
   Window& window() { return window_; }
-  const GlNames& names() const { return window_.names(); }
+  const DeviceNames& names() const { return window_.names(); }
 
  private:
   void take(const Input& input);

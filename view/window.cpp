@@ -2,9 +2,10 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "render/gl_device.hpp"
 
 #include <algorithm>
-#include <glad/gl.h>
+#include <utility>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -180,15 +181,10 @@ Window::~Window() = default;
 
 Input Window::poll(double patience) { return implementation_->poll(patience); }
 
-std::vector<uint8_t> Window::show(const Target& target, bool read_back) {
+std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back) {
   target.copy_to_window(width(), height());
   std::vector<uint8_t> colors;
-  if (read_back) {
-    colors.resize(static_cast<size_t>(width()) * static_cast<size_t>(height()) * 4);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glReadBuffer(GL_BACK);
-    glReadPixels(0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
-  }
+  if (read_back) colors = read_window(width(), height());
   glfwSwapBuffers(implementation_->window);
   return colors;
 }
@@ -209,6 +205,6 @@ int Window::height() const {
   return std::max(height, 1);
 }
 
-const GlNames& Window::names() const { return implementation_->context->names(); }
+const DeviceNames& Window::names() const { return implementation_->context->names(); }
 
 }  // namespace triptych

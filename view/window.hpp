@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render/context.hpp"
-#include "render/target.hpp"
 #include "view/navigation.hpp"
+#include "visibility/frame_target.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -46,11 +46,11 @@ class Window {
   Input poll(double patience);
   /// Copies the target's colours into the window; RGBA of what it then shows, bottom row first, if
   /// `read_back`.
-  std::vector<uint8_t> show(const Target& target, bool read_back = false);
+  std::vector<uint8_t> show(const FrameTarget& target, bool read_back = false);
   void set_title(const std::string& title);
   int width() const;  ///< in pixels; at least 1
   int height() const;
-  const GlNames& names() const;
+  const DeviceNames& names() const;
 
  private:
   class Implementation;

@@ -1,7 +1,5 @@
 #include "visibility/depth_bound.hpp"
 
-#include "lod/cut.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -19,10 +17,10 @@ double greatest_coordinate(const glm::dvec3& a) {
 }
 }  // namespace
 
-FacePlanes::FacePlanes(const Skeleton& skeleton, const View& view, const ClipSpace& clip)
-    : view_(view), clip_(clip), rotation_(view.rotation()), stretch_(view.corner_stretch()) {
-  const Box model = skeleton.lattice().box(skeleton.scene_nodes[0].box);
-  tiny_ = 0x1p-34 * std::max({greatest_coordinate(view.camera.eye), greatest_coordinate(model.lo),
+FacePlanes::FacePlanes(const FrameView& view)
+    : view_(view.view()), clip_(view.clip), rotation_(view.rotation), stretch_(view_.corner_stretch()) {
+  const Box model = view.skeleton->lattice().box(view.skeleton->scene_nodes[0].box);
+  tiny_ = 0x1p-34 * std::max({greatest_coordinate(view_.camera.eye), greatest_coordinate(model.lo),
                               greatest_coordinate(model.hi)});
 }
 

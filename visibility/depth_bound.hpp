@@ -1,8 +1,7 @@
 // How near a box's content may come to the eye, pixel by pixel.
 #pragma once
 
-#include "lod/clip_space.hpp"
-#include "scene/skeleton.hpp"
+#include "lod/frame_view.hpp"
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -34,7 +33,7 @@ struct DepthBound {
 /// the box holds. In normalised device coordinates they are affine because depth is near / z, or linear in z.
 class FacePlanes {
  public:
-  FacePlanes(const Skeleton& skeleton, const View& view, const ClipSpace& clip);
+  explicit FacePlanes(const FrameView& view);
 
   /// Where each lies, and by how much content may seem to be in front of it: rounding and snapping move
   /// vertices. `slack` times that much is added, so that planes of slack 2 are in front of those of slack 1,

@@ -1,45 +1,48 @@
 #include "visibility/map_to_cut.hpp"
 
-#include "base/inject.hpp"
-
-#include <algorithm>
-
 namespace triptych {
 
-std::vector<DrawableId> map_to_cut(const Skeleton& skeleton, const glm::ivec3& cell, const Cut& cut,
-                                   const VisibleSet& visible) {
-  std::vector<DrawableId> mapped;
-  std::vector<SceneNodeId> open;
-  if (injected(Fault::wrong_ancestor)) {
-    // Parents instead of what is in the cut: coarser surfaces that may stand in front of the true ones.
-    for (const DrawableId id : visible) {
-      const SceneNodeId parent = skeleton.scene_nodes[skeleton.drawables[id].scene_node].parent;
-      const SceneNode& node = skeleton.scene_nodes[parent == no_id ? 0 : parent];
-      if (node.drawable_count > 0) mapped.push_back(node.first_drawable + node.drawable_count - 1);
-    }
-  } else {
-    for (const DrawableId id : visible) {
-      SceneNodeId node = skeleton.drawables[id].scene_node;
-      if (cut.choice[node] == Cut::inner) {
-        open.push_back(node);
-        continue;
-      }
-      while (node != no_id && cut.choice[node] == no_id) node = skeleton.scene_nodes[node].parent;
-      if (node != no_id && cut.choice[node] != Cut::inner) mapped.push_back(cut.choice[node]);
-    }
-  }
-  while (!open.empty()) {
-    const SceneNode& node = skeleton.scene_nodes[open.back()];
-    open.pop_back();
+CutMapper::CutMapper(const Skeleton& skeleton) : skeleton_(skeleton), added_(skeleton.drawables.size()) {}
+
+void CutMapper::add(DrawableId id) {
+  if (added_.mark_first(id)) mapped_.push_back(id);
+}
+
+void CutMapper::add_below(LazyCut& cut, SceneNodeId top) {
+  open_.assign(1, top);
+  while (!open_.empty()) {
+    const SceneNode& node = skeleton_.scene_nodes[open_.back()];
+    open_.pop_back();
     for (SceneNodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
-      if (cut.choice[child] == Cut::inner) open.push_back(child);
-      if (cut.choice[child] < Cut::inner) mapped.push_back(cut.choice[child]);
+      const DrawableId choice = cut.choice(child);
+      if (choice == Cut::inner) open_.push_back(child);
+      if (choice < Cut::inner) add(choice);
     }
   }
-  std::sort(mapped.begin(), mapped.end());
-  mapped.erase(std::unique(mapped.begin(), mapped.end()), mapped.end());
-  sort_by_rank(skeleton, cell, mapped);
-  return mapped;
+}
+
+const std::vector<DrawableId>& CutMapper::map(LazyCut& cut, const VisibleSet& visible) {
+  added_.clear();
+  mapped_.clear();
+  for (const DrawableId id : visible) {
+    SceneNodeId node = skeleton_.drawables[id].scene_node;
+    if (!cut.view().rules.map_to_cut) {
+      // Parents instead of what is in the cut: coarser surfaces that may stand in front of the true ones.
+      const SceneNodeId parent = skeleton_.scene_nodes[node].parent;
+      const SceneNode& above = skeleton_.scene_nodes[parent == no_id ? 0 : parent];
+      if (above.drawable_count > 0) add(above.first_drawable + above.drawable_count - 1);
+      continue;
+    }
+    if (cut.choice(node) == Cut::inner) {
+      add_below(cut, node);
+      continue;
+    }
+    while (node != no_id && cut.choice(node) == no_id) node = skeleton_.scene_nodes[node].parent;
+    if (node == no_id) continue;
+    if (const DrawableId choice = cut.choice(node); choice != Cut::inner) add(choice);
+  }
+  sorter_.sort(skeleton_, cut.view().cell, mapped_);
+  return mapped_;
 }
 
 }  // namespace triptych

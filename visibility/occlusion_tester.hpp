@@ -1,4 +1,4 @@
-// The seam between culling and the graphics card: draws occluders, answers which rectangles show.
+// The seam between culling and a device: draws occluders, answers which rectangles show.
 #pragma once
 
 #include "scene/skeleton.hpp"

@@ -1,8 +1,6 @@
 #include "visibility/screen_bounds.hpp"
 
-#include "base/inject.hpp"
 #include "base/rounding.hpp"
-#include "lod/cut.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +33,18 @@ bool says_nothing(const ScreenRectangle& r) {
 }
 }  // namespace
 
-BoxProjector::BoxProjector(const Skeleton& skeleton, const View& view)
-    : lattice_(skeleton.lattice()),
-      view_(view),
-      clip_(clip_space(skeleton, view)),
-      rotation_(view.rotation()),
-      faces_(skeleton, view, clip_) {}
+BoxProjector::BoxProjector(const FrameView& view)
+    : lattice_(&view.skeleton->lattice()),
+      rules_(view.rules),
+      view_(view.view()),
+      clip_(view.clip),
+      rotation_(view.rotation),
+      focal_length_(view.focal_length),
+      faces_(view) {}
 
 ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
   const NearestRounding rounding;
-  const Box model_box = lattice_.box(box);  // exact
+  const Box model_box = lattice_->box(box);  // exact
   const Extent found = extent(model_box);
   if (found.beyond) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
   ScreenRectangle rectangle{.left = static_cast<float>(found.left),
@@ -54,7 +54,7 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
                             .planes = {},
                             .cuts = silhouette(std::span(found.corners).first(found.count), found.margin)};
   rectangle.planes[0].middle = static_cast<float>(found.nearest);
-  const auto faces = faces_.of(model_box, injected(Fault::no_dilation) ? 0 : 2);
+  const auto faces = faces_.of(model_box, rules_.bounds_margin ? 2 : 0);
   std::copy(faces.begin(), faces.end(), rectangle.planes.begin() + 1);
   if (says_nothing(rectangle)) return {};
   return {.kind = ScreenBounds::Kind::rectangle, .rectangle = rectangle};
@@ -62,7 +62,7 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
 
 DepthBound BoxProjector::depth_bound(const LatticeBox& box) const {
   const NearestRounding rounding;
-  const Box model_box = lattice_.box(box);
+  const Box model_box = lattice_->box(box);
   const Extent found = extent(model_box);
   return {.nearest = static_cast<float>(found.nearest), .planes = faces_.of(model_box, 1)};
 }
@@ -76,7 +76,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   Extent seen;
   for (int i = 0; i < 8; ++i) {
     glm::dvec3 relative = model_box.corner(i) - clip_.reference;
-    if (injected(Fault::float_bounds)) relative = glm::vec3(model_box.corner(i)) - glm::vec3(clip_.reference);
+    if (!rules_.double_bounds) relative = glm::vec3(model_box.corner(i)) - glm::vec3(clip_.reference);
     const glm::dvec3 corner = rotation_ * relative;
     const double depth = -corner.z;
     furthest = std::max(furthest, glm::length(corner));
@@ -88,14 +88,14 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   }
   if (greatest_depth + furthest * vertex_rounding < clip_.near / near_margin) return {.beyond = true};
   if (least_depth < clip_.near * near_margin) {
-    if (!injected(Fault::no_near_rule)) return {};
+    if (rules_.near_plane_refines) return {};
     least_depth = greatest_depth;
   }
   // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
   // (p and w).
-  const double rounding = 2 * float_rounding * greatest_tangent * greatest_tangent * view_.focal_length();
+  const double rounding = 2 * float_rounding * greatest_tangent * greatest_tangent * focal_length_;
   if (!(rounding <= 0.25 || greatest_tangent <= greatest_narrow_tangent)) return {};
-  const double margin = injected(Fault::no_dilation) ? 1 : 1 + share_of_depth;
+  const double margin = rules_.bounds_margin ? 1 + share_of_depth : 1;
   return on_screen(seen, clip_.depth(least_depth) * margin, rounding);
 }
 
@@ -114,17 +114,16 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   const double touch = share_of_depth * clip_.range + rounding;
   if (depth + reach.z < clip_.near - touch) return {.beyond = true};
   if (depth - reach.z < clip_.near + touch) return {};
-  const double margin = injected(Fault::no_dilation) ? 0 : touch / clip_.range;
+  const double margin = rules_.bounds_margin ? touch / clip_.range : 0;
   Extent seen;
   for (int i = 0; i < 8; ++i)
     seen.corners[seen.count++] = glm::dvec2(rotation_ * (box.corner(i) - clip_.reference));
-  return on_screen(seen, clip_.depth(depth - reach.z) + margin, 2 * rounding * view_.focal_length());
+  return on_screen(seen, clip_.depth(depth - reach.z) + margin, 2 * rounding * focal_length_);
 }
 
 BoxProjector::Extent BoxProjector::on_screen(Extent seen, double depth, double rounding) const {
   const Camera& camera = view_.camera;
-  const double pixels =
-      injected(Fault::no_dilation) ? 0 : std::max(least_margin, roundings_of_margin * rounding);
+  const double pixels = rules_.bounds_margin ? std::max(least_margin, roundings_of_margin * rounding) : 0;
   if (!std::isfinite(pixels)) return {};
   seen.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
   const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);

@@ -1,9 +1,7 @@
 // Where a box may appear on the screen: the rectangle and the nearest depth that the occlusion test uses.
 #pragma once
 
-#include "lod/clip_space.hpp"
-#include "scene/camera.hpp"
-#include "scene/skeleton.hpp"
+#include "lod/frame_view.hpp"
 #include "visibility/depth_bound.hpp"
 #include "visibility/silhouette.hpp"
 
@@ -44,15 +42,15 @@ struct ScreenBounds {
   ScreenRectangle rectangle;
 };
 
-/// Projects boxes of the model lattice under one view. Derived margins: the rectangle grows by half a pixel
-/// on each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL minimum, of the content and of the
-/// rectangle itself, and the vertex stage's rounding is bounded), by more where views are so narrow that
-/// rounding is beyond an eighth of a pixel; the depth moves towards the eye by 2⁻¹⁴ of itself, orthographic
-/// of its range (float rounding of w and z). Boxes that touch the near plane, or that are extremely oblique,
-/// may be anywhere on the screen; their faces still bound their depth.
+/// Projects boxes of the model lattice under one frame view, whose skeleton must outlive it. Derived margins:
+/// the rectangle grows by half a pixel on each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL
+/// minimum, of the content and of the rectangle itself, and the vertex stage's rounding is bounded), by more
+/// where views are so narrow that rounding is beyond an eighth of a pixel; the depth moves towards the eye by
+/// 2⁻¹⁴ of itself, orthographic of its range (float rounding of w and z). Boxes that touch the near plane, or
+/// that are extremely oblique, may be anywhere on the screen; their faces still bound their depth.
 class BoxProjector {
  public:
-  BoxProjector(const Skeleton& skeleton, const View& view);
+  explicit BoxProjector(const FrameView& view);
   /// What the occlusion test draws.
   ScreenBounds bounds(const LatticeBox& box) const;
   /// What fragments of the box's content are held to.
@@ -74,10 +72,12 @@ class BoxProjector {
   /// Adds to the corners, which are tangents, orthographic model units, what follows from them.
   Extent on_screen(Extent corners, double depth, double rounding) const;
 
-  const Lattice& lattice_;
+  const Lattice* lattice_;
+  FrameRules rules_;
   View view_;
   ClipSpace clip_;
   glm::dmat3 rotation_;
+  double focal_length_;
   FacePlanes faces_;
 };
 

@@ -14,11 +14,17 @@ bool strictly_ascending(const std::vector<DrawableId>& ids) {
 
 VisibleDelta difference(const VisibleSet& before, const VisibleSet& after) {
   VisibleDelta delta;
+  difference(before, after, delta);
+  return delta;
+}
+
+void difference(const VisibleSet& before, const VisibleSet& after, VisibleDelta& delta) {
+  delta.added.clear();
+  delta.removed.clear();
   std::set_difference(after.begin(), after.end(), before.begin(), before.end(),
                       std::back_inserter(delta.added));
   std::set_difference(before.begin(), before.end(), after.begin(), after.end(),
                       std::back_inserter(delta.removed));
-  return delta;
 }
 
 bool apply_delta(const VisibleDelta& delta, VisibleSet& set) {

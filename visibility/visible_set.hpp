@@ -19,6 +19,8 @@ struct VisibleDelta {
 
 /// The delta with before − removed ∪ added = after.
 VisibleDelta difference(const VisibleSet& before, const VisibleSet& after);
+/// The same into a delta that is there, whose room is used again.
+void difference(const VisibleSet& before, const VisibleSet& after, VisibleDelta& delta);
 
 /// (set − removed) ∪ added (interactive-display-2003 §4.4). Returns false, and leaves the set as it was,
 /// where an added id is in the set already, a removed one is not in it, or a list is not ascending: then the

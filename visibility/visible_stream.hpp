@@ -2,8 +2,8 @@
 // decided.
 #pragma once
 
-#include "lod/cut.hpp"
-#include "visibility/hardware_cull.hpp"
+#include "lod/draw_rank.hpp"
+#include "visibility/cull_sink.hpp"
 #include "visibility/visible_set.hpp"
 
 #include <string>

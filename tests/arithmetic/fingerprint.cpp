@@ -95,9 +95,10 @@ unsigned long long fingerprint(uint32_t seed, int mode) {
   for (int i = 0; i < 40; ++i) {
     const View view = make_view(numbers, i);
     std::fesetround(mode);
-    const BoxProjector projector(skeleton, view);
+    const BoxProjector projector(FrameView(skeleton, {view}));
     for (const double pixel_error : {0.5, 1.0, 4.0}) {
-      for (const DrawableId id : select_cut(skeleton, view, pixel_error).drawables) hash.add(id);
+      const FrameView frame_view(skeleton, {view, pixel_error});
+      for (const DrawableId id : select_cut(frame_view).drawables) hash.add(id);
     }
     for (const SceneNode& node : skeleton.scene_nodes) {
       const ScreenBounds bounds = projector.bounds(node.box);

@@ -1,5 +1,6 @@
 // Cuts against the definition of the pixel error: points of the box, moved by δ, projected in long double.
 #include "lod/cut.hpp"
+#include "nodes/injected_rules.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -21,7 +22,7 @@ class CutJudge {
         view_(view),
         rotation_(view.rotation()),
         pixel_error_(pixel_error),
-        cut_(select_cut(skeleton, view, pixel_error)),
+        cut_(select_cut(FrameView(skeleton, {view, pixel_error}, injected_frame_rules()))),
         random_(7) {}
 
   Problems judge() {

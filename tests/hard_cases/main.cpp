@@ -1,6 +1,6 @@
 // The gallery as a program: hard_cases list | run [CASE…] | mutants [FAULT…] | stress MINUTES SEED |
 // thumbnails FOLDER
-#include "nodes/fallback.hpp"
+#include "nodes/local_pipeline.hpp"
 #include "render/png_file.hpp"
 #include "tests/hard_cases/mutants.hpp"
 #include "tests/hard_cases/stress.hpp"
@@ -43,9 +43,9 @@ int thumbnails(const std::filesystem::path& folder) {
     View view = trial.views[trial.views.size() / 2];
     view.width = width;
     view.height = height;
-    Fallback fallback(built.pack(), {.width = width, .height = height, .batches = {}});
-    fallback.draw({0, view, trial.pixel_error});
-    write_png(folder / (entry.name + ".png"), width, height, fallback.target().read_colors());
+    LocalPipeline pipeline(built.pack(), {.width = width, .height = height});
+    pipeline.draw({0, {view, trial.pixel_error}});
+    write_png(folder / (entry.name + ".png"), width, height, pipeline.target().read_colors());
   }
   return 0;
 }

@@ -102,7 +102,7 @@ struct Scene {
 
 RC_GTEST_PROP(Numbers, a_box_beyond_the_frustum_has_no_point_in_it, ()) {
   const Scene scene;
-  if (!EyeSpace(scene.skeleton, scene.view).bounds(scene.box).outside) return;
+  if (!FrameView(scene.skeleton, {scene.view}).eye_space.bounds(scene.box).outside) return;
   const Camera& camera = scene.view.camera;
   for (int i = 0; i < Scene::points; ++i) {
     const WideVector p = scene.eye_point(i);
@@ -116,7 +116,7 @@ RC_GTEST_PROP(Numbers, a_box_beyond_the_frustum_has_no_point_in_it, ()) {
 
 RC_GTEST_PROP(Numbers, the_least_depth_of_a_box_is_at_most_that_of_its_points, ()) {
   const Scene scene;
-  const EyeBounds bounds = EyeSpace(scene.skeleton, scene.view).bounds(scene.box);
+  const EyeBounds bounds = FrameView(scene.skeleton, {scene.view}).eye_space.bounds(scene.box);
   if (bounds.parallel || bounds.outside) return;
   for (int i = 0; i < Scene::points; ++i)
     RC_ASSERT(-scene.eye_point(i).z >= bounds.least_depth - scene.slack());
@@ -124,10 +124,10 @@ RC_GTEST_PROP(Numbers, the_least_depth_of_a_box_is_at_most_that_of_its_points, (
 
 RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_its_points_with_nearly_half_a_pixel_to_spare, ()) {
   const Scene scene;
-  const ScreenBounds found = BoxProjector(scene.skeleton, scene.view).bounds(scene.box);
+  const ScreenBounds found = BoxProjector(FrameView(scene.skeleton, {scene.view})).bounds(scene.box);
   if (found.kind == ScreenBounds::Kind::unbounded) return;
   const Camera& camera = scene.view.camera;
-  const ClipSpace clip = clip_space(scene.skeleton, scene.view);
+  const ClipSpace clip = FrameView(scene.skeleton, {scene.view}).clip;
   for (int i = 0; i < Scene::points; ++i) {
     const WideVector p = scene.eye_point(i);
     const Wide depth = -p.z, w = camera.orthographic() ? Wide(1) : depth;
@@ -145,7 +145,7 @@ RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_its_points_with_nearly_half_
     const Wide exact = clip.orthographic ? 1 - (depth - clip.near) / clip.range : clip.near / depth;
     const float allowed = r.depth(static_cast<float>(x), static_cast<float>(y));
     RC_ASSERT(allowed >= 1 || Wide(allowed) >= exact);
-    const DepthBound bound = BoxProjector(scene.skeleton, scene.view).depth_bound(scene.box);
+    const DepthBound bound = BoxProjector(FrameView(scene.skeleton, {scene.view})).depth_bound(scene.box);
     RC_ASSERT(bound.nearest >= 1 || Wide(bound.nearest) >= exact * (1 + 0x1p-16));
     for (const DepthPlane& plane : bound.planes) {
       const float beyond = plane.at(static_cast<float>(x), static_cast<float>(y));
@@ -195,9 +195,9 @@ RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_what_floats_make_of_its_poin
   } catch (const std::exception&) {
     RC_DISCARD("a camera that is refused");
   }
-  const ScreenBounds found = BoxProjector(scene.skeleton, scene.view).bounds(scene.box);
+  const ScreenBounds found = BoxProjector(FrameView(scene.skeleton, {scene.view})).bounds(scene.box);
   if (found.kind == ScreenBounds::Kind::unbounded) return;
-  const ClipSpace clip = clip_space(scene.skeleton, scene.view);
+  const ClipSpace clip = FrameView(scene.skeleton, {scene.view}).clip;
   const float snap_x = 0.125f / static_cast<float>(scene.view.width);
   const float snap_y = 0.125f / static_cast<float>(scene.view.height);
   for (int i = 0; i < Scene::points; ++i) {

@@ -1,6 +1,5 @@
 // Pictures of every frame, in one process: what was culled against what was not.
-#include "base/inject.hpp"
-#include "nodes/fallback.hpp"
+#include "nodes/local_pipeline.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/support/pictures.hpp"
 
@@ -11,47 +10,29 @@ namespace triptych::hard_cases {
 
 namespace {
 
-FallbackOptions options(const Trial& trial, CullMode cull, TestKind test = TestKind::storage) {
-  return {.width = trial.views[0].width,
-          .height = trial.views[0].height,
-          .cull = cull,
-          .test = test,
-          .batches = {}};
+LocalPipelineOptions options(const Trial& trial, StrategyKind cull, TestKind test = TestKind::storage) {
+  return {.width = trial.views[0].width, .height = trial.views[0].height, .cull = cull, .device = {test}};
 }
-
-/// Puts one fault in for a while, beside those that are in already.
-class WithFault {
- public:
-  explicit WithFault(const std::string& fault) : before_(injected_names()) { inject(fault); }
-  ~WithFault() {
-    clear_injected();
-    for (const std::string& fault : before_) inject(fault);
-  }
-  WithFault(const WithFault&) = delete;
-  WithFault& operator=(const WithFault&) = delete;
-
- private:
-  std::vector<std::string> before_;
-};
 
 class PictureTrial {
  public:
   PictureTrial(const Trial& trial, TestKind test)
       : trial_(trial),
         built_(trial),
-        culled_(built_.pack(), options(trial, CullMode::occlusion, test)),
-        whole_(built_.pack(), options(trial, CullMode::frustum)),
-        everything_(built_.pack(), options(trial, CullMode::none)),
-        items_(built_.pack(), with_items(options(trial, CullMode::frustum))) {
+        culled_(built_.pack(), options(trial, StrategyKind::occlusion, test)),
+        whole_(built_.pack(), options(trial, StrategyKind::frustum)),
+        everything_(built_.pack(), options(trial, StrategyKind::none)),
+        unbounded_(built_.pack(), without_fragment_bound(options(trial, StrategyKind::frustum))),
+        items_(built_.pack(), with_items(options(trial, StrategyKind::frustum))) {
     if (!trial.twin) return;
     built_twin_.emplace(*trial.twin);
-    twin_.emplace(built_twin_->pack(), options(*trial.twin, CullMode::occlusion, test));
+    twin_.emplace(built_twin_->pack(), options(*trial.twin, StrategyKind::occlusion, test));
   }
 
   Problems run() {
     for (size_t i = 0; i < trial_.views.size() && problems_.size() < 5; ++i) {
       frame_ = i;
-      const FrameRequest request{static_cast<uint32_t>(i), trial_.views[i], trial_.pixel_error};
+      const FrameRequest request{static_cast<uint32_t>(i), {trial_.views[i], trial_.pixel_error}};
       const FrameRecord record = culled_.draw(request);
       const std::vector<uint8_t> picture = culled_.target().read_colors();
       if (trial_.stands_still && i > 2) {
@@ -60,10 +41,7 @@ class PictureTrial {
       }
       compare(picture, whole_, request, "the un-culled picture");
       compare(picture, everything_, request, "the picture of the whole model");
-      if (!trial_.slivers) {
-        const WithFault unbounded("no-fragment-bound");
-        compare(picture, whole_, request, "the picture without a bound of fragments");
-      }
+      if (!trial_.slivers) compare(picture, unbounded_, request, "the picture without a bound of fragments");
       items_.draw(request);
       const VisibleSet truth = owners(items_.target().read_items());
       shown_ += truth.size();
@@ -71,7 +49,7 @@ class PictureTrial {
       if (!missing.empty())
         say(fmt::format("{} drawables show and are not in the visible set", missing.size()));
       if (twin_) {
-        twin_->draw({static_cast<uint32_t>(i), trial_.twin->views[i], trial_.twin->pixel_error});
+        twin_->draw({static_cast<uint32_t>(i), {trial_.twin->views[i], trial_.twin->pixel_error}});
         const size_t pixels = test::differing_pixels(picture, twin_->target().read_colors());
         if (pixels > 0) say(fmt::format("{} pixels differ from the twin's", pixels));
       }
@@ -83,14 +61,19 @@ class PictureTrial {
   }
 
  private:
-  static FallbackOptions with_items(FallbackOptions options) {
+  static LocalPipelineOptions with_items(LocalPipelineOptions options) {
     options.item_buffer = true;
+    return options;
+  }
+
+  static LocalPipelineOptions without_fragment_bound(LocalPipelineOptions options) {
+    options.rules.fragment_bound = false;
     return options;
   }
 
   void say(const std::string& what) { problems_.push_back(fmt::format("frame {}: {}", frame_, what)); }
 
-  void compare(const std::vector<uint8_t>& picture, Fallback& other, const FrameRequest& request,
+  void compare(const std::vector<uint8_t>& picture, LocalPipeline& other, const FrameRequest& request,
                const std::string& name) {
     other.draw(request);
     const size_t pixels = test::differing_pixels(picture, other.target().read_colors());
@@ -106,8 +89,8 @@ class PictureTrial {
   const Trial& trial_;
   BuiltTrial built_;
   std::optional<BuiltTrial> built_twin_;
-  Fallback culled_, whole_, everything_, items_;
-  std::optional<Fallback> twin_;
+  LocalPipeline culled_, whole_, everything_, unbounded_, items_;
+  std::optional<LocalPipeline> twin_;
   size_t frame_ = 0, shown_ = 0;
   VisibleSet last_;
   std::vector<uint8_t> last_picture_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/context.hpp"
-#include "render/gl_occlusion_tester.hpp"
+#include "render/gl_device.hpp"
 #include "scene/pack.hpp"
 #include "tests/hard_cases/hard_case.hpp"
 

@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
   };
   const std::set<std::string> visibility = with(scene, {"lod"});
   const std::set<std::string> devices = with(visibility, {"visibility"});
-  const std::set<std::string> nodes = with(devices, {"protocol", "render"});
+  const std::set<std::string> nodes = with(devices, {"protocol", "render", "residency"});
   const std::set<std::string> building = with(scene, {"model", "simplify"});
   const std::set<std::string> measure = with(with(nodes, building), {"nodes", "preprocess"});
   const std::set<std::string> view = with(nodes, {"nodes"});
@@ -41,7 +41,8 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
       {"lod", scene},
       {"visibility", visibility},
       {"protocol", devices},
-      {"render", devices},
+      {"residency", scene},
+      {"render", with(devices, {"residency"})},
       {"nodes", nodes},
       {"measure", measure},
       {"report", scene},
@@ -172,7 +173,7 @@ std::vector<fs::path> tracked_files() {
 /// What may lie in which folder, by the whole path.
 const std::vector<std::string> places = {
     R"(README\.md|LICENSE|CMakeLists\.txt|CMakePresets\.json|\.gitignore|\.clang-(format|tidy)|\.ci/run)",
-    R"((base|scene|model|simplify|preprocess|lod|visibility|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
+    R"((base|scene|model|simplify|preprocess|lod|visibility|residency|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
     R"((\w+/)+CMakeLists\.txt)",
     R"(launch/(packages\.txt|compile|demo|install))",
     R"(cmake/[\w-]+\.cmake)",

@@ -25,15 +25,16 @@ class CutOf : public testing::TestWithParam<std::string> {
   }
   double error_on_screen(const View& view, DrawableId id) const {
     const Drawable& drawable = skeleton.drawables[id];
-    return projected_error(view.focal_length(), drawable.error,
-                           EyeSpace(skeleton, view).bounds(skeleton.scene_nodes[drawable.scene_node].box));
+    return projected_error(
+        view.focal_length(), drawable.error,
+        FrameView(skeleton, {view}).eye_space.bounds(skeleton.scene_nodes[drawable.scene_node].box));
   }
 };
 
 TEST_P(CutOf, covers_each_leaf_in_the_frustum_once) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
-    const Cut cut = select_cut(skeleton, views[frame], scenes::pixel_error(frame));
-    const EyeSpace eye_space(skeleton, views[frame]);
+    const Cut cut = select_cut(FrameView(skeleton, {views[frame], scenes::pixel_error(frame)}));
+    const EyeSpace eye_space = FrameView(skeleton, {views[frame]}).eye_space;
     for (SceneNodeId leaf = 0; leaf < skeleton.scene_nodes.size(); ++leaf) {
       if (skeleton.scene_nodes[leaf].child_count > 0) continue;
       int covered = 0;
@@ -51,7 +52,7 @@ TEST_P(CutOf, covers_each_leaf_in_the_frustum_once) {
 TEST_P(CutOf, keeps_the_pixel_error_and_is_no_finer_than_it_must_be) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
     const double pixel_error = scenes::pixel_error(frame);
-    const Cut cut = select_cut(skeleton, views[frame], pixel_error);
+    const Cut cut = select_cut(FrameView(skeleton, {views[frame], pixel_error}));
     for (const DrawableId id : cut.drawables) {
       const SceneNodeId node_id = skeleton.drawables[id].scene_node;
       const SceneNode& node = skeleton.scene_nodes[node_id];
@@ -73,7 +74,7 @@ TEST_P(CutOf, keeps_the_pixel_error_and_is_no_finer_than_it_must_be) {
 TEST_P(CutOf, is_in_draw_rank_order_and_a_child_never_ranks_before_its_parent) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
     const glm::ivec3 cell = eye_cell(skeleton, views[frame]);
-    const Cut cut = select_cut(skeleton, views[frame], scenes::pixel_error(frame));
+    const Cut cut = select_cut(FrameView(skeleton, {views[frame], scenes::pixel_error(frame)}));
     for (size_t i = 1; i < cut.drawables.size(); ++i) {
       EXPECT_LT(draw_rank(skeleton, cell, cut.drawables[i - 1]), draw_rank(skeleton, cell, cut.drawables[i]));
     }
@@ -88,9 +89,9 @@ TEST_P(CutOf, is_in_draw_rank_order_and_a_child_never_ranks_before_its_parent) {
 
 TEST_P(CutOf, only_moves_up_the_hierarchy_as_the_pixel_error_grows) {
   for (const View& view : views) {
-    Cut finer = select_cut(skeleton, view, 0);
+    Cut finer = select_cut(FrameView(skeleton, {view, 0}));
     for (const double pixel_error : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 64.0, 4096.0}) {
-      Cut coarser = select_cut(skeleton, view, pixel_error);
+      Cut coarser = select_cut(FrameView(skeleton, {view, pixel_error}));
       for (const DrawableId id : finer.drawables) {
         SceneNodeId node = skeleton.drawables[id].scene_node;
         while (node != no_id && !(coarser.choice[node] < Cut::inner))
@@ -107,7 +108,7 @@ TEST_P(CutOf, only_moves_up_the_hierarchy_as_the_pixel_error_grows) {
 
 TEST_P(CutOf, at_a_pixel_error_of_zero_is_full_detail) {
   for (const View& view : views) {
-    for (const DrawableId id : select_cut(skeleton, view, 0).drawables) {
+    for (const DrawableId id : select_cut(FrameView(skeleton, {view, 0})).drawables) {
       const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[id].scene_node];
       EXPECT_EQ(node.child_count, 0u);
       EXPECT_EQ(id, node.first_drawable);
@@ -117,7 +118,8 @@ TEST_P(CutOf, at_a_pixel_error_of_zero_is_full_detail) {
 
 TEST_P(CutOf, is_the_same_when_selected_again) {
   for (const View& view : views) {
-    const Cut one = select_cut(skeleton, view, 1), other = select_cut(skeleton, view, 1);
+    const Cut one = select_cut(FrameView(skeleton, {view, 1})),
+              other = select_cut(FrameView(skeleton, {view, 1}));
     EXPECT_EQ(one.drawables, other.drawables);
     EXPECT_EQ(one.choice, other.choice);
   }
@@ -125,7 +127,8 @@ TEST_P(CutOf, is_the_same_when_selected_again) {
 
 TEST_P(CutOf, without_frustum_culling_holds_the_whole_model_and_the_cut_itself) {
   for (const View& view : views) {
-    const Cut cut = select_cut(skeleton, view, 1), all = select_cut(skeleton, view, 1, FrustumCulling::off);
+    const Cut cut = select_cut(FrameView(skeleton, {view, 1})),
+              all = select_cut(FrameView(skeleton, {view, 1}), FrustumCulling::off);
     for (SceneNodeId leaf = 0; leaf < skeleton.scene_nodes.size(); ++leaf) {
       if (skeleton.scene_nodes[leaf].child_count > 0) continue;
       int covered = 0;
@@ -146,9 +149,10 @@ TEST(Cut, coarse_drawables_are_chosen_from_far_away) {
   View near_view = scenes::path(skeleton, 512, 512).front();
   View far_view = near_view;
   far_view.camera.eye = near_view.camera.eye * 400.0;
-  const size_t near_size = select_cut(skeleton, near_view, 1).drawables.size();
+  const size_t near_size = select_cut(FrameView(skeleton, {near_view, 1})).drawables.size();
   EXPECT_GT(near_size, 10u);
-  EXPECT_LT(select_cut(skeleton, far_view, 1, FrustumCulling::off).drawables.size(), near_size / 4);
+  EXPECT_LT(select_cut(FrameView(skeleton, {far_view, 1}), FrustumCulling::off).drawables.size(),
+            near_size / 4);
 }
 
 /// A box beside or around the eye and a view of it, at random.
@@ -207,7 +211,7 @@ TEST(ProjectedError, bounds_how_far_any_displaced_point_of_the_box_moves) {
   double tightest = 0;
   for (int round = 0; round < 20000; ++round) {
     const Trial trial(random);
-    const EyeBounds bounds = EyeSpace(trial.skeleton, trial.view).bounds(trial.box);
+    const EyeBounds bounds = FrameView(trial.skeleton, {trial.view}).eye_space.bounds(trial.box);
     const double error = std::exp2(random.number(-12, 1));
     const double bound = projected_error(trial.view.focal_length(), error, bounds);
     for (int i = 0; i < 20; ++i) {

@@ -1,7 +1,7 @@
 #include "measure/comparison.hpp"
 
 #include "base/hashing.hpp"
-#include "nodes/fallback.hpp"
+#include "nodes/local_pipeline.hpp"
 #include "render/context.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -20,13 +20,12 @@ struct DrawnFrames {
 
 DrawnFrames draw_room(const Pack& pack) {
   DrawnFrames run;
-  Fallback fallback(pack, {.width = width, .height = height, .batches = {}});
+  LocalPipeline pipeline(pack, {.width = width, .height = height});
   for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 7)) {
-    run.requests.push_back(
-        {.number = static_cast<uint32_t>(run.requests.size()), .view = view, .pixel_error = 1});
-    run.records.push_back(fallback.draw(run.requests.back()));
+    run.requests.push_back({static_cast<uint32_t>(run.requests.size()), {view, 1}});
+    run.records.push_back(pipeline.draw(run.requests.back()));
     run.records.back().picture_hash =
-        hash_values(std::span<const uint8_t>(std::vector<uint8_t>(fallback.target().read_colors())));
+        hash_values(std::span<const uint8_t>(std::vector<uint8_t>(pipeline.target().read_colors())));
   }
   return run;
 }
@@ -63,13 +62,14 @@ TEST(Comparison, a_wrong_picture_and_a_withheld_drawable_are_found_in_their_run_
 TEST(Comparison, pictures_and_items_of_one_pass_are_those_of_a_pass_each) {
   const auto context = make_context(ContextKind::egl);
   const Pack& pack = scenes::pack("room");
-  Renderer renderer(pack);
-  PictureStage both(renderer, width, height, TargetKind::color_and_item), colors(renderer, width, height),
-      items(renderer, width, height, TargetKind::item);
+  PackDevice device(pack);
+  PictureStage both(device.device(), width, height, TargetKind::color_and_item),
+      colors(device.device(), width, height), items(device.device(), width, height, TargetKind::item);
   for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 7)) {
-    const Cut cut = select_cut(pack.skeleton(), view, 1);
+    const FrameView frame_view(pack.skeleton(), {view, 1});
+    const Cut cut = select_cut(frame_view);
     for (PictureStage* stage : {&both, &colors, &items}) {
-      stage->begin(view);
+      stage->begin(frame_view);
       stage->draw(cut.drawables);
     }
     EXPECT_EQ(both.target().read_colors(), colors.target().read_colors());

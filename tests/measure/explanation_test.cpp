@@ -18,7 +18,7 @@ class Explanation : public testing::Test {
  protected:
   Explanation() {
     const std::vector<View> views = scenes::path(skeleton, width, height);
-    for (uint32_t i = 0; i < views.size(); ++i) frames.push_back({i, views[i], 1.0});
+    for (uint32_t i = 0; i < views.size(); ++i) frames.push_back({i, {views[i], 1.0}});
   }
   ~Explanation() override { clear_injected(); }
 
@@ -30,12 +30,12 @@ class Explanation : public testing::Test {
 
 TEST_F(Explanation, of_every_drawable_agrees_with_what_the_frame_shows) {
   Explainer explainer(pack, width, height, TestKind::storage);
-  Fallback fallback(pack, {.width = width, .height = height, .batches = {}});
+  LocalPipeline pipeline(pack, {.width = width, .height = height});
   std::set<Fate> seen;
   for (size_t i = 0; i < 12; ++i) {
     explainer.draw(frames[i]);
-    const VisibleSet visible = fallback.draw(frames[i]).visible;
-    const Cut cut = select_cut(skeleton, frames[i].view, frames[i].pixel_error);
+    const VisibleSet visible = pipeline.draw(frames[i]).visible;
+    const Cut cut = select_cut(FrameView(skeleton, frames[i].state));
     uint64_t owned = 0;
     for (DrawableId id = 0; id < skeleton.drawables.size(); ++id) {
       const DrawableExplanation found = explainer.explain(id);
@@ -58,8 +58,9 @@ TEST_F(Explanation, of_every_drawable_agrees_with_what_the_frame_shows) {
         EXPECT_LE(found.by[0].pixels, 1);
       }
       if (found.fate == Fate::outside_frustum) {
-        EXPECT_TRUE(
-            EyeSpace(skeleton, frames[i].view).bounds(skeleton.scene_nodes[found.decided_at].box).outside);
+        EXPECT_TRUE(FrameView(skeleton, frames[i].state)
+                        .eye_space.bounds(skeleton.scene_nodes[found.decided_at].box)
+                        .outside);
       }
       EXPECT_FALSE(found.fate == Fate::hidden && found.by.empty()) << "hidden by nothing";
       for (const DrawableFacts& by : found.by) {
@@ -80,7 +81,7 @@ TEST_F(Explanation, of_every_drawable_agrees_with_what_the_frame_shows) {
 TEST_F(Explanation, names_what_owns_the_pixel_counted_from_the_top) {
   Explainer explainer(pack, width, height, TestKind::queries);
   explainer.draw(frames[0]);
-  Fallback items(pack, {.width = width, .height = height, .batches = {}, .item_buffer = true});
+  LocalPipeline items(pack, {.width = width, .height = height, .item_buffer = true});
   items.draw(frames[0]);
   const std::vector<uint32_t> rows = items.target().read_items();
   for (int y = 0; y < height; y += 7) {

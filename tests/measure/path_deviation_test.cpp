@@ -14,14 +14,14 @@ using test::write_pack;
 
 /// From straight above the place, at the given height; 100 pixels a unit of tangent.
 FrameRequest above(double height, double pixel_error, double x = 20, double y = 5) {
-  FrameRequest frame{.number = 4, .view = {}, .pixel_error = pixel_error};
-  frame.view.camera.eye = {x, y, height};
-  frame.view.camera.target = {x, y, 0};
-  frame.view.camera.up = {0, 1, 0};
-  frame.view.camera.near = 0.01;
-  frame.view.camera.left = frame.view.camera.bottom = -1;
-  frame.view.camera.right = frame.view.camera.top = 1;
-  frame.view.width = frame.view.height = 200;
+  FrameRequest frame{4, {{}, pixel_error}};
+  frame.state.view.camera.eye = {x, y, height};
+  frame.state.view.camera.target = {x, y, 0};
+  frame.state.view.camera.up = {0, 1, 0};
+  frame.state.view.camera.near = 0.01;
+  frame.state.view.camera.left = frame.state.view.camera.bottom = -1;
+  frame.state.view.camera.right = frame.state.view.camera.top = 1;
+  frame.state.view.width = frame.state.view.height = 200;
   return frame;
 }
 

@@ -13,7 +13,7 @@ TEST(SideBySide, packs_in_turn_give_the_same_frames_as_each_alone_in_every_round
   const Pack& other = scenes::pack("coplanar");
   std::vector<FrameRequest> requests;
   for (const View& view : scenes::random_views(room.skeleton(), 64, 48, 5, 3))
-    requests.push_back({.number = static_cast<uint32_t>(requests.size()), .view = view, .pixel_error = 1});
+    requests.push_back({static_cast<uint32_t>(requests.size()), {view, 1}});
   const auto both =
       run_side_by_side(std::array<const Pack*, 2>{&room, &other}, requests, TestKind::storage, 2);
   const auto alone = run_side_by_side(std::array<const Pack*, 1>{&room}, requests, TestKind::storage, 1);

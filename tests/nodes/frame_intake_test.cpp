@@ -30,7 +30,7 @@ class FrameIntake : public testing::Test {
       if (id % 3 != 0) previous.push_back(id);
       if (id % 4 != 1) visible.push_back(id);
     }
-    frame = {0, scenes::path(skeleton, 64, 64).front(), 1};
+    frame = {0, {scenes::path(skeleton, 64, 64).front(), 1}};
   }
   ~FrameIntake() override { clear_injected(); }
 
@@ -40,7 +40,7 @@ class FrameIntake : public testing::Test {
   }
   void send_sentinel() {
     Sentinel sentinel;
-    sentinel.digest = frame_digest(0, frame.view, frame.pixel_error, pack_hash, visible);
+    sentinel.digest = frame_digest(0, frame.state.view, frame.state.pixel_error, pack_hash, visible);
     send(sentinel);
   }
   IntakeResult take() {
@@ -64,7 +64,7 @@ class FrameIntake : public testing::Test {
 };
 
 TEST_F(FrameIntake, gives_the_set_and_each_drawable_of_it_once_in_draw_rank_order) {
-  const glm::ivec3 cell = eye_cell(skeleton, frame.view);
+  const glm::ivec3 cell = eye_cell(skeleton, frame.state.view);
   const DrawRank middle = draw_rank(skeleton, cell, visible[visible.size() / 2]);
   VisibleDelta near_part, far_part;
   const VisibleDelta delta = difference(previous, visible);

@@ -60,19 +60,18 @@ View inside(double turn, int width, int height) {
 /// Pixels of the background in pictures of random mixes, seen from inside.
 size_t holes_of_random_mixes(const Pack& pack, int mixes, const Affine& placed = Affine(1)) {
   constexpr int width = 320, height = 240;
-  Fallback fallback(
-      pack,
-      {.width = width, .height = height, .cull = CullMode::frustum, .batches = {}, .item_buffer = true});
+  LocalPipeline pipeline(
+      pack, {.width = width, .height = height, .cull = StrategyKind::frustum, .item_buffer = true});
   std::mt19937 random(21);
   size_t holes = 0;
   for (int i = 0; i < mixes; ++i) {
     View view = inside(i * 0.71, width, height);
     for (glm::dvec3* point : {&view.camera.eye, &view.camera.target}) *point = placed * glm::dvec4(*point, 1);
     const std::vector<DrawableId> mix = random_mix(pack.skeleton(), random);
-    fallback.picture().begin(view, static_cast<uint32_t>(i));
-    fallback.picture().draw(mix);
-    fallback.picture().finish();
-    for (const uint32_t item : fallback.target().read_items()) holes += item == 0;
+    pipeline.picture().begin(FrameView(pack.skeleton(), {view}), static_cast<uint32_t>(i));
+    pipeline.picture().draw(mix);
+    pipeline.picture().finish();
+    for (const uint32_t item : pipeline.target().read_items()) holes += item == 0;
   }
   return holes;
 }
@@ -97,17 +96,16 @@ class ClosedBorders : public testing::Test {
 };
 
 TEST_F(ClosedBorders, no_pixel_shows_what_is_behind_a_closed_surface_at_any_mix_of_levels) {
-  Fallback fallback(
-      *pack, {.width = 320, .height = 240, .cull = CullMode::frustum, .batches = {}, .item_buffer = true});
+  LocalPipeline pipeline(*pack,
+                         {.width = 320, .height = 240, .cull = StrategyKind::frustum, .item_buffer = true});
   size_t holes = 0, mixed = 0, frames = 0;
   for (const double pixel_error : {0.5, 2.0, 8.0, 24.0}) {
     for (int i = 0; i < 24; ++i) {
       const View view = inside(i * 0.71, 320, 240);
-      const FrameRequest frame{
-          .number = static_cast<uint32_t>(frames++), .view = view, .pixel_error = pixel_error};
-      mixed += mixed_levels(select_cut(pack->skeleton(), frame.view, pixel_error)) > 1;
-      fallback.draw(frame);
-      for (const uint32_t item : fallback.target().read_items()) holes += item == 0;
+      const FrameRequest frame{static_cast<uint32_t>(frames++), {view, pixel_error}};
+      mixed += mixed_levels(select_cut(FrameView(pack->skeleton(), frame.state))) > 1;
+      pipeline.draw(frame);
+      for (const uint32_t item : pipeline.target().read_items()) holes += item == 0;
     }
   }
   EXPECT_EQ(holes, 0u);
@@ -167,16 +165,17 @@ TEST(ClosedBorder, of_placed_meshes_stays_closed_between_their_own_levels_and_th
 TEST(ClosedBorder, without_a_part_shows_holes) {
   test_context();
   const auto pack = pack_of(awkward::model_of({awkward::wavy_sphere(80)}));
-  Fallback fallback(*pack, {.width = 320, .height = 240, .batches = {}, .item_buffer = true});
+  LocalPipeline pipeline(*pack, {.width = 320, .height = 240, .item_buffer = true});
   size_t holes = 0;
   for (int i = 0; i < 40; ++i) {
     std::mt19937 random(21);
     std::vector<DrawableId> mix = random_mix(pack->skeleton(), random);
     mix.erase(mix.begin() + i % static_cast<int>(mix.size()));
-    fallback.picture().begin(inside(i * 0.71, 320, 240), static_cast<uint32_t>(i));
-    fallback.picture().draw(mix);
-    fallback.picture().finish();
-    for (const uint32_t item : fallback.target().read_items()) holes += item == 0;
+    pipeline.picture().begin(FrameView(pack->skeleton(), {inside(i * 0.71, 320, 240)}),
+                             static_cast<uint32_t>(i));
+    pipeline.picture().draw(mix);
+    pipeline.picture().finish();
+    for (const uint32_t item : pipeline.target().read_items()) holes += item == 0;
   }
   EXPECT_GT(holes, 0u);
 }

@@ -20,16 +20,13 @@ class CulledPictures : public testing::TestWithParam<std::tuple<std::string, Siz
 
 TEST_P(CulledPictures, equal_the_un_culled_ones_in_every_pixel) {
   Rig storage(pack, size.width, size.height), queries(pack, size.width, size.height, TestKind::queries);
-  Fallback items(pack, {.width = size.width,
-                        .height = size.height,
-                        .cull = CullMode::frustum,
-                        .batches = {},
-                        .item_buffer = true});
+  LocalPipeline items(
+      pack, {.width = size.width, .height = size.height, .cull = StrategyKind::frustum, .item_buffer = true});
   const std::vector<View> views = scenes::path(pack.skeleton(), size.width, size.height);
   uint64_t seen = 0, drawn = 0, cut = 0;
   for (size_t i = 0; i < views.size(); ++i) {
     SCOPED_TRACE(testing::Message() << "frame " << i);
-    const FrameRequest request{static_cast<uint32_t>(i), views[i], scenes::pixel_error(i)};
+    const FrameRequest request{static_cast<uint32_t>(i), {views[i], scenes::pixel_error(i)}};
     const Rig::Frame frame = storage.draw(request);
     EXPECT_EQ(frame.differing_pixels, 0u);
     EXPECT_EQ(queries.draw(request).record.visible, frame.record.visible)
@@ -63,11 +60,11 @@ class CulledInBatches : public testing::TestWithParam<std::string> {};
 TEST_P(CulledInBatches, of_any_size_pictures_equal_the_un_culled_ones) {
   const Pack& pack = scenes::pack(GetParam());
   for (const size_t batch : {size_t{1}, size_t{7}, size_t{100000}}) {
-    const CullOptions batches{.batch = batch, .least_batch = batch};
+    const CullOptions batches{.batch = batch, .min_batch = batch};
     Rig rig(pack, 160, 120, TestKind::storage, batches);
     const std::vector<View> views = scenes::random_views(pack.skeleton(), 160, 120, 12, 5);
     for (size_t i = 0; i < views.size(); ++i) {
-      EXPECT_EQ(rig.draw({static_cast<uint32_t>(i), views[i], scenes::pixel_error(i)}).differing_pixels, 0u)
+      EXPECT_EQ(rig.draw({static_cast<uint32_t>(i), {views[i], scenes::pixel_error(i)}}).differing_pixels, 0u)
           << "frame " << i << " in batches of " << batch;
     }
   }
@@ -79,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CulledInBatches, testing::ValuesIn(scenes::name
 TEST(CulledPicture, of_the_first_frame_and_after_forgetting_is_the_un_culled_one_too) {
   const Pack& pack = scenes::pack("room");
   test_context();
-  Fallback culled(pack, {.batches = {}}), whole(pack, {.cull = CullMode::frustum, .batches = {}});
+  LocalPipeline culled(pack, {}), whole(pack, {.cull = StrategyKind::frustum});
   for (const View& view : scenes::random_views(pack.skeleton(), 512, 512, 6, 9)) {
     culled.forget();
     const FrameRecord record = culled.draw({0, view, 1});
@@ -92,8 +89,7 @@ TEST(CulledPicture, of_the_first_frame_and_after_forgetting_is_the_un_culled_one
 TEST(CulledPicture, shows_what_the_picture_of_the_whole_model_shows) {
   const Pack& pack = scenes::pack("world");
   test_context();
-  Fallback frustum(pack, {.cull = CullMode::frustum, .batches = {}}),
-      all(pack, {.cull = CullMode::none, .batches = {}});
+  LocalPipeline frustum(pack, {.cull = StrategyKind::frustum}), all(pack, {.cull = StrategyKind::none});
   for (const View& view : scenes::random_views(pack.skeleton(), 512, 512, 8, 3)) {
     const FrameRecord cut = frustum.draw({0, view, 1});
     EXPECT_GE(all.draw({0, view, 1}).visible.size(), cut.visible.size());

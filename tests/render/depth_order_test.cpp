@@ -1,4 +1,5 @@
 // Where depths are equal the lower draw rank wins, whoever was drawn when.
+#include "render/gl/renderer.hpp"
 #include "tests/render/rig.hpp"
 #include "tests/support/small_pack.hpp"
 
@@ -50,12 +51,12 @@ size_t greenish(const std::vector<uint8_t>& colors) {
 TEST(DepthOrder, the_lower_draw_rank_wins_at_equal_depth) {
   test_context();
   const Pack pack(test::write_pack(two_coplanar_squares()));
-  for (const CullMode cull : {CullMode::occlusion, CullMode::frustum, CullMode::none}) {
-    Fallback fallback(pack, {.width = 200, .height = 160, .cull = cull, .batches = {}});
+  for (const StrategyKind cull : {StrategyKind::occlusion, StrategyKind::frustum, StrategyKind::none}) {
+    LocalPipeline pipeline(pack, {.width = 200, .height = 160, .cull = cull});
     for (uint32_t frame = 0; frame < 3; ++frame) {
-      fallback.draw({frame, view_of_the_squares(), 1});
-      EXPECT_GT(reddish(fallback.target().read_colors()), 1000u);
-      EXPECT_EQ(greenish(fallback.target().read_colors()), 0u);
+      pipeline.draw({frame, {view_of_the_squares(), 1}});
+      EXPECT_GT(reddish(pipeline.target().read_colors()), 1000u);
+      EXPECT_EQ(greenish(pipeline.target().read_colors()), 0u);
     }
   }
 }
@@ -63,10 +64,10 @@ TEST(DepthOrder, the_lower_draw_rank_wins_at_equal_depth) {
 TEST(DepthOrder, the_order_of_drawing_would_show) {
   test_context();
   const Pack pack(test::write_pack(two_coplanar_squares()));
-  Renderer renderer(pack);
-  PictureStage picture(renderer, 200, 160);
-  picture.begin(view_of_the_squares());
-  picture.draw({1, 0});
+  PackDevice device(pack);
+  PictureStage picture(device.device(), 200, 160);
+  picture.begin(FrameView(pack.skeleton(), {view_of_the_squares()}));
+  picture.draw(std::array<DrawableId, 2>{1, 0});
   picture.finish();
   EXPECT_EQ(reddish(picture.target().read_colors()), 0u);
   EXPECT_GT(greenish(picture.target().read_colors()), 1000u);
@@ -75,23 +76,27 @@ TEST(DepthOrder, the_order_of_drawing_would_show) {
 TEST(DepthOrder, a_drawable_that_coincides_with_an_occluder_counts_as_visible) {
   test_context();
   const Pack pack(test::write_pack(two_coplanar_squares()));
-  Fallback fallback(pack, {.width = 200, .height = 160, .batches = {}});
+  LocalPipeline pipeline(pack, {.width = 200, .height = 160});
   for (uint32_t frame = 0; frame < 3; ++frame) {
-    EXPECT_EQ(fallback.draw({frame, view_of_the_squares(), 1}).visible, (VisibleSet{0, 1}));
+    EXPECT_EQ(pipeline.draw({frame, {view_of_the_squares(), 1}}).visible, (VisibleSet{0, 1}));
   }
 }
 
 TEST(DepthOrder, depth_and_colour_passes_meet_in_every_pixel) {
   test_context();
   const Pack pack(test::write_pack(test::small_pack()));
-  Renderer renderer(pack);
+  const Hierarchy hierarchy(pack.skeleton());
+  LoadOnDemand residency(pack);
+  LevelsRepresentation levels(hierarchy);
+  Renderer renderer(pack.skeleton(), levels, residency);
   const View view = view_of_the_squares();
-  renderer.set_view(view);
+  const FrameView frame_view(pack.skeleton(), {view, 0.01});
+  renderer.set_view(frame_view);
   std::vector<std::vector<float>> depths;
   for (const TargetKind kind : {TargetKind::depth_only, TargetKind::color, TargetKind::item}) {
-    const Target target(kind, view.width, view.height);
+    const Framebuffer target(kind, view.width, view.height);
     target.clear();
-    renderer.draw(select_cut(pack.skeleton(), view, 0.01).drawables, target, kind);
+    renderer.draw(select_cut(frame_view).drawables, target);
     depths.push_back(target.read_depths());
   }
   EXPECT_GT(std::count_if(depths[0].begin(), depths[0].end(), [](float depth) { return depth > 0; }), 1000);

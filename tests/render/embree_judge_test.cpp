@@ -139,14 +139,14 @@ Verdict judge(const std::string& scene_name) {
   test_context();
   const Pack& pack = scenes::pack(scene_name);
   constexpr int width = 192, height = 144;
-  Fallback fallback(pack, {.width = width, .height = height, .batches = {}});
+  LocalPipeline pipeline(pack, {.width = width, .height = height});
   std::vector<View> views = scenes::path(pack.skeleton(), width, height, 2);
   std::erase_if(views, [](const View& view) { return view.camera.orthographic(); });  // rays from one point
   Verdict verdict;
   for (size_t i = 0; i < views.size(); ++i) {
-    const FrameRecord record = fallback.draw({static_cast<uint32_t>(i), views[i], scenes::pixel_error(i)});
-    const RayScene scene(pack, views[i],
-                         select_cut(pack.skeleton(), views[i], scenes::pixel_error(i)).drawables);
+    const FrameRecord record = pipeline.draw({static_cast<uint32_t>(i), views[i], scenes::pixel_error(i)});
+    const RayScene scene(
+        pack, views[i], select_cut(FrameView(pack.skeleton(), {views[i], scenes::pixel_error(i)})).drawables);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         ++verdict.rays;

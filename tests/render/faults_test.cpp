@@ -18,7 +18,7 @@ size_t wrong_frames(const std::string& scene) {
   const std::vector<View> views = scenes::path(pack.skeleton(), width, height);
   size_t wrong = 0;
   for (size_t i = 0; i < views.size(); ++i) {
-    const FrameRequest request{static_cast<uint32_t>(i), views[i], scenes::pixel_error(i)};
+    const FrameRequest request{static_cast<uint32_t>(i), {views[i], scenes::pixel_error(i)}};
     wrong += rig.draw(request).differing_pixels > 0;
   }
   return wrong;

@@ -1,7 +1,7 @@
 // One scene drawn every way there is: culled by both kinds of test, un-culled, and as an item buffer.
 #pragma once
 
-#include "nodes/fallback.hpp"
+#include "nodes/local_pipeline.hpp"
 #include "render/context.hpp"
 #include "tests/support/pictures.hpp"
 
@@ -28,8 +28,8 @@ class Rig {
  public:
   Rig(const Pack& pack, int width, int height, TestKind test = TestKind::storage, CullOptions batches = {})
       : context_(test_context()),
-        culled_(pack, {.width = width, .height = height, .test = test, .batches = batches}),
-        whole_(pack, {.width = width, .height = height, .cull = CullMode::frustum, .batches = {}}) {}
+        culled_(pack, {.width = width, .height = height, .batches = batches, .device = {test}}),
+        whole_(pack, {.width = width, .height = height, .cull = StrategyKind::frustum}) {}
 
   struct Frame {
     FrameRecord record;
@@ -44,7 +44,7 @@ class Rig {
 
  private:
   Context& context_;
-  Fallback culled_, whole_;
+  LocalPipeline culled_, whole_;
 };
 
 }  // namespace triptych

@@ -11,7 +11,7 @@ namespace {
 TEST(BirdsEye, stands_above_the_eye_and_covers_nine_of_ten_boxes_of_the_cut) {
   const Skeleton& skeleton = scenes::pack("room").skeleton();
   const View view = scenes::path(skeleton, 200, 100).front();
-  const Cut cut = select_cut(skeleton, view, 1);
+  const Cut cut = select_cut(FrameView(skeleton, {view, 1}));
   const View above = birds_eye_view(skeleton, view, cut.drawables);
   EXPECT_NO_THROW(check_camera(above.camera, "above"));
   const glm::dvec3 up = glm::normalize(view.camera.up);

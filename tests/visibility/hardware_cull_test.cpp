@@ -55,29 +55,55 @@ bool some(const ScreenRectangle& rectangle) {
          0;
 }
 
-class HardwareCull : public testing::TestWithParam<std::string> {
+class HardwareCulling : public testing::TestWithParam<std::string> {
  protected:
   const Skeleton& skeleton = scenes::pack(GetParam()).skeleton();
   const std::vector<View> views = scenes::path(skeleton, 320, 240);
   static constexpr size_t packet_ids = 5;
-  size_t most_found = CullOptions{}.most_found;
+  size_t max_found = CullOptions{}.max_found;
+  const Hierarchy hierarchy{skeleton};
+  LazyCut lazy{skeleton};
   std::vector<CullPacket> packets;
 
-  CullResult cull(size_t frame, OcclusionTester& tester, const VisibleSet& previous = {}, size_t batch = 48) {
-    const Cut cut = cut_of(frame);
-    packets.clear();
-    const auto represented = map_to_cut(skeleton, eye_cell(skeleton, views[frame]), cut, previous);
-    return hardware_cull(
-        skeleton, views[frame], cut, tester, represented, previous,
-        {.batch = batch, .least_batch = batch, .most_found = most_found, .packet_ids = packet_ids},
-        [&](const CullPacket& packet) { packets.push_back(packet); });
+  /// Keeps what it hears.
+  class Listener final : public CullSink {
+   public:
+    explicit Listener(std::vector<CullPacket>& packets) : packets_(packets) {}
+    void take(const CullPacket& packet) override { packets_.push_back(packet); }
+
+   private:
+    std::vector<CullPacket>& packets_;
+  };
+
+  FrameView view_of(size_t frame) const {
+    return FrameView(skeleton, {views[frame], scenes::pixel_error(frame)});
   }
-  Cut cut_of(size_t frame) const { return select_cut(skeleton, views[frame], scenes::pixel_error(frame)); }
+  std::vector<DrawableId> represented(size_t frame, const VisibleSet& previous) {
+    lazy.begin(view_of(frame));
+    return CutMapper(skeleton).map(lazy, previous);
+  }
+  CullResult cull(size_t frame, OcclusionTester& tester, const VisibleSet& previous = {}, size_t batch = 48) {
+    packets.clear();
+    const std::vector<DrawableId> drawn = represented(frame, previous);
+    CullOptions options;
+    options.batch = options.min_batch = batch;
+    options.max_found = max_found;
+    options.packet_ids = packet_ids;
+    Listener listener(packets);
+    const CullResult result =
+        HardwareCull(hierarchy, options).run(view_of(frame), lazy, tester, drawn, previous, listener);
+    // What was selected on the way is what the whole cut has there.
+    const Cut cut = cut_of(frame);
+    for (SceneNodeId node = 0; node < skeleton.scene_nodes.size(); ++node)
+      EXPECT_EQ(lazy.choice(node), cut.choice[node]) << "frame " << frame << " scene node " << node;
+    return result;
+  }
+  Cut cut_of(size_t frame) const { return select_cut(view_of(frame)); }
   VisibleSet of_kind(size_t frame, const std::function<bool(ScreenBounds::Kind)>& wanted) const {
-    const BoxProjector projector(skeleton, views[frame]);
+    const BoxProjector projector(view_of(frame));
     VisibleSet set;
     for (const DrawableId id : cut_of(frame).drawables) {
-      if (wanted(drawable_bounds(skeleton, projector, id).kind)) set.push_back(id);
+      if (wanted(drawable_bounds(hierarchy, projector, id).kind)) set.push_back(id);
     }
     std::sort(set.begin(), set.end());
     return set;
@@ -90,21 +116,21 @@ class HardwareCull : public testing::TestWithParam<std::string> {
   }
 };
 
-TEST_P(HardwareCull, where_every_box_shows_gives_the_whole_cut_on_the_screen) {
+TEST_P(HardwareCulling, where_every_box_shows_gives_the_whole_cut_on_the_screen) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
     FakeTester tester(always);
     EXPECT_EQ(cull(frame, tester).visible, on_screen(frame)) << "frame " << frame;
   }
 }
 
-TEST_P(HardwareCull, where_no_test_answers_gives_the_whole_cut_on_the_screen) {
+TEST_P(HardwareCulling, where_no_test_answers_gives_the_whole_cut_on_the_screen) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
     SilentTester tester;
     EXPECT_EQ(cull(frame, tester).visible, on_screen(frame)) << "frame " << frame;
   }
 }
 
-TEST_P(HardwareCull, where_no_box_shows_gives_only_what_cannot_be_tested) {
+TEST_P(HardwareCulling, where_no_box_shows_gives_only_what_cannot_be_tested) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
     FakeTester tester(never);
     const CullResult result = cull(frame, tester);
@@ -113,22 +139,22 @@ TEST_P(HardwareCull, where_no_box_shows_gives_only_what_cannot_be_tested) {
   }
 }
 
-TEST_P(HardwareCull, spends_one_test_on_a_hidden_subtree) {
+TEST_P(HardwareCulling, spends_one_test_on_a_hidden_subtree) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
     const Cut cut = cut_of(frame);
-    const BoxProjector projector(skeleton, views[frame]);
+    const BoxProjector projector(view_of(frame));
     uint64_t testable = 0, subtrees = 0;
     const std::function<void(SceneNodeId)> visit = [&](SceneNodeId id) {
       if (cut.choice[id] == no_id) return;
       const SceneNode& node = skeleton.scene_nodes[id];
       const bool inner = cut.choice[id] == Cut::inner;
       ScreenBounds::Kind kind = inner ? projector.bounds(node.box).kind
-                                      : placement_bounds(skeleton, projector, cut.choice[id]).kind;
+                                      : placement_bounds(hierarchy, projector, cut.choice[id]).kind;
       // Only then its pieces are looked at: many of them twice.
       if (!inner && kind == ScreenBounds::Kind::unbounded) {
-        const DrawableBounds pieces = drawable_bounds(skeleton, projector, cut.choice[id]);
+        const DrawableBounds pieces = drawable_bounds(hierarchy, projector, cut.choice[id]);
         kind = pieces.kind;
-        testable += has_pieces(skeleton, cut.choice[id]) && pieces.rectangles.size() > 4;
+        testable += has_pieces(hierarchy, cut.choice[id]) && pieces.rectangles.size() > 4;
       }
       testable += kind == ScreenBounds::Kind::rectangle;
       subtrees += kind == ScreenBounds::Kind::rectangle && inner;
@@ -143,7 +169,7 @@ TEST_P(HardwareCull, spends_one_test_on_a_hidden_subtree) {
   }
 }
 
-TEST_P(HardwareCull, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order) {
+TEST_P(HardwareCulling, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order) {
   VisibleSet previous;
   for (size_t frame = 0; frame < views.size(); ++frame) {
     FakeTester tester(some);
@@ -177,8 +203,8 @@ TEST_P(HardwareCull, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order
   }
 }
 
-TEST_P(HardwareCull, gives_the_same_set_in_batches_of_any_size) {
-  most_found = SIZE_MAX;  // or some would be tested again
+TEST_P(HardwareCulling, gives_the_same_set_in_batches_of_any_size) {
+  max_found = SIZE_MAX;  // or some would be tested again
   VisibleSet previous;
   for (size_t frame = 0; frame < views.size(); ++frame) {
     FakeTester reference(some);
@@ -200,15 +226,15 @@ class HiddenByTheFirst : public FakeTester {
   HiddenByTheFirst() : FakeTester([this](const ScreenRectangle&) { return drawn.empty(); }) {}
 };
 
-TEST_P(HardwareCull, tests_again_what_was_found_together_with_what_may_hide_it) {
+TEST_P(HardwareCulling, tests_again_what_was_found_together_with_what_may_hide_it) {
   size_t more = 0;
   for (size_t frame = 0; frame < views.size(); ++frame) {
     const size_t without_test = untestable(frame).size();
-    most_found = SIZE_MAX;
+    max_found = SIZE_MAX;
     HiddenByTheFirst all;
     const size_t at_once = cull(frame, all).visible.size();
     for (const size_t few : {size_t{0}, size_t{1}, size_t{3}}) {
-      most_found = few;
+      max_found = few;
       HiddenByTheFirst tester;
       const size_t found = cull(frame, tester).visible.size();
       EXPECT_LE(found, without_test + std::max<size_t>(few, 1)) << "frame " << frame;
@@ -221,12 +247,12 @@ TEST_P(HardwareCull, tests_again_what_was_found_together_with_what_may_hide_it) 
   }
 }
 
-TEST_P(HardwareCull, draws_only_what_it_found_visible_and_what_is_not_represented_yet) {
+TEST_P(HardwareCulling, draws_only_what_it_found_visible_and_what_is_not_represented_yet) {
   VisibleSet previous;
   for (size_t frame = 0; frame < views.size(); ++frame) {
     FakeTester tester(some);
-    const auto represented = map_to_cut(skeleton, eye_cell(skeleton, views[frame]), cut_of(frame), previous);
-    const std::set<DrawableId> there(represented.begin(), represented.end());
+    const std::vector<DrawableId> drawn = represented(frame, previous);
+    const std::set<DrawableId> there(drawn.begin(), drawn.end());
     const CullResult result = cull(frame, tester, previous, 5);
     std::set<DrawableId> once;
     for (const DrawableId id : tester.drawn) {
@@ -241,14 +267,14 @@ TEST_P(HardwareCull, draws_only_what_it_found_visible_and_what_is_not_represente
 using Sides = std::array<float, 4>;
 Sides sides_of(const ScreenRectangle& r) { return {r.left, r.bottom, r.right, r.top}; }
 
-TEST_P(HardwareCull, loses_nothing_of_which_only_the_smallest_piece_shows) {
+TEST_P(HardwareCulling, loses_nothing_of_which_only_the_smallest_piece_shows) {
   for (size_t frame = 0; frame < views.size(); ++frame) {
-    const BoxProjector projector(skeleton, views[frame]);
+    const BoxProjector projector(view_of(frame));
     std::set<Sides> showing;
     for (const DrawableId id : cut_of(frame).drawables) {
-      for (const ScreenRectangle& placed : placement_bounds(skeleton, projector, id).rectangles)
+      for (const ScreenRectangle& placed : placement_bounds(hierarchy, projector, id).rectangles)
         showing.insert(sides_of(placed));
-      const auto pieces = drawable_bounds(skeleton, projector, id).rectangles;
+      const auto pieces = drawable_bounds(hierarchy, projector, id).rectangles;
       if (pieces.empty()) continue;
       showing.insert(
           sides_of(*std::min_element(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
@@ -264,14 +290,14 @@ TEST_P(HardwareCull, loses_nothing_of_which_only_the_smallest_piece_shows) {
   }
 }
 
-TEST_P(HardwareCull, tests_the_two_largest_of_many_pieces_where_one_of_them_shows) {
-  most_found = SIZE_MAX;  // or some would be tested again
+TEST_P(HardwareCulling, tests_the_two_largest_of_many_pieces_where_one_of_them_shows) {
+  max_found = SIZE_MAX;  // or some would be tested again
   for (size_t frame = 0; frame < views.size(); ++frame) {
-    const BoxProjector projector(skeleton, views[frame]);
+    const BoxProjector projector(view_of(frame));
     std::vector<size_t> expected;
     for (const DrawableId id : on_screen(frame)) {
-      const size_t boxes = drawable_bounds(skeleton, projector, id).rectangles.size();
-      expected.push_back(has_pieces(skeleton, id) && boxes > 4 ? 2 : boxes);
+      const size_t boxes = drawable_bounds(hierarchy, projector, id).rectangles.size();
+      expected.push_back(has_pieces(hierarchy, id) && boxes > 4 ? 2 : boxes);
     }
     FakeTester tester(always);
     cull(frame, tester, on_screen(frame));
@@ -285,7 +311,7 @@ TEST_P(HardwareCull, tests_the_two_largest_of_many_pieces_where_one_of_them_show
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, HardwareCull, testing::ValuesIn(scenes::names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, HardwareCulling, testing::ValuesIn(scenes::names()),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

@@ -17,7 +17,9 @@ class MapToCut : public testing::Test {
   std::vector<DrawableId> map(const std::vector<DrawableId>& choice, const VisibleSet& visible) const {
     Cut cut;
     cut.choice = choice;
-    return map_to_cut(skeleton, {0, 0, 0}, cut, visible);
+    LazyCut lazy(skeleton);
+    lazy.begin(FrameView(skeleton, {}), cut);
+    return CutMapper(skeleton).map(lazy, visible);
   }
 };
 
@@ -49,22 +51,25 @@ class MapToCutOf : public testing::TestWithParam<std::string> {};
 TEST_P(MapToCutOf, gives_drawables_of_the_cut_alone_each_once_in_draw_rank_order) {
   const Skeleton& skeleton = scenes::pack(GetParam()).skeleton();
   const std::vector<View> views = scenes::path(skeleton, 320, 240);
-  Cut last = select_cut(skeleton, views[0], 1);
+  Cut last = select_cut(FrameView(skeleton, {views[0], 1}));
+  LazyCut lazy(skeleton);
+  CutMapper mapper(skeleton);
   for (size_t frame = 1; frame < views.size(); ++frame) {
-    const Cut cut = select_cut(skeleton, views[frame], scenes::pixel_error(frame));
-    const glm::ivec3 cell = eye_cell(skeleton, views[frame]);
+    const FrameView view(skeleton, {views[frame], scenes::pixel_error(frame)});
+    const Cut cut = select_cut(view);
+    lazy.begin(view);
     VisibleSet visible = last.drawables;
     std::sort(visible.begin(), visible.end());
-    const std::vector<DrawableId> mapped = map_to_cut(skeleton, cell, cut, visible);
+    const std::vector<DrawableId> mapped = mapper.map(lazy, visible);
     for (size_t i = 0; i < mapped.size(); ++i) {
       EXPECT_EQ(cut.choice[skeleton.drawables[mapped[i]].scene_node], mapped[i]) << "is not in the cut";
       if (i > 0) {
-        EXPECT_LT(draw_rank(skeleton, cell, mapped[i - 1]), draw_rank(skeleton, cell, mapped[i]));
+        EXPECT_LT(draw_rank(skeleton, view.cell, mapped[i - 1]), draw_rank(skeleton, view.cell, mapped[i]));
       }
     }
     VisibleSet whole = cut.drawables;
     std::sort(whole.begin(), whole.end());
-    EXPECT_EQ(map_to_cut(skeleton, cell, cut, whole), cut.drawables) << "a cut mapped to itself is itself";
+    EXPECT_EQ(mapper.map(lazy, whole), cut.drawables) << "a cut mapped to itself is itself";
     last = cut;
   }
 }

@@ -21,7 +21,7 @@ class ScreenBoundsOf : public testing::Test {
     view.width = view.height = 512;
   }
   ScreenBounds bounds(const glm::dvec3& lo, const glm::dvec3& hi) const {
-    return BoxProjector(skeleton, view).bounds(skeleton.lattice().enclosing({lo, hi}));
+    return BoxProjector(FrameView(skeleton, {view})).bounds(skeleton.lattice().enclosing({lo, hi}));
   }
   Skeleton skeleton;
   View view;
@@ -125,7 +125,7 @@ TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
     view = some_view(random);
     const LatticeBox lattice_box = skeleton.lattice().enclosing(some_box(random));
     const Box box = skeleton.lattice().box(lattice_box);
-    const ScreenBounds found = BoxProjector(skeleton, view).bounds(lattice_box);
+    const ScreenBounds found = BoxProjector(FrameView(skeleton, {view})).bounds(lattice_box);
     if (found.kind == Kind::unbounded) continue;
     rectangles += found.kind == Kind::rectangle;
     const glm::mat<3, 3, long double> rotation(view.rotation());
@@ -158,8 +158,8 @@ TEST_F(ScreenBoundsOf, a_box_hold_every_point_of_it) {
         }
         cuts += cut.normal.x != 0;
       }
-      const long double exact = clip_space(skeleton, view).depth(static_cast<double>(depth));
-      const DepthBound bound = BoxProjector(skeleton, view).depth_bound(lattice_box);
+      const long double exact = FrameView(skeleton, {view}).clip.depth(static_cast<double>(depth));
+      const DepthBound bound = BoxProjector(FrameView(skeleton, {view})).depth_bound(lattice_box);
       const auto at_x = static_cast<float>(x), at_y = static_cast<float>(y);
       EXPECT_GE(bound.nearest, std::min(1.0L, exact * (1 + 0x1p-16L)));
       for (const DepthPlane& plane : bound.planes) EXPECT_GE(plane.at(at_x, at_y), std::min(1.0L, exact));
@@ -186,7 +186,8 @@ TEST_F(ScreenBoundsOf, a_box_hold_all_that_boxes_in_it_may_draw) {
     }
     if (around.kind != Kind::rectangle) continue;
     if (within.kind == Kind::off_screen) continue;
-    const DepthBound allowed = BoxProjector(skeleton, view).depth_bound(skeleton.lattice().enclosing(inner));
+    const DepthBound allowed =
+        BoxProjector(FrameView(skeleton, {view})).depth_bound(skeleton.lattice().enclosing(inner));
     for (int i = 0; i < 8; ++i) {
       const auto x = static_cast<float>(random.number(-1, 1)), y = static_cast<float>(random.number(-1, 1));
       float nearest = std::min(1.0f, allowed.nearest);

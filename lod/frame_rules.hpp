@@ -1,0 +1,31 @@
+// The rules that selection, bounds, culling and drawing keep, so that tests can take one away at a time.
+#pragma once
+
+namespace triptych {
+
+/// Each is a step without which something breaks somewhere: hard cases prove that taking one away is noticed
+/// (docs/hard-cases.md). Outside tests and `--inject` all of them hold.
+struct FrameRules {
+  // Selection of levels
+  bool orthographic_error = true;  ///< orthographic pixel errors do not divide by depth
+  bool least_depth_error = true;   ///< pixel errors divide by a box's least depth, not by the distance to it
+  bool oblique_stretch = true;     ///< pixel errors count that oblique views stretch
+  bool frustum_margin = true;      ///< planes of the frustum leave room for what rounding may draw
+  bool model_units = true;         ///< eye space on the device has a unit near the model's size
+  bool current_camera = true;      ///< culling is done under the frame's own camera, not the one before
+  // Bounds on the screen
+  bool near_plane_refines = true;  ///< a box that the near plane cuts may be anywhere on the screen
+  bool bounds_margin = true;       ///< boxes under test are dilated and moved towards the eye
+  bool double_bounds = true;       ///< boxes are projected from double-precision coordinates
+  // Culling
+  bool map_to_cut = true;      ///< the representation is drawn from drawables of the frame's own cut
+  bool retest_hidden = true;   ///< what was hidden one frame ago is tested like everything else
+  bool show_all_found = true;  ///< every drawable that is found visible is shown
+  // The device
+  bool non_strict_test = true;   ///< a box at the very depth of the representation shows
+  bool fragment_bound = true;    ///< fragments nearer than their piece's box are dropped
+  bool double_positions = true;  ///< geometry is placed from double-precision coordinates
+  bool operator==(const FrameRules&) const = default;
+};
+
+}  // namespace triptych

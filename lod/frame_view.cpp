@@ -1,0 +1,21 @@
+#include "lod/frame_view.hpp"
+
+#include "lod/draw_rank.hpp"
+
+namespace triptych {
+
+FrameView::FrameView(const Skeleton& of_skeleton, const FrameState& of_state, const FrameRules& with_rules)
+    : FrameView(NearestRounding(), of_skeleton, of_state, with_rules) {}
+
+[[gnu::noinline]] FrameView::FrameView(const NearestRounding&, const Skeleton& of_skeleton,
+                                       const FrameState& of_state, const FrameRules& with_rules)
+    : skeleton(&of_skeleton),
+      state(of_state),
+      rules(with_rules),
+      rotation(of_state.view.rotation()),
+      cell(eye_cell(of_skeleton, of_state.view)),
+      focal_length(of_state.view.focal_length()),
+      clip(clip_space(of_skeleton, of_state.view, rotation, with_rules.model_units)),
+      eye_space(of_skeleton, of_state.view, rotation, with_rules) {}
+
+}  // namespace triptych

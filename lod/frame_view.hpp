@@ -1,0 +1,36 @@
+// Everything that one frame's camera implies: computed once a frame, and passed on.
+#pragma once
+
+#include "base/rounding.hpp"
+#include "lod/clip_space.hpp"
+#include "lod/eye_space.hpp"
+#include "lod/frame_rules.hpp"
+#include "scene/frame_state.hpp"
+#include "scene/skeleton.hpp"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace triptych {
+
+/// One frame's view of one skeleton, which must outlive it. A plain value: copying it allocates nothing.
+struct FrameView {
+  FrameView(const Skeleton& skeleton, const FrameState& state, const FrameRules& rules = {});
+
+  const View& view() const { return state.view; }
+
+  const Skeleton* skeleton;
+  FrameState state;
+  FrameRules rules;
+  glm::dmat3 rotation;      ///< model to eye axes; View::rotation()
+  glm::ivec3 cell;          ///< of the eye on the model lattice, for draw ranks
+  double focal_length = 1;  ///< pixels; what the pixel error is measured with
+  ClipSpace clip;           ///< eye space to clip space
+  EyeSpace eye_space;       ///< where boxes lie, for selection
+
+ private:
+  FrameView(const NearestRounding&, const Skeleton& skeleton, const FrameState& state,
+            const FrameRules& rules);
+};
+
+}  // namespace triptych

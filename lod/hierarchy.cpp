@@ -1,0 +1,82 @@
+#include "lod/hierarchy.hpp"
+
+#include <algorithm>
+#include <glm/vec4.hpp>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+constexpr size_t block_boxes = 4096;
+
+size_t pieces_of(const Skeleton& skeleton, std::span<const Placement> placements) {
+  size_t pieces = 0;
+  for (const Placement& placement : placements) pieces += skeleton.pieces_of(placement.chunk).size();
+  return pieces;
+}
+}  // namespace
+
+LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, const LatticeBox& local,
+                      const LatticeBox& within) {
+  const uint32_t lattice = skeleton.chunks[placement.chunk].lattice;
+  LatticeBox box = local;
+  if (lattice != 0 || placement.transform != 0) {
+    const Box of_mesh = skeleton.lattices[lattice].box(local);
+    const Box outer = skeleton.lattice().box(within);
+    const Affine& transform = skeleton.transforms[placement.transform];
+    Box placed;
+    for (int i = 0; i < 8; ++i) placed.extend(transform * glm::dvec4(of_mesh.corner(i), 1));
+    // The outer box's side stands where a transform leaves no number.
+    placed = {glm::max(outer.lo, placed.lo), glm::min(outer.hi, placed.hi)};
+    if (placed.empty()) return within;
+    box = skeleton.lattice().enclosing(placed);
+  }
+  // A step for rounding in the transform.
+  box = {glm::max(within.lo, box.lo - 1), glm::min(within.hi, box.hi + 1)};
+  return box.empty() ? within : box;
+}
+
+Hierarchy::Hierarchy(const Skeleton& skeleton)
+    : skeleton_(skeleton), placed_(skeleton.drawables.size(), nullptr) {}
+
+PlacedDrawable Hierarchy::placed(DrawableId id) const {
+  const std::span<const Placement> placements = placements_of(id);
+  const LatticeBox* const boxes = placed_[id] != nullptr ? placed_[id] : place(id);
+  const size_t pieces = pieces_of(skeleton_, placements);
+  const std::span wholes(boxes, placements.size());
+  if (pieces == placements.size()) return {wholes, wholes};
+  return {wholes, std::span(boxes + placements.size(), pieces)};
+}
+
+/// The placements' boxes, and behind them, where there are more pieces than those, the pieces'.
+const LatticeBox* Hierarchy::place(DrawableId id) const {
+  const std::span<const Placement> placements = placements_of(id);
+  const LatticeBox& node_box = scene_node_of(id).box;
+  const size_t pieces = pieces_of(skeleton_, placements);
+  const bool in_pieces = pieces > placements.size();
+  LatticeBox* const boxes = allocate(placements.size() + (in_pieces ? pieces : 0));
+  LatticeBox* piece_box = boxes + placements.size();
+  for (size_t i = 0; i < placements.size(); ++i) {
+    const Placement& placement = placements[i];
+    boxes[i] = placed_box(skeleton_, placement, skeleton_.chunks[placement.chunk].box, node_box);
+    if (!in_pieces) continue;
+    const std::span<const LatticeBox> of_chunk = skeleton_.pieces_of(placement.chunk);
+    // Whatever rounding does, pieces stay in the box that stands for them where they are too many.
+    for (const LatticeBox& piece : of_chunk) {
+      *piece_box++ = of_chunk.size() == 1 ? boxes[i] : placed_box(skeleton_, placement, piece, boxes[i]);
+    }
+  }
+  return placed_[id] = boxes;
+}
+
+LatticeBox* Hierarchy::allocate(size_t count) const {
+  if (count > left_) {
+    left_ = std::max(count, block_boxes);
+    blocks_.push_back(std::make_unique<LatticeBox[]>(left_));
+    next_ = blocks_.back().get();
+  }
+  left_ -= count;
+  return std::exchange(next_, next_ + count);
+}
+
+}  // namespace triptych

@@ -1,0 +1,54 @@
+// A skeleton as frames walk it: the scene graph, and the boxes of what is placed in it, computed once.
+#pragma once
+
+#include "scene/skeleton.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// Where a drawable's geometry may be, on the model's lattice.
+struct PlacedDrawable {
+  std::span<const LatticeBox> placements;  ///< one box a placement
+  /// Of each piece of each placement's chunk, placement by placement: as many as Skeleton::pieces_of() has.
+  /// The same boxes as `placements` where every chunk is in one piece.
+  std::span<const LatticeBox> pieces;
+};
+
+/// One skeleton, which must outlive it. For one thread.
+class Hierarchy {
+ public:
+  explicit Hierarchy(const Skeleton& skeleton);
+
+  const Skeleton& skeleton() const { return skeleton_; }
+  const SceneNode& scene_node_of(DrawableId id) const {
+    return skeleton_.scene_nodes[skeleton_.drawables[id].scene_node];
+  }
+  std::span<const Placement> placements_of(DrawableId id) const {
+    const Drawable& drawable = skeleton_.drawables[id];
+    return std::span(skeleton_.placements).subspan(drawable.first_placement, drawable.placement_count);
+  }
+  /// Boxes that hold every vertex that is drawn, within the scene node's. Computed when they are first asked
+  /// for, and kept.
+  PlacedDrawable placed(DrawableId id) const;
+
+ private:
+  const LatticeBox* place(DrawableId id) const;
+  LatticeBox* allocate(size_t count) const;
+
+  const Skeleton& skeleton_;
+  mutable std::vector<const LatticeBox*> placed_;  ///< of each drawable its boxes; null until they are wanted
+  mutable std::vector<std::unique_ptr<LatticeBox[]>> blocks_;
+  mutable LatticeBox* next_ = nullptr;
+  mutable size_t left_ = 0;
+};
+
+/// On the model's lattice: holds what is in `local`, a box of the placement's chunk, and one step more on
+/// each side; within the box `within`, which holds all that the placement draws there.
+LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, const LatticeBox& local,
+                      const LatticeBox& within);
+
+}  // namespace triptych

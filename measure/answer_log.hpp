@@ -1,0 +1,65 @@
+// A target's answers, kept and given again: the same frames without the device that drew them.
+#pragma once
+
+#include "visibility/frame_target.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace triptych {
+
+/// Answers of tests in their order, one a test.
+struct AnswerLog {
+  std::vector<uint8_t> answers;
+};
+
+/// Hands everything on to a target, and appends what it answers.
+class AnswerRecorder final : public FrameTarget {
+ public:
+  AnswerRecorder(FrameTarget& target, AnswerLog& log) : target_(target), log_(log) {}
+  int width() const override { return target_.width(); }
+  int height() const override { return target_.height(); }
+  TargetKind kind() const override { return target_.kind(); }
+  void begin(const FrameView& view) override { target_.begin(view); }
+  void draw(std::span<const DrawableId> drawables) override { target_.draw(drawables); }
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+            std::span<uint8_t> visible) override;
+  void finish() override { target_.finish(); }
+  uint64_t drawn_triangles() const override { return target_.drawn_triangles(); }
+  void draw_lines(std::span<const ScreenLine> lines) override { target_.draw_lines(lines); }
+  std::vector<uint8_t> read_colors() const override { return target_.read_colors(); }
+  std::vector<uint32_t> read_items() const override { return target_.read_items(); }
+  void copy_to_window(int width, int height) const override { target_.copy_to_window(width, height); }
+
+ private:
+  FrameTarget& target_;
+  AnswerLog& log_;
+};
+
+/// Draws nothing, and answers what was answered before. Error (place: answer log) where more is asked.
+class AnswerPlayer final : public FrameTarget {
+ public:
+  AnswerPlayer(const AnswerLog& log, int width, int height) : log_(log), width_(width), height_(height) {}
+  /// From the first answer again.
+  void rewind() { next_ = 0; }
+  int width() const override { return width_; }
+  int height() const override { return height_; }
+  TargetKind kind() const override { return TargetKind::depth_only; }
+  void begin(const FrameView&) override {}
+  void draw(std::span<const DrawableId>) override {}
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+            std::span<uint8_t> visible) override;
+  void finish() override {}
+  uint64_t drawn_triangles() const override { return 0; }
+  void draw_lines(std::span<const ScreenLine>) override {}
+  std::vector<uint8_t> read_colors() const override { return {}; }
+  std::vector<uint32_t> read_items() const override { return {}; }
+  void copy_to_window(int, int) const override {}
+
+ private:
+  const AnswerLog& log_;
+  int width_, height_;
+  size_t next_ = 0;
+};
+
+}  // namespace triptych

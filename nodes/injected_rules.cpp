@@ -1,0 +1,25 @@
+#include "nodes/injected_rules.hpp"
+
+#include "base/inject.hpp"
+
+namespace triptych {
+
+FrameRules injected_frame_rules() {
+  return {.orthographic_error = !injected(Fault::perspective_rule),
+          .least_depth_error = !injected(Fault::euclidean_depth),
+          .oblique_stretch = !injected(Fault::dropped_stretch),
+          .frustum_margin = !injected(Fault::exact_frustum),
+          .model_units = !injected(Fault::fixed_units),
+          .current_camera = !injected(Fault::stale_camera),
+          .near_plane_refines = !injected(Fault::no_near_rule),
+          .bounds_margin = !injected(Fault::no_dilation),
+          .double_bounds = !injected(Fault::float_bounds),
+          .map_to_cut = !injected(Fault::wrong_ancestor),
+          .retest_hidden = !injected(Fault::carried_hidden),
+          .show_all_found = !injected(Fault::withheld_id),
+          .non_strict_test = !injected(Fault::strict_depth_test),
+          .fragment_bound = !injected(Fault::no_fragment_bound),
+          .double_positions = !injected(Fault::float_positions)};
+}
+
+}  // namespace triptych

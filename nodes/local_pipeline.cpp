@@ -1,0 +1,92 @@
+#include "nodes/local_pipeline.hpp"
+
+#include "base/clock.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace triptych {
+
+ExactStrategy& LocalPipeline::Parts::strategy(StrategyKind kind) {
+  std::unique_ptr<ExactStrategy>& strategy = strategies[static_cast<size_t>(kind)];
+  if (!strategy) strategy = make_exact_strategy(kind, device.hierarchy(), cull);
+  return *strategy;
+}
+
+LocalPipeline::LocalPipeline(const Hierarchy& hierarchy, Device& device, Strategy& strategy,
+                             const LocalPipelineOptions& options)
+    : options_(options), hierarchy_(hierarchy), device_(device), strategy_(&strategy) {
+  resize(options.width, options.height);
+}
+
+LocalPipeline::LocalPipeline(const Pack& pack, const LocalPipelineOptions& options)
+    : LocalPipeline(std::make_unique<Parts>(pack, options), options) {}
+
+LocalPipeline::LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options)
+    : parts_(std::move(parts)),
+      options_(options),
+      hierarchy_(parts_->device.hierarchy()),
+      device_(parts_->device.device()),
+      strategy_(&parts_->strategy(options.cull)) {
+  resize(options.width, options.height);
+}
+
+void LocalPipeline::resize(int width, int height) {
+  options_.width = width;
+  options_.height = height;
+  occlusion_.emplace(hierarchy_.skeleton(), device_, *strategy_, width, height, options_.rules);
+  picture_.emplace(device_, width, height, options_.item_buffer ? TargetKind::item : TargetKind::color);
+}
+
+void LocalPipeline::set_strategy(Strategy& strategy) {
+  if (&strategy == strategy_) return;
+  strategy_ = &strategy;
+  occlusion_.emplace(hierarchy_.skeleton(), device_, strategy, options_.width, options_.height,
+                     options_.rules);
+}
+
+void LocalPipeline::set_strategy(StrategyKind kind) {
+  assert(parts_);
+  set_strategy(parts_->strategy(kind));
+}
+
+const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
+  record_.number = frame.number;
+  std::swap(previous_, visible_);
+  const Stopwatch whole;
+  Stopwatch stage;
+  occlusion_->begin(frame);
+  occlusion_->represent(previous_);
+  occlusion_->finish();
+  record_.occlusion_representation_ms = stage.milliseconds();
+  stage.restart();
+  NoSink nobody;
+  const CullResult& culled = occlusion_->cull(previous_, nobody);
+  record_.hardware_cull_ms = stage.milliseconds();
+  record_.cut_drawables = culled.selected;
+  record_.tests = culled.tests;
+  visible_ = culled.visible;
+
+  stage.restart();
+  // The one that culling had, unless that was told to use another camera.
+  std::optional<FrameView> own_view;
+  if (!(occlusion_->view().state == frame.state))
+    own_view.emplace(hierarchy_.skeleton(), frame.state, options_.rules);
+  const FrameView& view = own_view ? *own_view : occlusion_->view();
+  ordered_ = visible_;
+  sorter_.sort(hierarchy_.skeleton(), view.cell, ordered_);
+  picture_->begin(view, frame.number);
+  picture_->draw(ordered_);
+  picture_->finish();
+  record_.render_ms = stage.milliseconds();
+  record_.frame_ms = record_.camera_to_image_ms = whole.milliseconds();
+  record_.drawn_triangles = picture_->drawn_triangles();
+  difference(previous_, visible_, delta_);
+  record_.added = delta_.added.size();
+  record_.removed = delta_.removed.size();
+  record_.visible_count = visible_.size();
+  record_.visible = visible_;
+  return record_;
+}
+
+}  // namespace triptych

@@ -1,0 +1,84 @@
+// The local pipeline: a session's stages, one after the other, in one process.
+#pragma once
+
+#include "nodes/frame_record.hpp"
+#include "nodes/injected_rules.hpp"
+#include "nodes/occlusion_stage.hpp"
+#include "nodes/pack_device.hpp"
+#include "nodes/picture_stage.hpp"
+#include "visibility/strategies.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace triptych {
+
+struct LocalPipelineOptions {
+  int width = 512, height = 512;
+  StrategyKind cull = StrategyKind::occlusion;
+  CullOptions batches = {};
+  DeviceOptions device = {};
+  bool item_buffer = false;  ///< draw drawable ids instead of colours
+  FrameRules rules = injected_frame_rules();
+};
+
+/// Draws frames of a path, in order, from the same stages as a session: R(i) out of V(i−1), the strategy
+/// against it, the picture of V(i). After some frames it allocates nothing but what the device does. A
+/// context must be current.
+class LocalPipeline {
+ public:
+  /// With a device and a strategy of the caller's; of the options the size, item_buffer and rules count.
+  LocalPipeline(const Hierarchy& hierarchy, Device& device, Strategy& strategy,
+                const LocalPipelineOptions& options);
+  /// With a device and strategies of its own.
+  LocalPipeline(const Pack& pack, const LocalPipelineOptions& options);
+
+  /// Draws the frame; record and picture are good until the next one.
+  const FrameRecord& draw(const FrameRequest& frame);
+  FrameTarget& target() { return picture_->target(); }
+  const FrameTarget& target() const { return picture_->target(); }
+  Device& device() { return device_; }
+  const Hierarchy& hierarchy() const { return hierarchy_; }
+  const FrameRules& rules() const { return options_.rules; }
+
+  /// Culls otherwise from the next frame on.
+  void set_strategy(Strategy& strategy);
+  /// The same with one of its own; only where it has its own.
+  void set_strategy(StrategyKind kind);
+  /// Draws in another size from the next frame on; geometry that was loaded stays.
+  void resize(int width, int height);
+  /// Takes over from somebody else, who drew V(i−1).
+  void resume(const VisibleSet& previous) { visible_ = previous; }
+  /// For pictures of visible sets that come from elsewhere.
+  PictureStage& picture() { return *picture_; }
+  /// Starts over, as if nothing had been drawn; the next frame is incoherent.
+  void forget() { visible_.clear(); }
+
+ private:
+  struct Parts {
+    Parts(const Pack& pack, const LocalPipelineOptions& options)
+        : device(pack, options.device), cull(options.batches) {}
+    ExactStrategy& strategy(StrategyKind kind);
+
+    PackDevice device;
+    CullOptions cull;
+    std::array<std::unique_ptr<ExactStrategy>, 3> strategies;  ///< by kind, once wanted
+  };
+  LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options);
+
+  std::unique_ptr<Parts> parts_;  ///< its own; null where they are the caller's
+  LocalPipelineOptions options_;
+  const Hierarchy& hierarchy_;
+  Device& device_;
+  Strategy* strategy_;
+  std::optional<OcclusionStage> occlusion_;
+  std::optional<PictureStage> picture_;
+  VisibleSet visible_, previous_;
+  std::vector<DrawableId> ordered_;
+  VisibleDelta delta_;
+  RankSorter sorter_;
+  FrameRecord record_;
+};
+
+}  // namespace triptych

@@ -1,0 +1,45 @@
+// What is drawn into: colour or item ids, and 32-bit float depth.
+#pragma once
+
+#include "render/gl/objects.hpp"
+#include "visibility/frame_target.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace triptych {
+
+/// A framebuffer of width × height pixels. Rows of read-back pictures go from bottom to top, as OpenGL has
+/// them.
+class Framebuffer {
+ public:
+  Framebuffer(TargetKind kind, int width, int height);
+  /// Binds the framebuffer and its viewport.
+  void bind() const;
+  /// Depth to 0 (infinitely far), colour to the background, items to 0.
+  void clear() const;
+  /// width × height × RGBA bytes; TargetKind::color or color_and_item.
+  std::vector<uint8_t> read_colors() const;
+  /// width × height of drawable id + 1, 0 where nothing is; TargetKind::item or color_and_item.
+  std::vector<uint32_t> read_items() const;
+  /// width × height of reversed depth.
+  std::vector<float> read_depths() const;
+  /// Copies the colours into the context's window of width × height pixels, of which what fits; the rest is
+  /// background.
+  void copy_to_window(int window_width, int window_height) const;
+  TargetKind kind() const { return kind_; }
+  bool has_colors() const { return kind_ == TargetKind::color || kind_ == TargetKind::color_and_item; }
+  bool has_items() const { return kind_ == TargetKind::item || kind_ == TargetKind::color_and_item; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  void attach(const GlTexture& texture, GLenum attachment, GLenum format);
+
+  TargetKind kind_;
+  int width_, height_;
+  GlTexture color_, item_, depth_;
+  GlFramebuffer framebuffer_;
+};
+
+}  // namespace triptych

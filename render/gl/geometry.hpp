@@ -1,0 +1,46 @@
+// Geometry in device memory: chunks of a pack, uploaded when something wants to be drawn.
+#pragma once
+
+#include "render/draw_list.hpp"
+#include "render/gl/objects.hpp"
+#include "residency/residency.hpp"
+
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// Vertices and indices of the chunks uploaded so far, in two growing buffers, and the palette.
+class Geometry {
+ public:
+  Geometry(const Skeleton& skeleton, Residency& residency);
+
+  /// Asks the residency for the chunks that are needed and are not here, and uploads them. Error for a
+  /// damaged chunk, or where OpenGL has no memory left.
+  void require(std::span<const DrawItem> items);
+  std::span<const ChunkRange> ranges() const { return ranges_; }
+
+  /// Bytes of device memory in use.
+  uint64_t memory_bytes() const { return vertices_.capacity + indices_.capacity; }
+  /// Binds vertex array and palette for drawing.
+  void bind() const;
+
+ private:
+  struct Arena {
+    GlBuffer buffer;
+    uint64_t used = 0, capacity = 0;
+    /// Appends; returns the offset. The buffer is replaced by a larger one when it is full.
+    uint64_t append(std::span<const std::byte> bytes);
+  };
+  void upload(uint32_t chunk, const Chunk& geometry);
+  void attach_buffers();
+
+  const Skeleton& skeleton_;
+  Residency& residency_;
+  std::vector<ChunkRange> ranges_;
+  Arena vertices_, indices_;
+  GlBuffer palette_;
+  GlVertexArray vertex_array_;
+};
+
+}  // namespace triptych

@@ -1,0 +1,38 @@
+// Occlusion tests on the graphics card: queries, or one batched draw that marks a storage buffer.
+#pragma once
+
+#include "render/gl/framebuffer.hpp"
+#include "render/gl_device.hpp"
+#include "visibility/screen_bounds.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+class RectangleTest {
+ public:
+  explicit RectangleTest(TestKind kind) : kind_(kind) {}
+  ~RectangleTest();
+  RectangleTest(const RectangleTest&) = delete;
+  RectangleTest& operator=(const RectangleTest&) = delete;
+
+  /// As OcclusionTester::test(), against the framebuffer's depth. comparison: GL_GEQUAL is the non-strict
+  /// one.
+  void test(const Framebuffer& framebuffer, GLenum comparison, std::span<const ScreenRectangle> rectangles,
+            std::span<const uint32_t> ends, std::span<uint8_t> visible);
+
+ private:
+  void test_by_queries(std::span<const uint32_t> ends, std::span<uint8_t> visible);
+  void test_by_storage(std::span<const uint32_t> ends, std::span<uint8_t> visible);
+
+  TestKind kind_;
+  std::optional<GlProgram> program_;  ///< once something is tested
+  GlVertexArray vertex_array_;
+  StreamBuffer rectangles_, answer_buffer_;
+  std::vector<uint32_t> answers_;
+  std::vector<GLuint> queries_;
+};
+
+}  // namespace triptych

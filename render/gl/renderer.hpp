@@ -1,0 +1,43 @@
+// The passes that draw geometry: depth, colour, items.
+#pragma once
+
+#include "render/draw_list.hpp"
+#include "render/gl/framebuffer.hpp"
+#include "render/gl/geometry.hpp"
+
+#include <optional>
+#include <span>
+
+namespace triptych {
+
+/// Draws drawables of one pack under one frame view at a time, into framebuffers.
+class Renderer {
+ public:
+  Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency);
+
+  /// The view for the draws that follow.
+  void set_view(const FrameView& view);
+  /// Draws in the order given; at equal depth what was drawn first stays. What the framebuffer holds already
+  /// stays too. Returns the triangles that were drawn.
+  uint64_t draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer);
+  uint64_t memory_bytes() const { return geometry_.memory_bytes(); }
+
+ private:
+  struct Pass {
+    GlProgram program;
+    GLint frustum = -1, depth = -1, light = -1;
+  };
+  Pass& pass(TargetKind kind);
+  void set_projection(const Pass& pass) const;
+
+  Geometry geometry_;
+  std::optional<Pass> passes_[2][4];  ///< by projection; a program exists only once something calls for it
+  Representation& representation_;
+  DrawListBuilder builder_;
+  std::vector<DrawItem> items_;
+  DrawList list_;
+  std::optional<FrameView> view_;
+  StreamBuffer records_, bounds_, commands_;
+};
+
+}  // namespace triptych

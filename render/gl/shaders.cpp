@@ -1,0 +1,164 @@
+#include "render/gl/shaders.hpp"
+
+namespace triptych {
+
+namespace {
+
+const std::string version = "#version 450\n";
+
+const std::string draw_record = R"(
+struct DrawRecord {
+  vec4 rows[3];    // chunk lattice, relative to the eye's cell, to eye space
+  ivec3 cell;      // the eye's cell, negated
+  uint item;
+  uint first_bound, unused0, unused1, unused2;
+};
+// No fragment of a piece is nearer than any of three planes, over pixels, nor than at.w.
+struct BoundRecord { vec4 x, y, at; };
+layout(std430, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
+layout(std430, binding = 4) readonly buffer Bounds { BoundRecord bounds[]; };
+)";
+
+// A sliver seen edge-on has depth interpolated beyond its own vertices. Bounding every fragment by its
+// piece's box, in every pass, is what makes the rectangle test exact. Written so that NaN is dropped too.
+const std::string bounded = R"(
+flat in vec3 bound_x, bound_y;
+flat in vec4 bound_at;
+void bound_fragment() {
+  vec3 planes = bound_x * gl_FragCoord.x + bound_y * gl_FragCoord.y + bound_at.xyz;
+  if (!(gl_FragCoord.z <= min(min(planes.x, planes.y), min(planes.z, bound_at.w)))) discard;
+}
+)";
+
+// The shaded colour of a fragment, the same text for every pass that draws colours.
+const std::string shaded = R"(
+in vec3 eye_position;
+flat in vec4 base_color;
+uniform vec3 light;  // direction to the light, eye space
+layout(location = 0) out vec4 color;
+void shade_fragment() {
+  vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
+  float length_squared = dot(normal, normal);
+  normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
+  // Both sides are lit: CAD models do not agree on which side is out.
+  color = vec4(base_color.rgb * (0.42 + 0.38 * abs(dot(normal, light)) + 0.20 * abs(normal.z)), 1.0);
+}
+)";
+
+}  // namespace
+
+std::string geometry_vertex_shader(Projection projection) {
+  return version + "#extension GL_ARB_shader_draw_parameters : require\n" + draw_record + R"(
+layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };
+layout(location = 0) in ivec3 point;
+layout(location = 1) in uint color_and_piece;
+uniform vec4 frustum;  // x scale, y scale, x shift, y shift
+uniform vec2 depth;    // perspective: the near plane; orthographic: scale and shift
+invariant gl_Position;
+out vec3 eye_position;
+flat out vec4 base_color;
+flat out vec3 bound_x, bound_y;
+flat out vec4 bound_at;
+flat out uint item;
+void main() {
+  DrawRecord draw = draws[gl_BaseInstanceARB];
+  // Integers are added exactly and converted once: shared vertices come out bit-equal whichever chunk brings them.
+  vec3 p = vec3(point + draw.cell);
+  eye_position = vec3(dot(draw.rows[0].xyz, p) + draw.rows[0].w, dot(draw.rows[1].xyz, p) + draw.rows[1].w,
+                      dot(draw.rows[2].xyz, p) + draw.rows[2].w);
+)" +
+         (projection == Projection::perspective ? R"(
+  gl_Position = vec4(frustum.x * eye_position.x + frustum.z * eye_position.z,
+                     frustum.y * eye_position.y + frustum.w * eye_position.z, depth.x, -eye_position.z);
+)"
+                                                : R"(
+  gl_Position = vec4(frustum.x * eye_position.x + frustum.z, frustum.y * eye_position.y + frustum.w,
+                     depth.x * eye_position.z + depth.y, 1.0);
+)") +
+         R"(  base_color = palette[color_and_piece & 0xffffffu];
+  BoundRecord bound = bounds[draw.first_bound + (color_and_piece >> 24)];
+  bound_x = bound.x.xyz;
+  bound_y = bound.y.xyz;
+  bound_at = bound.at;
+  item = draw.item;
+}
+)";
+}
+
+std::string depth_fragment_shader() { return version + bounded + "void main() { bound_fragment(); }\n"; }
+
+std::string color_fragment_shader() {
+  return version + bounded + shaded + R"(
+void main() {
+  bound_fragment();
+  shade_fragment();
+}
+)";
+}
+
+std::string color_and_item_fragment_shader() {
+  return version + bounded + shaded + R"(
+flat in uint item;
+layout(location = 1) out uint id;
+void main() {
+  bound_fragment();
+  shade_fragment();
+  id = item + 1u;
+}
+)";
+}
+
+std::string item_fragment_shader() {
+  return version + bounded + R"(
+flat in uint item;
+out uint id;
+void main() {
+  bound_fragment();
+  id = item + 1u;
+}
+)";
+}
+
+std::string rectangle_vertex_shader() {
+  return version + "#extension GL_ARB_shader_draw_parameters : require\n" + R"(
+struct Rectangle { float sides[4]; float planes[12]; float cuts[12]; };
+layout(std430, binding = 2) readonly buffer Rectangles { Rectangle rectangles[]; };
+uniform vec2 overlap;
+flat out uint slot;
+out float gl_ClipDistance[8];
+void main() {
+  // Four times the same rectangle, each at one of its planes and cut to where that one is the least, and at its
+  // corners.
+  uint instance = uint(gl_BaseInstanceARB + gl_InstanceID);
+  slot = instance / 4u;
+  uint own = instance % 4u;
+  Rectangle r = rectangles[slot];
+  float x = r.sides[(gl_VertexID & 1) == 0 ? 0 : 2], y = r.sides[(gl_VertexID & 2) == 0 ? 1 : 3];
+  vec3 plane = vec3(r.planes[own * 3], r.planes[own * 3 + 1], r.planes[own * 3 + 2]);
+  gl_Position = vec4(x, y, dot(plane, vec3(x, y, 1.0)), 1.0);
+  gl_ClipDistance[own] = gl_Position.z;  // beyond, there is nothing of the box
+  for (uint i = 0u; i < 4u; ++i) {
+    gl_ClipDistance[4u + i] = dot(vec3(r.cuts[i * 3], r.cuts[i * 3 + 1], r.cuts[i * 3 + 2]), vec3(x, y, 1.0));
+    if (i == own) continue;
+    vec3 other = vec3(r.planes[i * 3], r.planes[i * 3 + 1], r.planes[i * 3 + 2]);
+    // Pieces overlap, lest snapping part them.
+    vec2 slope = abs(other.xy - plane.xy);
+    float rounding = 1e-6 * (dot(abs(other), vec3(1.0)) + dot(abs(plane), vec3(1.0)));
+    gl_ClipDistance[i] = dot(other, vec3(x, y, 1.0)) - gl_Position.z + dot(slope, overlap) + rounding;
+  }
+}
+)";
+}
+
+std::string query_fragment_shader() { return version + "void main() {}\n"; }
+
+std::string storage_fragment_shader() {
+  return version + R"(
+layout(early_fragment_tests) in;
+flat in uint slot;
+layout(std430, binding = 3) writeonly buffer Answers { uint answers[]; };
+void main() { answers[slot] = 1u; }
+)";
+}
+
+}  // namespace triptych

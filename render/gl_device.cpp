@@ -1,0 +1,43 @@
+#include "render/gl_device.hpp"
+
+#include "render/context.hpp"
+#include "render/gl/frame_target.hpp"
+
+namespace triptych {
+
+namespace {
+
+class GlDevice final : public Device {
+ public:
+  GlDevice(const Skeleton& skeleton, Representation& representation, Residency& residency, TestKind test)
+      : renderer_(skeleton, representation, residency), rectangles_(test), names_(current_opengl()) {}
+
+  std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) override {
+    return std::make_unique<GlFrameTarget>(renderer_, rectangles_, lines_, kind, width, height);
+  }
+  const DeviceNames& names() const override { return names_; }
+  uint64_t memory_bytes() const override { return renderer_.memory_bytes(); }
+
+ private:
+  Renderer renderer_;
+  RectangleTest rectangles_;
+  LinePass lines_;
+  DeviceNames names_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> make_gl_device(const Skeleton& skeleton, Representation& representation,
+                                       Residency& residency, TestKind test) {
+  return std::make_unique<GlDevice>(skeleton, representation, residency, test);
+}
+
+std::vector<uint8_t> read_window(int width, int height) {
+  std::vector<uint8_t> colors(static_cast<size_t>(width) * static_cast<size_t>(height) * 4);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glReadBuffer(GL_BACK);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
+  return colors;
+}
+
+}  // namespace triptych

@@ -1,0 +1,28 @@
+// The device `gl`: OpenGL draws and tests.
+#pragma once
+
+#include "lod/representation.hpp"
+#include "residency/residency.hpp"
+#include "visibility/device.hpp"
+
+#include <memory>
+
+namespace triptych {
+
+/// How rectangles are tested. Both give the same answers; which is faster depends on the machine.
+enum class TestKind {
+  queries,  ///< one GL_ANY_SAMPLES_PASSED occlusion query a rectangle
+  storage,  ///< all rectangles in one instanced draw; fragments that pass mark their slot
+};
+
+/// In the context that is current in this thread, which must be current whenever the device or one of its
+/// targets is used. Geometry is asked of the residency when it is drawn, and stays in device memory. Error
+/// where OpenGL refuses.
+std::unique_ptr<Device> make_gl_device(const Skeleton& skeleton, Representation& representation,
+                                       Residency& residency, TestKind test);
+
+/// RGBA of what the window whose context is current shows before it is swapped, width × height, bottom row
+/// first.
+std::vector<uint8_t> read_window(int width, int height);
+
+}  // namespace triptych

@@ -1,0 +1,41 @@
+// The seam to a device: what draws and tests. OpenGL stands behind it (render/), and whoever else can do the
+// same.
+#pragma once
+
+#include "visibility/frame_target.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace triptych {
+
+/// What a device says of itself. Pictures of two runs are claimed to be identical only where all of it
+/// matches.
+struct DeviceNames {
+  std::string vendor, renderer, version;
+  bool operator==(const DeviceNames&) const = default;
+};
+
+/// Draws drawables of one pack. Rules, each held by tests that any device can be put through:
+///   - all its targets share one vertex stage and one rule of what is in front: what one draws, another tests
+///   against;
+///   - fragments are held to DepthBound of their piece in every target, and its boxes are tested
+///   non-strictly, with
+///     margins that cover its own rounding: a box whose content shows is never called hidden;
+///   - what is drawn is a function of the pack, the frame view and the drawables in their order, whatever was
+///   drawn
+///     before.
+/// For one thread.
+class Device {
+ public:
+  virtual ~Device() = default;
+
+  /// Targets live no longer than their device. Error where the device has no room for such a size.
+  virtual std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) = 0;
+  virtual const DeviceNames& names() const = 0;
+  /// Bytes of device memory that geometry takes.
+  virtual uint64_t memory_bytes() const = 0;
+};
+
+}  // namespace triptych

@@ -1,0 +1,54 @@
+// The seam to what a device draws into: one target is begun, drawn into, tested against and finished, frame
+// by frame.
+#pragma once
+
+#include "lod/frame_view.hpp"
+#include "visibility/occlusion_tester.hpp"
+#include "visibility/screen_lines.hpp"
+#include "visibility/visible_set.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// What a target keeps of what is drawn: depth always; besides, colours or the ids of drawables.
+enum class TargetKind { color, item, depth_only, color_and_item };
+
+/// A picture, or a depth alone, of width × height pixels. Rows of what is read back go from bottom to top.
+/// All targets of one device share one vertex stage, and at equal depth what was drawn first stays, so that a
+/// picture depends on the set drawn and on the draw rank order that it is drawn in alone.
+class FrameTarget : public OcclusionTester {
+ public:
+  virtual int width() const = 0;
+  virtual int height() const = 0;
+  virtual TargetKind kind() const = 0;
+
+  /// A new frame: depth to 0 (infinitely far), colours to the background, no items. The viewport of the view
+  /// must be of the target's size: Error (place: frame target) otherwise.
+  virtual void begin(const FrameView& view) = 0;
+  // draw() and test() come from OcclusionTester. Chunks that are not resident are asked of the device's
+  // residency; Error for a damaged chunk, or where the device has no memory left.
+
+  /// Waits until everything is drawn, so that a wall clock can time it.
+  virtual void finish() = 0;
+  /// Of what was drawn since begin().
+  virtual uint64_t drawn_triangles() const = 0;
+
+  /// Lines over whatever stands in a colour target, without a depth test.
+  virtual void draw_lines(std::span<const ScreenLine> lines) = 0;
+
+  /// width × height × RGBA bytes, of a target with colours.
+  virtual std::vector<uint8_t> read_colors() const = 0;
+  /// width × height of drawable id + 1, 0 where nothing is; of a target with items.
+  virtual std::vector<uint32_t> read_items() const = 0;
+  /// Shows the colours in the window whose context is current in this thread, of width × height pixels: what
+  /// fits; the rest is background.
+  virtual void copy_to_window(int window_width, int window_height) const = 0;
+};
+
+/// The drawables that own at least one pixel of an item buffer, as read_items() gives it.
+VisibleSet owners(std::vector<uint32_t> items);
+
+}  // namespace triptych
