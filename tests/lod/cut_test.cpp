@@ -211,7 +211,8 @@ TEST(ProjectedError, bounds_how_far_any_displaced_point_of_the_box_moves) {
   double tightest = 0;
   for (int round = 0; round < 20000; ++round) {
     const Trial trial(random);
-    const EyeBounds bounds = FrameView(trial.skeleton, {trial.view}).eye_space.bounds(trial.box);
+    const EyeBounds bounds =
+        EyeSpace(trial.skeleton, trial.view, trial.view.rotation(), {}).bounds(trial.box);
     const double error = std::exp2(random.number(-12, 1));
     const double bound = projected_error(trial.view.focal_length(), error, bounds);
     for (int i = 0; i < 20; ++i) {
