@@ -7,6 +7,7 @@
 #include "measure/json.hpp"
 #include "measure/path_deviation.hpp"
 #include "nodes/inbox.hpp"
+#include "scene/path.hpp"
 #include "session/temporary_folder.hpp"
 
 #include <fmt/core.h>
