@@ -1,10 +1,12 @@
 #include "launch/build_flags.hpp"
 
 #include "base/error.hpp"
+#include "base/inject.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/import_flags.hpp"
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
+#include "preprocess/injected_rules.hpp"
 
 #include <fmt/core.h>
 #include <map>
@@ -64,6 +66,7 @@ BuildOptions BuildFlags::options() const {
   if (simplifier) options.simplify.simplifier = *simplifier;
   if (bound) options.simplify.bound = *bound;
   options.share_instances = !bake_instances;
+  options.rules = injected_build_rules();
   return options;
 }
 
@@ -143,6 +146,7 @@ std::string build_fingerprint(const BuildFlags& flags, const std::vector<std::fi
   BuildFlags deciding = flags;
   deciding.defaults.memory = BuildOptions().memory;
   for (const std::string& argument : build_arguments(deciding)) fingerprint += argument + "\n";
+  for (const std::string& fault : injected_names()) fingerprint += "--inject " + fault + "\n";
   return fingerprint;
 }
 

@@ -5,8 +5,8 @@
 #include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "base/rounding.hpp"
+#include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_work.hpp"
-#include "preprocess/hierarchy.hpp"
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
 #include "preprocess/parts.hpp"
@@ -54,7 +54,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
                            : options.fingerprint + "\nunits of " + std::to_string(unit_triangles(options)));
   BuildReport report;
   report.resumed_units = work.left_to_replay();
-  if (report.resumed_units > 0) notice("resuming: {} units of work were done before", report.resumed_units);
+  if (report.resumed_units > 0) notice("resuming: {} batches of work were done before", report.resumed_units);
   const auto stage = [&](const char* name, const auto& body) {
     const Stopwatch stopwatch;
     body();
@@ -73,7 +73,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   std::vector<HierarchyNode> nodes;
   std::vector<PartLevels> levels;
   std::vector<NodeContent> contents;
-  stage("measure", [&] { plan = make_plan(model, options.share_instances); });
+  stage("measure", [&] { plan = make_plan(model, options); });
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   auto& warnings = skeleton.import.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "preprocess/hierarchy.hpp"
+#include "preprocess/build_hierarchy.hpp"
+#include "preprocess/build_rules.hpp"
 #include "scene/skeleton.hpp"
 #include "simplify/simplify.hpp"
 
@@ -39,6 +40,7 @@ struct BuildOptions {
   /// Of the input and of all options that change the result: a build that was killed goes on where it was if
   /// this is the same. Empty: it starts again.
   std::string fingerprint = {};
+  BuildRules rules = {};
 };
 
 /// Triangles of one unit of work, all threads together.
@@ -55,7 +57,7 @@ struct BuildReport {
   std::vector<BuildStage> stages;
   uint64_t source_triangles = 0, placed_triangles = 0, drawables = 0, pack_bytes = 0;
   uint32_t levels = 0;         ///< of the hierarchy: the longest way from its root to a leaf
-  uint64_t resumed_units = 0;  ///< units of work that an earlier, killed build had done
+  uint64_t resumed_units = 0;  ///< batches of units of work that an earlier, killed build had done
   ImportReport import;
 };
 

@@ -1,7 +1,7 @@
-// A build's files and its journal together: work in units that are done once, whoever is killed in between.
+// A build's files and its journal together: units are worked on once, whoever is killed in between.
 #pragma once
 
-#include "base/bytes.hpp"
+#include "preprocess/build_unit.hpp"
 #include "preprocess/pack_writer.hpp"
 #include "preprocess/work_folder.hpp"
 
@@ -22,19 +22,41 @@ size_t end_of_group(size_t first, size_t count, uint64_t most, const SizeOf& siz
   return end;
 }
 
+/// What a unit gave, numbered and stored.
+struct StoredUnit {
+  uint32_t first_chunk = 0;          ///< index in the pack of the first of its chunks; the others follow
+  std::vector<ChunkInfo> chunks;     ///< as the pack knows them
+  std::vector<SpoolPlace> geometry;  ///< where each of its records lies, in BuildWork::geometry() of its kind
+  std::vector<std::byte> figures;    ///< as it gave them
+
+  template <typename Figures>
+  Figures figures_as() const {
+    return record_of<Figures>(figures, "the figures of a build unit");
+  }
+};
+template <>
+inline constexpr auto record_members<StoredUnit> = std::tuple(&StoredUnit::first_chunk, &StoredUnit::chunks,
+                                                              &StoredUnit::geometry, &StoredUnit::figures);
+
 class BuildWork {
  public:
+  using Take = std::function<void(uint32_t index, const StoredUnit&)>;
+
   /// See WorkFolder.
   BuildWork(const std::filesystem::path& pack, const std::string& fingerprint);
 
-  /// Does the work, whose record says what came of it, and has the record taken; or, if an earlier run did
-  /// it, has that run's record taken. Units come in the same order in every run.
-  void unit(const std::function<void(ByteWriter&)>& work, const std::function<void(ByteReader&)>& take);
-  /// How many of the next units an earlier run did.
+  /// Runs the units of a kind that have these indices, which ascend, stores what they gave in that order, and
+  /// has it taken in that order; or, if an earlier run did this batch, has taken what they gave then. The
+  /// batch is one record of the journal: batches come in the same order in every run.
+  void run(UnitKind kind, std::span<const uint32_t> indices, const UnitFunction& unit, const Take& take,
+           Progress* progress = nullptr);
+  /// How many of the next batches an earlier run did.
   uint64_t left_to_replay() const { return left_to_replay_; }
 
-  SpoolFile& parts() { return parts_; }        ///< parts of meshes, as they were divided
-  SpoolFile& surfaces() { return surfaces_; }  ///< geometry that HLODs begin with
+  /// Geometry of units of this kind: parts of meshes, as they were divided, or what HLODs begin with.
+  SpoolFile& geometry(UnitKind kind);
+  SpoolFile& parts() { return geometry(UnitKind::divided_mesh); }
+  SpoolFile& surfaces() { return geometry(UnitKind::hlod); }
   PackWriter& pack() { return pack_; }
   std::filesystem::path file(const std::string& name) const { return folder_.file(name); }
 
@@ -42,6 +64,7 @@ class BuildWork {
   KeptBytes kept(size_t file) const {
     return journal_.kept().empty() ? KeptBytes() : journal_.kept().at(file);
   }
+  StoredUnit store(UnitKind kind, UnitResult result);
 
   WorkFolder folder_;
   BuildJournal journal_;

@@ -1,9 +1,5 @@
 #include "preprocess/hlod.hpp"
 
-#include "base/inject.hpp"
-#include "preprocess/part.hpp"
-#include "simplify/simplify.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -44,7 +40,7 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
   for (const glm::ivec3& point : surface.points) {
     points.push_back(lattice_.nearest(transform * glm::dvec4(from.position(point), 1)));
   }
-  const bool mirrors = glm::determinant(glm::dmat3(transform)) < 0 && !injected(Fault::unflipped_mirror);
+  const bool mirrors = rules_.mirrors_flip_winding && glm::determinant(glm::dmat3(transform)) < 0;
   for (Triangle triangle : surface.triangles) {
     if (mirrors) std::swap(triangle.vertices[1], triangle.vertices[2]);
     std::array<glm::ivec3, 3> corners;
@@ -61,24 +57,6 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
 Baked Baker::finish(double error) {
   baked_.error = error + moved_ * lattice_.step;
   return std::move(baked_);
-}
-
-SpoolPlace store(SpoolFile& file, const Baked& baked) {
-  ByteWriter writer;
-  writer.write(baked.error);
-  write_surface(writer, baked.surface);
-  writer.write_all(std::span<const LeafSpan>(baked.spans));
-  return file.append(writer.bytes());
-}
-
-Baked load_baked(const SpoolFile& file, const SpoolPlace& place) {
-  const std::vector<std::byte> bytes = file.read(place);
-  ByteReader reader(bytes, file.path().string());
-  Baked baked;
-  baked.error = reader.read<double>();
-  baked.surface = read_surface(reader);
-  baked.spans = reader.read_all<LeafSpan>(baked.surface.points.size());
-  return baked;
 }
 
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,

@@ -2,7 +2,8 @@
 // HLODs for faster display of large static and dynamic environments, 2001).
 #pragma once
 
-#include "base/spool_file.hpp"
+#include "preprocess/build_rules.hpp"
+#include "preprocess/part.hpp"
 #include "preprocess/pieces.hpp"
 #include "scene/lattice.hpp"
 #include "simplify/key_hash.hpp"
@@ -35,13 +36,13 @@ struct Baked {
   double error = 0;             ///< proven bound of the two-sided distance to the source, model units
 };
 
-SpoolPlace store(SpoolFile& file, const Baked& baked);
-Baked load_baked(const SpoolFile& file, const SpoolPlace& place);
+template <>
+inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked::spans, &Baked::error);
 
 /// Collects surfaces into one: equal points meet, equal triangles are one.
 class Baker {
  public:
-  explicit Baker(const Lattice& lattice) : lattice_(lattice) {}
+  Baker(const Lattice& lattice, const BuildRules& rules) : lattice_(lattice), rules_(rules) {}
   /// Geometry that is on the model's lattice already.
   void add(const Surface& surface, std::span<const LeafSpan> spans);
   /// Geometry on the lattice of its mesh, under a transform: each position is rounded to the model's lattice.
@@ -56,6 +57,7 @@ class Baker {
   void add_triangle(const Triangle& triangle);
 
   const Lattice& lattice_;
+  const BuildRules& rules_;
   Baked baked_;
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> points_;
   tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual> triangles_;

@@ -1,15 +1,30 @@
 #include "preprocess/leaf.hpp"
 
-#include "base/inject.hpp"
 #include "base/progress.hpp"
-#include "base/threads.hpp"
 #include "preprocess/pieces.hpp"
 #include "simplify/simplify.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace triptych {
+
+namespace {
+
+/// What is known of a part's levels, besides their chunks and their geometry.
+struct LevelFigures {
+  std::vector<double> bounds;  ///< PartLevel::bound
+  uint64_t detached_triangles = 0;
+  bool stuck = false;
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<LevelFigures> = std::tuple(&LevelFigures::bounds,
+                                                                &LevelFigures::detached_triangles,
+                                                                &LevelFigures::stuck);
 
 namespace {
 
@@ -18,28 +33,27 @@ constexpr size_t coarsest_triangles = 24;
 constexpr double coarsest_bound = 0.25;
 constexpr double worth_it = 0.7;
 
-constexpr size_t unit_parts = 4096;
+constexpr size_t batch_parts = 4096;
 
-/// A part's levels before they have their places in the files.
-struct Prepared {
-  std::vector<EncodedChunk> chunks;  ///< for each level
-  std::vector<double> bounds;        ///< lattice steps
-  std::vector<Part> kept;            ///< for each level its geometry, or nothing
-  uint64_t detached_triangles = 0;
-  bool stuck = false;
-};
+/// The coarser level's points that are border points of the part, by their numbers there.
+std::vector<BorderPoint> borders_of(const Piece& level, const std::vector<uint32_t>& numbers) {
+  std::vector<BorderPoint> borders;
+  if (numbers.empty()) return borders;
+  for (uint32_t point = 0; point < level.sources.size(); ++point) {
+    const uint32_t number = numbers[level.sources[point]];
+    if (number != no_id) borders.push_back({point, number});
+  }
+  return borders;
+}
 
-Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) {
-  Prepared prepared;
-  const bool in_pieces = options.in_pieces();
-  prepared.chunks.push_back(encode(part.surface, in_pieces));
-  prepared.bounds.push_back(0);
-  constexpr uint32_t none = 0xffffffffu;
+/// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
+UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, const BuildOptions& options,
+                       size_t kept_triangles) {
   std::vector<uint8_t> locked;
   std::vector<uint32_t> numbers;
   if (!part.borders.empty()) {
     locked.resize(part.surface.points.size(), 0);
-    numbers.resize(part.surface.points.size(), none);
+    numbers.resize(part.surface.points.size(), no_id);
   }
   for (uint32_t i = 0; i < part.borders.size(); ++i) {
     locked[part.borders[i].point] = 1;
@@ -50,55 +64,35 @@ Prepared prepare(Part part, const BuildOptions& options, size_t kept_triangles) 
   limits.triangles = coarsest_triangles;
   limits.largest_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
-  prepared.detached_triangles = chain.detached_triangles;
-  prepared.stuck = chain.stuck && chain.levels.empty();
-  const auto keep = [&](Part& level, bool last) {
-    const bool small = level.surface.triangles.size() <= kept_triangles;
-    prepared.kept.push_back(small || last ? std::move(level) : Part{});
+
+  UnitResult result;
+  LevelFigures figures;
+  figures.detached_triangles = chain.detached_triangles;
+  figures.stuck = chain.stuck && chain.levels.empty();
+  const auto add = [&](const Part& level, double steps, bool last) {
+    result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
+    const bool kept = last || level.surface.triangles.size() <= kept_triangles;
+    result.geometry.push_back(kept ? record_bytes(level) : std::vector<std::byte>());
+    figures.bounds.push_back((steps + info.moved) * lattice.step +
+                             (options.rules.bounds_hold_rounding ? lattice.rounding() : 0));
   };
-  keep(part, chain.levels.empty());
+  add(part, 0, chain.levels.empty());
   for (Level& level : chain.levels) {
-    prepared.chunks.push_back(encode(level.piece.surface, in_pieces));
-    prepared.bounds.push_back(level.bound);
-    Part coarser;
-    if (!numbers.empty()) {
-      for (uint32_t point = 0; point < level.piece.sources.size(); ++point) {
-        const uint32_t number = numbers[level.piece.sources[point]];
-        if (number != none) coarser.borders.push_back({point, number});
-      }
-    }
-    coarser.surface = std::move(level.piece.surface);
-    keep(coarser, &level == &chain.levels.back());
+    std::vector<BorderPoint> borders = borders_of(level.piece, numbers);
+    add({std::move(level.piece.surface), std::move(borders)}, level.bound, &level == &chain.levels.back());
   }
-  return prepared;
+  result.figures = record_bytes(figures);
+  return result;
 }
 
-void put(ByteWriter& record, const Prepared& prepared, const Lattice& lattice, const PartInfo& info,
-         BuildWork& work) {
-  record.write(prepared.detached_triangles);
-  record.write(uint64_t{prepared.stuck});
-  record.write(uint64_t{prepared.chunks.size()});
-  for (size_t level = 0; level < prepared.chunks.size(); ++level) {
-    const double bound = (prepared.bounds[level] + info.moved) * lattice.step +
-                         (injected(Fault::uncounted_lattice) ? 0 : lattice.rounding());
-    const EncodedChunk& chunk = prepared.chunks[level];
-    record.write(PartLevel{work.pack().add_chunk(chunk, info.lattice), chunk.triangles, bound});
-    const Part& kept = prepared.kept[level];
-    record.write(kept.surface.triangles.empty() ? SpoolPlace{} : store(work.surfaces(), kept));
-  }
-}
-
-PartLevels take(ByteReader& record, ImportReport& report) {
-  PartLevels levels;
-  report.repaired_edges += record.read<uint64_t>();
-  report.stuck_groups += record.read<uint64_t>();
-  auto count = record.read<uint64_t>();
-  levels.levels.reserve(count);
-  levels.surfaces.reserve(count);
-  for (; count > 0; --count) {
-    levels.levels.push_back(record.read<PartLevel>());
-    levels.surfaces.push_back(record.read<SpoolPlace>());
-  }
+PartLevels take(const StoredUnit& stored, ImportReport& report) {
+  const auto figures = stored.figures_as<LevelFigures>();
+  report.repaired_edges += figures.detached_triangles;
+  report.stuck_groups += figures.stuck;
+  PartLevels levels{{}, stored.geometry};
+  levels.levels.reserve(stored.chunks.size());
+  for (uint32_t i = 0; i < stored.chunks.size(); ++i)
+    levels.levels.push_back({stored.first_chunk + i, stored.chunks[i].triangle_count, figures.bounds.at(i)});
   return levels;
 }
 
@@ -107,27 +101,20 @@ PartLevels take(ByteReader& record, ImportReport& report) {
 std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions& options,
                                          size_t kept_triangles, BuildWork& work, ImportReport& report) {
   Progress progress("simplifying parts", parts.parts.size());
-  const uint64_t most = unit_triangles(options);
+  const UnitFunction unit = [&](uint32_t part) {
+    const PartInfo& info = parts.parts[part];
+    return record_bytes(make_levels(load<Part>(work.parts(), info.place), info, parts.lattices[info.lattice],
+                                    options, kept_triangles));
+  };
+  std::vector<uint32_t> all(parts.parts.size());
+  std::iota(all.begin(), all.end(), 0u);
   std::vector<PartLevels> result;
-  for (size_t first = 0; first < parts.parts.size();) {
-    const size_t end = end_of_group(first, std::min(parts.parts.size(), first + unit_parts), most,
+  for (size_t first = 0; first < all.size();) {
+    const size_t end = end_of_group(first, std::min(all.size(), first + batch_parts), unit_triangles(options),
                                     [&](size_t part) { return parts.parts[part].triangles; });
-    work.unit(
-        [&](ByteWriter& record) {
-          std::vector<Prepared> prepared(end - first);
-          parallel_for(prepared.size(), [&](size_t i) {
-            const SpoolPlace& place = parts.parts[first + i].place;
-            prepared[i] = prepare(load_part(work.parts(), place), options, kept_triangles);
-            progress.advance();
-          });
-          for (size_t i = 0; i < prepared.size(); ++i) {
-            const PartInfo& info = parts.parts[first + i];
-            put(record, prepared[i], parts.lattices[info.lattice], info, work);
-          }
-        },
-        [&](ByteReader& record) {
-          for (size_t i = first; i < end; ++i) result.push_back(take(record, report));
-        });
+    work.run(
+        UnitKind::part_levels, std::span(all).subspan(first, end - first), unit,
+        [&](uint32_t, const StoredUnit& stored) { result.push_back(take(stored, report)); }, &progress);
     first = end;
   }
   return result;

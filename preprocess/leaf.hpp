@@ -22,7 +22,7 @@ struct PartLevels {
   std::vector<SpoolPlace> surfaces;
 };
 
-/// Simplifies every part and writes its levels to the pack, in units of `work`. Kept for HLODs are the
+/// Simplifies every part, a unit each; its levels go to the pack. Kept for HLODs are the
 /// coarsest level of each part and those with at most `kept_triangles`.
 std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions& options,
                                          size_t kept_triangles, BuildWork& work, ImportReport& report);

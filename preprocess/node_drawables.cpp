@@ -1,6 +1,5 @@
 #include "preprocess/node_drawables.hpp"
 
-#include "base/inject.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "preprocess/hlod.hpp"
@@ -11,14 +10,14 @@ namespace triptych {
 
 namespace {
 
-/// Inner nodes of one unit of work.
-constexpr size_t unit_nodes = 256;
+/// Inner nodes of a batch, at most.
+constexpr size_t batch_nodes = 256;
 
-/// A drawable of an inner node, as it stands in the pack.
-struct WrittenHlod {
-  double error = 0;
-  uint32_t chunk = 0, triangles = 0;
-  LatticeBox box;
+/// What is known of an inner node's drawables, besides their chunks.
+struct HlodFigures {
+  std::vector<double> errors;  ///< of each drawable
+  double coarsest_error = 0;   ///< of the geometry that its parent begins with
+  bool stuck = false;
 };
 
 /// What the parent of a node begins with.
@@ -27,6 +26,15 @@ struct Coarsest {
   std::vector<uint32_t> levels;  ///< of a leaf: LeafDrawable::levels of its last drawable
   SpoolPlace baked;              ///< of an inner node: its last drawable
 };
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<HlodFigures> = std::tuple(&HlodFigures::errors,
+                                                               &HlodFigures::coarsest_error,
+                                                               &HlodFigures::stuck);
+
+namespace {
 
 /// Adds a placement to the drawable, whose placements are the content's last.
 void place(const Placement& placement, uint32_t triangles, NodeContent& content, Drawable& drawable) {
@@ -64,15 +72,12 @@ class NodeDrawables {
     for (size_t i = 1; i < nodes_.size(); ++i) depths[i] = depths[nodes_[i].parent] + 1;
     for (size_t end = nodes_.size(); end > 0;) {
       const uint32_t depth = depths[end - 1];
-      std::vector<size_t> inner;
+      std::vector<uint32_t> inner;
       for (; end > 0 && depths[end - 1] == depth; --end) {
-        if (nodes_[end - 1].child_count > 0) inner.push_back(end - 1);
+        if (nodes_[end - 1].child_count > 0) inner.push_back(static_cast<uint32_t>(end - 1));
       }
       std::reverse(inner.begin(), inner.end());
-      for (size_t first = 0; first < inner.size(); first += unit_nodes) {
-        const auto unit = std::span(inner).subspan(first, std::min(unit_nodes, inner.size() - first));
-        simplify_unit(unit, progress);
-      }
+      simplify_nodes(inner, progress);
     }
   }
 
@@ -94,7 +99,7 @@ class NodeDrawables {
     const auto each_border = [&](const PlacedPart& placed, const auto& take) {
       const PartInfo& part = parts_.parts[placed.part];
       if (part.borders == 0) return;
-      for (const BorderPoint& border : load_borders(work_.parts(), part.place, part.borders))
+      for (const BorderPoint& border : load_borders(work_.parts(), part))
         take(spans[first[placed.instance] + border.number]);
     };
     for (const HierarchyNode& node : nodes_) {
@@ -140,24 +145,18 @@ class NodeDrawables {
     coarsest_[node] = {content.drawables.back().error, std::move(leaf_levels.back().levels), {}};
   }
 
-  void simplify_unit(std::span<const size_t> unit, Progress& progress) {
-    work_.unit(
-        [&](ByteWriter& record) {
-          for (size_t first = 0; first < unit.size();) {
-            const size_t end = end_of_group(first, unit.size(), unit_triangles(options_),
-                                            [&](size_t i) { return children_triangles(unit[i]); });
-            std::vector<Hlod> hlods(end - first);
-            parallel_for(hlods.size(), [&](size_t i) {
-              hlods[i] = simplify_children(unit[first + i]);
-              progress.advance();
-            });
-            for (const Hlod& hlod : hlods) put(record, hlod);
-            first = end;
-          }
-        },
-        [&](ByteReader& record) {
-          for (const size_t node : unit) take(record, node);
-        });
+  /// Inner nodes of one depth, ascending.
+  void simplify_nodes(std::span<const uint32_t> nodes, Progress& progress) {
+    for (size_t first = 0; first < nodes.size();) {
+      const size_t end =
+          end_of_group(first, std::min(nodes.size(), first + batch_nodes), unit_triangles(options_),
+                       [&](size_t i) { return children_triangles(nodes[i]); });
+      work_.run(
+          UnitKind::hlod, nodes.subspan(first, end - first),
+          [&](uint32_t node) { return record_bytes(simplify_children(node)); },
+          [&](uint32_t node, const StoredUnit& stored) { take(node, stored); }, &progress);
+      first = end;
+    }
   }
 
   uint64_t children_triangles(size_t node) const {
@@ -168,21 +167,31 @@ class NodeDrawables {
     return triangles;
   }
 
-  Hlod simplify_children(size_t node) {
-    return make_hlod(bake_children(node), nodes_[node].first_place, nodes_[node].end_place,
-                     parts_.lattices[0], options_.hlod_triangles, options_.simplify, options_.in_pieces());
+  UnitResult simplify_children(uint32_t node) const {
+    Hlod hlod =
+        make_hlod(bake_children(node), nodes_[node].first_place, nodes_[node].end_place, parts_.lattices[0],
+                  options_.hlod_triangles, options_.simplify, options_.in_pieces());
+    HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck};
+    UnitResult result;
+    for (HlodDrawable& drawable : hlod.drawables) {
+      figures.errors.push_back(drawable.error);
+      result.chunks.push_back({std::move(drawable.chunk), 0});
+    }
+    result.geometry.push_back(record_bytes(hlod.coarsest));
+    result.figures = record_bytes(figures);
+    return result;
   }
 
-  Baked bake_children(size_t node) {
-    Baker baker(parts_.lattices[0]);
+  Baked bake_children(uint32_t node) const {
+    Baker baker(parts_.lattices[0], options_.rules);
     double error = 0;
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
-      if (!injected(Fault::shrinking_bounds)) error = std::max(error, coarsest_[child].error);
+      if (options_.rules.bounds_hold_children) error = std::max(error, coarsest_[child].error);
       if (nodes_[child].child_count == 0) {
         bake_leaf(child, baker);
       } else {
-        const Baked baked = load_baked(work_.surfaces(), coarsest_[child].baked);
+        const auto baked = load<Baked>(work_.surfaces(), coarsest_[child].baked);
         baker.add(baked.surface, baked.spans);
       }
     }
@@ -194,7 +203,8 @@ class NodeDrawables {
     const auto& members = objects_.members[nodes_[leaf].object];
     for (size_t i = 0; i < members.size(); ++i) {
       const PlacedPart& placed = parts_.placed[members[i]];
-      const Part part = load_part(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
+      const auto part =
+          load<Part>(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
       std::vector<LeafSpan> spans(part.surface.points.size());
       const std::vector<LeafSpan> known = load_spans(members[i]);
       for (const BorderPoint& border : part.borders) spans[border.point] = known[border.number];
@@ -207,29 +217,19 @@ class NodeDrawables {
     }
   }
 
-  void put(ByteWriter& record, const Hlod& hlod) {
-    record.write(uint64_t{hlod.stuck});
-    record.write(hlod.coarsest.error);
-    record.write(store(work_.surfaces(), hlod.coarsest));
-    record.write(uint64_t{hlod.drawables.size()});
-    for (const HlodDrawable& level : hlod.drawables) {
-      const EncodedChunk& chunk = level.chunk;
-      record.write(WrittenHlod{level.error, work_.pack().add_chunk(chunk, 0), chunk.triangles, chunk.box});
-    }
-  }
-
-  void take(ByteReader& record, size_t node) {
+  void take(uint32_t node, const StoredUnit& stored) {
     NodeContent& content = contents[node];
-    stuck += record.read<uint64_t>();
-    coarsest_[node].error = record.read<double>();
-    coarsest_[node].baked = record.read<SpoolPlace>();
-    for (const WrittenHlod& level : record.read_all<WrittenHlod>(record.read<uint64_t>())) {
+    const auto figures = stored.figures_as<HlodFigures>();
+    stuck += figures.stuck;
+    coarsest_[node].error = figures.coarsest_error;
+    coarsest_[node].baked = stored.geometry.at(0);
+    for (uint32_t i = 0; i < stored.chunks.size(); ++i) {
       Drawable drawable;
-      drawable.error = level.error;
+      drawable.error = figures.errors.at(i);
       drawable.first_placement = static_cast<uint32_t>(content.placements.size());
-      place({level.chunk, 0}, level.triangles, content, drawable);
+      place({stored.first_chunk + i, 0}, stored.chunks[i].triangle_count, content, drawable);
       content.drawables.push_back(drawable);
-      content.box.extend(level.box);
+      content.box.extend(stored.chunks[i].box);
     }
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {

@@ -2,7 +2,7 @@
 // children.
 #pragma once
 
-#include "preprocess/hierarchy.hpp"
+#include "preprocess/build_hierarchy.hpp"
 #include "preprocess/leaf.hpp"
 #include "preprocess/objects.hpp"
 
@@ -18,7 +18,7 @@ struct NodeContent {
   std::vector<Placement> placements;  ///< of all drawables
 };
 
-/// For each node of the hierarchy; HLODs are made and written to the pack in units of `work`.
+/// For each node of the hierarchy; HLODs are units of `work`.
 std::vector<NodeContent> make_node_drawables(const Parts& parts, const Objects& objects,
                                              std::span<const HierarchyNode> nodes,
                                              std::span<const PartLevels> levels, const BuildOptions& options,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/file.hpp"
+#include "base/record.hpp"
 #include "base/spool_file.hpp"
 #include "scene/chunk.hpp"
 #include "scene/skeleton.hpp"
@@ -15,6 +16,7 @@ namespace triptych {
 
 /// A chunk that waits for its turn to be written: threads encode, one writes in a fixed order.
 struct EncodedChunk {
+  EncodedChunk() = default;
   explicit EncodedChunk(const Chunk& chunk);
 
   std::vector<std::byte> bytes;
@@ -22,6 +24,10 @@ struct EncodedChunk {
   LatticeBox box;
   std::vector<LatticeBox> pieces;  ///< Chunk::pieces()
 };
+template <>
+inline constexpr auto record_members<EncodedChunk> = std::tuple(&EncodedChunk::bytes, &EncodedChunk::vertices,
+                                                                &EncodedChunk::triangles, &EncodedChunk::box,
+                                                                &EncodedChunk::pieces);
 
 /// Writes chunks as they come, then the skeleton; the file appears under its name with finish() and not
 /// before.

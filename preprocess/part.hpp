@@ -1,7 +1,7 @@
 // A part: a piece of a mesh after the first partition, small enough to be simplified and drawn as one.
 #pragma once
 
-#include "base/bytes.hpp"
+#include "base/record.hpp"
 #include "base/spool_file.hpp"
 #include "simplify/surface.hpp"
 
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace triptych {
+
+template <>
+inline constexpr auto record_members<Surface> = std::tuple(&Surface::points, &Surface::triangles);
 
 /// A point that the part shares with other parts of its mesh.
 struct BorderPoint {
@@ -20,14 +23,13 @@ struct Part {
   Surface surface;
   std::vector<BorderPoint> borders;
 };
+template <>
+inline constexpr auto record_members<Part> = std::tuple(&Part::surface, &Part::borders);
 
-void write_surface(ByteWriter& writer, const Surface& surface);
-Surface read_surface(ByteReader& reader);
-
-/// Into a spool file and back.
-SpoolPlace store(SpoolFile& file, const Part& part);
-Part load_part(const SpoolFile& file, const SpoolPlace& place);
-/// Only the border points, of which there are `count`.
-std::vector<BorderPoint> load_borders(const SpoolFile& file, const SpoolPlace& place, uint32_t count);
+/// Reads a record back from a spool file.
+template <typename Value>
+Value load(const SpoolFile& file, const SpoolPlace& place) {
+  return record_of<Value>(file.read(place), file.path().string());
+}
 
 }  // namespace triptych

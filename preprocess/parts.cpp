@@ -2,18 +2,42 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
-#include "base/threads.hpp"
-#include "model/read_mesh.hpp"
-#include "preprocess/buckets.hpp"
 #include "preprocess/divide.hpp"
+#include "preprocess/sorted_mesh.hpp"
 #include "preprocess/weld.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
 #include <glm/glm.hpp>
-#include <optional>
+#include <numeric>
 
 namespace triptych {
+
+namespace {
+
+struct PartFigures {
+  uint32_t triangles = 0, borders = 0;
+  std::vector<LatticeBox> boxes;  ///< in each of the mesh's instances
+};
+
+/// What is known of a mesh, or of a bucket of one, besides the geometry of its parts.
+struct DivisionFigures {
+  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0;
+  bool enlarged = false;                    ///< points were moved by a step, so that nothing vanishes
+  uint32_t own_borders = 0, first_own = 0;  ///< Division's
+  std::vector<PartFigures> parts;
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<PartFigures> = std::tuple(&PartFigures::triangles, &PartFigures::borders,
+                                                               &PartFigures::boxes);
+template <>
+inline constexpr auto record_members<DivisionFigures> =
+    std::tuple(&DivisionFigures::dropped_triangles, &DivisionFigures::welded_vertices,
+               &DivisionFigures::lone_triangles, &DivisionFigures::enlarged, &DivisionFigures::own_borders,
+               &DivisionFigures::first_own, &DivisionFigures::parts);
 
 namespace {
 
@@ -30,14 +54,6 @@ LatticeBox placed_box(const Surface& surface, const Lattice& lattice, const Affi
   return enclosing;
 }
 
-/// What one mesh, or one bucket of it, came to.
-struct Divided {
-  Division division;
-  std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
-  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0;
-  bool enlarged = false;  ///< points were moved by a step, so that nothing vanishes
-};
-
 class PartMaker {
  public:
   PartMaker(const Model& model, const BuildPlan& plan, const BuildOptions& options, BuildWork& work)
@@ -46,7 +62,7 @@ class PartMaker {
         plan_(plan),
         options_(options),
         work_(work),
-        unit_triangles_(unit_triangles(options)) {
+        progress_("partitioning", triangles_of(plan)) {
     // Borders between parts stay as they are in all levels, and that costs triangles: a mesh that is small in
     // the model, such as a piece of furniture, is parted only if it has a great many.
     const double whole = diagonal(plan.box);
@@ -55,23 +71,25 @@ class PartMaker {
   }
 
   void run() {
-    uint64_t total = 0;
-    for (const PlannedMesh& mesh : plan_.meshes) total += mesh.triangles;
-    Progress progress("partitioning", total);
-    const auto count = static_cast<uint32_t>(plan_.meshes.size());
-    for (uint32_t first = 0; first < count;) {
-      if (plan_.meshes[first].triangles > options_.bucket_triangles) {
-        divide_in_buckets(first++, progress);
+    std::vector<uint32_t> all(plan_.meshes.size());
+    std::iota(all.begin(), all.end(), 0u);
+    for (size_t first = 0; first < all.size();) {
+      if (is_large(first)) {
+        divide_sorted(all[first++]);
         continue;
       }
-      uint32_t small = first;
-      while (small < count && plan_.meshes[small].triangles <= options_.bucket_triangles) ++small;
-      const auto end = static_cast<uint32_t>(end_of_group(
-          first, small, unit_triangles_, [&](size_t mesh) { return plan_.meshes[mesh].triangles; }));
-      unit(
-          end - first, [] {}, [&](uint32_t i) { return divide_whole(first + i); },
-          [&](uint32_t i) { return first + i; });
-      for (; first < end; ++first) progress.advance(plan_.meshes[first].triangles);
+      size_t next_large = first;
+      while (next_large < all.size() && !is_large(next_large)) ++next_large;
+      const size_t end = end_of_group(first, next_large, unit_triangles(options_),
+                                      [&](size_t mesh) { return plan_.meshes[mesh].triangles; });
+      work_.run(
+          UnitKind::divided_mesh, std::span(all).subspan(first, end - first),
+          [&](uint32_t mesh) { return record_bytes(divide_whole(plan_.meshes[mesh])); },
+          [&](uint32_t mesh, const StoredUnit& stored) {
+            take(mesh, stored);
+            progress_.advance(plan_.meshes[mesh].triangles);
+          });
+      first = end;
     }
   }
 
@@ -83,65 +101,36 @@ class PartMaker {
   double largest_step = 0;  ///< of the lattices of lone triangles
 
  private:
-  /// Meshes or buckets side by side; their parts go to the spool file in order.
-  template <typename Prepare, typename Divide, typename MeshOf>
-  void unit(uint32_t count, const Prepare& prepare, const Divide& divide_one, const MeshOf& mesh_of) {
-    work_.unit(
-        [&](ByteWriter& record) {
-          prepare();
-          std::vector<Divided> results(count);
-          parallel_for(count, [&](size_t i) { results[i] = divide_one(static_cast<uint32_t>(i)); });
-          for (uint32_t i = 0; i < count; ++i) put(record, mesh_of(i), results[i]);
-        },
-        [&](ByteReader& record) {
-          for (uint32_t i = 0; i < count; ++i) take(record);
-        });
+  static uint64_t triangles_of(const BuildPlan& plan) {
+    uint64_t total = 0;
+    for (const PlannedMesh& mesh : plan.meshes) total += mesh.triangles;
+    return total;
   }
 
-  /// Border points that only a bucket's parts have come behind those of the buckets before it.
-  void number_borders(uint32_t mesh, Division& division) {
-    const uint32_t behind = border_counts[mesh] - division.first_own;
-    for (Part& part : division.parts) {
-      for (BorderPoint& border : part.borders) {
-        if (border.number >= division.first_own) border.number += behind;
-      }
-    }
-    border_counts[mesh] += division.own_borders;
-  }
+  bool is_large(size_t mesh) const { return plan_.meshes[mesh].triangles > options_.bucket_triangles; }
 
-  void put(ByteWriter& record, uint32_t mesh, Divided& divided) {
-    record.write(mesh);
-    record.write(divided.dropped_triangles);
-    record.write(divided.welded_vertices);
-    record.write(divided.lone_triangles);
-    number_borders(mesh, divided.division);
-    record.write(border_counts[mesh]);
-    record.write(uint64_t{divided.division.parts.size()});
-    for (size_t i = 0; i < divided.division.parts.size(); ++i) {
-      const Part& part = divided.division.parts[i];
-      record.write(PartInfo{store(work_.parts(), part), plan_.meshes[mesh].lattice,
-                            static_cast<uint32_t>(part.surface.triangles.size()),
-                            static_cast<uint32_t>(part.borders.size()), divided.enlarged ? 1u : 0u});
-      record.write(uint64_t{divided.boxes[i].size()});
-      record.write_all(std::span<const LatticeBox>(divided.boxes[i]));
-    }
-  }
-
-  void take(ByteReader& record) {
-    const auto mesh = record.read<uint32_t>();
-    dropped_triangles += record.read<uint64_t>();
-    welded_vertices += record.read<uint64_t>();
-    if (const auto lone = record.read<uint64_t>()) {
-      lone_triangles += lone;
+  void take(uint32_t mesh, const StoredUnit& stored) {
+    const auto figures = stored.figures_as<DivisionFigures>();
+    dropped_triangles += figures.dropped_triangles;
+    welded_vertices += figures.welded_vertices;
+    if (figures.lone_triangles > 0) {
+      lone_triangles += figures.lone_triangles;
       const PlannedMesh& planned = plan_.meshes[mesh];
       largest_step = std::max(largest_step, plan_.lattices[planned.lattice].step * planned.stretch);
     }
-    border_counts[mesh] = record.read<uint32_t>();
-    for (auto count = record.read<uint64_t>(); count > 0; --count) {
+    for (size_t i = 0; i < figures.parts.size(); ++i) {
+      const PartFigures& part = figures.parts[i];
       meshes.push_back(mesh);
-      infos.push_back(record.read<PartInfo>());
-      boxes.push_back(record.read_all<LatticeBox>(record.read<uint64_t>()));
+      infos.push_back({.place = stored.geometry.at(i),
+                       .lattice = plan_.meshes[mesh].lattice,
+                       .triangles = part.triangles,
+                       .borders = part.borders,
+                       .moved = figures.enlarged ? 1u : 0u,
+                       .own_borders_from = figures.first_own,
+                       .own_borders_behind = border_counts[mesh] - figures.first_own});
+      boxes.push_back(part.boxes);
     }
+    border_counts[mesh] += figures.own_borders;
   }
 
   PartitionLimits limits(const PlannedMesh& mesh, uint64_t triangles) const {
@@ -155,99 +144,101 @@ class PartMaker {
     return limits;
   }
 
-  Divided finish(const PlannedMesh& mesh, const Welded& welded, const PartitionLimits& limits,
-                 std::span<const SharedPoint> shared, uint32_t first_own) const {
-    Divided divided;
-    divided.dropped_triangles = welded.dropped_triangles;
-    divided.welded_vertices = welded.welded_vertices;
-    divided.lone_triangles = welded.lone_triangles;
-    divided.enlarged = welded.enlarged_triangles > 0;
-    divided.division = divide(welded.surface, limits, shared, first_own);
-    const Lattice& lattice = plan_.lattices[mesh.lattice];
-    for (const Part& part : divided.division.parts) {
-      auto& part_boxes = divided.boxes.emplace_back();
-      for (const uint32_t instance : mesh.instances) {
-        const uint32_t transform = plan_.instances[instance].transform;
-        part_boxes.push_back(mesh.lattice == 0 ? part.surface.box()
-                                               : placed_box(part.surface, lattice,
-                                                            plan_.transforms[transform], plan_.lattices[0]));
-      }
+  UnitResult divide_welded(const PlannedMesh& mesh, const Welded& welded, const PartitionLimits& limits,
+                           std::span<const SharedPoint> shared, uint32_t first_own) const {
+    const Division division = divide(welded.surface, limits, shared, first_own);
+    DivisionFigures figures{.dropped_triangles = welded.dropped_triangles,
+                            .welded_vertices = welded.welded_vertices,
+                            .lone_triangles = welded.lone_triangles,
+                            .enlarged = welded.enlarged_triangles > 0,
+                            .own_borders = division.own_borders,
+                            .first_own = division.first_own,
+                            .parts = {}};
+    UnitResult result;
+    for (const Part& part : division.parts) {
+      PartFigures& of_part =
+          figures.parts.emplace_back(PartFigures{static_cast<uint32_t>(part.surface.triangles.size()),
+                                                 static_cast<uint32_t>(part.borders.size()),
+                                                 {}});
+      for (const uint32_t instance : mesh.instances) of_part.boxes.push_back(box_in(instance, mesh, part));
+      result.geometry.push_back(record_bytes(part));
     }
-    return divided;
+    result.figures = record_bytes(figures);
+    return result;
   }
 
-  Divided divide_whole(uint32_t index) const {
-    const PlannedMesh& mesh = plan_.meshes[index];
-    if (mesh.triangles == 0) return {};
+  LatticeBox box_in(uint32_t instance, const PlannedMesh& mesh, const Part& part) const {
+    if (mesh.lattice == 0) return part.surface.box();
+    return placed_box(part.surface, plan_.lattices[mesh.lattice],
+                      plan_.transforms[plan_.instances[instance].transform], plan_.lattices[0]);
+  }
+
+  UnitResult divide_whole(const PlannedMesh& mesh) const {
+    if (mesh.triangles == 0) return {{}, {}, record_bytes(DivisionFigures())};
     const Welded welded =
         weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
-    return finish(mesh, welded, limits(mesh, welded.surface.triangles.size()), {}, 0);
+    return divide_welded(mesh, welded, limits(mesh, welded.surface.triangles.size()), {}, 0);
   }
 
-  void divide_in_buckets(uint32_t index, Progress& progress) {
+  /// A mesh that is too large for memory: sorted into buckets, which are then divided.
+  void divide_sorted(uint32_t index) {
     const PlannedMesh& mesh = plan_.meshes[index];
-    const ToLattice to_lattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
-    SpoolFile spool(work_.file("buckets"));
-    std::optional<Buckets> buckets;
+    SortedMesh sorted(model_.meshes[mesh.mesh],
+                      ToLattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors),
+                      options_.bucket_triangles, work_.file("buckets"));
     std::vector<uint64_t> sizes;
-    uint64_t not_finite = 0;
-    const auto fill_buckets = [&] {
-      if (buckets) return;
-      std::vector<LatticeTriangle> batch;
-      buckets.emplace(
-          [&](uint64_t every, const Buckets::Take& take) {
-            uint64_t next = 0;  // index in the batch of the next one that is wanted
-            not_finite = read_mesh(model_.meshes[mesh.mesh], [&](std::span<const CornerTriangle> triangles) {
-              batch.clear();
-              for (; next < triangles.size(); next += every) batch.push_back(to_lattice(triangles[next]));
-              next -= triangles.size();
-              take(batch);
-            });
-          },
-          mesh.triangles, options_.bucket_triangles, spool);
-    };
-    // A unit of its own: where an earlier run finished all of the mesh, nothing is read again.
-    work_.unit(
-        [&](ByteWriter& record) {
-          fill_buckets();
-          record.write(not_finite);
-          record.write(buckets->shared_points());
-          record.write(uint64_t{buckets->count()});
-          for (size_t i = 0; i < buckets->count(); ++i) record.write(buckets->triangles(i));
-        },
-        [&](ByteReader& record) {
-          dropped_triangles += record.read<uint64_t>();
-          border_counts[index] = record.read<uint32_t>();
-          sizes = record.read_all<uint64_t>(record.read<uint64_t>());
+    work_.run(
+        UnitKind::sorted_mesh, std::span(&index, 1), [&](uint32_t) { return record_bytes(sorted.unit()); },
+        [&](uint32_t, const StoredUnit& stored) {
+          auto figures = stored.figures_as<SortFigures>();
+          dropped_triangles += figures.not_finite;
+          border_counts[index] = figures.shared_points;
+          sizes = std::move(figures.bucket_triangles);
         });
+    std::vector<uint32_t> buckets(sizes.size());
+    std::iota(buckets.begin(), buckets.end(), first_bucket_);
     const PartitionLimits part_limits = limits(mesh, mesh.triangles);
-    for (uint32_t first = 0; first < sizes.size();) {
-      const auto end = static_cast<uint32_t>(
-          end_of_group(first, sizes.size(), unit_triangles_, [&](size_t bucket) { return sizes[bucket]; }));
-      unit(
-          end - first, fill_buckets,
-          [&](uint32_t i) {
-            Bucket bucket = buckets->load(first + i);
+    for (size_t first = 0; first < sizes.size();) {
+      const size_t end = end_of_group(first, sizes.size(), unit_triangles(options_),
+                                      [&](size_t bucket) { return sizes[bucket]; });
+      work_.run(
+          UnitKind::divided_bucket, std::span(buckets).subspan(first, end - first),
+          [&](uint32_t number) {
+            Bucket bucket = sorted.buckets().load(number - first_bucket_);
             const Welded welded = weld(bucket.triangles);
             bucket.triangles = {};
-            return finish(mesh, welded, part_limits, bucket.shared, buckets->shared_points());
+            return record_bytes(
+                divide_welded(mesh, welded, part_limits, bucket.shared, sorted.buckets().shared_points()));
           },
-          [&](uint32_t) { return index; });
-      for (; first < end; ++first) progress.advance(sizes[first]);
+          [&](uint32_t number, const StoredUnit& stored) {
+            take(index, stored);
+            progress_.advance(sizes[number - first_bucket_]);
+          });
+      first = end;
     }
-    std::error_code ignored;  // at the latest it goes with its folder
-    std::filesystem::remove(spool.path(), ignored);
+    first_bucket_ += static_cast<uint32_t>(sizes.size());
   }
 
   const Model& model_;
   const BuildPlan& plan_;
   const BuildOptions& options_;
   BuildWork& work_;
-  const uint64_t unit_triangles_;
+  Progress progress_;
   double small_ = 0, large_ = 0;
+  uint32_t first_bucket_ = 0;  ///< how many buckets the meshes before this one have
 };
 
 }  // namespace
+
+std::vector<BorderPoint> load_borders(const SpoolFile& file, const PartInfo& part) {
+  const uint64_t size = uint64_t{part.borders} * sizeof(BorderPoint);  // the last bytes of the part's record
+  const std::vector<std::byte> bytes = file.read({part.place.offset + part.place.size - size, size});
+  auto borders = ByteReader(bytes, file.path().string()).read_all<BorderPoint>(part.borders);
+  for (BorderPoint& border : borders) {
+    if (border.number >= part.own_borders_from) border.number += part.own_borders_behind;
+  }
+  return borders;
+}
 
 Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options, BuildWork& work,
                  ImportReport& report) {

@@ -20,7 +20,13 @@ struct PartInfo {
   uint32_t lattice = 0, triangles = 0;
   uint32_t borders = 0;  ///< how many border points it has
   uint32_t moved = 0;    ///< steps by which points of it may have been moved, so that nothing vanishes
+  /// Border points with these numbers and above belong to its bucket alone: in the mesh they come so many
+  /// further behind.
+  uint32_t own_borders_from = 0, own_borders_behind = 0;
 };
+
+/// The part's border points alone, with the numbers that they have in the mesh.
+std::vector<BorderPoint> load_borders(const SpoolFile& file, const PartInfo& part);
 
 /// A part under one of its mesh's placements.
 struct PlacedPart {
@@ -39,8 +45,8 @@ struct Parts {
   uint64_t instances = 0;  ///< that were placed
 };
 
-/// Divides all meshes, in units of `work`. What is dropped is added to the report. Error for a model of which
-/// nothing is left.
+/// Divides all meshes: a mesh, or a bucket of one, is a unit. What is dropped is added to the report. Error
+/// for a model of which nothing is left.
 Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options, BuildWork& work,
                  ImportReport& report);
 

@@ -1,7 +1,6 @@
 #include "preprocess/plan.hpp"
 
 #include "base/error.hpp"
-#include "base/inject.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "model/read_mesh.hpp"
@@ -32,8 +31,7 @@ bool finite(const Affine& transform) {
 /// Whether floats can place a mesh under it to within a small multiple of their own precision: the product of
 /// the matrix's absolute values and its inverse's is bounded (Skeel, Scaling for numerical stability, 1979).
 /// Turned and stretched meshes are near 1; shears and what flattens a mesh are far above.
-bool well_conditioned(const Affine& transform) {
-  constexpr double largest_condition = 8;
+bool well_conditioned(const Affine& transform, double largest_condition) {
   // Far beyond all units there are, the mesh as it was made may be too small or too large to be measured.
   constexpr double largest_change = 1e20;
   const double stretch = largest_stretch(transform);
@@ -48,7 +46,7 @@ bool well_conditioned(const Affine& transform) {
     }
   }
   // Written so that NaN is not well-conditioned. The identity's is √3.
-  return injected(Fault::shared_shears) || sum <= largest_condition * largest_condition;
+  return sum <= largest_condition * largest_condition;
 }
 
 bool finite(const Box& box) {
@@ -89,13 +87,14 @@ void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
 
 /// Placements of meshes that hold triangles, under transforms that can be drawn; how often each mesh is
 /// placed so that it can be shared.
-std::vector<uint32_t> usable_instances(const Model& model, BuildPlan& plan, std::vector<uint32_t>& uses) {
+std::vector<uint32_t> usable_instances(const Model& model, const BuildRules& rules, BuildPlan& plan,
+                                       std::vector<uint32_t>& uses) {
   std::vector<uint32_t> placed;
   for (uint32_t i = 0; i < model.instances.size(); ++i) {
     const Instance& instance = model.instances[i];
     if (model.meshes[instance.mesh].triangle_count() == 0) continue;
     if (finite(instance.transform)) {
-      if (well_conditioned(instance.transform)) ++uses[instance.mesh];
+      if (well_conditioned(instance.transform, rules.largest_condition)) ++uses[instance.mesh];
       placed.push_back(i);
     } else {
       ++plan.left_out;
@@ -126,25 +125,25 @@ double largest_stretch(const Affine& transform) {
   return std::sqrt(std::max({gram[0][0], gram[1][1], gram[2][2], 0.0})) * (1 + 1e-12);
 }
 
-BuildPlan make_plan(const Model& model, bool share_instances) {
+BuildPlan make_plan(const Model& model, const BuildOptions& options) {
   BuildPlan plan;
   make_palette(model.materials, plan);
   plan.transforms.push_back(Affine(1));
   plan.stretches.push_back(1);
   plan.lattices.resize(1);
   std::vector<uint32_t> uses(model.meshes.size(), 0);
-  const std::vector<uint32_t> placed = usable_instances(model, plan, uses);
+  const std::vector<uint32_t> placed = usable_instances(model, options.rules, plan, uses);
 
   constexpr uint32_t none = 0xffffffffu;
   std::vector<uint32_t> shared(model.meshes.size(), none);  // the planned mesh of all placements
   for (const uint32_t index : placed) {
     const Instance& instance = model.instances[index];
     PlannedInstance planned;
-    if (share_instances && uses[instance.mesh] > 1 && well_conditioned(instance.transform)) {
+    if (options.share_instances && uses[instance.mesh] > 1 &&
+        well_conditioned(instance.transform, options.rules.largest_condition)) {
       planned.transform = static_cast<uint32_t>(plan.transforms.size());
       plan.transforms.push_back(instance.transform);
-      plan.stretches.push_back(injected(Fault::dropped_singular_value) ? 1
-                                                                       : largest_stretch(instance.transform));
+      plan.stretches.push_back(options.rules.bounds_are_stretched ? largest_stretch(instance.transform) : 1);
       if (shared[instance.mesh] == none) {
         shared[instance.mesh] = static_cast<uint32_t>(plan.meshes.size());
         plan.meshes.push_back({instance.mesh, none, Affine(1), {}, 0, {}, 0});

@@ -46,7 +46,7 @@ struct BuildPlan {
 };
 
 /// Reads every mesh that is placed once, for its box. Error for a model of which nothing can be placed.
-BuildPlan make_plan(const Model& model, bool share_instances);
+BuildPlan make_plan(const Model& model, const BuildOptions& options);
 
 /// The factor by which the transform stretches lengths at most.
 double largest_stretch(const Affine& transform);

@@ -1,7 +1,6 @@
 #include "preprocess/weld.hpp"
 
 #include "model/read_mesh.hpp"
-
 #include "scene/skeleton.hpp"
 #include "simplify/key_hash.hpp"
 

@@ -1,3 +1,4 @@
+#include "preprocess/injected_rules.hpp"
 #include "tests/hard_cases/trials.hpp"
 
 #include <fmt/core.h>
@@ -9,7 +10,9 @@ BuiltTrial::BuiltTrial(const Trial& trial) {
   static int count = 0;
   file_ =
       std::filesystem::temp_directory_path() / fmt::format("triptych_hard_{}_{}.tpk", ::getpid(), count++);
-  report_ = build_pack(trial.model, trial.build, file_);
+  BuildOptions options = trial.build;
+  options.rules = injected_build_rules();
+  report_ = build_pack(trial.model, options, file_);
   pack_ = std::make_unique<Pack>(file_);
 }
 

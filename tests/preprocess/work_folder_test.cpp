@@ -36,12 +36,14 @@ class WorkTest : public testing::Test {
 
   static int do_unit(BuildWork& work, int number) {
     int taken = -1;
-    work.unit(
-        [&](ByteWriter& record) {
-          work.parts().append(std::as_bytes(std::span(&number, 1)));
-          record.write(number * 10);
+    const auto index = static_cast<uint32_t>(number);
+    work.run(
+        UnitKind::divided_mesh, std::span(&index, 1),
+        [](uint32_t unit) {
+          return record_bytes(
+              UnitResult{{}, {record_bytes(unit)}, record_bytes(static_cast<int>(unit) * 10)});
         },
-        [&](ByteReader& record) { taken = record.read<int>(); });
+        [&](uint32_t, const StoredUnit& stored) { taken = stored.figures_as<int>(); });
     return taken;
   }
 
@@ -65,6 +67,55 @@ TEST_F(WorkTest, a_killed_process_leaves_its_finished_units_and_the_next_one_goe
   const auto bytes = work.parts().read({0, 5 * sizeof(int)});
   ByteReader reader(bytes, "parts");
   for (int i = 0; i < 5; ++i) EXPECT_EQ(reader.read<int>(), i);
+}
+
+TEST_F(WorkTest, chunks_and_geometry_are_numbered_in_the_order_of_the_indices_and_again_from_the_journal) {
+  const std::vector<uint32_t> indices = {2, 3, 7};
+  const auto unit = [](uint32_t index) {
+    Chunk chunk;  // index + 1 triangles
+    for (uint32_t i = 0; i < index + 3; ++i) {
+      const auto at = static_cast<int>(i);
+      chunk.vertices.push_back({{at, at * at, at % 2}, 0});
+      if (i >= 2) chunk.indices.insert(chunk.indices.end(), {0, i - 1, i});
+    }
+    return record_bytes(
+        UnitResult{{{EncodedChunk(chunk), index}}, {record_bytes(index), {}}, record_bytes(index)});
+  };
+  const auto run_and_check = [&](BuildWork& work) {
+    std::vector<uint32_t> taken;
+    work.run(UnitKind::hlod, indices, unit, [&](uint32_t index, const StoredUnit& stored) {
+      EXPECT_EQ(stored.first_chunk, taken.size());
+      ASSERT_EQ(stored.chunks.size(), 1u);
+      EXPECT_EQ(stored.chunks[0].triangle_count, index + 1);
+      EXPECT_EQ(stored.chunks[0].lattice, index);
+      ASSERT_EQ(stored.geometry.size(), 2u);
+      EXPECT_EQ(record_of<uint32_t>(work.surfaces().read(stored.geometry[0]), "surfaces"), index);
+      EXPECT_EQ(stored.geometry[1].size, 0u);
+      EXPECT_EQ(stored.figures_as<uint32_t>(), index);
+      taken.push_back(index);
+    });
+    EXPECT_EQ(taken, indices);
+    EXPECT_EQ(work.pack().chunks().size(), 3u);
+  };
+  const pid_t child = ::fork();
+  if (child == 0) {
+    BuildWork work(pack(), "same");
+    run_and_check(work);
+    ::_exit(HasFailure() ? 1 : 0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  BuildWork work(pack(), "same");
+  EXPECT_EQ(work.left_to_replay(), 1u);
+  run_and_check(work);
+}
+
+TEST_F(WorkTest, a_journal_of_other_units_is_an_error) {
+  work_and_die(1, "same");
+  BuildWork work(pack(), "same");
+  const uint32_t index = 0;
+  EXPECT_THROW(work.run(UnitKind::hlod, std::span(&index, 1), {}, {}), Error);
 }
 
 TEST_F(WorkTest, another_fingerprint_and_an_empty_one_start_again) {

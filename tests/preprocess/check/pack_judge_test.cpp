@@ -3,6 +3,7 @@
 
 #include "base/inject.hpp"
 #include "preprocess/build.hpp"
+#include "preprocess/injected_rules.hpp"
 #include "tests/support/awkward_meshes.hpp"
 
 #include <filesystem>
@@ -77,6 +78,7 @@ BuildOptions options_of(const Recipe& recipe) {
 
 judge::Verdict verdict_of(const Case& one, BuildOptions options, const std::string& name) {
   options.bucket_triangles = one.buckets;
+  options.rules = injected_build_rules();
   const auto file = std::filesystem::path(testing::TempDir()) /
                     ("triptych_judge_" + std::to_string(::getpid()) + name + ".tpk");
   const Model model = one.model();

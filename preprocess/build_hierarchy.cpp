@@ -1,4 +1,4 @@
-#include "preprocess/hierarchy.hpp"
+#include "preprocess/build_hierarchy.hpp"
 
 #include <algorithm>
 #include <limits>

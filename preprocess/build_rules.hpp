@@ -1,0 +1,16 @@
+// Rules that make a build's bounds true. All of them hold, unless a test breaks one to prove that the checks
+// notice.
+#pragma once
+
+namespace triptych {
+
+struct BuildRules {
+  bool bounds_hold_children = true;  ///< the error of an HLOD is at least those of its children
+  bool bounds_hold_rounding = true;  ///< rounding to the lattice counts as an error
+  bool bounds_are_stretched = true;  ///< bounds of placed geometry grow with it
+  bool mirrors_flip_winding = true;  ///< triangles under a transform that mirrors are turned round
+  /// Meshes are shared only under transforms of at most this condition, which floats place exactly enough.
+  double largest_condition = 8;
+};
+
+}  // namespace triptych

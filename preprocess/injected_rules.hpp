@@ -1,0 +1,11 @@
+// The faults of `--inject` that are faults of a build.
+#pragma once
+
+#include "preprocess/build_rules.hpp"
+
+namespace triptych {
+
+/// The rules of a build in this process: those that base/inject.hpp names are broken.
+BuildRules injected_build_rules();
+
+}  // namespace triptych
