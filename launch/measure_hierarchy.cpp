@@ -6,6 +6,7 @@
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
 #include "measure/side_by_side.hpp"
+#include "scene/path.hpp"
 #include "session/temporary_folder.hpp"
 
 #include <fmt/core.h>

@@ -1,12 +1,13 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "base/signals.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/run_program.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/path_deviation.hpp"
-#include "nodes/inbox.hpp"
+#include "scene/path.hpp"
 #include "session/temporary_folder.hpp"
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+#include "base/file.hpp"
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "base/timeline.hpp"

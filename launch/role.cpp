@@ -1,3 +1,4 @@
+#include "launch/command.hpp"
 #include "launch/number_flags.hpp"
 #include "session/role_command.hpp"
 

@@ -1,8 +1,8 @@
 #include "base/memory.hpp"
 #include "base/notice.hpp"
+#include "base/signals.hpp"
 #include "launch/command.hpp"
 #include "measure/json.hpp"
-#include "nodes/inbox.hpp"
 #include "session/window_source.hpp"
 
 #include <fmt/core.h>

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
-#include "nodes/inbox.hpp"
+#include "base/signals.hpp"
 
 #include <algorithm>
 
