@@ -94,10 +94,8 @@ class FramePlayer final : public CullSink {
         stream.take({packet.watermark, decode_delta(packet.bytes, visible_, "measure frame")});
       return 0;
     });
-    clock_.run(FrameStep::digest, [&] {
-      return frame_digest(frame.number, frame.state.view, frame.state.pixel_error, pack_.content_hash(),
-                          result.visible);
-    });
+    clock_.run(FrameStep::digest,
+               [&] { return frame_digest(frame.number, frame.state, pack_.content_hash(), result.visible); });
     clock_.run(FrameStep::order, [&] {
       ordered_ = result.visible;
       sorter_.sort(skeleton_, view.cell, ordered_);

@@ -23,7 +23,7 @@ void Replay::forget_epoch() {
 
 ReplayedFrame Replay::draw_alone(const CameraMessage& camera) {
   forget_epoch();
-  ReplayedFrame frame{{camera.frame, {camera.view, camera.pixel_error}}, {}, false, true};
+  ReplayedFrame frame{{camera.frame, camera.state}, {}, false, true};
   frame.visible = select_cut(FrameView(skeleton_, frame.request.state)).drawables;
   std::sort(frame.visible.begin(), frame.visible.end());
   return frame;
@@ -39,10 +39,10 @@ std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
   const Message& message = recorded.message;
   if (const auto* camera = std::get_if<CameraMessage>(&message)) {
     if (recorded.peer == Role::render) return {draw_alone(*camera)};
-    if (camera->rehearsal) {
+    if (camera->warm_up) {
       forget_epoch();
     } else {
-      cameras_[camera->frame] = {camera->frame, {camera->view, camera->pixel_error}};
+      cameras_[camera->frame] = {camera->frame, camera->state};
     }
   } else if (std::holds_alternative<DeltaMessage>(message) || std::holds_alternative<Sentinel>(message) ||
              std::holds_alternative<FullSet>(message)) {
@@ -100,8 +100,7 @@ bool Replay::feed(const Message& message) {
 bool Replay::accept(const VisibleSet& visible) {
   const FrameRequest& frame = current_->request;
   current_->visible = visible;
-  return frame_digest(frame.number, frame.state.view, frame.state.pixel_error, pack_hash_, visible) ==
-         sentinel_->digest;
+  return frame_digest(frame.number, frame.state, pack_hash_, visible) == sentinel_->digest;
 }
 
 }  // namespace triptych

@@ -5,8 +5,9 @@
 
 namespace triptych {
 
-uint64_t frame_digest(uint32_t frame, const View& view, double pixel_error, uint64_t pack_hash,
+uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_hash,
                       const VisibleSet& visible) {
+  const View& view = state.view;
   const Camera& camera = view.camera;
   ByteWriter fields;
   fields.write(frame);
@@ -14,7 +15,7 @@ uint64_t frame_digest(uint32_t frame, const View& view, double pixel_error, uint
     for (int axis = 0; axis < 3; ++axis) fields.write((*vector)[axis]);
   }
   for (const double value :
-       {camera.left, camera.right, camera.bottom, camera.top, camera.near, pixel_error}) {
+       {camera.left, camera.right, camera.bottom, camera.top, camera.near, state.pixel_error}) {
     fields.write(value);
   }
   fields.write(static_cast<uint8_t>(camera.projection));

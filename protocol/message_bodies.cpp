@@ -18,7 +18,7 @@ namespace {
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
 // Of a camera.
-constexpr uint8_t last_mark = 1, rehearsal_mark = 2, orthographic_mark = 4, symmetric_mark = 8;
+constexpr uint8_t last_mark = 1, warm_up_mark = 2, orthographic_mark = 4, symmetric_mark = 8;
 
 bool is_control(char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; }
 
@@ -137,12 +137,12 @@ Hello read_hello(ByteReader& in) {
 
 /// The numbers of a camera message in their order; a symmetric frustum's left and bottom say it all.
 std::vector<double*> numbers_of(CameraMessage& message, bool symmetric) {
-  Camera& camera = message.view.camera;
+  Camera& camera = message.state.view.camera;
   std::vector<double*> numbers;
   for (auto* vector : {&camera.eye, &camera.target, &camera.up}) {
     for (int axis = 0; axis < 3; ++axis) numbers.push_back(&(*vector)[axis]);
   }
-  numbers.insert(numbers.end(), {&camera.near, &message.pixel_error, &camera.left, &camera.bottom});
+  numbers.insert(numbers.end(), {&camera.near, &message.state.pixel_error, &camera.left, &camera.bottom});
   if (!symmetric) numbers.insert(numbers.end(), {&camera.right, &camera.top});
   return numbers;
 }
@@ -152,13 +152,13 @@ bool is_symmetric(const Camera& camera) {
 }
 
 void write_body(ByteWriter& out, const CameraMessage& message) {
-  const Camera& camera = message.view.camera;
+  const Camera& camera = message.state.view.camera;
   const bool symmetric = is_symmetric(camera);
-  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.rehearsal ? rehearsal_mark : 0) |
+  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
                                  (camera.orthographic() ? orthographic_mark : 0) |
                                  (symmetric ? symmetric_mark : 0)));
-  out.write_varint(static_cast<uint32_t>(message.view.width));
-  out.write_varint(static_cast<uint32_t>(message.view.height));
+  out.write_varint(static_cast<uint32_t>(message.state.view.width));
+  out.write_varint(static_cast<uint32_t>(message.state.view.height));
   CameraMessage copy = message;
   std::vector<double> numbers;
   for (const double* number : numbers_of(copy, symmetric)) numbers.push_back(*number);
@@ -168,22 +168,21 @@ void write_body(ByteWriter& out, const CameraMessage& message) {
 CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   CameraMessage message;
   message.frame = frame;
-  Camera& camera = message.view.camera;
-  const auto marks =
-      read_enum(in, static_cast<uint8_t>(last_mark | rehearsal_mark | orthographic_mark | symmetric_mark),
-                "camera mark");
+  Camera& camera = message.state.view.camera;
+  const auto marks = read_enum(
+      in, static_cast<uint8_t>(last_mark | warm_up_mark | orthographic_mark | symmetric_mark), "camera mark");
   message.last = (marks & last_mark) != 0;
-  message.rehearsal = (marks & rehearsal_mark) != 0;
+  message.warm_up = (marks & warm_up_mark) != 0;
   if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
   const bool symmetric = (marks & symmetric_mark) != 0;
   const uint32_t width = read_count(in), height = read_count(in);
   if (width < 1 || width > largest_side || height < 1 || height > largest_side) {
     fail(in.place(), "a viewport of {}x{}", width, height);
   }
-  message.view.width = static_cast<int>(width);
-  message.view.height = static_cast<int>(height);
+  message.state.view.width = static_cast<int>(width);
+  message.state.view.height = static_cast<int>(height);
   read_numbers(in, numbers_of(message, symmetric));
-  expect_not_negative(in, message.pixel_error, "the pixel error");
+  expect_not_negative(in, message.state.pixel_error, "the pixel error");
   if (symmetric) {
     camera.right = -camera.left;
     camera.top = -camera.bottom;

@@ -3,7 +3,7 @@
 
 #include "lod/draw_rank.hpp"
 #include "protocol/role.hpp"
-#include "scene/camera.hpp"
+#include "scene/frame_state.hpp"
 #include "visibility/visible_set.hpp"
 
 #include <cstddef>
@@ -33,11 +33,10 @@ struct Hello {
 /// From the render node to both switch nodes: frame i is to be seen so.
 struct CameraMessage {
   uint32_t frame = 0;
-  View view;
-  double pixel_error = 1;  ///< pixels; 0 asks for full detail
-  bool last = false;       ///< no frame follows
+  FrameState state;
+  bool last = false;  ///< no frame follows
   /// Not a frame, but what one will be like: switch nodes get their geometry ready and say so.
-  bool rehearsal = false;
+  bool warm_up = false;
   bool operator==(const CameraMessage&) const = default;
 };
 
@@ -100,7 +99,7 @@ struct Bye {
   bool operator==(const Bye&) const = default;
 };
 
-/// From a switch node to the render node: the rehearsal of the frame is over, frames can come.
+/// From a switch node to the render node: the warm-up of the frame is over, frames can come.
 struct Ready {
   uint32_t frame = 0;
   bool operator==(const Ready&) const = default;

@@ -80,7 +80,7 @@ RC_GTEST_PROP(DeltaCodec, what_is_cut_short_or_flipped_is_refused_or_told_by_the
   } catch (const Error&) {
     RC_SUCCEED("refused");
   }
-  const auto digest = [](const VisibleSet& set) { return frame_digest(3, View{}, 1, 7, set); };
+  const auto digest = [](const VisibleSet& set) { return frame_digest(3, {}, 7, set); };
   RC_ASSERT((digest(found) == digest(after)) == (found == after));
 }
 

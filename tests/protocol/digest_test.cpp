@@ -7,18 +7,18 @@ namespace {
 
 TEST(FrameDigest, the_same_frame_has_the_same_digest) {
   const View view{{{1, 2, 3}, {4, 5, 6}, {0, 0, 1}, -1, 1, -1, 1, 0.1}, 512, 512};
-  EXPECT_EQ(frame_digest(7, view, 1.0, 99, {1, 2, 3}), frame_digest(7, view, 1.0, 99, {1, 2, 3}));
+  EXPECT_EQ(frame_digest(7, {view, 1.0}, 99, {1, 2, 3}), frame_digest(7, {view, 1.0}, 99, {1, 2, 3}));
 }
 
 TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
   const View view{{{1, 2, 3}, {4, 5, 6}, {0, 0, 1}, -1, 1, -1, 1, 0.1}, 512, 512};
-  const uint64_t digest = frame_digest(7, view, 1.0, 99, {1, 2, 3});
-  EXPECT_NE(frame_digest(8, view, 1.0, 99, {1, 2, 3}), digest);
-  EXPECT_NE(frame_digest(7, view, 2.0, 99, {1, 2, 3}), digest);
-  EXPECT_NE(frame_digest(7, view, 1.0, 98, {1, 2, 3}), digest);
-  EXPECT_NE(frame_digest(7, view, 1.0, 99, {1, 2}), digest);
-  EXPECT_NE(frame_digest(7, view, 1.0, 99, {1, 2, 4}), digest);
-  EXPECT_NE(frame_digest(7, view, 1.0, 99, {}), digest);
+  const uint64_t digest = frame_digest(7, {view, 1.0}, 99, {1, 2, 3});
+  EXPECT_NE(frame_digest(8, {view, 1.0}, 99, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 2.0}, 99, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0}, 98, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2, 4}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {}), digest);
   for (int field = 0; field < 8; ++field) {
     View other = view;
     if (field == 0) other.camera.eye.x = 1.0000000000000002;
@@ -29,7 +29,7 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
     if (field == 5) other.width = 513;
     if (field == 6) other.height = 511;
     if (field == 7) other.camera.projection = Projection::orthographic;
-    EXPECT_NE(frame_digest(7, other, 1.0, 99, {1, 2, 3}), digest) << field;
+    EXPECT_NE(frame_digest(7, {other, 1.0}, 99, {1, 2, 3}), digest) << field;
   }
 }
 

@@ -48,7 +48,7 @@ TEST(Wire, every_type_of_message_comes_back) {
 
 TEST(Wire, an_orthographic_camera_comes_back_whether_or_not_it_is_the_last) {
   for (const bool last : {false, true}) {
-    const Message message = CameraMessage{13, sample_orthographic_view(), 1, last};
+    const Message message = CameraMessage{13, {sample_orthographic_view(), 1}, last};
     EXPECT_TRUE(decode(encode(message), "peer") == message);
   }
 }
@@ -70,14 +70,14 @@ TEST(Wire, a_delta_after_which_everything_is_decided_spends_nothing_on_its_water
 
 TEST(Wire, bodies_are_as_long_as_documented) {
   CameraMessage walk{1, {}, 1, false};
-  walk.view.width = walk.view.height = 512;
-  walk.view.camera = {.eye = {1 / 3.0, 2 / 3.0, 4 / 3.0},
-                      .target = {1 / 7.0, 2 / 7.0, 3 / 7.0},
-                      .up = {0, 1, 0},
-                      .near = 0.1};
-  set_field_of_view(walk.view.camera, 60, 1);
+  walk.state.view.width = walk.state.view.height = 512;
+  walk.state.view.camera = {.eye = {1 / 3.0, 2 / 3.0, 4 / 3.0},
+                            .target = {1 / 7.0, 2 / 7.0, 3 / 7.0},
+                            .up = {0, 1, 0},
+                            .near = 0.1};
+  set_field_of_view(walk.state.view.camera, 60, 1);
   EXPECT_EQ(encode(walk).size(), header_bytes + 88) << "camera";
-  walk.view.camera.left *= 2;
+  walk.state.view.camera.left *= 2;
   EXPECT_EQ(encode(walk).size(), header_bytes + 88 + 1 + 16) << "camera of a lopsided frustum";
   const Sentinel sentinel{
       .frame = 1,
@@ -109,11 +109,11 @@ RC_GTEST_PROP(Wire, cameras_come_back_to_the_bit, (uint32_t frame, bool last)) {
                               [](double value) { return std::abs(value) < 1e100; });
   };
   CameraMessage message{frame, sample_view(), std::abs(finite()), last};
-  message.view.camera.eye = {finite(), finite(), finite()};
-  message.view.camera.target =
-      message.view.camera.eye + glm::dvec3(std::abs(message.view.camera.eye.x) + 1, 0, 0);
-  message.view.width = *rc::gen::inRange(1, 32769);
-  message.view.height = *rc::gen::inRange(1, 32769);
+  message.state.view.camera.eye = {finite(), finite(), finite()};
+  message.state.view.camera.target =
+      message.state.view.camera.eye + glm::dvec3(std::abs(message.state.view.camera.eye.x) + 1, 0, 0);
+  message.state.view.width = *rc::gen::inRange(1, 32769);
+  message.state.view.height = *rc::gen::inRange(1, 32769);
   RC_ASSERT(decode(encode(message), "peer") == Message(message));
 }
 
@@ -207,18 +207,18 @@ TEST(Wire, refusals_name_the_peer_and_the_frame) {
 
 TEST(Wire, a_camera_without_a_direction_is_refused) {
   CameraMessage message{1, sample_view(), 1, false};
-  message.view.camera.target = message.view.camera.eye;
+  message.state.view.camera.target = message.state.view.camera.eye;
   EXPECT_NE(refusal_of(encode(message)).find("no direction"), std::string::npos);
 }
 
 TEST(Wire, a_camera_that_is_not_a_number_is_refused) {
   CameraMessage message{1, sample_view(), 1, false};
-  message.view.camera.eye.y = std::numeric_limits<double>::quiet_NaN();
+  message.state.view.camera.eye.y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal_of(encode(message)), "");
   message = {1, sample_view(), std::numeric_limits<double>::infinity(), false};
   EXPECT_NE(refusal_of(encode(message)), "");
   message = {1, sample_view(), 1, false};
-  message.view.width = 0;
+  message.state.view.width = 0;
   EXPECT_NE(refusal_of(encode(message)), "");
 }
 
