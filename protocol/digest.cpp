@@ -1,7 +1,10 @@
 #include "protocol/digest.hpp"
 
-#include "base/bytes.hpp"
 #include "base/hashing.hpp"
+
+#include <array>
+#include <cassert>
+#include <cstring>
 
 namespace triptych {
 
@@ -9,20 +12,26 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
                       const VisibleSet& visible) {
   const View& view = state.view;
   const Camera& camera = view.camera;
-  ByteWriter fields;
-  fields.write(frame);
+  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 8> fields;
+  std::byte* end = fields.data();
+  const auto add = [&](const auto& value) {
+    std::memcpy(end, &value, sizeof(value));
+    end += sizeof(value);
+  };
+  add(frame);
   for (const auto* vector : {&camera.eye, &camera.target, &camera.up}) {
-    for (int axis = 0; axis < 3; ++axis) fields.write((*vector)[axis]);
+    for (int axis = 0; axis < 3; ++axis) add((*vector)[axis]);
   }
   for (const double value :
        {camera.left, camera.right, camera.bottom, camera.top, camera.near, state.pixel_error}) {
-    fields.write(value);
+    add(value);
   }
-  fields.write(static_cast<uint8_t>(camera.projection));
-  fields.write(view.width);
-  fields.write(view.height);
-  fields.write(pack_hash);
-  return hash_values(std::span<const DrawableId>(visible), hash_bytes(fields.bytes()));
+  add(static_cast<uint8_t>(camera.projection));
+  add(view.width);
+  add(view.height);
+  add(pack_hash);
+  assert(end == fields.data() + fields.size());
+  return hash_values(std::span<const DrawableId>(visible), hash_bytes(fields));
 }
 
 }  // namespace triptych

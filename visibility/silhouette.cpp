@@ -1,8 +1,8 @@
 #include "visibility/silhouette.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <vector>
 
 namespace triptych {
 
@@ -16,19 +16,28 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// Of few points, without memory of its own: a box has eight corners.
+struct Hull {
+  std::array<glm::dvec2, 2 * max_outline_points> points;
+  size_t count = 0;
+
+  void add(const glm::dvec2& point, size_t least) {
+    while (count >= least + 2 && turn(points[count - 2], points[count - 1], point) <= 0) --count;
+    points[count++] = point;
+  }
+};
+
 /// Counter-clockwise (Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979).
-std::vector<glm::dvec2> convex_hull(std::span<const glm::dvec2> points) {
-  std::vector<glm::dvec2> sorted(points.begin(), points.end()), hull;
-  std::sort(sorted.begin(), sorted.end(),
+Hull convex_hull(std::span<const glm::dvec2> points) {
+  std::array<glm::dvec2, max_outline_points> sorted;
+  const auto end = std::copy(points.begin(), points.end(), sorted.begin());
+  std::sort(sorted.begin(), end,
             [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  const auto add = [&](const glm::dvec2& point, size_t least) {
-    while (hull.size() >= least + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
-    hull.push_back(point);
-  };
-  for (const glm::dvec2& point : sorted) add(point, 0);
-  const size_t lower = hull.size() - 1;
-  for (size_t i = sorted.size() - 1; i-- > 0;) add(sorted[i], lower);
-  hull.pop_back();  // the first one again
+  Hull hull;
+  for (size_t i = 0; i < points.size(); ++i) hull.add(sorted[i], 0);
+  const size_t lower = hull.count - 1;
+  for (size_t i = points.size() - 1; i-- > 0;) hull.add(sorted[i], lower);
+  --hull.count;  // the first one again
   return hull;
 }
 
@@ -36,13 +45,15 @@ std::vector<glm::dvec2> convex_hull(std::span<const glm::dvec2> points) {
 
 std::array<HalfPlane, 4> silhouette(std::span<const glm::dvec2> points, const glm::dvec2& margin) {
   std::array<HalfPlane, 4> sides;
+  assert(points.size() <= max_outline_points);
   if (points.size() < 3) return sides;
   glm::dvec2 lo = points[0], hi = points[0];
   for (const glm::dvec2& point : points) {
     lo = {std::min(lo.x, point.x), std::min(lo.y, point.y)};
     hi = {std::max(hi.x, point.x), std::max(hi.y, point.y)};
   }
-  const std::vector<glm::dvec2> hull = convex_hull(points);
+  const Hull outline = convex_hull(points);
+  const std::span<const glm::dvec2> hull(outline.points.data(), outline.count);
   std::array<double, 4> most_cut{};  // of each corner, twice the area
   for (size_t i = 0; i < hull.size(); ++i) {
     const glm::dvec2 from = hull[i], to = hull[(i + 1) % hull.size()];

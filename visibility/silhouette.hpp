@@ -15,6 +15,9 @@ struct HalfPlane {
   float at(float x, float y) const { return normal.x * x + normal.y * y + offset; }
 };
 
+/// silhouette() takes no more points.
+inline constexpr size_t max_outline_points = 16;
+
 /// Half-planes that hold all the points: for each corner of the rectangle around them the side of their
 /// convex hull that cuts the most off there, if any does. They are moved outwards, so that each holds
 /// whatever is at most `margin` away from a point, horizontally and vertically. Points in normalised device

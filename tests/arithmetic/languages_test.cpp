@@ -1,5 +1,6 @@
 // In a program that speaks a language with a decimal comma, or that rounds otherwise, the same files give the
 // same bytes.
+#include "base/file.hpp"
 #include "model/import/import.hpp"
 #include "preprocess/build.hpp"
 #include "preprocess/check/check.hpp"
