@@ -1,12 +1,12 @@
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
+#include "base/signals.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/session_flags.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"
-#include "nodes/inbox.hpp"
 #include "nodes/local_pipeline.hpp"
 
 #include <fmt/core.h>

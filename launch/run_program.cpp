@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/inject.hpp"
+#include "base/signals.hpp"
 #include "base/threads.hpp"
-#include "nodes/inbox.hpp"
 #include "session/child_processes.hpp"
 
 namespace triptych {

@@ -1,8 +1,8 @@
 #include "measure/path_deviation.hpp"
 
 #include "base/error.hpp"
+#include "base/signals.hpp"
 #include "lod/cut.hpp"
-#include "nodes/inbox.hpp"
 #include "preprocess/check/check_distances.hpp"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_repr
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceNames, vendor, renderer, version)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Waiting, messages, bytes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Backlog, messages, bytes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerClock, peer, ahead_ms, uncertainty_ms)
 
 std::string socket_name(Role from, Role to, Channel channel) {
@@ -74,7 +74,7 @@ void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>
   }
 }
 
-void add_waiting(Waiting& most, const Waiting& more) {
+void add_backlog(Backlog& most, const Backlog& more) {
   most.messages = std::max(most.messages, more.messages);
   most.bytes = std::max(most.bytes, more.bytes);
 }
@@ -104,7 +104,7 @@ json to_json(const RoleRecord& record) {
 
 void add_record(RoleRecord& sum, const RoleRecord& record) {
   add_sockets(sum.sockets, record.sockets);
-  add_waiting(sum.most_waiting, record.most_waiting);
+  add_backlog(sum.most_waiting, record.most_waiting);
   sum.gl = record.gl;
   sum.raster = record.raster;
   sum.timeline.process = record.timeline.process;
@@ -130,7 +130,7 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
             document.at("raster").get<std::string>(),
             document.at("timeline").get<ProcessTimeline>(),
             document.at("clocks").get<std::vector<PeerClock>>(),
-            document.at("most_waiting").get<Waiting>()};
+            document.at("most_waiting").get<Backlog>()};
   } catch (const json::exception& error) {
     fail(place, "is no role's record: {}", error.what());
   }

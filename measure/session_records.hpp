@@ -47,7 +47,7 @@ struct RoleRecord {
   std::string raster;  ///< verdict of the role's raster certificate
   ProcessTimeline timeline;
   std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own
-  Waiting most_waiting{};         ///< the most that had come to it and was not used yet
+  Backlog most_waiting{};         ///< the most that had come to it and was not used yet
 };
 
 /// What this process kept so far.
@@ -59,7 +59,7 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox);
 void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>& more);
 
 /// The larger of both, of messages and of bytes.
-void add_waiting(Waiting& most, const Waiting& more);
+void add_backlog(Backlog& most, const Backlog& more);
 
 nlohmann::json to_json(const FrameRecord& record);
 /// Error (place) for JSON that is no frame's record.

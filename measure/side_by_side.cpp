@@ -2,7 +2,7 @@
 
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
-#include "nodes/inbox.hpp"
+#include "base/signals.hpp"
 
 #include <memory>
 

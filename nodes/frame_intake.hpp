@@ -3,6 +3,7 @@
 #pragma once
 
 #include "nodes/inbox.hpp"
+#include "nodes/session_rules.hpp"
 #include "scene/frame_state.hpp"
 #include "visibility/visible_stream.hpp"
 
@@ -20,9 +21,10 @@ struct IntakeResult {
 
 /// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i)
 /// in draw rank order as they are decided. After a digest mismatch what was decided counts for nothing: draw
-/// `visible` anew. PeerLost if the full set does not match its digest either.
-IntakeResult take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_hash, const FrameRequest& frame,
-                        const VisibleSet& previous,
-                        const std::function<void(const std::vector<DrawableId>&)>& decided);
+/// `visible` anew. HC is lost if the full set does not match its digest either.
+Awaited<IntakeResult> take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_hash,
+                                 const FrameRequest& frame, const VisibleSet& previous,
+                                 const std::function<void(const std::vector<DrawableId>&)>& decided,
+                                 const SessionRules& rules = {});
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 // The render node's switch nodes: found in the background, got ready, lost, and found again.
 #pragma once
 
+#include "nodes/frame_source.hpp"
 #include "nodes/inbox.hpp"
 #include "scene/frame_state.hpp"
 
@@ -14,8 +15,8 @@
 
 namespace triptych {
 
-/// An epoch is a stretch of frames that all three roles play together. Before it both switch nodes are
-/// connected, in a thread of its own, and rehearse the frame at hand; the render node draws by itself
+/// An epoch is a stretch of frames that all three roles draw together. Before it both switch nodes are
+/// connected, in a thread of its own, and warm up with the frame at hand; the render node draws by itself
 /// meanwhile. Whatever goes wrong with either of them ends the epoch for both, and the search begins anew.
 /// For one thread.
 class Peers {
@@ -23,13 +24,9 @@ class Peers {
   /// Connects both switch nodes; returns nothing once `stop`, asked several times a second, says so. Called
   /// in another thread.
   using Connect = std::function<std::unique_ptr<Mailbox>(const std::function<bool()>& stop)>;
-  /// Hears of the end of each connection.
-  using OnEnd = std::function<void(const Mailbox&, const std::string& reason)>;
 
-  /// Hears of both peers' clocks at the beginning of each epoch.
-  using OnClocks = std::function<void(const std::vector<PeerClock>&)>;
-
-  explicit Peers(Connect connect, OnEnd on_end = {}, OnClocks on_clocks = {});
+  /// sink: hears of clocks and of the end of each connection. stop: whether this process is to end.
+  Peers(Connect connect, FrameSink& sink, std::function<bool()> stop);
   ~Peers();
   Peers(const Peers&) = delete;
   Peers& operator=(const Peers&) = delete;
@@ -37,15 +34,16 @@ class Peers {
   /// Looks after the search, without waiting. next: the frame at hand. True once an epoch may begin with it;
   /// then inbox() is there, and nothing was sent of the epoch yet.
   bool look(const FrameRequest& next);
-  /// Waits for the first epoch. What connect throws is thrown here; SessionEnded where a signal asks to stop.
-  void wait(const FrameRequest& first);
+  /// Waits for the first epoch; false where this process is to end before. What connect throws is thrown
+  /// here.
+  [[nodiscard]] bool wait(const FrameRequest& first);
 
   /// The peers' messages, during an epoch; otherwise null.
   Inbox* inbox() { return inbox_ ? &*inbox_ : nullptr; }
   const Inbox* inbox() const { return inbox_ ? &*inbox_ : nullptr; }
 
-  /// Ends the epoch because of what was thrown; the search begins anew, after a pause where peers that answer
-  /// too late come again and again.
+  /// Ends the epoch; the search begins anew, after a pause where peers that answer too late come again and
+  /// again.
   void lose(const std::string& reason, bool too_late);
   /// Says goodbye to whoever is there. Empty: the session is over.
   void leave(const std::string& reason);
@@ -54,22 +52,23 @@ class Peers {
 
  private:
   void search(std::chrono::milliseconds pause);
-  void rehearse(const FrameRequest& frame);
+  void take_up_search(const FrameRequest& next);
+  std::optional<Ending> warm_up(const FrameRequest& frame);
   /// Takes in what they say; true when both are ready.
-  bool both_ready();
-  void compare_clocks();
+  Awaited<bool> both_ready();
+  std::optional<Ending> compare_clocks();
   void close(const std::string& reason);
 
   Connect connect_;
-  OnEnd on_end_;
-  OnClocks on_clocks_;
-  std::atomic<bool> stop_{false};
+  FrameSink& sink_;
+  std::function<bool()> stop_;
+  std::atomic<bool> leaving_{false};
   std::future<std::unique_ptr<Mailbox>> search_;
   std::unique_ptr<Mailbox> mailbox_;
   std::optional<Inbox> inbox_;
   std::set<Role> ready_;
   bool patient_ = true;                          ///< what keeps the peers away may pass
-  std::chrono::steady_clock::time_point since_;  ///< of the rehearsal, or of the epoch
+  std::chrono::steady_clock::time_point since_;  ///< of the warm-up, or of the epoch
   uint32_t too_late_ = 0;                        ///< short epochs in a row that ended so
   uint64_t epochs_ = 0;
 };

@@ -1,7 +1,6 @@
 #include "nodes/render_node.hpp"
 
 #include "base/clock.hpp"
-#include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "base/timeline.hpp"
 #include "nodes/frame_intake.hpp"
@@ -30,31 +29,37 @@ uint64_t level_changes(const Skeleton& skeleton, const VisibleSet& before, const
 
 class RenderNode {
  public:
-  RenderNode(const Pack& pack, const FrameSource& frames, const RenderNodeOptions& options)
+  RenderNode(const Pack& pack, FrameSource& source, FrameSink& sink, const RenderNodeOptions& options)
       : pack_(pack),
-        frames_(frames),
+        source_(source),
+        sink_(sink),
+        numbers_(source.numbers()),
         options_(options),
         stages_(pack, {.width = 1,
                        .height = 1,
                        .batches = options.cull,
                        .device = options.device,
                        .rules = options.rules}),
-        peers_(options.connect, options.on_epoch_end, options.on_clocks) {}
+        peers_(options.connect, sink, options.stop) {}
 
+  /// Until the last frame, or until this process is to end.
   void run() {
-    first_ = frames_.frame(frames_.first);
+    first_ = source_.next(numbers_.first);
     if (options_.begin_alone) {
       lost_ = "the render node before this one ended";
-    } else {
-      peers_.wait(*first_);
+    } else if (!peers_.wait(*first_)) {
+      return;
     }
     clock_.restart();
-    while (next_release_ < frames_.count || !released_.empty()) {
-      if (stop_requested()) throw SessionEnded();
-      while (released_.size() < in_flight && next_release_ < frames_.count && ready()) release();
-      if (released_.empty() && frames_.finished && frames_.finished()) return;
+    while (next_release_ < numbers_.count || !released_.empty()) {
+      while (released_.size() < in_flight && next_release_ < numbers_.count && ready()) {
+        if (!wait_until_due()) return;
+        release();
+      }
+      if (options_.stop()) return;
+      if (released_.empty() && source_.finished()) return;
       if (released_.empty()) continue;
-      draw(released_.front());
+      if (!draw(released_.front())) return;
       released_.pop_front();
     }
   }
@@ -74,41 +79,43 @@ class RenderNode {
     double sent_ms;  ///< how much later switch nodes heard of it
   };
 
-  bool ready() const { return first_ || !frames_.ready || frames_.ready(released_.empty()); }
+  bool ready() { return first_ || source_.ready(released_.empty()); }
 
-  /// The first frame was asked for before its release, for the rehearsal.
+  /// The first frame was asked for before its release, for the warm-up.
   FrameRequest next_frame(uint32_t number) {
-    return first_ ? *std::exchange(first_, std::nullopt) : frames_.frame(number);
+    return first_ ? *std::exchange(first_, std::nullopt) : source_.next(number);
+  }
+
+  /// Until the next camera is to be released; false where this process is to end before.
+  [[nodiscard]] bool wait_until_due() const {
+    if (options_.rate <= 0) return !options_.stop();
+    const double due_ms = static_cast<double>(next_release_ - numbers_.first) * 1000 / options_.rate;
+    for (;;) {
+      if (options_.stop()) return false;
+      const double left_ms = due_ms - clock_.milliseconds();
+      if (left_ms <= 0) return true;
+      std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(std::min(50.0, left_ms)));
+    }
   }
 
   /// The next camera is due: the switch nodes hear of it.
   void release() {
-    const uint32_t i = next_release_++;
-    if (options_.rate > 0) {
-      const double due_ms = static_cast<double>(i - frames_.first) * 1000 / options_.rate;
-      while (clock_.milliseconds() < due_ms) {
-        if (stop_requested()) throw SessionEnded();
-        std::this_thread::sleep_for(
-            std::chrono::duration<double, std::milli>(std::min(50.0, due_ms - clock_.milliseconds())));
-      }
-    }
-    const FrameRequest frame = next_frame(i);
-    released_.push_back({frame, clock_.milliseconds(), 0});
+    const uint32_t number = next_release_++;
+    released_.push_back({next_frame(number), 0, 0});
+    released_.back().at_ms = clock_.milliseconds();
     if (!peers_.inbox()) return;
-    try {
-      send(released_.back());
-    } catch (const PeerLost& lost) {
-      lose(i, lost.what(), false);
-    }
+    if (const auto ending = send(released_.back())) lose(number, ending->reason, false);
   }
 
-  void send(Released& released) {
+  [[nodiscard]] std::optional<Ending> send(Released& released) {
     released.sent_ms = clock_.milliseconds() - released.at_ms;
     const FrameRequest& frame = released.request;
     const CameraMessage message{frame.number, frame.state.view, frame.state.pixel_error,
-                                frame.number + 1 == frames_.count};
-    for (const Role peer : {Role::switch_0, Role::switch_1})
-      peers_.inbox()->mailbox().send(peer, Channel::camera, message);
+                                frame.number + 1 == numbers_.count};
+    for (const Role peer : {Role::switch_0, Role::switch_1}) {
+      if (auto ending = peers_.inbox()->send(peer, Channel::camera, message)) return ending;
+    }
+    return std::nullopt;
   }
 
   void lose(uint32_t frame, const std::string& reason, bool too_late) {
@@ -117,9 +124,12 @@ class RenderNode {
     peers_.lose(reason, too_late);
   }
 
-  void draw(const Released& frame) {
+  /// False where this process is to end before the picture stands.
+  [[nodiscard]] bool draw(const Released& frame) {
     const VisibleSet before = visible_;
-    FrameRecord record = play(frame);
+    std::optional<FrameRecord> drawn = draw_somehow(frame);
+    if (!drawn) return false;
+    FrameRecord& record = *drawn;
     record.number = frame.request.number;
     record.lost = std::exchange(lost_, {});
     record.frame_ms = done_ms_ - (summary_.frames == 0 ? frame.at_ms : last_done_ms_);
@@ -130,31 +140,41 @@ class RenderNode {
     visible_ = record.visible;
     ++summary_.frames;
     summary_.alone += record.fallback;
-    if (options_.show) options_.show(frame.request, record, stages_);
+    sink_.show(frame.request, record, stages_);
     const TimelineScope scope("hand the picture over", frame.request.number);
-    if (options_.on_picture) options_.on_picture(std::move(record), stages_.target());
+    sink_.picture(std::move(record), stages_.target());
+    return true;
   }
 
-  FrameRecord play(const Released& frame) {
+  /// Together with the switch nodes where they are there, otherwise alone; nothing where this process is to
+  /// end.
+  std::optional<FrameRecord> draw_somehow(const Released& frame) {
     const uint32_t number = frame.request.number;
     const View& view = frame.request.state.view;
     if (const FrameTarget& target = stages_.target();
         target.width() != view.width || target.height() != view.height)
       stages_.resize(view.width, view.height);
-    try {
-      if (!peers_.inbox() && peers_.look(frame.request)) {
-        if (summary_.alone > 0) notice("render node: frame {}: both switch nodes are back", number);
-        visible_.clear();
-        for (Released& waiting : released_) send(waiting);
-      }
-      if (peers_.inbox()) return draw_together(frame);
-    } catch (const PeerLost& lost) {
-      lose(number, lost.what(), lost.too_late);
-    } catch (const SessionEnded&) {
-      if (stop_requested()) throw;
-      lose(number, "a switch node left", false);
+    if (!peers_.inbox() && peers_.look(frame.request)) begin_epoch(number);
+    if (options_.stop()) return std::nullopt;
+    if (peers_.inbox()) {
+      Awaited<FrameRecord> record = draw_together(frame);
+      if (record) return std::move(*record);
+      const Ending& ending = record.ending();
+      if (ending.cause == Ending::Cause::stopped) return std::nullopt;
+      const bool left = ending.cause == Ending::Cause::session_over;
+      lose(number, left ? "a switch node left" : ending.reason, ending.too_late);
     }
     return draw_alone(frame.request);
+  }
+
+  /// The cameras that are out already are this epoch's first.
+  void begin_epoch(uint32_t number) {
+    if (summary_.alone > 0) notice("render node: frame {}: both switch nodes are back", number);
+    visible_.clear();
+    for (Released& released : released_) {
+      const auto ending = send(released);
+      if (ending) return lose(number, ending->reason, ending->too_late);
+    }
   }
 
   FrameRecord draw_alone(const FrameRequest& frame) {
@@ -165,13 +185,13 @@ class RenderNode {
     return record;
   }
 
-  FrameRecord draw_together(const Released& released) {
+  Awaited<FrameRecord> draw_together(const Released& released) {
     const FrameRequest& frame = released.request;
     PictureStage& picture = stages_.picture();
     double drawing_ms = 0;
     const auto draw_more = [&](const std::vector<DrawableId>& drawables) {
       const Stopwatch stopwatch;
-      dawdle(Fault::slow_render_node);
+      options_.session_rules.slow_down();
       picture.draw(drawables);
       drawing_ms += stopwatch.milliseconds();
     };
@@ -179,8 +199,10 @@ class RenderNode {
     const FrameView view(pack_.skeleton(), frame.state, options_.rules);
     picture.begin(view, frame.number);
     inbox.limit_waiting(options_.timeout);
-    IntakeResult intake =
-        take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more);
+    Awaited<IntakeResult> taken = take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_,
+                                             draw_more, options_.session_rules);
+    if (!taken) return taken.ending();
+    IntakeResult& intake = *taken;
     if (intake.digest_mismatch) {
       std::vector<DrawableId> ordered = intake.visible;
       sort_by_rank(pack_.skeleton(), view.cell, ordered);
@@ -188,7 +210,7 @@ class RenderNode {
       draw_more(ordered);
     }
     const Stopwatch finishing;
-    dawdle(Fault::slow_render_node);
+    options_.session_rules.slow_down();
     picture.finish();
     done_ms_ = clock_.milliseconds();
     FrameRecord record;
@@ -230,12 +252,14 @@ class RenderNode {
   }
 
   const Pack& pack_;
-  const FrameSource& frames_;
+  FrameSource& source_;
+  FrameSink& sink_;
+  FrameSource::Numbers numbers_;
   const RenderNodeOptions& options_;
   LocalPipeline stages_;
   Peers peers_;
   Stopwatch clock_;
-  uint32_t next_release_ = frames_.first;
+  uint32_t next_release_ = numbers_.first;
   std::deque<Released> released_;      ///< cameras that are out, their pictures not yet
   std::optional<FrameRequest> first_;  ///< until it is released
   double done_ms_ = 0, last_done_ms_ = 0;
@@ -246,18 +270,16 @@ class RenderNode {
 
 }  // namespace
 
-RenderNodeSummary run_render_node(const Pack& pack, const FrameSource& frames,
+RenderNodeSummary run_render_node(const Pack& pack, FrameSource& source, FrameSink& sink,
                                   const RenderNodeOptions& options) {
-  RenderNode node(pack, frames, options);
+  RenderNode node(pack, source, sink, options);
   try {
     node.run();
-    node.leave("");
-  } catch (const SessionEnded&) {
-    node.leave("");
   } catch (const std::exception& error) {
     node.leave(error.what());
     throw;
   }
+  node.leave("");
   return node.summary();
 }
 

@@ -39,7 +39,7 @@ std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
   const Message& message = recorded.message;
   if (const auto* camera = std::get_if<CameraMessage>(&message)) {
     if (recorded.peer == Role::render) return {draw_alone(*camera)};
-    if (camera->rehearsal) {
+    if (camera->warm_up) {
       forget_epoch();
     } else {
       cameras_[camera->frame] = {camera->frame, {camera->view, camera->pixel_error}};

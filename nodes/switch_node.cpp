@@ -1,7 +1,6 @@
 #include "nodes/switch_node.hpp"
 
 #include "base/clock.hpp"
-#include "base/inject.hpp"
 #include "nodes/frame_intake.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
@@ -14,8 +13,8 @@ namespace triptych {
 namespace {
 
 /// What lasts longer than an epoch.
-struct Workshop {
-  Workshop(const Pack& of_pack, Role role, const SwitchNodeOptions& with)
+struct LastingState {
+  LastingState(const Pack& of_pack, Role role, const SwitchNodeOptions& with)
       : pack(of_pack),
         self(role),
         options(with),
@@ -33,26 +32,31 @@ struct Workshop {
 
 class Epoch {
  public:
-  Epoch(Workshop& workshop, Mailbox& mailbox)
-      : shop_(workshop),
-        inbox_(mailbox),
-        peer_(workshop.self == Role::switch_0 ? Role::switch_1 : Role::switch_0) {
-    inbox_.answer_full_set = [this](Role asking, uint32_t frame) { answer(asking, frame); };
-  }
+  Epoch(LastingState& node, Mailbox& mailbox)
+      : node_(node),
+        inbox_(mailbox, &sets_, node.options.stop),
+        peer_(node.self == Role::switch_0 ? Role::switch_1 : Role::switch_0) {}
 
-  [[noreturn]] void run() {
-    camera_ = inbox_.first_camera();
-    for (; camera_.rehearsal; camera_ = inbox_.first_camera()) rehearse();
-    if (hardware_cull_role(camera_.frame) == shop_.self) begin(camera_);
+  Ending run() {
+    for (;;) {
+      const Awaited<CameraMessage> first = inbox_.first_camera();
+      if (!first) return first.ending();
+      camera_ = *first;
+      if (!camera_.warm_up) break;
+      if (const auto ending = warm_up()) return *ending;
+    }
+    if (hardware_cull_role(camera_.frame) == node_.self) begin(camera_);
     for (uint32_t frame = camera_.frame;; ++frame) {
-      if (hardware_cull_role(frame) == shop_.self) {
-        cull(frame);
-        if (camera_.last) inbox_.wait_for_end();
+      if (hardware_cull_role(frame) == node_.self) {
+        if (const auto ending = cull(frame)) return *ending;
+        if (camera_.last) return inbox_.wait_for_end();
         // This node is OR in the next frame, whose camera it wants next.
-        camera_ = inbox_.camera(frame + 1);
+        const Awaited<CameraMessage> next = inbox_.camera(frame + 1);
+        if (!next) return next.ending();
+        camera_ = *next;
       } else {
-        if (camera_.last) inbox_.wait_for_end();
-        represent(frame);
+        if (camera_.last) return inbox_.wait_for_end();
+        if (const auto ending = represent(frame)) return *ending;
       }
     }
   }
@@ -63,145 +67,152 @@ class Epoch {
   }
 
   void begin(const CameraMessage& camera) {
-    if (!shop_.stage || shop_.width != camera.view.width || shop_.height != camera.view.height) {
-      shop_.width = camera.view.width;
-      shop_.height = camera.view.height;
-      shop_.stage.emplace(shop_.device.skeleton(), shop_.device.device(), *shop_.strategy, shop_.width,
-                          shop_.height, shop_.options.rules);
+    if (!node_.stage || node_.width != camera.view.width || node_.height != camera.view.height) {
+      node_.width = camera.view.width;
+      node_.height = camera.view.height;
+      node_.stage.emplace(node_.device.skeleton(), node_.device.device(), *node_.strategy, node_.width,
+                          node_.height, node_.options.rules);
     }
-    shop_.stage->begin(request(camera));
+    node_.stage->begin(request(camera));
   }
 
   /// Does what the frame will want, so that its geometry and programs are on the graphics card.
-  void rehearse() {
+  std::optional<Ending> warm_up() {
     begin(camera_);
     NoSink nobody;
-    const VisibleSet visible = shop_.stage->cull({}, nobody).visible;
+    const VisibleSet visible = node_.stage->cull({}, nobody).visible;
     begin(camera_);
-    shop_.stage->represent(visible);
-    shop_.stage->finish();
-    inbox_.mailbox().send(Role::render, Channel::nodes, Ready{camera_.frame});
+    node_.stage->represent(visible);
+    node_.stage->finish();
+    return inbox_.send(Role::render, Channel::nodes, Ready{camera_.frame});
   }
 
-  void be_slow() const {
-    if (shop_.self == Role::switch_1) dawdle(Fault::slow_switch_node);
+  /// To OR and to the render node.
+  std::optional<Ending> send_to_both(const Message& message) {
+    if (auto ending = inbox_.send(peer_, Channel::nodes, message)) return ending;
+    return inbox_.send(Role::render, Channel::nodes, message);
   }
 
-  /// Sends each packet of a frame to the other two as it is decided.
+  /// Sends each packet of a frame to the other two as it is decided, until one of them is gone.
   class PacketSender final : public CullSink {
    public:
     PacketSender(Epoch& epoch, uint32_t frame, Sentinel& sentinel)
         : epoch_(epoch), frame_(frame), sentinel_(sentinel) {}
     void take(const CullPacket& packet) override {
+      if (ending_) return;  // nobody hears the rest
+      const SessionRules& rules = epoch_.node_.options.session_rules;
       sentinel_.added += static_cast<uint32_t>(packet.delta.added.size());
       sentinel_.removed += static_cast<uint32_t>(packet.delta.removed.size());
       VisibleDelta delta = packet.delta;
-      if (injected(Fault::wrong_delta) && !delta.added.empty()) delta.added.pop_back();
-      const DeltaMessage message{frame_, packet.watermark, encode_delta(delta, epoch_.visible_)};
-      epoch_.be_slow();
-      epoch_.inbox_.mailbox().send(epoch_.peer_, Channel::nodes, message);
-      epoch_.inbox_.mailbox().send(Role::render, Channel::nodes, message);
+      if (rules.withholds_added && !delta.added.empty()) delta.added.pop_back();
+      rules.slow_down();
+      ending_ = epoch_.send_to_both(
+          DeltaMessage{frame_, packet.watermark, encode_delta(delta, epoch_.sets_.latest())});
     }
+    const std::optional<Ending>& ending() const { return ending_; }
 
    private:
     Epoch& epoch_;
     uint32_t frame_;
     Sentinel& sentinel_;
+    std::optional<Ending> ending_;
   };
 
   /// HC in frame i: R(i) stands, V(i−1) is known.
-  void cull(uint32_t frame) {
+  std::optional<Ending> cull(uint32_t frame) {
     const Stopwatch stopwatch;
     Sentinel sentinel{.frame = frame, .visible = 0, .added = 0, .removed = 0, .digest = 0, .times = {}};
     PacketSender sender(*this, frame, sentinel);
-    const CullResult& result = shop_.stage->cull(visible_, sender);
-    previous_visible_ = std::move(visible_);
-    visible_ = result.visible;
-    visible_frame_ = frame;
-    sentinel.visible = static_cast<uint32_t>(visible_.size());
+    const CullResult& result = node_.stage->cull(sets_.latest(), sender);
+    if (sender.ending()) return sender.ending();
+    sets_.add(frame, result.visible);
+    sentinel.visible = static_cast<uint32_t>(result.visible.size());
     sentinel.digest =
-        frame_digest(frame, camera_.view, camera_.pixel_error, shop_.pack.content_hash(), visible_);
+        frame_digest(frame, camera_.view, camera_.pixel_error, node_.pack.content_hash(), result.visible);
     sentinel.times = {.hardware_cull_ms = to_the_microsecond(stopwatch.milliseconds()),
                       .queries = static_cast<uint32_t>(result.tests),
                       .cut_size = static_cast<uint32_t>(result.selected),
                       .sent_at_ms = to_the_microsecond(steady_milliseconds())};
-    inbox_.mailbox().send(peer_, Channel::nodes, sentinel);
-    inbox_.mailbox().send(Role::render, Channel::nodes, sentinel);
-    ++shop_.summary.culled;
+    if (auto lost = send_to_both(sentinel)) return lost;
+    ++node_.summary.culled;
+    return std::nullopt;
   }
 
   /// OR in frame i: V(i) comes in, R(i+1) is drawn from it.
-  void represent(uint32_t frame) {
+  std::optional<Ending> represent(uint32_t frame) {
     const FrameRequest current = request(camera_);
     const Stopwatch waiting;
-    camera_ = inbox_.camera(frame + 1);
+    const Awaited<CameraMessage> next = inbox_.camera(frame + 1);
+    if (!next) return next.ending();
+    camera_ = *next;
     const double camera_waiting_ms = waiting.milliseconds();
     const double began_at_ms = steady_milliseconds();
     const Stopwatch whole;
     begin(camera_);
-    IntakeResult intake = take_frame(inbox_, shop_.pack.skeleton(), shop_.pack.content_hash(), current,
-                                     visible_, [&](const std::vector<DrawableId>& decided) {
-                                       be_slow();
-                                       shop_.stage->represent(decided);
-                                     });
-    be_slow();
-    if (intake.digest_mismatch) {
+    Awaited<IntakeResult> intake = take_frame(
+        inbox_, node_.pack.skeleton(), node_.pack.content_hash(), current, sets_.latest(),
+        [&](const std::vector<DrawableId>& decided) {
+          node_.options.session_rules.slow_down();
+          node_.stage->represent(decided);
+        },
+        node_.options.session_rules);
+    if (!intake) return intake.ending();
+    node_.options.session_rules.slow_down();
+    if (intake->digest_mismatch) {
       begin(camera_);
-      shop_.stage->represent(intake.visible);
+      node_.stage->represent(intake->visible);
     }
-    shop_.stage->finish();
-    const double represent_ms = whole.milliseconds() - intake.waiting_ms;
-    previous_visible_ = std::move(visible_);
-    visible_ = std::move(intake.visible);
-    visible_frame_ = frame;
-    inbox_.mailbox().send(Role::render, Channel::nodes,
-                          SwitchReport{.frame = frame,
-                                       .began_at_ms = to_the_microsecond(began_at_ms),
-                                       .occlusion_representation_ms = to_the_microsecond(represent_ms),
-                                       .camera_waiting_ms = to_the_microsecond(camera_waiting_ms),
-                                       .packets_waiting_ms = to_the_microsecond(intake.waiting_ms),
-                                       .drawables = static_cast<uint32_t>(shop_.stage->represented().size()),
-                                       .triangles = shop_.stage->represented_triangles()});
-    ++shop_.summary.represented;
+    node_.stage->finish();
+    const double represent_ms = whole.milliseconds() - intake->waiting_ms;
+    sets_.add(frame, std::move(intake->visible));
+    ++node_.summary.represented;
+    return inbox_.send(Role::render, Channel::nodes,
+                       SwitchReport{.frame = frame,
+                                    .began_at_ms = to_the_microsecond(began_at_ms),
+                                    .occlusion_representation_ms = to_the_microsecond(represent_ms),
+                                    .camera_waiting_ms = to_the_microsecond(camera_waiting_ms),
+                                    .packets_waiting_ms = to_the_microsecond(intake->waiting_ms),
+                                    .drawables = static_cast<uint32_t>(node_.stage->represented().size()),
+                                    .triangles = node_.stage->represented_triangles()});
   }
 
-  void answer(Role asking, uint32_t frame) {
-    const bool current = frame == visible_frame_;
-    if (!current && frame + 1 != visible_frame_) {
-      throw PeerLost(asking, fmt::format("asks for the visible set of frame {}, which is long over", frame));
-    }
-    inbox_.mailbox().send(asking, Channel::nodes, FullSet{frame, current ? visible_ : previous_visible_});
-  }
-
-  Workshop& shop_;
+  LastingState& node_;
+  RecentSets sets_;
   Inbox inbox_;
   Role peer_;
   CameraMessage camera_;  ///< of the frame at hand; after represent(), of the next one
-  VisibleSet visible_, previous_visible_;
-  uint32_t visible_frame_ = 0;
 };
 
 }  // namespace
 
-SwitchNodeSummary run_switch_node(const Pack& pack, Role self, const SwitchNodeOptions& options) {
-  Workshop workshop(pack, self, options);
+SwitchNodeSummary run_switch_node(const Pack& pack, Role self, EpochSink& sink,
+                                  const SwitchNodeOptions& options) {
+  LastingState node(pack, self, options);
   for (bool again = false;; again = true) {
     const std::unique_ptr<Mailbox> mailbox = options.connect(again);
-    if (!mailbox) return workshop.summary;
-    ++workshop.summary.epochs;
+    if (!mailbox) return node.summary;
+    ++node.summary.epochs;
+    Ending ending;
     try {
-      Epoch(workshop, *mailbox).run();
-    } catch (const SessionEnded&) {
-      // The session is over for the peers too, unless it is this role alone that was told to end.
-      mailbox->leave(stop_requested() ? "told to end" : "");
-      if (options.on_epoch_end) options.on_epoch_end(*mailbox, "");
-      return workshop.summary;
-    } catch (const PeerLost& lost) {
-      mailbox->leave(lost.what());
-      if (options.on_epoch_end) options.on_epoch_end(*mailbox, lost.what());
+      ending = Epoch(node, *mailbox).run();
     } catch (const std::exception& error) {
       mailbox->leave(error.what());
       throw;
+    }
+    switch (ending.cause) {
+      case Ending::Cause::peer_lost:
+        mailbox->leave(ending.reason);
+        sink.epoch_ended(*mailbox, ending.reason);
+        break;
+      // The session is over for the peers too, unless it is this role alone that was told to end.
+      case Ending::Cause::session_over:
+        mailbox->leave("");
+        sink.epoch_ended(*mailbox, "");
+        return node.summary;
+      case Ending::Cause::stopped:
+        mailbox->leave("told to end");
+        sink.epoch_ended(*mailbox, "");
+        return node.summary;
     }
   }
 }

@@ -1,10 +1,12 @@
 // A switch node: HC in every other frame, OR in the frames between, epoch after epoch.
 #pragma once
 
+#include "nodes/frame_source.hpp"
 #include "nodes/inbox.hpp"
 #include "nodes/injected_rules.hpp"
 #include "nodes/occlusion_stage.hpp"
 #include "nodes/pack_device.hpp"
+#include "nodes/session_rules.hpp"
 #include "visibility/hardware_cull.hpp"
 
 #include <functional>
@@ -15,12 +17,13 @@ namespace triptych {
 struct SwitchNodeOptions {
   DeviceOptions device = {};
   FrameRules rules = injected_frame_rules();
-  CullOptions cull;
+  CullOptions cull = {};
   /// Connects both peers: for the first epoch, or for another one after a loss. Nothing where the session is
   /// over.
-  std::function<std::unique_ptr<Mailbox>(bool again)> connect;
-  /// Called at the end of each epoch, with what ended it; empty at the end of the session.
-  std::function<void(const Mailbox&, const std::string& reason)> on_epoch_end;
+  std::function<std::unique_ptr<Mailbox>(bool again)> connect = {};
+  SessionRules session_rules = {};
+  /// Whether this role is to end; asked several times a second.
+  std::function<bool()> stop = stop_requested;
 };
 
 /// What a switch node has done.
@@ -29,10 +32,11 @@ struct SwitchNodeSummary {
   uint64_t epochs = 0;
 };
 
-/// Plays the role. An epoch ends when a peer is lost: then all links are closed, and connect is called again;
-/// it begins with an empty visible set, while geometry stays on the graphics card. Returns when the session
-/// is over or a signal asks to stop. A context must be current. Error from connect, and for what is this
-/// role's own trouble.
-SwitchNodeSummary run_switch_node(const Pack& pack, Role self, const SwitchNodeOptions& options);
+/// Runs the role. An epoch ends when a peer is lost: then all links are closed, and connect is called again;
+/// it begins with an empty visible set, while geometry stays on the graphics card. sink: hears of the end of
+/// each epoch. Returns when the session is over or `stop` says so. A context must be current. Error from
+/// connect, and for what is this role's own trouble.
+SwitchNodeSummary run_switch_node(const Pack& pack, Role self, EpochSink& sink,
+                                  const SwitchNodeOptions& options);
 
 }  // namespace triptych

@@ -1,10 +1,9 @@
 // Those who call a role that listens: let in, heard, and sent away where they stay silent.
 #pragma once
 
+#include "protocol/endpoint.hpp"
 #include "protocol/link.hpp"
-#include "protocol/listener.hpp"
 
-#include <asio/io_context.hpp>
 #include <chrono>
 #include <deque>
 #include <functional>
@@ -13,20 +12,18 @@
 namespace triptych {
 
 /// Accepts callers and reads the Hello of each. Few may wait at a time, and none for long: the oldest goes
-/// where there are too many. For one thread; what `heard` throws comes out of the io_context.
+/// where there are too many. For one thread.
 class Callers {
  public:
   /// Within the io_context, with a caller and its Hello; null where it said something else, or nothing.
   using Heard = std::function<void(const std::shared_ptr<Link>&, const Hello*)>;
 
-  /// key: callers must know it; null: nothing is encrypted. Error (address) where the listener does not
-  /// serve.
-  Callers(asio::io_context& context, const Listener& listener, const SharedKey* key, Heard heard);
+  Callers(Endpoint& endpoint, Heard heard) : endpoint_(endpoint), heard_(std::move(heard)) {}
 
   /// From now on callers are let in.
   void accept();
   void drop_silent();
-  /// Lets nobody in any more, and sends those away who were not heard yet. The listener itself stays open.
+  /// Sends those away who were not heard yet. The endpoint is closed by whoever has it.
   void close();
 
  private:
@@ -34,14 +31,13 @@ class Callers {
   void hear(const std::shared_ptr<Link>& caller);
   void forget(const std::shared_ptr<Link>& caller);
 
-  struct Waiting {
+  struct Caller {
     std::shared_ptr<Link> link;
     std::chrono::steady_clock::time_point since;
   };
-  asio::ip::tcp::acceptor acceptor_;
-  const SharedKey* key_;
+  Endpoint& endpoint_;
   Heard heard_;
-  std::deque<Waiting> waiting_;  ///< oldest first
+  std::deque<Caller> waiting_;  ///< oldest first
 };
 
 }  // namespace triptych

@@ -1,10 +1,9 @@
 // Calls to roles that listen, again and again until they answer.
 #pragma once
 
+#include "protocol/endpoint.hpp"
 #include "protocol/link.hpp"
-#include "protocol/listener.hpp"
 
-#include <asio/io_context.hpp>
 #include <functional>
 #include <map>
 #include <memory>
@@ -18,8 +17,7 @@ constexpr auto redial_pause = std::chrono::milliseconds(50);
 constexpr auto hello_timeout = std::chrono::milliseconds(500);
 
 /// Dials roles, says Hello, and hands over what they answer; the camera channel first, then the nodes
-/// channel. Whoever is not there, or goes, is dialled again. For one thread; what `answered` throws comes out
-/// of the io_context.
+/// channel. Whoever is not there, or goes, is dialled again. For one thread.
 class Calls {
  public:
   /// Says who calls.
@@ -27,13 +25,14 @@ class Calls {
   /// Within the io_context, with the first message of a callee. Returns why to try again, or nothing where
   /// the link was taken over.
   using Answered = std::function<std::string(const std::shared_ptr<Link>&, Role, const Message&)>;
+  /// Within the io_context or call(): there is no use in calling this role.
+  using Hopeless = std::function<void(Role, const std::string& why)>;
 
-  /// key: null where nothing is encrypted. last_failure: where it is kept why each role is not there.
-  Calls(asio::io_context& context, const SharedKey* key, Introduce introduce, Answered answered,
-        std::map<Role, std::string>& last_failure);
+  /// last_failure: where it is kept why each role is not there.
+  Calls(asio::io_context& context, Endpoint& endpoint, Introduce introduce, Answered answered,
+        Hopeless hopeless, std::map<Role, std::string>& last_failure);
 
-  /// Error (address) for a host that cannot be resolved.
-  void call(Role role, const Address& address);
+  void call(Role role) { dial(role, Channel::camera); }
   /// Hangs up on those who have not answered yet.
   void close();
 
@@ -43,11 +42,11 @@ class Calls {
   void introduce(const std::shared_ptr<Link>& link, Role role, Channel channel);
 
   asio::io_context& context_;
-  const SharedKey* key_;
+  Endpoint& endpoint_;
   Introduce introduce_;
   Answered answered_;
+  Hopeless hopeless_;
   std::map<Role, std::string>& last_failure_;
-  std::map<Role, asio::ip::tcp::resolver::results_type> endpoints_;
   std::map<Role, std::shared_ptr<Link>> waiting_;  ///< called, no answer yet
 };
 

@@ -1,12 +1,9 @@
-// One socket that carries messages.
+// One connection that carries messages.
 #pragma once
 
-#include "base/error.hpp"
+#include "protocol/connection.hpp"
 #include "protocol/message_reader.hpp"
-#include "protocol/tcp_figures.hpp"
-#include "protocol/tls.hpp"
 
-#include <asio/ip/tcp.hpp>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -17,7 +14,7 @@
 
 namespace triptych {
 
-/// What went through one socket, handshake included.
+/// What went through one connection, handshake included.
 struct LinkFigures {
   uint64_t messages_sent = 0, messages_received = 0;
   uint64_t bytes_sent = 0, bytes_received = 0;  ///< headers and bodies
@@ -29,60 +26,59 @@ struct LinkFigures {
   uint64_t delta_body_bytes_received = 0, delta_ids_received = 0;
 };
 
-/// A connected socket, read in the background of its io_context and written to at once. For one thread.
+/// Messages over a connection, read in the background of its io_context and written at once. For one thread.
 class Link : public std::enable_shared_from_this<Link> {
  public:
   using Arrived = MessageReader::Arrived;
   struct Broken {
     std::string reason;  ///< starts with the place
-    bool closed;         ///< by the peer, between two messages
   };
   using Outcome = std::variant<Arrived, Broken>;
 
-  /// `place` begins the messages of errors. Makes the socket non-blocking, without Nagle's delay, and has the
-  /// kernel notice within about ten seconds that the other machine is gone.
-  Link(asio::ip::tcp::socket socket, std::string place);
+  explicit Link(std::shared_ptr<Connection> connection)
+      : connection_(std::move(connection)), place_(connection_->place()) {}
 
-  /// Encrypts all that follows: meets the other side's TlsStream, in the background, before anything else is
-  /// read or written. done: called within the io_context, with why it failed or nothing.
-  void secure(const SharedKey& key, TlsStream::Side side, std::function<void(const std::string&)> done);
+  /// The connection's handshake, where it has one, before anything is read or written. done: called with why
+  /// it failed, or nothing.
+  void open(std::function<void(const std::string&)> done);
 
   /// Waits in the background for one message of at most `limit` body bytes; `done` is called within the
   /// io_context.
   void read(uint32_t limit, std::function<void(Outcome)> done);
 
-  /// Sends bytes that encode() made of the message. While the peer does not take them the io_context runs, so
-  /// that two roles that send to each other do not block. Returns why it failed, or nothing.
-  std::string write(const Message& message, const std::vector<std::byte>& bytes,
-                    std::chrono::milliseconds timeout);
+  /// Sends bytes that encode() made of the message. While the peer does not take them the io_context runs.
+  /// Returns why it failed, or nothing.
+  [[nodiscard]] std::string write(const Message& message, const std::vector<std::byte>& bytes,
+                                  std::chrono::milliseconds timeout);
 
   /// Reads that are under way end without calling anybody.
   void close();
+
+  /// From now on messages go over what `wrapper` makes of the connection.
+  void wrap(const std::function<std::shared_ptr<Connection>(std::shared_ptr<Connection>)>& wrapper) {
+    connection_ = wrapper(std::move(connection_));
+  }
 
   void set_place(std::string place) { place_ = std::move(place); }
   const std::string& place() const { return place_; }
   const LinkFigures& figures() const { return figures_; }
   /// What the kernel says; after close(), what it last said.
-  TcpFigures kernel_figures() const;
+  TcpFigures kernel_figures() const { return connection_->kernel_figures(); }
 
  private:
   void read_some();
-  void take(size_t count);
+  void take(size_t count, const std::string& problem);
   void go_on();
   void finish_read(Outcome outcome);
-  std::string write_bytes(std::span<const std::byte> bytes, std::chrono::milliseconds timeout);
-  std::string reason_of(const asio::error_code& error) const;
 
-  asio::ip::tcp::socket socket_;
+  std::shared_ptr<Connection> connection_;
   std::string place_;
   LinkFigures figures_;
-  TcpFigures last_kernel_figures_;
-  std::vector<std::byte> arriving_;  ///< straight from the network
+  std::vector<std::byte> arriving_;  ///< straight from the connection
   MessageReader reader_;
   uint32_t limit_ = 0;
   std::function<void(Outcome)> done_;
-  std::unique_ptr<TlsStream> tls_;  ///< none: nothing is encrypted
-  std::function<void(const std::string&)> secured_;
+  bool closed_ = false;
 };
 
 }  // namespace triptych

@@ -1,7 +1,7 @@
 #include "protocol/mailbox.hpp"
 
 #include "base/clock.hpp"
-#include "base/inject.hpp"
+#include "base/error.hpp"
 #include "base/timeline.hpp"
 
 #include <algorithm>
@@ -13,10 +13,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void flip_a_byte_of_the_body(std::vector<std::byte>& bytes) {
-  if (bytes.size() > header_bytes) bytes[(header_bytes + bytes.size()) / 2] ^= std::byte{0x10};
-}
-
 /// The timeline's name for it; stays as long as the thread.
 const char* sending_stage(const Message& message) {
   thread_local std::array<std::string, std::variant_size_v<Message>> names;
@@ -27,26 +23,33 @@ const char* sending_stage(const Message& message) {
 
 }  // namespace
 
+PeerLost peer_lost(Role peer, const std::string& reason) {
+  return {peer, role_name(peer) + " lost: " + reason};
+}
+
 Mailbox::Mailbox() : work_(context_.get_executor()) {}
 
 Mailbox::~Mailbox() {
   for (auto& [key, link] : links_) link->close();
 }
 
-void Mailbox::add(Role peer, Channel channel, asio::ip::tcp::socket socket) {
-  asio::error_code error;
-  const auto endpoint = socket.remote_endpoint(error);
-  const std::string where =
-      error ? error.message() : fmt::format("{}:{}", endpoint.address().to_string(), endpoint.port());
-  add(peer, channel, std::make_shared<Link>(std::move(socket), where));
+void Mailbox::add(Role peer, Channel channel, const std::shared_ptr<Connection>& connection) {
+  add(peer, channel, std::make_shared<Link>(connection));
 }
 
-void Mailbox::add(Role peer, Channel channel, std::shared_ptr<Link> link) {
+void Mailbox::add(Role peer, Channel channel, const std::shared_ptr<Link>& link) {
   const Key key{peer, channel};
   if (has(peer, channel)) fail(role_name(peer), "{} is connected twice", channel_name(channel));
   link->set_place(fmt::format("{}, {}", channel_name(channel), link->place()));
-  links_[key] = std::move(link);
+  links_[key] = link;
   read_next(key);
+}
+
+void Mailbox::wrap(Channel channel,
+                   const std::function<std::shared_ptr<Connection>(std::shared_ptr<Connection>)>& wrapper) {
+  for (auto& [key, link] : links_) {
+    if (key.second == channel) link->wrap(wrapper);
+  }
 }
 
 void Mailbox::read_next(Key key) {
@@ -80,11 +83,11 @@ void Mailbox::uncount(const Entry& entry) {
 }
 
 void Mailbox::note_most() {
-  most_waiting_.messages = std::max(most_waiting_.messages, queued_.messages + kept_.messages);
-  most_waiting_.bytes = std::max(most_waiting_.bytes, queued_.bytes + kept_.bytes);
+  max_backlog_.messages = std::max(max_backlog_.messages, queued_.messages + kept_.messages);
+  max_backlog_.bytes = std::max(max_backlog_.bytes, queued_.bytes + kept_.bytes);
 }
 
-void Mailbox::note_kept(Waiting kept) {
+void Mailbox::note_kept(Backlog kept) {
   kept_ = kept;
   note_most();
 }
@@ -107,19 +110,16 @@ void Mailbox::drop(Role peer) {
   }
 }
 
-void Mailbox::send(Role peer, Channel channel, const Message& message) {
+std::optional<PeerLost> Mailbox::send(Role peer, Channel channel, const Message& message) {
   const auto found = links_.find({peer, channel});
   if (found == links_.end()) fail(role_name(peer), "{} is not connected", channel_name(channel));
-  if (left_.count(peer) != 0) return;
+  if (left_.count(peer) != 0) return std::nullopt;
   const TimelineScope scope(sending_stage(message), frame_of(message));
-  auto bytes = encode(message);
-  if (channel == Channel::nodes && ++nodes_messages_ % 50 == 0 && injected(Fault::flipped_byte)) {
-    flip_a_byte_of_the_body(bytes);
-  }
+  const auto bytes = encode(message);
   const auto link = found->second;
   if (observe) observe({steady_milliseconds(), true, peer, channel, message});
   const std::string reason = link->write(message, bytes, send_timeout_);
-  if (reason.empty()) return;
+  if (reason.empty()) return std::nullopt;
   // What the peer sent before it went, perhaps its Bye, may still be on its way from the kernel.
   context_.poll();
   if (waiting_from(peer)) {
@@ -127,26 +127,26 @@ void Mailbox::send(Role peer, Channel channel, const Message& message) {
     const bool told = std::any_of(queue_.begin(), queue_.end(), [&](const Entry& entry) {
       return entry.peer == peer && std::holds_alternative<Link::Broken>(entry.outcome);
     });
-    if (!told) queue_.push_back({peer, channel, Link::Broken{reason, false}, steady_milliseconds()});
-    return;
+    if (!told) queue_.push_back({peer, channel, Link::Broken{reason}, steady_milliseconds()});
+    return std::nullopt;
   }
   drop(peer);
-  throw PeerLost(peer, reason);
+  return peer_lost(peer, reason);
 }
 
-std::optional<Received> Mailbox::receive(std::chrono::milliseconds timeout) {
+std::optional<Delivery> Mailbox::receive(std::chrono::milliseconds timeout) {
   const auto deadline = Clock::now() + timeout;
   for (;;) {
     context_.poll();
     while (!queue_.empty()) {
-      if (auto received = take_first()) return received;
+      if (auto delivery = take_first()) return delivery;
     }
     if (Clock::now() >= deadline) return std::nullopt;
     context_.run_one_until(deadline);
   }
 }
 
-std::optional<Received> Mailbox::take_first() {
+std::optional<Delivery> Mailbox::take_first() {
   Entry entry = std::move(queue_.front());
   queue_.pop_front();
   const bool gone = left_.count(entry.peer) != 0;
@@ -162,7 +162,7 @@ std::optional<Received> Mailbox::take_first() {
     if (arrived == nullptr) {
       if (gone) return std::nullopt;
       drop(entry.peer);
-      throw PeerLost(entry.peer, std::get<Link::Broken>(entry.outcome).reason);
+      return peer_lost(entry.peer, std::get<Link::Broken>(entry.outcome).reason);
     }
   }
   const size_t bytes = header_bytes + arrived->body_bytes;
@@ -205,7 +205,8 @@ void Mailbox::leave(const std::string& reason) {
   const Message bye = Bye{reason};
   const auto bytes = encode(bye);
   for (auto& [key, link] : links_) {
-    if (left_.count(key.first) == 0) link->write(bye, bytes, std::chrono::milliseconds(500));
+    if (left_.count(key.first) != 0) continue;
+    const std::string ignored = link->write(bye, bytes, std::chrono::milliseconds(500));  // gone already
   }
   for (auto& [key, link] : links_) {
     link->close();

@@ -1,7 +1,6 @@
 // The links of one role to its peers.
 #pragma once
 
-#include "base/error.hpp"
 #include "protocol/link.hpp"
 #include "protocol/recording.hpp"
 
@@ -19,15 +18,13 @@
 
 namespace triptych {
 
-/// A peer that closed its socket without a Bye, was reset, does not take what it is sent, or sent what is no
-/// message.
-class PeerLost : public Error {
- public:
-  PeerLost(Role lost, const std::string& reason, bool in_vain = false)
-      : Error(role_name(lost) + " lost", reason), peer(lost), too_late(in_vain) {}
-  Role peer;
-  bool too_late;  ///< it may be there, but was waited for too long
+/// A peer that closed its connection without a Bye, was reset, does not take what it is sent, or sent what is
+/// no message.
+struct PeerLost {
+  Role peer = Role::render;
+  std::string reason;  ///< one line: "switch node 0 lost: …"
 };
+PeerLost peer_lost(Role peer, const std::string& reason);
 
 struct Received {
   Role peer;
@@ -36,16 +33,18 @@ struct Received {
   size_t bytes = 0;  ///< of it, on the wire
 };
 
+using Delivery = std::variant<Received, PeerLost>;
+
 /// What has arrived and is not used yet.
-struct Waiting {
+struct Backlog {
   uint64_t messages = 0, bytes = 0;
 };
 
-/// A mailbox that holds so much reads no more from its sockets: whoever sends then waits.
-constexpr Waiting mailbox_limit{16'384, uint64_t{2} * body_limit};
+/// A mailbox that holds so much reads no more from its connections: whoever sends then waits.
+constexpr Backlog mailbox_limit{16'384, uint64_t{2} * body_limit};
 
-/// Reads all sockets in the background of receive() and send(); for one thread. Every message that arrived
-/// before a peer was lost is handed out before the loss is.
+/// Reads all connections in the background of receive() and send(); for one thread. Every message that
+/// arrived before a peer was lost is handed out before the loss is.
 class Mailbox {
  public:
   Mailbox();
@@ -53,22 +52,25 @@ class Mailbox {
   Mailbox(const Mailbox&) = delete;
   Mailbox& operator=(const Mailbox&) = delete;
 
-  /// Sockets and links belong to this.
+  /// Connections and links belong to this.
   asio::io_context& context() { return context_; }
 
-  void add(Role peer, Channel channel, asio::ip::tcp::socket socket);
-  void add(Role peer, Channel channel, std::shared_ptr<Link> link);
+  void add(Role peer, Channel channel, const std::shared_ptr<Connection>& connection);
+  void add(Role peer, Channel channel, const std::shared_ptr<Link>& link);
   bool has(Role peer, Channel channel) const { return links_.count({peer, channel}) != 0; }
 
-  /// Sends at once. PeerLost if the peer is gone; where messages of a peer that is gone wait to be received,
-  /// receive() throws it after them instead. To a peer whose Bye was received, or whose loss was thrown,
-  /// nothing is sent.
-  void send(Role peer, Channel channel, const Message& message);
+  /// What is sent on the channel from now on goes over what `wrapper` makes of each connection: for faults.
+  void wrap(Channel channel,
+            const std::function<std::shared_ptr<Connection>(std::shared_ptr<Connection>)>& wrapper);
+
+  /// Sends at once. Returns the loss of the peer if it is gone, or nothing; where messages of a peer that is
+  /// gone wait to be received, receive() tells the loss after them instead. To a peer whose Bye was received,
+  /// or whose loss was told, nothing is sent. Error for a peer that was never connected.
+  [[nodiscard]] std::optional<PeerLost> send(Role peer, Channel channel, const Message& message);
 
   /// The next message in the order of arrival, or nothing within the timeout. A Bye is delivered, once a
-  /// peer, and what follows it is not an error. Throws PeerLost, once for each peer that is lost; the others
-  /// go on.
-  std::optional<Received> receive(std::chrono::milliseconds timeout);
+  /// peer, and what follows it is no loss. Each peer that is lost is told of once; the others go on.
+  [[nodiscard]] std::optional<Delivery> receive(std::chrono::milliseconds timeout);
 
   /// Called with every message that is sent or handed out from now on: for recordings.
   std::function<void(const RecordedMessage&)> observe;
@@ -88,8 +90,8 @@ class Mailbox {
   void leave(const std::string& reason);
 
   /// The most that was there at one time: here, and kept by whoever receives, who says so.
-  Waiting most_waiting() const { return most_waiting_; }
-  void note_kept(Waiting kept);
+  Backlog max_backlog() const { return max_backlog_; }
+  void note_kept(Backlog kept);
 
   /// All zero for a link that never was.
   LinkFigures figures(Role peer, Channel channel) const;
@@ -113,7 +115,7 @@ class Mailbox {
   void read_next(Key key);
   static bool ends(const Entry& entry);
   bool waiting_from(Role peer) const;
-  std::optional<Received> take_first();
+  std::optional<Delivery> take_first();
   bool is_full() const;
   void uncount(const Entry& entry);
   void note_most();
@@ -126,10 +128,9 @@ class Mailbox {
   std::map<Role, Hello> hellos_;
   std::set<Role> left_;  ///< said Bye, or was reported as lost
   std::deque<Entry> queue_;
-  Waiting queued_, kept_, most_waiting_;
+  Backlog queued_, kept_, max_backlog_;
   std::set<Key> paused_;  ///< links that are not read until the queue is shorter
   std::chrono::milliseconds send_timeout_{10'000};
-  uint64_t nodes_messages_ = 0;
 };
 
 }  // namespace triptych

@@ -18,7 +18,7 @@ namespace {
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t largest_side = 1 << 15;
 // Of a camera.
-constexpr uint8_t last_mark = 1, rehearsal_mark = 2, orthographic_mark = 4, symmetric_mark = 8;
+constexpr uint8_t last_mark = 1, warm_up_mark = 2, orthographic_mark = 4, symmetric_mark = 8;
 
 bool is_control(char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; }
 
@@ -154,7 +154,7 @@ bool is_symmetric(const Camera& camera) {
 void write_body(ByteWriter& out, const CameraMessage& message) {
   const Camera& camera = message.view.camera;
   const bool symmetric = is_symmetric(camera);
-  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.rehearsal ? rehearsal_mark : 0) |
+  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
                                  (camera.orthographic() ? orthographic_mark : 0) |
                                  (symmetric ? symmetric_mark : 0)));
   out.write_varint(static_cast<uint32_t>(message.view.width));
@@ -169,11 +169,10 @@ CameraMessage read_camera(ByteReader& in, uint32_t frame) {
   CameraMessage message;
   message.frame = frame;
   Camera& camera = message.view.camera;
-  const auto marks =
-      read_enum(in, static_cast<uint8_t>(last_mark | rehearsal_mark | orthographic_mark | symmetric_mark),
-                "camera mark");
+  const auto marks = read_enum(
+      in, static_cast<uint8_t>(last_mark | warm_up_mark | orthographic_mark | symmetric_mark), "camera mark");
   message.last = (marks & last_mark) != 0;
-  message.rehearsal = (marks & rehearsal_mark) != 0;
+  message.warm_up = (marks & warm_up_mark) != 0;
   if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
   const bool symmetric = (marks & symmetric_mark) != 0;
   const uint32_t width = read_count(in), height = read_count(in);

@@ -37,7 +37,7 @@ struct CameraMessage {
   double pixel_error = 1;  ///< pixels; 0 asks for full detail
   bool last = false;       ///< no frame follows
   /// Not a frame, but what one will be like: switch nodes get their geometry ready and say so.
-  bool rehearsal = false;
+  bool warm_up = false;
   bool operator==(const CameraMessage&) const = default;
 };
 
@@ -100,7 +100,7 @@ struct Bye {
   bool operator==(const Bye&) const = default;
 };
 
-/// From a switch node to the render node: the rehearsal of the frame is over, frames can come.
+/// From a switch node to the render node: the warm-up of the frame is over, frames can come.
 struct Ready {
   uint32_t frame = 0;
   bool operator==(const Ready&) const = default;

@@ -1,4 +1,4 @@
-// Which machine plays which switch node, and how programs are started there.
+// Which machine runs which switch node, and how programs are started there.
 #pragma once
 
 #include "protocol/listener.hpp"
@@ -18,7 +18,7 @@ struct Host {
   std::string key_file;  ///< the copy of the key, there; none where empty
 };
 
-/// The machines of a session. The render node plays on this one.
+/// The machines of a session. The render node runs on this one.
 struct Hosts {
   std::string launch;    ///< command template with {host}, and {command} or {remote}
   Address render;        ///< where the render node listens, as the others reach it

@@ -14,11 +14,11 @@ void append(Words& words, const Words& more) { words.insert(words.end(), more.be
 /// For a command line, where a name that begins with a dash would be a flag.
 std::string unmistakable(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
 
-Words shared_arguments(const SessionOptions& options, const Stage& stage, const std::string& pack,
+Words shared_arguments(const SessionOptions& options, const SessionSetup& setup, const std::string& pack,
                        const std::string& key_file) {
   Words words = {unmistakable(pack),
                  "--session",
-                 std::to_string(stage.session),
+                 std::to_string(setup.session),
                  "--context",
                  options.run.context == ContextKind::egl ? "egl" : "osmesa",
                  "--test",
@@ -33,16 +33,16 @@ Words shared_arguments(const SessionOptions& options, const Stage& stage, const 
 
 }  // namespace
 
-Words render_arguments(const SessionOptions& options, const Stage& stage) {
+Words render_arguments(const SessionOptions& options, const SessionSetup& setup) {
   const RunOptions& run = options.run;
   Words words = {"role", "render"};
-  append(words, shared_arguments(options, stage, run.pack.string(),
-                                 stage.hosts ? stage.hosts->key_file : options.key_file.string()));
+  append(words, shared_arguments(options, setup, run.pack.string(),
+                                 setup.hosts ? setup.hosts->key_file : options.key_file.string()));
   append(words,
-         {"--journal", stage.journal.string(), "--begin", std::to_string(mend_frame_journal(stage.journal)),
+         {"--journal", setup.journal.string(), "--begin", std::to_string(mend_frame_journal(setup.journal)),
           "--size", fmt::format("{}x{}", run.size.width, run.size.height), "--pixel-error",
           fmt::format("{}", run.pixel_error()), "--listen-descriptor",
-          std::to_string(stage.render_listener->descriptor()), "--loop", std::to_string(options.loop),
+          std::to_string(setup.render_listener->descriptor()), "--loop", std::to_string(options.loop),
           "--timeout", fmt::format("{}", options.timeout_ms)});
   if (run.frames > 0) append(words, {"--frames", std::to_string(run.frames)});
   if (options.rate > 0) append(words, {"--rate", fmt::format("{}", options.rate)});
@@ -53,21 +53,21 @@ Words render_arguments(const SessionOptions& options, const Stage& stage) {
   return words;
 }
 
-Words switch_arguments(const SessionOptions& options, const Stage& stage, Role role) {
+Words switch_arguments(const SessionOptions& options, const SessionSetup& setup, Role role) {
   const bool first = role == Role::switch_0;
-  const Host* host = stage.hosts ? &stage.hosts->switch_nodes[first ? 0 : 1] : nullptr;
+  const Host* host = setup.hosts ? &setup.hosts->switch_nodes[first ? 0 : 1] : nullptr;
   Words words = {"role", "switch"};
-  append(words, shared_arguments(options, stage, host ? host->pack : options.run.pack.string(),
+  append(words, shared_arguments(options, setup, host ? host->pack : options.run.pack.string(),
                                  host ? host->key_file : options.key_file.string()));
   append(words, {"--index", first ? "0" : "1", "--batch", std::to_string(options.batches.front()), "--render",
-                 to_text(stage.render_listener->address())});
+                 to_text(setup.render_listener->address())});
   if (host) {
     append(words, {"--end-with-stdin", "--tell-record", first ? "--listen" : "--switch-0",
-                   to_text(stage.hosts->switch_0)});
+                   to_text(setup.hosts->switch_0)});
   } else if (first) {
-    append(words, {"--listen-descriptor", std::to_string(stage.switch_listener->descriptor())});
+    append(words, {"--listen-descriptor", std::to_string(setup.switch_listener->descriptor())});
   } else {
-    append(words, {"--switch-0", to_text(stage.switch_listener->address())});
+    append(words, {"--switch-0", to_text(setup.switch_listener->address())});
   }
   return words;
 }

@@ -11,7 +11,7 @@
 namespace triptych {
 
 /// What the roles of one session have in common, besides its options.
-struct Stage {
+struct SessionSetup {
   uint64_t session = 0;        ///< the number that they share
   std::optional<Hosts> hosts;  ///< of a session over several machines
   const Listener* render_listener = nullptr;
@@ -20,9 +20,10 @@ struct Stage {
 };
 
 /// `role render …`, from the first frame that the journal has not.
-std::vector<std::string> render_arguments(const SessionOptions& options, const Stage& stage);
+std::vector<std::string> render_arguments(const SessionOptions& options, const SessionSetup& setup);
 
 /// `role switch …`, for this machine or for its host.
-std::vector<std::string> switch_arguments(const SessionOptions& options, const Stage& stage, Role role);
+std::vector<std::string> switch_arguments(const SessionOptions& options, const SessionSetup& setup,
+                                          Role role);
 
 }  // namespace triptych

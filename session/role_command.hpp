@@ -31,10 +31,10 @@ struct RoleCommand {
   bool hash = false;
 };
 
-/// Plays a switch node until the session is over, and writes its record. Error where it cannot go on.
+/// Runs a switch node until the session is over, and writes its record. Error where it cannot go on.
 int run_switch(const RoleCommand& command);
 
-/// Plays the render node until the last frame, and writes its record. Error where it cannot go on.
+/// Runs the render node until the last frame, and writes its record. Error where it cannot go on.
 int run_render(const RoleCommand& command);
 
 }  // namespace triptych

@@ -1,16 +1,15 @@
 #include "base/file.hpp"
-#include "base/hashing.hpp"
+#include "base/inject.hpp"
 #include "base/notice.hpp"
-#include "base/progress.hpp"
+#include "base/signals.hpp"
 #include "base/timeline.hpp"
-#include "measure/frame_journal.hpp"
 #include "measure/json.hpp"
 #include "measure/session_records.hpp"
 #include "nodes/render_node.hpp"
 #include "nodes/switch_node.hpp"
-#include "session/meeting.hpp"
-#include "session/picture_writer.hpp"
-#include "session/pictures.hpp"
+#include "session/path_source.hpp"
+#include "session/render_sink.hpp"
+#include "session/session_connector.hpp"
 #include "session/window_source.hpp"
 
 #include <array>
@@ -32,6 +31,31 @@ void end_with_stdin() {
   }).detach();
 }
 
+/// What --inject puts into a role's part of the session.
+SessionRules injected_rules(Role self) {
+  constexpr std::chrono::milliseconds slowness(20);
+  const bool slow = (self == Role::render && injected(Fault::slow_render_node)) ||
+                    (self == Role::switch_1 && injected(Fault::slow_switch_node));
+  return {.compares_digests = !injected(Fault::no_digest),
+          .withholds_added = injected(Fault::wrong_delta),
+          .slowed_by = slow ? slowness : std::chrono::milliseconds(0)};
+}
+
+/// Takes down what a switch node's epochs cost.
+class SwitchSink : public EpochSink {
+ public:
+  SwitchSink(Role self, RoleRecord& record) : self_(self), record_(record) {}
+  void epoch_ended(const Mailbox& mailbox, const std::string& reason) override {
+    add_sockets(record_.sockets, sockets_of(self_, mailbox));
+    add_backlog(record_.most_waiting, mailbox.max_backlog());
+    if (!reason.empty()) notice("{}: {}; looks for both peers again", role_name(self_), reason);
+  }
+
+ private:
+  Role self_;
+  RoleRecord& record_;
+};
+
 }  // namespace
 
 int run_switch(const RoleCommand& command) {
@@ -39,21 +63,20 @@ int run_switch(const RoleCommand& command) {
   if (command.end_with_stdin) end_with_stdin();
   const Pack pack(command.run.pack);
   const auto context = make_context(command.run.context);
-  const Meeting meeting(command, pack, context->names());
+  const SessionConnector connector(command, pack, context->names());
   RoleRecord record;
   record.gl = context->names();
   record.raster = raster_verdict();
-  SwitchNodeOptions options{
-      .device = {command.run.test}, .cull = command.cull, .connect = {}, .on_epoch_end = {}};
-  options.connect = [&](bool again) {
-    return again ? meeting.connect_again(stop_requested) : meeting.connect(stop_requested);
-  };
-  options.on_epoch_end = [&](const Mailbox& mailbox, const std::string& reason) {
-    add_sockets(record.sockets, sockets_of(command.self, mailbox));
-    add_waiting(record.most_waiting, mailbox.most_waiting());
-    if (!reason.empty()) notice("{}: {}; looks for both peers again", role_name(command.self), reason);
-  };
-  const SwitchNodeSummary done = run_switch_node(pack, command.self, options);
+  SwitchSink sink(command.self, record);
+  const SwitchNodeOptions options{.device = {command.run.test},
+                                  .cull = command.cull,
+                                  .connect =
+                                      [&](bool again) {
+                                        return again ? connector.connect_again(stop_requested)
+                                                     : connector.connect(stop_requested);
+                                      },
+                                  .session_rules = injected_rules(command.self)};
+  const SwitchNodeSummary done = run_switch_node(pack, command.self, sink, options);
   notice("{}: {} frames culled, {} occlusion representations, {} epochs", role_name(command.self),
          done.culled, done.represented, done.epochs);
   record.timeline = own_timeline(role_name(command.self));
@@ -62,101 +85,42 @@ int run_switch(const RoleCommand& command) {
   return 0;
 }
 
-namespace {
-
-/// Where the render node's records go: to the journal, or all to the end. Visible sets are kept on request
-/// alone.
-class Records {
- public:
-  explicit Records(const RoleCommand& command) : keep_sets_(command.hash) {
-    if (!command.journal.empty()) journal_.emplace(command.journal);
-  }
-  void add(FrameRecord record) {
-    if (!keep_sets_) record.visible = {};
-    if (journal_) return journal_->add(record);
-    kept_.push_back(std::move(record));
-  }
-  const std::vector<FrameRecord>& kept() const { return kept_; }
-
- private:
-  bool keep_sets_;
-  std::optional<FrameJournal> journal_;
-  std::vector<FrameRecord> kept_;
-};
-
-/// The path's frames, over and over. Error where those are more than frame numbers.
-FrameSource path_frames(std::vector<FrameRequest> once, uint32_t first, size_t loop) {
-  if (loop > most_frames / once.size()) fail("--loop", "{} times {} frames are too many", loop, once.size());
-  const auto count = static_cast<uint32_t>(once.size() * loop);
-  return {.first = first, .count = count, .frame = [once = std::move(once)](uint32_t number) {
-            FrameRequest frame = once[number % once.size()];
-            frame.number = number;
-            return frame;
-          }};
-}
-
-}  // namespace
-
 int run_render(const RoleCommand& command) {
   stop_requested();
   const Pack pack(command.run.pack);
-  std::optional<WindowSource> window;
+  std::unique_ptr<WindowSource> window;
+  std::unique_ptr<FrameSource> path;
   std::unique_ptr<Context> context;
   if (command.window) {
-    window.emplace(pack, viewer_options(command.run));
+    window = std::make_unique<WindowSource>(pack, viewer_options(command.run), command.begin);
   } else {
     context = make_context(command.run.context);
+    path =
+        std::make_unique<PathSource>(load_frames(command.run, pack.skeleton()), command.begin, command.loop);
   }
+  FrameSource& source = window ? *window : *path;
   const DeviceNames& gl = window ? window->names() : context->names();
-  const FrameSource frames =
-      window ? window->frames(command.begin)
-             : path_frames(load_frames(command.run, pack.skeleton()), command.begin, command.loop);
   if (!command.output.empty()) make_folder(command.output);
-  const Meeting meeting(command, pack, gl);
-  RoleRecord role;
-  role.gl = gl;
-  role.raster = raster_verdict();
-  Records records(command);
-  PictureWriter writer;
+  const SessionConnector connector(command, pack, gl);
+  RenderSink sink(command, connector, window.get(), source.numbers());
   RenderNodeSummary done;
-  if (frames.first < frames.count) {
-    Progress progress("session", window ? 0 : frames.count - frames.first);
-    RenderNodeOptions options{
-        .rate = command.rate,
-        .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
-        .device = {command.run.test},
-        .cull = command.cull,
-        .connect = [&](const std::function<bool()>& stop) { return meeting.connect(stop); },
-        .on_epoch_end = {},
-        .begin_alone = command.begin > 0,
-        .on_picture = {}};
-    options.on_epoch_end = [&](const Mailbox& mailbox, const std::string&) {
-      add_sockets(role.sockets, sockets_of(Role::render, mailbox));
-      add_waiting(role.most_waiting, mailbox.most_waiting());
-    };
-    options.on_clocks = [&](const std::vector<PeerClock>& clocks) { role.clocks = clocks; };
-    options.show = [&](const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
-      if (record.fallback) meeting.record_alone(frame);
-      if (window) window->show(frame, record, stages);
-    };
-    options.on_picture = [&](FrameRecord record, const FrameTarget& target) {
-      progress.advance();
-      if (!command.hash && command.output.empty()) return records.add(std::move(record));
-      std::vector<uint8_t> colors = target.read_colors();
-      if (command.hash) record.picture_hash = hash_values(std::span<const uint8_t>(colors));
-      if (command.output.empty()) return records.add(std::move(record));
-      const std::filesystem::path file = command.output / picture_name(record.number);
-      // A frame counts as drawn once its picture is there.
-      writer.add(file, target.width(), target.height(), std::move(colors),
-                 [&records, record = std::move(record)] { records.add(record); });
-    };
-    done = run_render_node(pack, frames, options);
+  if (source.numbers().first < source.numbers().count) {
+    done = run_render_node(
+        pack, source, sink,
+        {.rate = command.rate,
+         .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
+         .device = {command.run.test},
+         .cull = command.cull,
+         .connect = [&](const std::function<bool()>& stop) { return connector.connect(stop); },
+         .begin_alone = command.begin > 0,
+         .session_rules = injected_rules(Role::render)});
   }
-  writer.finish();
+  RoleRecord record = sink.finish();
   notice("render node: {} frames, {} of them alone, {} epochs", done.frames, done.alone, done.epochs);
-  role.frames = records.kept();
-  role.timeline = own_timeline(role_name(Role::render));
-  write_json(command.run.json, to_json(role));
+  record.gl = gl;
+  record.raster = raster_verdict();
+  record.timeline = own_timeline(role_name(Role::render));
+  write_json(command.run.json, to_json(record));
   return 0;
 }
 

@@ -2,10 +2,10 @@
 
 #include "base/file.hpp"
 #include "base/notice.hpp"
+#include "base/signals.hpp"
 #include "measure/frame_journal.hpp"
 #include "measure/json.hpp"
 #include "measure/timeline_trace.hpp"
-#include "nodes/inbox.hpp"
 #include "protocol/listener.hpp"
 #include "protocol/recording.hpp"
 #include "session/child_processes.hpp"
@@ -32,10 +32,10 @@ void remove_partial_pictures(const std::filesystem::path& folder, pid_t pid) {
 }
 
 /// Starts each role, as often as it takes, and gathers what all of its processes recorded.
-class Cast {
+class Supervisor {
  public:
-  explicit Cast(const SessionOptions& options);
-  SessionOutcome play();
+  explicit Supervisor(const SessionOptions& options);
+  SessionOutcome run();
 
  private:
   static constexpr size_t count = all_roles.size();
@@ -47,7 +47,7 @@ class Cast {
   void write_timeline() const;
 
   const SessionOptions& options_;
-  Stage stage_;
+  SessionSetup setup_;
   Listener render_listener_, switch_listener_;  ///< the second for a session on this machine alone
   TemporaryFolder folder_;
   std::array<std::vector<std::filesystem::path>, count> files_;  ///< of each role, one a process
@@ -69,35 +69,35 @@ const std::string& short_name(Role role) {
   return names[static_cast<size_t>(role)];
 }
 
-Stage stage_of(const SessionOptions& options) {
-  Stage stage;
-  if (!options.hosts.empty()) stage.hosts = read_hosts(options.hosts, options.run.pack.string());
-  return stage;
+SessionSetup setup_of(const SessionOptions& options) {
+  SessionSetup setup;
+  if (!options.hosts.empty()) setup.hosts = read_hosts(options.hosts, options.run.pack.string());
+  return setup;
 }
 
-Cast::Cast(const SessionOptions& options)
+Supervisor::Supervisor(const SessionOptions& options)
     : options_(options),
-      stage_(stage_of(options)),
-      render_listener_(stage_.hosts ? stage_.hosts->render : Address{"127.0.0.1", options.port}),
+      setup_(setup_of(options)),
+      render_listener_(setup_.hosts ? setup_.hosts->render : Address{"127.0.0.1", options.port}),
       switch_listener_(Address{"127.0.0.1", static_cast<uint16_t>(options.port ? options.port + 1 : 0)}) {
-  stage_.session = std::random_device()() | 1u;
-  stage_.render_listener = &render_listener_;
-  stage_.switch_listener = &switch_listener_;
-  stage_.journal = folder_.path() / "frames";
+  setup_.session = std::random_device()() | 1u;
+  setup_.render_listener = &render_listener_;
+  setup_.switch_listener = &switch_listener_;
+  setup_.journal = folder_.path() / "frames";
 }
 
-void Cast::start(Role role) {
+void Supervisor::start(Role role) {
   std::vector<std::filesystem::path>& files = files_[static_cast<size_t>(role)];
-  const bool elsewhere = stage_.hosts && role != Role::render;
+  const bool elsewhere = setup_.hosts && role != Role::render;
   files.push_back(folder_.path() / fmt::format("{}-{}.json", short_name(role), files.size()));
   std::vector<std::string> arguments =
-      role == Role::render ? render_arguments(options_, stage_) : switch_arguments(options_, stage_, role);
+      role == Role::render ? render_arguments(options_, setup_) : switch_arguments(options_, setup_, role);
   if (!elsewhere) arguments.insert(arguments.end(), {"--json", files.back().string()});
   render_listener_.set_inherited(role == Role::render);
   switch_listener_.set_inherited(role == Role::switch_0);
-  const Host* host = elsewhere ? &stage_.hosts->switch_nodes[role == Role::switch_0 ? 0 : 1] : nullptr;
+  const Host* host = elsewhere ? &setup_.hosts->switch_nodes[role == Role::switch_0 ? 0 : 1] : nullptr;
   const pid_t pid = host
-                        ? children_.start_line(short_name(role), launch_line(*stage_.hosts, *host, arguments))
+                        ? children_.start_line(short_name(role), launch_line(*setup_.hosts, *host, arguments))
                         : children_.start(short_name(role), arguments);
   render_listener_.set_inherited(false);
   switch_listener_.set_inherited(false);
@@ -105,7 +105,7 @@ void Cast::start(Role role) {
   notice("role {} is process {}{}", short_name(role), pid, host ? ", on " + host->name : "");
 }
 
-void Cast::replace(Role role, const ChildProcesses::Ended& ended) {
+void Supervisor::replace(Role role, const ChildProcesses::Ended& ended) {
   remove_partial_pictures(options_.output, ended.pid);
   if (files_[static_cast<size_t>(role)].size() > options_.restarts) {
     const std::string place = fmt::format("{} (process {})", ended.name, ended.pid);
@@ -118,7 +118,7 @@ void Cast::replace(Role role, const ChildProcesses::Ended& ended) {
   start(role);
 }
 
-RoleRecord Cast::record_of(Role role) const {
+RoleRecord Supervisor::record_of(Role role) const {
   RoleRecord sum;
   for (const std::filesystem::path& file : files_[static_cast<size_t>(role)]) {
     if (!std::filesystem::exists(file)) continue;  // of a process that was killed
@@ -127,18 +127,18 @@ RoleRecord Cast::record_of(Role role) const {
   for (const std::string& line : children_.records(short_name(role))) {
     add_record(sum, parse_record(line, short_name(role)));
   }
-  if (role == Role::render) sum.frames = read_frame_journal(stage_.journal);
+  if (role == Role::render) sum.frames = read_frame_journal(setup_.journal);
   return sum;
 }
 
-void Cast::write_timeline() const {
+void Supervisor::write_timeline() const {
   if (options_.timeline.empty()) return;
   std::vector<ProcessTimeline> timelines;
   for (const RoleRecord& record : outcome_.records) timelines.push_back(record.timeline);
   write_json(options_.timeline, chrome_trace(timelines, outcome_.records.front().clocks));
 }
 
-SessionOutcome Cast::play() {
+SessionOutcome Supervisor::run() {
   for (const Role role : all_roles) start(role);
   constexpr std::chrono::milliseconds grace(1000);
   for (;;) {
@@ -150,7 +150,7 @@ SessionOutcome Cast::play() {
     // On another machine the command that started a role ends so when the role is killed or the network is.
     constexpr double settled_s = 5;
     const bool lost_elsewhere =
-        stage_.hosts && *role != Role::render && ended->exit_code >= 128 && ended->seconds > settled_s;
+        setup_.hosts && *role != Role::render && ended->exit_code >= 128 && ended->seconds > settled_s;
     if (ended->signal != 0 || lost_elsewhere) {
       replace(*role, *ended);
     } else if (ended->exit_code != 0) {
@@ -161,7 +161,7 @@ SessionOutcome Cast::play() {
     }
   }
   children_.end_all(grace);
-  mend_frame_journal(stage_.journal);
+  mend_frame_journal(setup_.journal);
   for (const Role role : all_roles) outcome_.records.push_back(record_of(role));
   write_timeline();
   return std::move(outcome_);
@@ -181,7 +181,7 @@ SessionOutcome run_session(const SessionOptions& options) {
       fail(options.record.string(), "holds the recording of a session already");
     }
   }
-  return Cast(options).play();
+  return Supervisor(options).run();
 }
 
 }  // namespace triptych

@@ -18,18 +18,17 @@ ViewerOptions viewer_options(const RunOptions& run) {
   return options;
 }
 
-FrameSource WindowSource::frames(uint32_t first) {
+FrameSource::Numbers WindowSource::numbers() const { return {first_, std::numeric_limits<uint32_t>::max()}; }
+
+FrameRequest WindowSource::next(uint32_t number) {
+  FrameRequest frame = viewer_.next_frame();
+  frame.number = number;
+  return frame;
+}
+
+bool WindowSource::ready(bool may_wait) {
   constexpr double patience_s = 0.05;
-  return {.first = first,
-          .count = std::numeric_limits<uint32_t>::max(),
-          .frame =
-              [this](uint32_t number) {
-                FrameRequest frame = viewer_.next_frame();
-                frame.number = number;
-                return frame;
-              },
-          .ready = [this](bool may_wait) { return viewer_.wait_for_frame(may_wait ? patience_s : 0); },
-          .finished = [this] { return viewer_.left(); }};
+  return viewer_.wait_for_frame(may_wait ? patience_s : 0);
 }
 
 void WindowSource::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {

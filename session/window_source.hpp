@@ -1,7 +1,8 @@
 // A session's frames from a person at a window.
 #pragma once
 
-#include "nodes/render_node.hpp"
+#include "nodes/frame_source.hpp"
+#include "nodes/picture_stage.hpp"
 #include "session/run_options.hpp"
 #include "view/viewer.hpp"
 
@@ -15,17 +16,22 @@ ViewerOptions viewer_options(const RunOptions& run);
 
 /// Cameras for the render node, unknown before they are released, and its pictures in the window, where it
 /// also draws: the window's context is this thread's.
-class WindowSource {
+class WindowSource : public FrameSource {
  public:
-  WindowSource(const Pack& pack, const ViewerOptions& options) : viewer_(pack, options) {}
-
   /// Frames from `first` on, as long as the person stays.
-  FrameSource frames(uint32_t first);
+  WindowSource(const Pack& pack, const ViewerOptions& options, uint32_t first)
+      : first_(first), viewer_(pack, options) {}
+
+  Numbers numbers() const override;
+  FrameRequest next(uint32_t number) override;
+  bool ready(bool may_wait) override;
+  bool finished() override { return viewer_.left(); }
   /// Shows a frame; where culling is off, the whole cut that it was culled from.
   void show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages);
   const DeviceNames& names() const { return viewer_.names(); }
 
  private:
+  uint32_t first_;
   Viewer viewer_;
   std::optional<PictureStage> whole_cut_;
 };

@@ -3,7 +3,7 @@
 #include "base/clock.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
-#include "nodes/inbox.hpp"
+#include "base/signals.hpp"
 #include "render/png_file.hpp"
 
 #include <algorithm>

@@ -20,22 +20,26 @@ const std::string& raster_verdict();
 
 /// Connects the role with both of its peers, epoch by epoch, with what its flags say: addresses, key,
 /// recording.
-class Meeting {
+class SessionConnector {
  public:
   /// Error for an address beyond this machine without a key, unless the command insists, and for key files
   /// that do not serve.
-  Meeting(const RoleCommand& command, const Pack& pack, const DeviceNames& gl);
+  SessionConnector(const RoleCommand& command, const Pack& pack, const DeviceNames& gl);
 
-  /// The first time, or after the epoch before is over. Nothing where `stop` says so.
+  /// The first time, or after the epoch before is over. Nothing where `stop` or a peer says so. Error where
+  /// it does not come about.
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const;
 
-  /// After a loss: tries again as long as the render node is there.
+  /// After a loss: tries again as long as the render node is there. Error where a peer differs.
   std::unique_ptr<Mailbox> connect_again(const std::function<bool()>& stop) const;
 
   /// Takes down a frame that the render node drew alone: a camera that it sent to itself.
   void record_alone(const FrameRequest& frame) const;
 
  private:
+  ConnectOutcome attempt(const std::function<bool()>& stop) const;
+  /// What every mailbox of this role gets: the recording, faults.
+  std::unique_ptr<Mailbox> equip(std::unique_ptr<Mailbox> mailbox) const;
   void compare_opengl(const Mailbox& mailbox) const;
 
   Hello own_;

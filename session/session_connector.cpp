@@ -1,9 +1,12 @@
-#include "session/meeting.hpp"
+#include "session/session_connector.hpp"
 
 #include "base/clock.hpp"
+#include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "base/timeline.hpp"
+#include "protocol/flipping_connection.hpp"
 #include "render/raster_certificate.hpp"
 
 #include <algorithm>
@@ -27,7 +30,7 @@ const std::string& raster_verdict() {
   return verdict;
 }
 
-Meeting::Meeting(const RoleCommand& command, const Pack& pack, const DeviceNames& gl)
+SessionConnector::SessionConnector(const RoleCommand& command, const Pack& pack, const DeviceNames& gl)
     : timeout_(static_cast<int64_t>(command.connect_timeout_s * 1000)) {
   if (command.timeline) start_timeline();
   own_.role = command.self;
@@ -58,17 +61,30 @@ Meeting::Meeting(const RoleCommand& command, const Pack& pack, const DeviceNames
       RecordingHeader{.own = own_, .pack = std::filesystem::absolute(command.run.pack).string()});
 }
 
-std::unique_ptr<Mailbox> Meeting::connect(const std::function<bool()>& stop) const {
-  auto mailbox = connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop,
-                                 key_ ? &*key_ : nullptr);
-  if (mailbox) compare_opengl(*mailbox);
-  if (mailbox && recording_) {
+ConnectOutcome SessionConnector::attempt(const std::function<bool()>& stop) const {
+  return connect_session(own_, listener_ ? &*listener_ : nullptr, dial_, timeout_, stop,
+                         key_ ? &*key_ : nullptr);
+}
+
+std::unique_ptr<Mailbox> SessionConnector::equip(std::unique_ptr<Mailbox> mailbox) const {
+  if (!mailbox) return nullptr;
+  compare_opengl(*mailbox);
+  if (recording_) {
     mailbox->observe = [this](const RecordedMessage& message) { recording_->add(message); };
+  }
+  if (injected(Fault::flipped_byte)) {
+    mailbox->wrap(Channel::nodes, [](std::shared_ptr<Connection> connection) {
+      return flipping_connection(std::move(connection));
+    });
   }
   return mailbox;
 }
 
-void Meeting::record_alone(const FrameRequest& frame) const {
+std::unique_ptr<Mailbox> SessionConnector::connect(const std::function<bool()>& stop) const {
+  return equip(mailbox_or_error(attempt(stop)));
+}
+
+void SessionConnector::record_alone(const FrameRequest& frame) const {
   if (!recording_) return;
   recording_->add(
       {.time_ms = steady_milliseconds(),
@@ -78,22 +94,22 @@ void Meeting::record_alone(const FrameRequest& frame) const {
        .message = CameraMessage{frame.number, frame.state.view, frame.state.pixel_error, false, false}});
 }
 
-std::unique_ptr<Mailbox> Meeting::connect_again(const std::function<bool()>& stop) const {
+std::unique_ptr<Mailbox> SessionConnector::connect_again(const std::function<bool()>& stop) const {
+  using Kind = ConnectOutcome::Kind;
   for (;;) {
-    try {
-      return connect(stop);
-    } catch (const PeerDiffers&) {
-      throw;
-    } catch (const PeersMissing& missing) {
-      if (std::count(missing.roles.begin(), missing.roles.end(), Role::render) != 0) throw;
-    } catch (const Error&) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));  // a peer that begins again as well
-    }
+    ConnectOutcome outcome = attempt(stop);
+    const bool without_render = std::count(outcome.missing.begin(), outcome.missing.end(), Role::render) != 0;
+    const bool again =
+        outcome.kind == Kind::no_such_host || (outcome.kind == Kind::peers_missing && !without_render);
+    if (!again) return equip(mailbox_or_error(std::move(outcome)));
+    if (stop && stop()) return nullptr;
+    if (outcome.kind == Kind::no_such_host)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the network may come back
   }
 }
 
 /// Only where all three agree can pictures be claimed to be identical to those of one process.
-void Meeting::compare_opengl(const Mailbox& mailbox) const {
+void SessionConnector::compare_opengl(const Mailbox& mailbox) const {
   if (own_.role != Role::render) return;
   for (const Role role : {Role::switch_0, Role::switch_1}) {
     const Hello& peer = mailbox.peer_hello(role);

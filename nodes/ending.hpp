@@ -1,0 +1,50 @@
+// What ends an epoch, and what is awaited until it comes or something ends.
+#pragma once
+
+#include "protocol/mailbox.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace triptych {
+
+/// Why a role goes on no longer with its peers.
+struct Ending {
+  enum class Cause {
+    peer_lost,     ///< gone, left alone, sent what makes no sense, or kept this role waiting too long
+    session_over,  ///< a peer said so
+    stopped,       ///< this process is to end
+  };
+  Cause cause = Cause::session_over;
+  Role peer = Role::render;  ///< that is lost
+  std::string reason = {};   ///< of its loss, one line: "switch node 0 lost: …"
+  bool too_late = false;     ///< it may be there, but was waited for too long
+};
+
+inline Ending ending_of(PeerLost lost) {
+  return {.cause = Ending::Cause::peer_lost, .peer = lost.peer, .reason = std::move(lost.reason)};
+}
+inline Ending ending_of_lost(Role peer, const std::string& reason) {
+  return ending_of(peer_lost(peer, reason));
+}
+
+/// A value that was waited for, or what ended the waiting.
+template <typename Value>
+class [[nodiscard]] Awaited {
+ public:
+  Awaited(Value value) : content_(std::move(value)) {}     // NOLINT: both are meant to convert
+  Awaited(Ending ending) : content_(std::move(ending)) {}  // NOLINT
+
+  explicit operator bool() const { return std::holds_alternative<Value>(content_); }
+  Value& operator*() { return std::get<Value>(content_); }
+  const Value& operator*() const { return std::get<Value>(content_); }
+  Value* operator->() { return &std::get<Value>(content_); }
+  const Value* operator->() const { return &std::get<Value>(content_); }
+  const Ending& ending() const { return std::get<Ending>(content_); }
+
+ private:
+  std::variant<Value, Ending> content_;
+};
+
+}  // namespace triptych

@@ -1,0 +1,30 @@
+// The visible sets that a peer may still ask for.
+#pragma once
+
+#include "visibility/visible_set.hpp"
+
+#include <cstdint>
+#include <utility>
+
+namespace triptych {
+
+/// V(i) of the last frame that a switch node knows, and V(i−1). Both are empty before the first.
+class RecentSets {
+ public:
+  void add(uint32_t frame, VisibleSet visible) {
+    previous_ = std::exchange(latest_, std::move(visible));
+    frame_ = frame;
+  }
+  const VisibleSet& latest() const { return latest_; }
+  /// Null for a frame that is neither of both.
+  const VisibleSet* of(uint32_t frame) const {
+    if (frame == frame_) return &latest_;
+    return frame + 1 == frame_ ? &previous_ : nullptr;
+  }
+
+ private:
+  VisibleSet latest_, previous_;
+  uint32_t frame_ = 0;
+};
+
+}  // namespace triptych

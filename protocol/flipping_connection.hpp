@@ -1,0 +1,15 @@
+// The fault of a byte that is changed on its way.
+#pragma once
+
+#include "protocol/connection.hpp"
+
+#include <cstdint>
+#include <memory>
+
+namespace triptych {
+
+/// Flips one bit in the middle of the body of every so-manieth message that is written to `below`, after its
+/// checksum was taken: each write is one message. What is read passes as it is.
+std::shared_ptr<Connection> flipping_connection(std::shared_ptr<Connection> below, uint64_t every = 50);
+
+}  // namespace triptych

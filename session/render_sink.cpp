@@ -1,0 +1,51 @@
+#include "session/render_sink.hpp"
+
+#include "base/hashing.hpp"
+#include "session/pictures.hpp"
+
+#include <utility>
+
+namespace triptych {
+
+RenderSink::RenderSink(const RoleCommand& command, const SessionConnector& connector, WindowSource* window,
+                       FrameSource::Numbers numbers)
+    : command_(command), connector_(connector), window_(window) {
+  if (!command.journal.empty()) journal_.emplace(command.journal);
+  if (numbers.first < numbers.count) progress_.emplace("session", window ? 0 : numbers.count - numbers.first);
+}
+
+void RenderSink::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
+  if (record.fallback) connector_.record_alone(frame);
+  if (window_) window_->show(frame, record, stages);
+}
+
+void RenderSink::picture(FrameRecord record, const FrameTarget& target) {
+  progress_->advance();
+  if (!command_.hash && command_.output.empty()) return add(std::move(record));
+  std::vector<uint8_t> colors = target.read_colors();
+  if (command_.hash) record.picture_hash = hash_values(std::span<const uint8_t>(colors));
+  if (command_.output.empty()) return add(std::move(record));
+  const std::filesystem::path file = command_.output / picture_name(record.number);
+  // A frame counts as drawn once its picture is there.
+  writer_.add(file, target.width(), target.height(), std::move(colors),
+              [this, record = std::move(record)] { add(record); });
+}
+
+void RenderSink::epoch_ended(const Mailbox& mailbox, const std::string&) {
+  add_sockets(record_.sockets, sockets_of(Role::render, mailbox));
+  add_backlog(record_.most_waiting, mailbox.max_backlog());
+}
+
+void RenderSink::add(FrameRecord record) {
+  if (!command_.hash) record.visible = {};  // sets are kept on request alone
+  if (journal_) return journal_->add(record);
+  record_.frames.push_back(std::move(record));
+}
+
+RoleRecord RenderSink::finish() {
+  progress_.reset();
+  writer_.finish();
+  return std::move(record_);
+}
+
+}  // namespace triptych
