@@ -111,6 +111,49 @@ TEST(House, no_two_rooms_include_each_other) {
   }
 }
 
+/// Lines of the room's files that match, but for those in folders below it where `top_only`.
+std::vector<std::string> lines_that_match(const std::string& room, const std::regex& pattern,
+                                          bool headers_only, bool top_only) {
+  std::vector<std::string> found;
+  const auto extensions =
+      headers_only ? std::vector<std::string>{".hpp"} : std::vector<std::string>{".cpp", ".hpp"};
+  for (const fs::path& file : files(extensions)) {
+    const fs::path name = fs::relative(file, source_dir);
+    if (*name.begin() != room || (top_only && name.parent_path() != room)) continue;
+    const auto lines = lines_of(file);
+    for (size_t i = 0; i < lines.size(); ++i) {
+      if (std::regex_search(lines[i], pattern)) found.push_back(place(file, i) + ": " + lines[i]);
+    }
+  }
+  return found;
+}
+
+TEST(House, opengl_stays_behind_the_device) {
+  const std::regex opengl(R"(<glad|\bGL(enum|u?int|sizei|float|_[A-Z])|\bgl[A-Z]\w+\()");
+  EXPECT_EQ(lines_that_match("render", opengl, true, true), std::vector<std::string>());
+  for (const std::string room : {"visibility", "nodes", "measure", "view", "session", "launch"})
+    EXPECT_EQ(lines_that_match(room, opengl, false, false), std::vector<std::string>());
+  EXPECT_FALSE(lines_that_match("render", opengl, false, false).empty()) << "OpenGL was not found at all";
+  const std::regex private_header("#include \"render/gl/");
+  for (const auto& [room, others] : may_include) {
+    if (room != "render") {
+      EXPECT_EQ(lines_that_match(room, private_header, false, false), std::vector<std::string>());
+    }
+  }
+}
+
+TEST(House, faults_stand_at_seams_and_not_in_algorithms) {
+  const std::regex asked(R"(\binjected\(|\bdawdle\()");
+  for (const auto& [room, others] : may_include) {
+    if (room == "base") continue;
+    for (const std::string& line : lines_that_match(room, asked, false, false)) {
+      const bool at_seam = std::regex_search(
+          line, std::regex("injected_rules.cpp|session/run_role.cpp|session/session_connector.cpp"));
+      EXPECT_TRUE(at_seam) << line;
+    }
+  }
+}
+
 TEST(House, every_room_is_known) {
   for (const auto& entry : fs::directory_iterator(source_dir)) {
     if (!fs::exists(entry.path() / "CMakeLists.txt")) continue;

@@ -152,10 +152,10 @@ TEST_F(NamedFiles, a_role_is_given_a_pack_that_looks_like_a_flag) {
   SessionOptions options;
   options.run.pack = "-x.tpk";
   const Listener listener({"127.0.0.1", 0});
-  Stage stage;
-  stage.render_listener = stage.switch_listener = &listener;
-  EXPECT_EQ(switch_arguments(options, stage, Role::switch_0).at(2), "./-x.tpk");
-  EXPECT_EQ(render_arguments(options, stage).at(2), "./-x.tpk");
+  SessionSetup setup;
+  setup.render_listener = setup.switch_listener = &listener;
+  EXPECT_EQ(switch_arguments(options, setup, Role::switch_0).at(2), "./-x.tpk");
+  EXPECT_EQ(render_arguments(options, setup).at(2), "./-x.tpk");
 }
 
 void collect(const CLI::App& app, std::set<std::string>& read, std::set<std::string>& written,

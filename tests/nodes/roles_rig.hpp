@@ -110,7 +110,7 @@ class Frames : public FrameSource {
   Frames(const std::vector<View>& views, uint32_t first, uint32_t count)
       : views_(views), numbers_{first, count} {}
   Numbers numbers() const override { return numbers_; }
-  FrameRequest next(uint32_t number) override { return {number, views_[number % views_.size()], 1}; }
+  FrameRequest next(uint32_t number) override { return {number, {views_[number % views_.size()], 1}}; }
 
  private:
   const std::vector<View>& views_;
