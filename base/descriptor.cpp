@@ -11,6 +11,10 @@
 
 namespace triptych {
 
+void Descriptor::close() {
+  if (number_ >= 0) ::close(release());
+}
+
 uint64_t size_of(int descriptor, const std::string& place) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) fail(place, "cannot be read: {}", std::strerror(errno));

@@ -1,4 +1,4 @@
-// Whole reads and writes of open files, whatever the system does at a time.
+// Open files: who closes them, and whole reads and writes, whatever the system does at a time.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,31 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace triptych {
+
+/// The number of an open file, pipe or socket, which is closed with this object.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }  ///< -1 where nothing is open
+  void close();
+  /// Leaves the closing to the caller.
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_ = -1;
+};
 
 /// How many bytes the file has. Error (place) if that cannot be said.
 uint64_t size_of(int descriptor, const std::string& place);

@@ -16,7 +16,7 @@ namespace triptych {
 namespace {
 template <typename Container>
 Container read_whole(const std::filesystem::path& path) {
-  std::FILE* file = ::fdopen(open_to_read(path), "rb");
+  std::FILE* file = ::fdopen(open_to_read(path).release(), "rb");
   if (!file) fail(path.string(), "cannot be opened: {}", std::strerror(errno));
   Container contents;
   char buffer[1 << 16];

@@ -36,19 +36,19 @@ const char* name_of(file_type type) {
 
 }  // namespace
 
-int open_to_read(const std::filesystem::path& file) {
+Descriptor open_to_read(const std::filesystem::path& file) {
   std::error_code error;
   const file_type type = std::filesystem::status(file, error).type();
   if (type == file_type::not_found) fail(file.string(), "cannot be opened: {}", std::strerror(ENOENT));
   if (type == file_type::none) fail(file.string(), "cannot be opened: {}", error.message());
   if (type != file_type::regular) fail(file.string(), "is {}, not a file", name_of(type));
   // Should a pipe take its place just now, this does not wait for whoever writes.
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) fail(file.string(), "cannot be opened: {}", std::strerror(errno));
+  Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!descriptor.is_open()) fail(file.string(), "cannot be opened: {}", std::strerror(errno));
   return descriptor;
 }
 
-void check_readable(const std::filesystem::path& file) { ::close(open_to_read(file)); }
+void check_readable(const std::filesystem::path& file) { open_to_read(file); }
 
 void check_folder_there(const std::filesystem::path& folder) {
   std::error_code error;

@@ -2,6 +2,8 @@
 // behind.
 #pragma once
 
+#include "base/descriptor.hpp"
+
 #include <filesystem>
 
 namespace triptych {
@@ -9,8 +11,8 @@ namespace triptych {
 /// Error (file) unless it is a regular file that this process may read; says what else is there: a folder, a
 /// pipe, a socket or a device.
 void check_readable(const std::filesystem::path& file);
-/// The same, and opens it; the descriptor is the caller's to close.
-int open_to_read(const std::filesystem::path& file);
+/// The same, and opens it.
+Descriptor open_to_read(const std::filesystem::path& file);
 
 /// Error (folder) unless it is a folder.
 void check_folder_there(const std::filesystem::path& folder);

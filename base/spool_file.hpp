@@ -1,6 +1,7 @@
 // A file for work in progress that does not fit in memory: append, and read anywhere.
 #pragma once
 
+#include "base/descriptor.hpp"
 #include "base/kept_bytes.hpp"
 
 #include <cstddef>
@@ -27,11 +28,8 @@ class SpoolFile {
   /// Opens or makes the file and cuts it to what was kept. Error (path) if that fails, or if it holds
   /// something else.
   explicit SpoolFile(std::filesystem::path path, const KeptBytes& kept = {});
-  /// Takes over the descriptor of a new file; `name` is for errors.
-  SpoolFile(std::string name, int descriptor) : path_(std::move(name)), file_(descriptor) {}
-  ~SpoolFile();
-  SpoolFile(const SpoolFile&) = delete;
-  SpoolFile& operator=(const SpoolFile&) = delete;
+  /// Takes over a new file; `name` is for errors.
+  SpoolFile(std::string name, Descriptor file) : path_(std::move(name)), file_(std::move(file)) {}
 
   /// Error (path) where the disk is full.
   SpoolPlace append(std::span<const std::byte> bytes);
@@ -46,7 +44,7 @@ class SpoolFile {
 
  private:
   std::filesystem::path path_;
-  int file_ = -1;
+  Descriptor file_;
   uint64_t size_ = 0;
   StreamHash hash_;
 };

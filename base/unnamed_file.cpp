@@ -10,12 +10,12 @@
 
 namespace triptych {
 
-int open_unnamed_file(const std::filesystem::path& folder) {
+Descriptor open_unnamed_file(const std::filesystem::path& folder) {
   std::error_code error;
   const std::filesystem::path place = folder.empty() ? std::filesystem::temp_directory_path(error) : folder;
   std::string pattern = (place / ".triptych-XXXXXX").string();
-  const int descriptor = ::mkostemp(pattern.data(), O_CLOEXEC);
-  if (descriptor < 0) fail(place.string(), "cannot hold a temporary file: {}", std::strerror(errno));
+  Descriptor descriptor(::mkostemp(pattern.data(), O_CLOEXEC));
+  if (!descriptor.is_open()) fail(place.string(), "cannot hold a temporary file: {}", std::strerror(errno));
   ::unlink(pattern.c_str());
   return descriptor;
 }

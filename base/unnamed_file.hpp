@@ -8,10 +8,9 @@
 
 namespace triptych {
 
-/// Opens a new file in the folder, to read and write, and takes its name away; empty: TMPDIR or /tmp. The
-/// caller closes the descriptor, which programs that are started do not inherit. Error (folder) if that
-/// fails.
-int open_unnamed_file(const std::filesystem::path& folder);
+/// Opens a new file in the folder, to read and write, and takes its name away; empty: TMPDIR or /tmp.
+/// Programs that are started do not inherit it. Error (folder) if that fails.
+Descriptor open_unnamed_file(const std::filesystem::path& folder);
 std::shared_ptr<SpoolFile> open_unnamed_spool(const std::filesystem::path& folder);
 
 }  // namespace triptych

@@ -1,6 +1,5 @@
 #include "measure/frame_journal.hpp"
 
-#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "measure/session_records.hpp"
 
@@ -8,20 +7,17 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <unistd.h>
 
 namespace triptych {
 
 FrameJournal::FrameJournal(const std::filesystem::path& path)
-    : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644)) {
-  if (descriptor_ < 0) fail(path.string(), "cannot be written: {}", std::strerror(errno));
+    : path_(path), file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644)) {
+  if (!file_.is_open()) fail(path.string(), "cannot be written: {}", std::strerror(errno));
 }
-
-FrameJournal::~FrameJournal() { ::close(descriptor_); }
 
 void FrameJournal::add(const FrameRecord& record) {
   const std::string line = to_json(record).dump() + "\n";
-  write_all(descriptor_, std::as_bytes(std::span(line)), path_.string());
+  write_all(file_.number(), std::as_bytes(std::span(line)), path_.string());
 }
 
 size_t mend_frame_journal(const std::filesystem::path& path) {

@@ -1,6 +1,7 @@
 // Frame records in a file while they come, so that none is lost with the process that writes them.
 #pragma once
 
+#include "base/descriptor.hpp"
 #include "nodes/frame_record.hpp"
 
 #include <filesystem>
@@ -13,14 +14,11 @@ class FrameJournal {
  public:
   /// Error (place: the path) if it cannot be written.
   explicit FrameJournal(const std::filesystem::path& path);
-  ~FrameJournal();
-  FrameJournal(const FrameJournal&) = delete;
-  FrameJournal& operator=(const FrameJournal&) = delete;
   void add(const FrameRecord& record);
 
  private:
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  Descriptor file_;
 };
 
 /// Cuts off what a killed writer left half written. How many whole records there are; 0 without a file.

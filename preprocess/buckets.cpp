@@ -53,9 +53,8 @@ uint32_t Buckets::cut(std::span<glm::ivec3> sample, uint64_t limit) {
   cuts_.emplace_back();
   LatticeBox box;
   for (const glm::ivec3& center : sample) box.extend(center);
-  const glm::ivec3 size = sample.empty() ? glm::ivec3(0) : box.hi - box.lo;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  if (sample.size() <= limit || size[axis] == 0) {
+  const int axis = sample.empty() ? 0 : box.longest_axis();
+  if (sample.size() <= limit || box.lo[axis] == box.hi[axis]) {
     cuts_[index].first = static_cast<uint32_t>(places_.size());
     places_.emplace_back();
     return index;

@@ -1,5 +1,7 @@
 #include "preprocess/build_hierarchy.hpp"
 
+#include "simplify/median_split.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -14,15 +16,12 @@ using Range = std::span<uint32_t>;
 class Splitter {
  public:
   explicit Splitter(std::span<const ObjectExtent> objects) : objects_(objects) {
-    for (const auto& [box, triangles] : objects) centers_.push_back((box.lo + box.hi) * 0.5);
+    for (const auto& [box, triangles] : objects) centers_.push_back(center(box));
   }
 
   /// At the median along the longest axis of the centres.
   std::vector<Range> halves(Range range) const {
-    Box centers;
-    for (const uint32_t object : range) centers.extend(centers_[object]);
-    const glm::dvec3 size = centers.hi - centers.lo;
-    sort(range, size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2);
+    split_at_median(range, centers_);
     return {range.first(range.size() / 2), range.subspan(range.size() / 2)};
   }
 
@@ -55,11 +54,7 @@ class Splitter {
     }
     return expected_cost(box, static_cast<double>(range.size()), triangles);
   }
-  void sort(Range range, int axis) const {
-    std::sort(range.begin(), range.end(), [&](uint32_t a, uint32_t b) {
-      return centers_[a][axis] != centers_[b][axis] ? centers_[a][axis] < centers_[b][axis] : a < b;
-    });
-  }
+  void sort(Range range, int axis) const { std::sort(range.begin(), range.end(), AlongAxis{centers_, axis}); }
 
   std::span<const ObjectExtent> objects_;
   std::vector<glm::dvec3> centers_;

@@ -67,7 +67,7 @@ class Forest {
 
 std::vector<Edge> edges_between(std::span<const ObjectExtent> objects, uint32_t neighbours) {
   std::vector<glm::dvec3> centers;
-  for (const ObjectExtent& object : objects) centers.push_back((object.box.lo + object.box.hi) * 0.5);
+  for (const ObjectExtent& object : objects) centers.push_back(center(object.box));
   const auto nearest = nearest_neighbours(centers, neighbours);
   std::vector<Edge> edges;
   for (uint32_t i = 0; i < objects.size(); ++i) {

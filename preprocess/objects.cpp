@@ -35,7 +35,7 @@ double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triang
     Box centers;
     uint64_t triangles = 0;
     for (const uint32_t index : group) {
-      centers.extend((extents[index].box.lo + extents[index].box.hi) * 0.5);
+      centers.extend(center(extents[index].box));
       triangles += extents[index].triangles;
     }
     places.push_back({diagonal(centers), triangles});

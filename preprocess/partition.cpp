@@ -18,8 +18,7 @@ struct Item {
 size_t split(std::span<Item> items) {
   Box centers;
   for (const Item& item : items) centers.extend(item.center);
-  const glm::dvec3 size = centers.hi - centers.lo;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const int axis = centers.longest_axis();
   const double middle = (centers.lo[axis] + centers.hi[axis]) / 2;
   // The middle keeps parts compact; it is taken where neither side gets less than a quarter.
   const auto above = std::stable_partition(items.begin(), items.end(),
@@ -86,7 +85,7 @@ std::vector<std::vector<uint32_t>> partition_objects(std::span<const ObjectExten
                                                      std::span<const uint32_t> group, uint64_t triangles) {
   std::vector<Item> items;
   for (const uint32_t index : group) {
-    items.push_back({(objects[index].box.lo + objects[index].box.hi) * 0.5, index});
+    items.push_back({center(objects[index].box), index});
   }
   return partition(std::move(items), [&](std::span<const Item> part) {
     uint64_t count = 0;

@@ -1,6 +1,5 @@
 #include "preprocess/pieces.hpp"
 
-#include "base/disjoint_sets.hpp"
 #include "preprocess/object_extent.hpp"
 #include "preprocess/partition.hpp"
 
@@ -99,10 +98,7 @@ class Joiner {
 
 /// For each triangle the number of its connected component.
 std::vector<uint32_t> components_of(const Surface& surface, uint32_t& count) {
-  DisjointSets connected(surface.points.size());
-  for (const Triangle& triangle : surface.triangles) {
-    for (const uint32_t vertex : triangle.vertices) connected.join(vertex, triangle.vertices[0]);
-  }
+  DisjointSets connected = connected_points(surface);
   std::vector<uint32_t> numbers(surface.points.size(), no_id), components;
   for (const Triangle& triangle : surface.triangles) {
     uint32_t& number = numbers[connected.root(triangle.vertices[0])];

@@ -12,7 +12,6 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace triptych {
 
@@ -39,18 +38,17 @@ WorkFolder::WorkFolder(const std::filesystem::path& pack, const std::string& fin
   // A build leaves nothing without its lock: this is somebody else's.
   if (!std::filesystem::exists(file("lock"), error) && !std::filesystem::is_empty(folder_, error))
     fail(folder_.string(), "the build would work in this folder, which holds other files");
-  lock_ = ::open(file("lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock_ < 0) {
+  lock_ = Descriptor(::open(file("lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!lock_.is_open()) {
     const int problem = errno;
     std::filesystem::remove(folder_, error);  // unless there is something in it
     fail(folder_.string(), "cannot be written: {}", std::strerror(problem));
   }
   struct stat locked {};
   // One that was removed in between was the lock of a build that has just ended.
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 || ::fstat(lock_, &locked) != 0 || locked.st_nlink == 0) {
-    ::close(lock_);
+  if (::flock(lock_.number(), LOCK_EX | LOCK_NB) != 0 || ::fstat(lock_.number(), &locked) != 0 ||
+      locked.st_nlink == 0)
     fail(pack.string(), "another process is building it");
-  }
   try {
     take_over(fingerprint, needed);
   } catch (...) {
@@ -85,7 +83,7 @@ void WorkFolder::leave() {
     std::filesystem::remove(file("lock"), error);
     std::filesystem::remove(folder_, error);
   }
-  ::close(lock_);
+  lock_.close();
 }
 
 bool WorkFolder::remove_work() {

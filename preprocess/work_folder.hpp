@@ -40,7 +40,7 @@ class WorkFolder {
   bool remove_work();
 
   std::filesystem::path folder_;
-  int lock_ = -1;
+  Descriptor lock_;
 };
 
 /// What a build has done, unit after unit. A unit's record stands in the journal when all that the unit wrote

@@ -78,22 +78,15 @@ void RecordingWriter::finish() {
 
 RecordingReader::RecordingReader(std::filesystem::path file)
     : path_(std::move(file)), file_(open_to_read(path_)) {
-  try {
-    size_ = size_of(file_, path_.string());
-    read_header();
-  } catch (...) {
-    ::close(file_);
-    throw;
-  }
+  size_ = size_of(file_.number(), path_.string());
+  read_header();
 }
-
-RecordingReader::~RecordingReader() { ::close(file_); }
 
 void RecordingReader::read_header() {
   const std::string path = path_.string();
   if (size_ < start_bytes) fail(path, "is no recording of a session");
   std::array<std::byte, start_bytes> bytes{};
-  read_at(file_, 0, bytes, path);
+  read_at(file_.number(), 0, bytes, path);
   ByteReader start(bytes, path);
   if (start.read<std::array<char, magic.size()>>() != magic) fail(path, "is no recording of a session");
   if (const auto version = start.read<uint32_t>(); version != recording_version) {
@@ -113,7 +106,7 @@ std::string RecordingReader::place() const { return fmt::format("{} byte {}", pa
 bool RecordingReader::was_finished() const {
   std::array<std::byte, end_bytes> bytes{};
   if (size_ < start_bytes + end_bytes) return false;
-  read_at(file_, size_ - end_bytes, bytes, path_.string());
+  read_at(file_.number(), size_ - end_bytes, bytes, path_.string());
   ByteReader end(bytes, path_.string());
   if (end.read<uint32_t>() != sizeof(uint64_t)) return false;
   end.read<uint64_t>();
@@ -131,12 +124,12 @@ std::vector<std::byte> RecordingReader::read_record() {
   const uint64_t left = size_ - offset_;
   if (left < sizeof(uint32_t)) fail_too_short();
   std::array<std::byte, sizeof(uint32_t)> length_bytes{};
-  read_at(file_, offset_, length_bytes, path_.string());
+  read_at(file_.number(), offset_, length_bytes, path_.string());
   const auto length = ByteReader(length_bytes, place()).read<uint32_t>();
   if (length > record_limit) fail(place(), "the recording is damaged: a record of {} bytes", length);
   if (left < 2 * sizeof(uint32_t) + length) fail_too_short();
   std::vector<std::byte> bytes(2 * sizeof(uint32_t) + length);
-  read_at(file_, offset_, bytes, path_.string());
+  read_at(file_.number(), offset_, bytes, path_.string());
   const auto checked = std::span<const std::byte>(bytes).first(sizeof(uint32_t) + length);
   const auto checksum =
       ByteReader(std::span<const std::byte>(bytes).last(sizeof(uint32_t)), place()).read<uint32_t>();

@@ -63,9 +63,6 @@ class RecordingWriter {
 class RecordingReader {
  public:
   explicit RecordingReader(std::filesystem::path file);
-  ~RecordingReader();
-  RecordingReader(const RecordingReader&) = delete;
-  RecordingReader& operator=(const RecordingReader&) = delete;
   const RecordingHeader& header() const { return header_; }
   /// The next message, or nothing after the last.
   std::optional<RecordedMessage> next();
@@ -78,7 +75,7 @@ class RecordingReader {
   std::string place() const;
 
   std::filesystem::path path_;
-  int file_ = -1;
+  Descriptor file_;
   uint64_t size_ = 0, offset_ = 0, count_ = 0;
   RecordingHeader header_;
 };

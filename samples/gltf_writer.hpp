@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/file.hpp"
-#include "samples/building/obj_furniture.hpp"
+#include "samples/mesh_part.hpp"
 
 #include <cstdint>
 #include <filesystem>

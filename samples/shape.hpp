@@ -1,7 +1,7 @@
 // A body out of bars and round parts that becomes as many triangles as it is given.
 #pragma once
 
-#include "samples/building/obj_furniture.hpp"
+#include "samples/mesh_part.hpp"
 
 #include <cstdint>
 #include <glm/glm.hpp>

@@ -1,8 +1,8 @@
 // Closed bodies that buildings are made of: boxes, and slabs with rectangular holes.
 #pragma once
 
-#include "samples/building/floor_plan.hpp"
-#include "samples/building/obj_furniture.hpp"
+#include "samples/mesh_part.hpp"
+#include "samples/rect.hpp"
 
 namespace triptych {
 

@@ -32,11 +32,18 @@ struct BasicBox {
   }
   /// Corner i of 8: bit 0 chooses x, bit 1 y, bit 2 z.
   Vector corner(int i) const { return {i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z}; }
+  /// 0 for x, 1 for y, 2 for z; the first of several. The box is not empty.
+  int longest_axis() const {
+    const Vector size = hi - lo;
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  }
   bool operator==(const BasicBox&) const = default;
 };
 
 using Box = BasicBox<glm::dvec3>;         ///< model or mesh space, doubles
 using LatticeBox = BasicBox<glm::ivec3>;  ///< lattice coordinates
+
+inline glm::dvec3 center(const Box& box) { return (box.lo + box.hi) * 0.5; }
 
 /// Half of the surface: how often a box is seen goes with it, from anywhere and in any direction. The box is
 /// not empty.

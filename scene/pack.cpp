@@ -1,34 +1,25 @@
 #include "scene/pack.hpp"
 
 #include "base/bytes.hpp"
-#include "base/descriptor.hpp"
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "scene/pack_skeleton.hpp"
 
 #include <string_view>
-#include <unistd.h>
 
 namespace triptych {
 
 Pack::Pack(const std::filesystem::path& file) : name_(file.string()), file_(open_to_read(file)) {
-  try {
-    size_ = size_of(file_, name_);
-    read_table();
-  } catch (...) {
-    ::close(file_);
-    throw;
-  }
+  size_ = size_of(file_.number(), name_);
+  read_table();
 }
-
-Pack::~Pack() { ::close(file_); }
 
 std::vector<std::byte> Pack::read_bytes(uint64_t offset, uint64_t count, const std::string& place) const {
   if (offset > size_ || count > size_ - offset) {
     fail(place, "byte {}: the file ends at byte {}, {} bytes were wanted", offset, size_, count);
   }
   std::vector<std::byte> bytes(static_cast<size_t>(count));
-  read_at(file_, offset, bytes, place);
+  read_at(file_.number(), offset, bytes, place);
   return bytes;
 }
 

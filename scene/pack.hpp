@@ -2,6 +2,7 @@
 // docs/pack-format.md has it to the byte.
 #pragma once
 
+#include "base/descriptor.hpp"
 #include "scene/chunk.hpp"
 #include "scene/pack_format.hpp"
 #include "scene/skeleton.hpp"
@@ -18,9 +19,6 @@ class Pack {
  public:
   /// Error (file, section, byte) for a file that is no pack, is cut, is damaged, or is of another version.
   explicit Pack(const std::filesystem::path& file);
-  ~Pack();
-  Pack(const Pack&) = delete;
-  Pack& operator=(const Pack&) = delete;
 
   const Skeleton& skeleton() const { return skeleton_; }
   /// Reads, verifies and decodes one chunk. Error (file, chunk) for damage.
@@ -35,7 +33,7 @@ class Pack {
   std::vector<std::byte> read_bytes(uint64_t offset, uint64_t count, const std::string& place) const;
 
   std::string name_;
-  int file_ = -1;
+  Descriptor file_;
   uint64_t size_ = 0, geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
 };

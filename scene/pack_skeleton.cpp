@@ -1,43 +1,42 @@
 #include "scene/pack_skeleton.hpp"
 
-#include "base/bytes.hpp"
+#include "base/record.hpp"
 #include "scene/chunk.hpp"
 
 #include <cmath>
 
 namespace triptych {
 
+template <>
+inline constexpr auto record_members<ImportReport> = std::tuple(&ImportReport::dropped_triangles,
+                                                                &ImportReport::welded_vertices,
+                                                                &ImportReport::repaired_edges,
+                                                                &ImportReport::stuck_groups,
+                                                                &ImportReport::warnings);
+/// All but the pieces, which come last and may be written from elsewhere.
+template <>
+inline constexpr auto record_members<Skeleton> = std::tuple(
+    &Skeleton::source_triangles, &Skeleton::placed_triangles, &Skeleton::objects, &Skeleton::import,
+    &Skeleton::effects, &Skeleton::lattices, &Skeleton::palette, &Skeleton::transforms,
+    &Skeleton::scene_nodes, &Skeleton::drawables, &Skeleton::placements, &Skeleton::chunks);
+
 namespace {
 
 // The arrays are written as they stand in memory; these sizes are the format.
 static_assert(sizeof(SceneNode) == 44 && sizeof(Drawable) == 24 && sizeof(Placement) == 8);
 static_assert(sizeof(Affine) == 96 && sizeof(Lattice) == 32 && sizeof(ChunkInfo) == 64 &&
-              sizeof(LatticeBox) == 24);
+              sizeof(LatticeBox) == 24 && sizeof(ObjectCounts) == 32);
 
 using Write = std::function<void(std::span<const std::byte>)>;
 
-template <typename Value>
-void write_array(const Write& write, const std::vector<Value>& values) {
-  const uint64_t count = values.size();
-  write(std::as_bytes(std::span(&count, 1)));
-  write(std::as_bytes(std::span<const Value>(values)));
-}
-
-template <typename Value>
-std::vector<Value> read_array(ByteReader& reader) {
-  return reader.read_all<Value>(reader.read<uint64_t>());
-}
-
-void write_texts(ByteWriter& writer, const std::vector<std::string>& texts) {
-  writer.write(static_cast<uint32_t>(texts.size()));
-  for (const std::string& text : texts) writer.write_text(text);
-}
-
-std::vector<std::string> read_texts(ByteReader& reader) {
-  std::vector<std::string> texts;
-  for (auto count = reader.read<uint32_t>(); count > 0; --count) texts.push_back(reader.read_text());
-  return texts;
-}
+/// What write_record() writes to, where the bytes go on as they come.
+struct Sink {
+  const Write& write;
+  template <typename Value>
+  void write_all(std::span<const Value> values) {
+    write(std::as_bytes(values));
+  }
+};
 
 bool in_range(uint64_t first, uint64_t count, uint64_t size) {
   return first <= size && count <= size - first;
@@ -140,26 +139,9 @@ void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::s
 
 }  // namespace
 
-void write_skeleton(const Skeleton& skeleton, uint64_t piece_count,
-                    const std::function<void(std::span<const std::byte>)>& write) {
-  ByteWriter head;
-  for (const uint64_t count :
-       {skeleton.source_triangles, skeleton.placed_triangles, skeleton.objects.initial,
-        skeleton.objects.partition1, skeleton.objects.clusters, skeleton.objects.partition2,
-        skeleton.import.dropped_triangles, skeleton.import.welded_vertices, skeleton.import.repaired_edges,
-        skeleton.import.stuck_groups}) {
-    head.write(count);
-  }
-  write_texts(head, skeleton.import.warnings);
-  write_texts(head, skeleton.effects);
-  write(head.bytes());
-  write_array(write, skeleton.lattices);
-  write_array(write, skeleton.palette);
-  write_array(write, skeleton.transforms);
-  write_array(write, skeleton.scene_nodes);
-  write_array(write, skeleton.drawables);
-  write_array(write, skeleton.placements);
-  write_array(write, skeleton.chunks);
+void write_skeleton(const Skeleton& skeleton, uint64_t piece_count, const Write& write) {
+  Sink sink{write};
+  write_record(sink, skeleton);
   write(std::as_bytes(std::span(&piece_count, 1)));
 }
 
@@ -173,24 +155,8 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
 
 Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_size, const std::string& place) {
   ByteReader reader(bytes, place);
-  Skeleton skeleton;
-  for (uint64_t* count :
-       {&skeleton.source_triangles, &skeleton.placed_triangles, &skeleton.objects.initial,
-        &skeleton.objects.partition1, &skeleton.objects.clusters, &skeleton.objects.partition2,
-        &skeleton.import.dropped_triangles, &skeleton.import.welded_vertices, &skeleton.import.repaired_edges,
-        &skeleton.import.stuck_groups}) {
-    *count = reader.read<uint64_t>();
-  }
-  skeleton.import.warnings = read_texts(reader);
-  skeleton.effects = read_texts(reader);
-  skeleton.lattices = read_array<Lattice>(reader);
-  skeleton.palette = read_array<std::array<uint8_t, 4>>(reader);
-  skeleton.transforms = read_array<Affine>(reader);
-  skeleton.scene_nodes = read_array<SceneNode>(reader);
-  skeleton.drawables = read_array<Drawable>(reader);
-  skeleton.placements = read_array<Placement>(reader);
-  skeleton.chunks = read_array<ChunkInfo>(reader);
-  skeleton.pieces = read_array<LatticeBox>(reader);
+  auto skeleton = read_record<Skeleton>(reader);
+  skeleton.pieces = read_record<std::vector<LatticeBox>>(reader);
   reader.expect_end();
   if (skeleton.lattices.empty() || skeleton.transforms.empty() || skeleton.palette.empty()) {
     fail(place, "lacks its lattice, transform or palette");

@@ -6,12 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,33 +17,9 @@ namespace triptych {
 namespace {
 constexpr int slice_ms = 100;
 constexpr std::string_view complaint_prefix = "triptych: ", record_prefix = "triptych-record: ";
-
-/// Keeps signals waiting while a child is made: one that comes before its program has begun is the child's
-/// own, and not lost on the handlers of its starter.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsHeld() { release(); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-  void release() const { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
- private:
-  sigset_t before_{};
-};
 }  // namespace
 
-ChildProcesses::~ChildProcesses() {
-  end_all(std::chrono::milliseconds(1000));
-  for (const Child& child : children_) {
-    if (child.errors >= 0) ::close(child.errors);
-  }
-  close_inputs();
-}
+ChildProcesses::~ChildProcesses() { end_all(std::chrono::milliseconds(1000)); }
 
 pid_t ChildProcesses::start(const std::string& name, const std::vector<std::string>& arguments,
                             Output output) {
@@ -59,55 +32,36 @@ pid_t ChildProcesses::start_line(const std::string& name, const std::string& lin
   return launch(name, "/bin/sh", {"sh", "-c", line}, Output::as_error, true);
 }
 
-pid_t ChildProcesses::launch(const std::string& name, const char* program, std::vector<std::string> words,
+pid_t ChildProcesses::launch(const std::string& name, const char* file, std::vector<std::string> words,
                              Output output, bool own_input) {
-  std::array<int, 2> pipe{}, input{-1, -1};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0 || (own_input && ::pipe2(input.data(), O_CLOEXEC) != 0))
-    fail(name, "cannot be started: {}", std::strerror(errno));
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  const pid_t parent = ::getpid();
-  const SignalsHeld held;
-  const pid_t pid = ::fork();
-  if (pid == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
-    ::dup2(pipe[1], STDERR_FILENO);
-    if (output == Output::as_error) ::dup2(pipe[1], STDOUT_FILENO);
-    if (own_input) {
-      ::dup2(input[0], STDIN_FILENO);
-      // A terminal's signals are for this program: who carries what the other machine says stays till it has.
-      ::signal(SIGHUP, SIG_IGN);
-    }
-    ::signal(SIGINT, own_input ? SIG_IGN : SIG_DFL);
-    ::signal(SIGTERM, SIG_DFL);
-    held.release();
-    ::execv(program, pointers.data());
-    ::_exit(127);
+  Pipe errors = open_pipe(name), input;
+  Program program{.file = file,
+                  .words = std::move(words),
+                  .descriptors = {{errors.write.number(), STDERR_FILENO}},
+                  .default_signals = {SIGTERM},
+                  .ignored_signals = {}};
+  if (output == Output::as_error) program.descriptors.push_back({errors.write.number(), STDOUT_FILENO});
+  if (own_input) {
+    input = open_pipe(name);
+    program.descriptors.push_back({input.read.number(), STDIN_FILENO});
+    // A terminal's signals are for this program: who carries what the other machine says stays till it has.
+    program.ignored_signals = {SIGHUP, SIGINT};
+  } else {
+    program.default_signals.push_back(SIGINT);
   }
-  const int problem = errno;
-  ::close(pipe[1]);
-  if (own_input) ::close(input[0]);
+  const pid_t pid = start_program(program, name);
   children_.push_back({.name = name,
                        .pid = pid,
-                       .errors = pipe[0],
-                       .input = input[1],
+                       .errors = std::move(errors.read),
+                       .input = std::move(input.write),
                        .by_line = own_input,
                        .line = {},
                        .complaint = {}});
-  if (pid < 0) {
-    children_.back().running = false;
-    fail(name, "cannot be started: {}", std::strerror(problem));
-  }
   return pid;
 }
 
 void ChildProcesses::close_inputs() {
-  for (Child& child : children_) {
-    if (child.input >= 0) ::close(child.input);
-    child.input = -1;
-  }
+  for (Child& child : children_) child.input.close();
 }
 
 std::vector<std::string> ChildProcesses::records(const std::string& name) const {
@@ -136,17 +90,16 @@ void ChildProcesses::take_lines(Child& child, const char* characters, size_t cou
 void ChildProcesses::read_errors(int timeout_ms) {
   std::vector<pollfd> waiting;
   for (const Child& child : children_)
-    waiting.push_back({.fd = child.errors, .events = POLLIN, .revents = 0});
+    waiting.push_back({.fd = child.errors.number(), .events = POLLIN, .revents = 0});
   if (::poll(waiting.data(), waiting.size(), timeout_ms) <= 0) return;
   for (size_t i = 0; i < waiting.size(); ++i) {
     if (waiting[i].revents == 0) continue;
     std::array<char, 4096> buffer{};
-    const ssize_t count = ::read(children_[i].errors, buffer.data(), buffer.size());
+    const ssize_t count = ::read(children_[i].errors.number(), buffer.data(), buffer.size());
     if (count > 0) {
       take_lines(children_[i], buffer.data(), static_cast<size_t>(count));
     } else {
-      ::close(children_[i].errors);
-      children_[i].errors = -1;  // poll passes negative descriptors over
+      children_[i].errors.close();  // poll passes negative descriptors over
     }
   }
 }
@@ -177,7 +130,7 @@ void ChildProcesses::signal_all(int signal) {
 void ChildProcesses::end_all(std::chrono::milliseconds grace) {
   // The end of its input reaches a program on another machine; a signal would reach only what started it.
   const bool beyond = std::any_of(children_.begin(), children_.end(),
-                                  [](const Child& child) { return child.running && child.input >= 0; });
+                                  [](const Child& child) { return child.running && child.input.is_open(); });
   close_inputs();
   for (const Stopwatch stopwatch;
        beyond && any_running() && stopwatch.milliseconds() < static_cast<double>(grace.count());) {
@@ -210,7 +163,7 @@ std::string ChildProcesses::failure(const Child& child) {
 void ChildProcesses::read_the_rest(const Child& child) {
   const Stopwatch stopwatch;
   constexpr double limit_ms = 200;  // somebody else may hold the pipe
-  while (child.errors >= 0 && stopwatch.milliseconds() < limit_ms) read_errors(5);
+  while (child.errors.is_open() && stopwatch.milliseconds() < limit_ms) read_errors(5);
 }
 
 std::optional<ChildProcesses::Ended> ChildProcesses::wait_for_one(bool (*stop)()) {

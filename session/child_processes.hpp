@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/clock.hpp"
+#include "base/process.hpp"
 
 #include <chrono>
 #include <optional>
@@ -60,8 +61,8 @@ class ChildProcesses {
   struct Child {
     std::string name;
     pid_t pid = -1;
-    int errors = -1;  ///< read end of its standard error
-    int input = -1;   ///< write end of its standard input, where it is ours
+    Descriptor errors;  ///< read end of its standard error
+    Descriptor input;   ///< write end of its standard input, where it is ours
     bool by_line = false;
     std::string line;
     std::string complaint, record{};
@@ -71,7 +72,7 @@ class ChildProcesses {
     bool told = false;  ///< its end, by wait_for_one()
     int status = 0;
   };
-  pid_t launch(const std::string& name, const char* program, std::vector<std::string> words, Output output,
+  pid_t launch(const std::string& name, const char* file, std::vector<std::string> words, Output output,
                bool own_input);
   void close_inputs();
   void read_errors(int timeout_ms);

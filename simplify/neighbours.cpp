@@ -1,7 +1,7 @@
 #include "simplify/neighbours.hpp"
 
 #include "base/threads.hpp"
-#include "scene/box.hpp"
+#include "simplify/median_split.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -40,22 +40,11 @@ class Tree {
     }
   };
 
-  /// Equal coordinates are in the order of their indices.
-  bool before(uint32_t a, uint32_t b, int axis) const {
-    return points_[a][axis] != points_[b][axis] ? points_[a][axis] < points_[b][axis] : a < b;
-  }
-
   void build(size_t first, size_t end) {
     if (end - first < 2) return;
-    Box box;
-    for (size_t i = first; i < end; ++i) box.extend(points_[order_[i]]);
-    const glm::dvec3 size = box.hi - box.lo;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const size_t middle = (first + end) / 2;
-    const auto at = [&](size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(first), at(middle), at(end),
-                     [&](uint32_t a, uint32_t b) { return before(a, b, axis); });
-    axes_[middle] = static_cast<uint8_t>(axis);
+    axes_[middle] =
+        static_cast<uint8_t>(split_at_median(std::span(order_).subspan(first, end - first), points_));
     build(first, middle);
     build(middle + 1, end);
   }
@@ -78,7 +67,7 @@ class Tree {
     }
     const int axis = axes_[middle];
     const double beyond = points_[index][axis] - points_[other][axis];
-    const bool low_first = before(index, other, axis);
+    const bool low_first = AlongAxis{points_, axis}(index, other);
     search(low_first ? first : middle + 1, low_first ? middle : end, index, count, heap);
     if (heap.size() < count || beyond * beyond < heap.front().distance) {
       search(low_first ? middle + 1 : first, low_first ? end : middle, index, count, heap);

@@ -1,6 +1,5 @@
 #include "simplify/simplify.hpp"
 
-#include "base/disjoint_sets.hpp"
 #include "simplify/reducer.hpp"
 #include "simplify/vertex_clustering.hpp"
 
@@ -28,12 +27,7 @@ constexpr size_t small_thing = 256;
 /// there, and what they reached by then is no nearer than a clustering. What has a locked point is a piece of
 /// something larger.
 bool is_heap(const Surface& surface, std::span<const uint8_t> locked) {
-  DisjointSets sets(surface.points.size());
-  for (const Triangle& triangle : surface.triangles) {
-    const auto& [a, b, c] = triangle.vertices;
-    sets.join(a, b);
-    sets.join(b, c);
-  }
+  DisjointSets sets = connected_points(surface);
   std::vector<size_t> sizes(surface.points.size(), 0);
   for (const Triangle& triangle : surface.triangles) ++sizes[sets.root(triangle.vertices[0])];
   for (uint32_t i = 0; i < locked.size(); ++i) {

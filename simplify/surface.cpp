@@ -30,6 +30,15 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
   return piece;
 }
 
+DisjointSets connected_points(const Surface& surface) {
+  DisjointSets sets(surface.points.size());
+  for (const auto& [vertices, material] : surface.triangles) {
+    sets.join(vertices[0], vertices[1]);
+    sets.join(vertices[0], vertices[2]);
+  }
+  return sets;
+}
+
 Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   constexpr uint32_t none = 0xffffffffu;
   Chunk chunk;

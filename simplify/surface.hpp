@@ -1,6 +1,7 @@
 // Triangles on a lattice: what welding, partition and simplification pass to each other.
 #pragma once
 
+#include "base/disjoint_sets.hpp"
 #include "model/model.hpp"
 #include "scene/box.hpp"
 #include "scene/chunk.hpp"
@@ -29,6 +30,9 @@ struct Piece {
 
 /// The given triangles of the surface as a piece of its own, points in the order of their first use.
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles);
+
+/// The surface's points in the sets that its triangles connect.
+DisjointSets connected_points(const Surface& surface);
 
 /// The surface as it is drawn: a vertex for each point, colour and piece that meet. `pieces`: for each
 /// triangle ChunkVertex::piece; none if all of it is one.

@@ -1,5 +1,7 @@
 #include "simplify/triangle_tree.hpp"
 
+#include "simplify/median_split.hpp"
+
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -70,10 +72,9 @@ TriangleTree::TriangleTree(std::vector<Corners> triangles) : triangles_(std::mov
 void TriangleTree::build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& centers) {
   const auto index = nodes_.size();
   nodes_.emplace_back();
-  Box box, middle_box;
+  Box box;
   for (uint32_t i = first; i < end; ++i) {
     for (const glm::dvec3& corner : triangles_[order_[i]]) box.extend(corner);
-    middle_box.extend(centers[order_[i]]);
   }
   nodes_[index].box = box;
   if (end - first <= 3) {
@@ -81,13 +82,8 @@ void TriangleTree::build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& 
     nodes_[index].count = end - first;
     return;
   }
-  const glm::dvec3 size = middle_box.hi - middle_box.lo;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const uint32_t middle = (first + end) / 2;
-  std::nth_element(
-      order_.begin() + first, order_.begin() + middle, order_.begin() + end, [&](uint32_t a, uint32_t b) {
-        return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis] : a < b;
-      });
+  split_at_median(std::span(order_).subspan(first, end - first), centers);
   build(first, middle, centers);
   nodes_[index].first = static_cast<uint32_t>(nodes_.size());
   build(middle, end, centers);

@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/one_line.hpp"
+#include "base/process.hpp"
 #include "base/unnamed_file.hpp"
 #include "model/import/mesh_stream_source.hpp"
 
@@ -11,10 +12,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
 #include <optional>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -29,28 +28,7 @@ constexpr size_t most_talk = size_t{1} << 16;  ///< bytes that are listened to
 /// A child process that is killed and collected when it goes out of scope.
 class Child {
  public:
-  /// `output` becomes its descriptor 3, `errors` its standard error.
-  Child(const std::string& program, const std::vector<std::string>& arguments, int output, int errors) {
-    std::vector<std::string> copies = arguments;
-    copies.insert(copies.begin(), program);
-    std::vector<char*> words;
-    for (std::string& copy : copies) words.push_back(copy.data());
-    words.push_back(nullptr);
-    const pid_t parent = ::getpid();
-    pid_ = ::fork();
-    if (pid_ < 0) fail(program, "cannot be started: {}", std::strerror(errno));
-    if (pid_ > 0) return;
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
-    // Both are moved out of the way first, so that neither lands on the other.
-    const int output_copy = ::fcntl(output, F_DUPFD, 10), errors_copy = ::fcntl(errors, F_DUPFD, 10);
-    ::dup2(output_copy, 3);
-    ::dup2(errors_copy, STDERR_FILENO);
-    ::close(output_copy);
-    ::close(errors_copy);
-    ::execv(program.c_str(), words.data());
-    ::_exit(127);
-  }
+  explicit Child(pid_t pid) : pid_(pid) {}
   ~Child() {
     if (!running_) return;
     ::kill(pid_, SIGKILL);
@@ -76,19 +54,8 @@ class Child {
   }
 
  private:
-  pid_t pid_ = -1;
+  pid_t pid_;
   bool running_ = true;
-};
-
-struct Descriptor {
-  int number = -1;
-  Descriptor() = default;
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
-  void close() {
-    if (number >= 0) ::close(std::exchange(number, -1));
-  }
 };
 
 std::filesystem::path beside_this_program() {
@@ -124,18 +91,19 @@ Converted convert_model(const std::filesystem::path& file, const ImportOptions& 
   if (::access(program.c_str(), X_OK) != 0)
     fail(place, "is of a format that {} reads, which is not there", program.string());
 
-  Descriptor output;
-  output.number = open_unnamed_file(options.temporary_folder);
-  std::array<int, 2> pipe{};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail(place, "cannot be read: {}", std::strerror(errno));
-  Descriptor read_end, write_end;
-  read_end.number = pipe[0];
-  write_end.number = pipe[1];
-  Child child(program.string(), {"--memory", std::to_string(options.converter_bytes), place}, output.number,
-              write_end.number);
-  write_end.close();
+  Descriptor output = open_unnamed_file(options.temporary_folder);
+  Pipe errors = open_pipe(place);
+  const Program reader{
+      .file = program.string(),
+      .words = {program.string(), "--memory", std::to_string(options.converter_bytes), place},
+      .descriptors = {{output.number(), 3}, {errors.write.number(), STDERR_FILENO}},
+      .death_signal = SIGKILL,
+      .default_signals = {},
+      .ignored_signals = {}};
+  Child child(start_program(reader, program.string()));
+  errors.write.close();
   const Stopwatch stopwatch;
-  const std::string said = listen(read_end.number, options.converter_seconds);
+  const std::string said = listen(errors.read.number(), options.converter_seconds);
   const auto ended = child.wait(options.converter_seconds - stopwatch.seconds());
   if (!ended) fail(place, "takes more than {} s to read; it was given up", options.converter_seconds);
   const int status = *ended;
@@ -161,7 +129,7 @@ Converted convert_model(const std::filesystem::path& file, const ImportOptions& 
          complaint.empty() ? fmt::format("its reader ended with exit code {}", WEXITSTATUS(status))
                            : complaint);
   }
-  converted.glb = std::make_shared<StreamSource>(place, std::exchange(output.number, -1));
+  converted.glb = std::make_shared<StreamSource>(place, std::move(output));
   return converted;
 }
 

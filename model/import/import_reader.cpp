@@ -22,7 +22,7 @@ bool is_blank(char letter) {
 }  // namespace
 
 ImportReader::ImportReader(const std::filesystem::path& file)
-    : name_(file.string()), file_(::fdopen(open_to_read(file), "rb")) {
+    : name_(file.string()), file_(::fdopen(open_to_read(file).release(), "rb")) {
   if (!file_) fail(name_, "cannot be opened: {}", std::strerror(errno));
   size_ = size_of(::fileno(file_), name_);
 }

@@ -1,16 +1,13 @@
 #include "model/import/mesh_spool.hpp"
 
-#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "base/unnamed_file.hpp"
 #include "model/import/mesh_stream_faces.hpp"
 #include "model/import/triangulate.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <limits>
-#include <unistd.h>
 
 namespace triptych {
 
@@ -19,23 +16,19 @@ constexpr size_t block_bytes = size_t{1} << 20;
 constexpr uint64_t most_in_memory = uint64_t{1} << 18;
 }  // namespace
 
-ByteSpool::~ByteSpool() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 void ByteSpool::append(std::span<const std::byte> bytes) {
   buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-  if (descriptor_ >= 0 && buffer_.size() >= block_bytes) flush();
+  if (file_.is_open() && buffer_.size() >= block_bytes) flush();
 }
 
 void ByteSpool::move_to_file(const std::filesystem::path& folder) {
   name_ = folder.empty() ? "the folder for temporary files" : folder.string();
-  descriptor_ = open_unnamed_file(folder);
+  file_ = open_unnamed_file(folder);
   flush();
 }
 
 void ByteSpool::flush() {
-  write_all(descriptor_, buffer_, name_ + ": a temporary file");
+  write_all(file_.number(), buffer_, name_ + ": a temporary file");
   written_ += buffer_.size();
   buffer_.clear();
   if (buffer_.capacity() > 4 * block_bytes) buffer_.shrink_to_fit();
@@ -43,8 +36,7 @@ void ByteSpool::flush() {
 
 std::shared_ptr<const StreamSource> ByteSpool::take_file(const std::string& name) {
   flush();
-  const int descriptor = std::exchange(descriptor_, -1);
-  return std::make_shared<StreamSource>(name, descriptor);
+  return std::make_shared<StreamSource>(name, std::move(file_));
 }
 
 void MeshSpool::add_vertex(const glm::dvec3& position) {

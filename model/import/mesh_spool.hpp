@@ -1,6 +1,7 @@
 // Vertices and faces of a file that does not stream, on their way into meshes.
 #pragma once
 
+#include "base/descriptor.hpp"
 #include "model/import/import_file.hpp"
 
 #include <cstdint>
@@ -18,11 +19,6 @@ class StreamSource;
 /// nothing is left of it however the program ends.
 class ByteSpool {
  public:
-  ByteSpool() = default;
-  ~ByteSpool();
-  ByteSpool(const ByteSpool&) = delete;
-  ByteSpool& operator=(const ByteSpool&) = delete;
-
   void append(std::span<const std::byte> bytes);
   uint64_t size() const { return written_ + buffer_.size(); }
   /// Moves what there is into a file in the folder, and what comes. Error (folder) if that fails.
@@ -35,7 +31,7 @@ class ByteSpool {
  private:
   void flush();
   std::string name_;
-  int descriptor_ = -1;
+  Descriptor file_;
   uint64_t written_ = 0;
   std::vector<std::byte> buffer_;
 };

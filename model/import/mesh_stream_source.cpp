@@ -1,13 +1,11 @@
 #include "model/import/mesh_stream_source.hpp"
 
-#include "base/descriptor.hpp"
 #include "base/file_access.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace triptych {
 
@@ -29,36 +27,19 @@ StreamSource::StreamSource(const std::filesystem::path& file) : name_(file.strin
   changed_ns_ = changed_ns(status);
 }
 
-StreamSource::StreamSource(std::string name, int descriptor)
-    : name_(std::move(name)), descriptor_(descriptor) {
-  struct stat status {};
-  if (::fstat(descriptor_, &status) != 0) fail(name_, "cannot be read: {}", std::strerror(errno));
-  size_ = static_cast<uint64_t>(status.st_size);
-}
+StreamSource::StreamSource(std::string name, Descriptor file)
+    : name_(std::move(name)), size_(size_of(file.number(), name_)), file_(std::move(file)) {}
 
 StreamSource::StreamSource(std::string name, std::vector<std::byte> bytes)
     : name_(std::move(name)), size_(bytes.size()), in_memory_(true), bytes_(std::move(bytes)) {}
 
-StreamSource::~StreamSource() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 SourceReader::SourceReader(std::shared_ptr<const StreamSource> source) : source_(std::move(source)) {
-  if (source_->in_memory_) return;
-  descriptor_ = source_->descriptor_;
-  if (descriptor_ >= 0) return;
-  descriptor_ = open_to_read(source_->name());
+  if (!source_->has_file()) return;
+  own_ = open_to_read(source_->name());
   struct stat status {};
-  if (::fstat(descriptor_, &status) != 0 || static_cast<uint64_t>(status.st_size) != source_->size() ||
-      changed_ns(status) != source_->changed_ns_) {
-    ::close(descriptor_);
+  if (::fstat(own_.number(), &status) != 0 || static_cast<uint64_t>(status.st_size) != source_->size() ||
+      changed_ns(status) != source_->changed_ns_)
     fail(source_->name(), "has changed while it was being read");
-  }
-  owned_ = true;
-}
-
-SourceReader::~SourceReader() {
-  if (owned_) ::close(descriptor_);
 }
 
 void SourceReader::read(uint64_t offset, std::span<std::byte> into) const {
@@ -69,7 +50,7 @@ void SourceReader::read(uint64_t offset, std::span<std::byte> into) const {
     std::memcpy(into.data(), source_->bytes_.data() + offset, into.size());
     return;
   }
-  read_at(descriptor_, offset, into, source_->name());
+  read_at((own_.is_open() ? own_ : source_->file_).number(), offset, into, source_->name());
 }
 
 SourceWindow::SourceWindow(std::shared_ptr<const StreamSource> source, uint64_t begin, uint64_t end)

@@ -1,6 +1,7 @@
 // Bytes that stay where they are until somebody reads them: in a file, in an unlinked file, in memory.
 #pragma once
 
+#include "base/descriptor.hpp"
 #include "base/error.hpp"
 
 #include <cstddef>
@@ -19,23 +20,20 @@ class StreamSource {
   /// Notes the file's size and time of change. Error (the path) if it cannot be opened or is no regular file.
   explicit StreamSource(const std::filesystem::path& file);
   /// Takes over a file that is open; it has all its bytes already.
-  StreamSource(std::string name, int descriptor);
+  StreamSource(std::string name, Descriptor file);
   StreamSource(std::string name, std::vector<std::byte> bytes);
-  ~StreamSource();
-  StreamSource(const StreamSource&) = delete;
-  StreamSource& operator=(const StreamSource&) = delete;
 
   const std::string& name() const { return name_; }
   uint64_t size() const { return size_; }
   /// Whether the name is that of a file with these bytes.
-  bool has_file() const { return !in_memory_ && descriptor_ < 0; }
+  bool has_file() const { return !in_memory_ && !file_.is_open(); }
 
  private:
   friend class SourceReader;
   std::string name_;
   uint64_t size_ = 0;
   int64_t changed_ns_ = 0;
-  int descriptor_ = -1;  ///< -1: opened by name, or in memory
+  Descriptor file_;  ///< not open: opened by name, or in memory
   bool in_memory_ = false;
   std::vector<std::byte> bytes_;
 };
@@ -46,9 +44,6 @@ class SourceReader {
  public:
   /// Error (name) if the file cannot be opened again or has changed since.
   explicit SourceReader(std::shared_ptr<const StreamSource> source);
-  ~SourceReader();
-  SourceReader(const SourceReader&) = delete;
-  SourceReader& operator=(const SourceReader&) = delete;
 
   /// Fills `into`. Error (name, byte) if the source ends before.
   void read(uint64_t offset, std::span<std::byte> into) const;
@@ -56,8 +51,7 @@ class SourceReader {
 
  private:
   std::shared_ptr<const StreamSource> source_;
-  int descriptor_ = -1;
-  bool owned_ = false;
+  Descriptor own_;  ///< of a file that is opened by name
 };
 
 /// A range of a source from front to back, through a buffer.

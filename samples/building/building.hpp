@@ -1,11 +1,11 @@
 // The sample `building`: an office building in the manner of Soda Hall, furnished with real models.
 #pragma once
 
+#include "samples/building/building_paths.hpp"
 #include "samples/building/floor_plan.hpp"
 #include "samples/building/furnish.hpp"
 #include "samples/building/furniture_catalog.hpp"
 #include "samples/building/obj_furniture.hpp"
-#include "samples/camera_paths.hpp"
 
 #include <cstdint>
 #include <filesystem>

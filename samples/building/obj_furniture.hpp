@@ -3,6 +3,7 @@
 #pragma once
 
 #include "samples/building/furniture_catalog.hpp"
+#include "samples/mesh_part.hpp"
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -10,13 +11,6 @@
 #include <vector>
 
 namespace triptych {
-
-/// Triangles of one colour. Positions in metres, y up.
-struct MeshPart {
-  glm::dvec3 colour{0.8};  ///< linear light, 0 to 1
-  std::vector<glm::vec3> positions;
-  std::vector<uint32_t> indices;
-};
 
 struct FurnitureMesh {
   std::vector<MeshPart> parts;  ///< one a material, in the order of first use; none is empty

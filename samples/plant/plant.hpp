@@ -3,6 +3,7 @@
 #pragma once
 
 #include "samples/camera_paths.hpp"
+#include "samples/random.hpp"
 
 #include <cstdint>
 #include <filesystem>

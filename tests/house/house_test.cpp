@@ -102,6 +102,21 @@ TEST(House, rooms_include_those_that_they_may) {
   EXPECT_GT(seen, 100u) << "the tree was not found";
 }
 
+TEST(House, a_sample_includes_no_other_sample_and_what_they_share_includes_none) {
+  const std::regex include("#include \"samples/(\\w+)/.*");
+  for (const fs::path& file : files({".cpp", ".hpp"})) {
+    const fs::path relative = fs::relative(file, source_dir);
+    if (*relative.begin() != "samples") continue;
+    const std::string own = relative.parent_path().filename();
+    const auto lines = lines_of(file);
+    for (size_t i = 0; i < lines.size(); ++i) {
+      std::smatch match;
+      if (!std::regex_match(lines[i], match, include)) continue;
+      EXPECT_EQ(match[1], own) << place(file, i);
+    }
+  }
+}
+
 TEST(House, no_two_rooms_include_each_other) {
   for (const auto& [room, others] : may_include) {
     for (const std::string& other : others) {
