@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/hashing.hpp"
-#include "nodes/fallback.hpp"
+#include "nodes/local_pipeline.hpp"
 #include "nodes/render_node.hpp"
 #include "nodes/switch_node.hpp"
 #include "protocol/connect.hpp"
@@ -120,7 +120,7 @@ class Frames : public FrameSource {
 /// What the render node drew.
 class Pictures : public FrameSink {
  public:
-  void picture(FrameRecord record, const Target& target) override {
+  void picture(FrameRecord record, const FrameTarget& target) override {
     const auto colors = target.read_colors();
     record.picture_hash = hash_values(std::span<const uint8_t>(colors));
     const uint32_t number = record.number;
@@ -161,20 +161,17 @@ class Roles : public testing::Test {
   }
   /// What each frame of the path has to look like: the whole cut, drawn in one process.
   static const std::vector<uint64_t>& right() {
-    static const std::vector<uint64_t> hashes =
-        thread(Role::render)
-            .run([] {
-              std::vector<uint64_t> found;
-              Fallback whole(pack(),
-                             {.width = side, .height = side, .cull = CullMode::frustum, .batches = {}});
-              for (uint32_t i = 0; i < views().size(); ++i) {
-                whole.draw({i, views()[i], 1});
-                const auto colors = whole.target().read_colors();
-                found.push_back(hash_values(std::span<const uint8_t>(colors)));
-              }
-              return found;
-            })
-            .get();
+    static const std::vector<uint64_t> hashes = thread(Role::render).run(whole_cuts).get();
+    return hashes;
+  }
+  static std::vector<uint64_t> whole_cuts() {
+    std::vector<uint64_t> hashes;
+    LocalPipeline pipeline(pack(), {.width = side, .height = side, .cull = StrategyKind::frustum});
+    for (uint32_t i = 0; i < views().size(); ++i) {
+      pipeline.draw({i, {views()[i], 1}});
+      const auto colors = pipeline.target().read_colors();
+      hashes.push_back(hash_values(std::span<const uint8_t>(colors)));
+    }
     return hashes;
   }
 
@@ -201,7 +198,7 @@ class Roles : public testing::Test {
       SwitchNodeOptions options;
       options.cull.packet_ids = 4;
       options.connect = [&](bool) { return connect(own, stop); };
-      options.rules = rules[static_cast<size_t>(role)];
+      options.session_rules = rules[static_cast<size_t>(role)];
       options.stop = stop;
       return run_switch_node(pack(), role, sink, options);
     });
@@ -218,7 +215,7 @@ class Roles : public testing::Test {
         return connect(hello(Role::render), give_up);
       };
       options.begin_alone = first > 0;
-      options.rules = rules[0];
+      options.session_rules = rules[0];
       options.stop = stop;
       return run_render_node(pack(), frames, pictures, options);
     });
