@@ -1,9 +1,7 @@
 #include "scene/pack_skeleton.hpp"
 
 #include "base/bytes.hpp"
-#include "scene/chunk.hpp"
-
-#include <cmath>
+#include "scene/check_skeleton.hpp"
 
 namespace triptych {
 
@@ -13,6 +11,9 @@ namespace {
 static_assert(sizeof(SceneNode) == 44 && sizeof(Drawable) == 24 && sizeof(Placement) == 8);
 static_assert(sizeof(Affine) == 96 && sizeof(Lattice) == 32 && sizeof(ChunkInfo) == 64 &&
               sizeof(LatticeBox) == 24);
+
+/// Of an instance, which is written field by field.
+constexpr size_t instance_bytes = 20;
 
 using Write = std::function<void(std::span<const std::byte>)>;
 
@@ -39,103 +40,67 @@ std::vector<std::string> read_texts(ByteReader& reader) {
   return texts;
 }
 
-bool in_range(uint64_t first, uint64_t count, uint64_t size) {
-  return first <= size && count <= size - first;
-}
-
-void check_scene_nodes(const Skeleton& skeleton, const std::string& place) {
-  const auto& nodes = skeleton.scene_nodes;
-  if (nodes.empty() || nodes[0].parent != no_id) fail(place, "has no root scene node");
-  for (size_t i = 0; i < nodes.size(); ++i) {
-    const SceneNode& node = nodes[i];
-    const std::string here = fmt::format("{}: scene node {}", place, i);
-    if (i > 0 && node.parent >= i) fail(here, "comes before its parent");
-    if (node.box.empty()) fail(here, "has an empty box");
-    for (int axis = 0; axis < 3; ++axis) {
-      if (node.box.lo[axis] < -Lattice::limit || node.box.hi[axis] > Lattice::limit)
-        fail(here, "leaves the lattice");
-    }
-    if (!in_range(node.first_drawable, node.drawable_count, skeleton.drawables.size()))
-      fail(here, "names drawables that do not exist");
-    if (node.child_count == 0 && node.drawable_count == 0) fail(here, "is a leaf without a drawable");
-    if (node.child_count == 0) continue;
-    if (node.first_child <= i || !in_range(node.first_child, node.child_count, nodes.size()))
-      fail(here, "names children that do not exist");
-    for (uint32_t child = 0; child < node.child_count; ++child) {
-      if (nodes[node.first_child + child].parent != i) fail(here, "names a child of another parent");
-    }
+void write_instances(ByteWriter& writer, const std::vector<HierarchyInstance>& instances) {
+  writer.write(uint64_t{instances.size()});
+  for (const HierarchyInstance& instance : instances) {
+    writer.write(instance.scene_node);
+    writer.write(instance.sub_hierarchy);
+    writer.write(instance.transform);
+    writer.write(instance.stretch);
   }
 }
 
-void check_drawables(const Skeleton& skeleton, const std::string& place) {
-  for (size_t i = 0; i < skeleton.placements.size(); ++i) {
-    const Placement& placement = skeleton.placements[i];
-    if (placement.chunk >= skeleton.chunks.size() || placement.transform >= skeleton.transforms.size()) {
-      fail(place, "placement {} names a chunk or a transform that does not exist", i);
-    }
+std::vector<HierarchyInstance> read_instances(ByteReader& reader) {
+  const auto count = reader.read<uint64_t>();
+  if (count > reader.left() / instance_bytes) {
+    fail(reader.place(), "byte {}: {} instances promised, {} bytes left", reader.offset(), count,
+         reader.left());
   }
-  for (size_t i = 0; i < skeleton.drawables.size(); ++i) {
-    const Drawable& drawable = skeleton.drawables[i];
-    const std::string here = fmt::format("{}: drawable {}", place, i);
-    if (!(drawable.error >= 0) || !std::isfinite(drawable.error)) fail(here, "has no error bound");
-    if (drawable.scene_node >= skeleton.scene_nodes.size()) fail(here, "belongs to no scene node");
-    const SceneNode& node = skeleton.scene_nodes[drawable.scene_node];
-    if (i - node.first_drawable >= node.drawable_count) fail(here, "is not its scene node's");
-    if (!in_range(drawable.first_placement, drawable.placement_count, skeleton.placements.size()))
-      fail(here, "names placements that do not exist");
-    uint64_t triangles = 0;
-    for (uint32_t placement = 0; placement < drawable.placement_count; ++placement)
-      triangles +=
-          skeleton.chunks[skeleton.placements[drawable.first_placement + placement].chunk].triangle_count;
-    if (triangles != drawable.triangles)
-      fail(here, "says {} triangles, its chunks hold {}", drawable.triangles, triangles);
+  std::vector<HierarchyInstance> instances(static_cast<size_t>(count));
+  for (HierarchyInstance& instance : instances) {
+    instance.scene_node = reader.read<uint32_t>();
+    instance.sub_hierarchy = reader.read<uint32_t>();
+    instance.transform = reader.read<uint32_t>();
+    instance.stretch = reader.read<double>();
   }
+  return instances;
 }
 
-void check_pieces(const Skeleton& skeleton, const std::string& place) {
-  size_t end = skeleton.pieces.size();
-  for (size_t i = skeleton.chunks.size(); i-- > 0;) {
-    const ChunkInfo& chunk = skeleton.chunks[i];
-    const std::string here = fmt::format("{}: chunk {}", place, i);
-    if (chunk.first_piece > end) fail(here, "names pieces that do not exist");
-    const size_t count = end - chunk.first_piece;
-    if (count == 1 || count > most_chunk_pieces) fail(here, "has {} pieces", count);
-    for (size_t piece = chunk.first_piece; piece < end; ++piece) {
-      const LatticeBox& box = skeleton.pieces[piece];
-      if (box.empty() || !chunk.box.contains(box)) fail(here, "has a piece outside its box");
-    }
-    end = chunk.first_piece;
+Skeleton read_skeleton(ByteReader& reader) {
+  Skeleton skeleton;
+  for (uint64_t* count :
+       {&skeleton.source_triangles, &skeleton.placed_triangles, &skeleton.objects.initial,
+        &skeleton.objects.partition1, &skeleton.objects.clusters, &skeleton.objects.partition2,
+        &skeleton.import.dropped_triangles, &skeleton.import.welded_vertices, &skeleton.import.repaired_edges,
+        &skeleton.import.stuck_groups}) {
+    *count = reader.read<uint64_t>();
   }
-  if (end != 0) fail(place, "has pieces of no chunk");
+  skeleton.import.warnings = read_texts(reader);
+  skeleton.effects = read_texts(reader);
+  skeleton.lattices = read_array<Lattice>(reader);
+  skeleton.palette = read_array<std::array<uint8_t, 4>>(reader);
+  skeleton.transforms = read_array<Affine>(reader);
+  skeleton.scene_nodes = read_array<SceneNode>(reader);
+  skeleton.drawables = read_array<Drawable>(reader);
+  skeleton.placements = read_array<Placement>(reader);
+  skeleton.chunks = read_array<ChunkInfo>(reader);
+  skeleton.pieces = read_array<LatticeBox>(reader);
+  reader.expect_end();
+  return skeleton;
 }
 
-void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::string& place) {
-  for (size_t i = 0; i < skeleton.chunks.size(); ++i) {
-    const ChunkInfo& chunk = skeleton.chunks[i];
-    const std::string here = fmt::format("{}: chunk {}", place, i);
-    if (!in_range(chunk.offset, chunk.size, geometry_size)) fail(here, "leaves the geometry section");
-    if (chunk.lattice >= skeleton.lattices.size()) fail(here, "names a lattice that does not exist");
-    // A codec needs at least a byte for every 64 values: more is promised than the bytes can hold.
-    if (chunk.vertex_count > chunk.size * 64 || chunk.triangle_count > chunk.size * 64)
-      fail(here, "promises more than its bytes hold");
-    if (chunk.box.empty()) fail(here, "has an empty box");
-    for (int axis = 0; axis < 3; ++axis) {
-      if (chunk.box.lo[axis] < -Lattice::limit || chunk.box.hi[axis] > Lattice::limit)
-        fail(here, "leaves the lattice");
-    }
+void read_sub_hierarchies(ByteReader& reader, StoredSkeleton& stored) {
+  stored.instances = read_instances(reader);
+  for (auto count = reader.read<uint64_t>(); count > 0; --count) {
+    SubHierarchy& hierarchy = stored.sub_hierarchies.emplace_back();
+    hierarchy.lattice = reader.read<uint32_t>();
+    hierarchy.transforms = read_array<Affine>(reader);
+    hierarchy.scene_nodes = read_array<SceneNode>(reader);
+    hierarchy.drawables = read_array<Drawable>(reader);
+    hierarchy.placements = read_array<Placement>(reader);
+    hierarchy.instances = read_instances(reader);
   }
-  for (const Lattice& lattice : skeleton.lattices) {
-    const glm::dvec3& origin = lattice.origin;
-    if (!(lattice.step > 0) || !std::isfinite(lattice.step + origin.x + origin.y + origin.z))
-      fail(place, "has a lattice without a step");
-  }
-  for (const Affine& transform : skeleton.transforms) {
-    for (int column = 0; column < 4; ++column) {
-      const glm::dvec3& v = transform[column];
-      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-        fail(place, "has a transform that is not finite");
-    }
-  }
+  reader.expect_end();
 }
 
 }  // namespace
@@ -171,35 +136,37 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
   return std::move(writer.bytes());
 }
 
+std::vector<std::byte> encode_sub_hierarchies(const StoredSkeleton& stored) {
+  ByteWriter writer;
+  const Write write = [&](std::span<const std::byte> bytes) { writer.write_all(bytes); };
+  write_instances(writer, stored.instances);
+  writer.write(uint64_t{stored.sub_hierarchies.size()});
+  for (const SubHierarchy& hierarchy : stored.sub_hierarchies) {
+    writer.write(hierarchy.lattice);
+    write_array(write, hierarchy.transforms);
+    write_array(write, hierarchy.scene_nodes);
+    write_array(write, hierarchy.drawables);
+    write_array(write, hierarchy.placements);
+    write_instances(writer, hierarchy.instances);
+  }
+  return std::move(writer.bytes());
+}
+
 Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_size, const std::string& place) {
   ByteReader reader(bytes, place);
-  Skeleton skeleton;
-  for (uint64_t* count :
-       {&skeleton.source_triangles, &skeleton.placed_triangles, &skeleton.objects.initial,
-        &skeleton.objects.partition1, &skeleton.objects.clusters, &skeleton.objects.partition2,
-        &skeleton.import.dropped_triangles, &skeleton.import.welded_vertices, &skeleton.import.repaired_edges,
-        &skeleton.import.stuck_groups}) {
-    *count = reader.read<uint64_t>();
-  }
-  skeleton.import.warnings = read_texts(reader);
-  skeleton.effects = read_texts(reader);
-  skeleton.lattices = read_array<Lattice>(reader);
-  skeleton.palette = read_array<std::array<uint8_t, 4>>(reader);
-  skeleton.transforms = read_array<Affine>(reader);
-  skeleton.scene_nodes = read_array<SceneNode>(reader);
-  skeleton.drawables = read_array<Drawable>(reader);
-  skeleton.placements = read_array<Placement>(reader);
-  skeleton.chunks = read_array<ChunkInfo>(reader);
-  skeleton.pieces = read_array<LatticeBox>(reader);
-  reader.expect_end();
-  if (skeleton.lattices.empty() || skeleton.transforms.empty() || skeleton.palette.empty()) {
-    fail(place, "lacks its lattice, transform or palette");
-  }
-  check_scene_nodes(skeleton, place);
-  check_chunks(skeleton, geometry_size, place);
-  check_pieces(skeleton, place);
-  check_drawables(skeleton, place);
-  return skeleton;
+  StoredSkeleton stored{read_skeleton(reader), {}, {}};
+  check_skeleton(stored, geometry_size, place, place);
+  return std::move(stored.surrounding);
+}
+
+StoredSkeleton decode_skeleton(const SectionBytes& skeleton, const SectionBytes& sub_hierarchies,
+                               uint64_t geometry_size) {
+  ByteReader reader(skeleton.bytes, skeleton.place);
+  StoredSkeleton stored{read_skeleton(reader), {}, {}};
+  ByteReader sub_reader(sub_hierarchies.bytes, sub_hierarchies.place);
+  read_sub_hierarchies(sub_reader, stored);
+  check_skeleton(stored, geometry_size, skeleton.place, sub_hierarchies.place);
+  return stored;
 }
 
 }  // namespace triptych
