@@ -5,6 +5,7 @@
 #include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "base/rounding.hpp"
+#include "model/flatten.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_work.hpp"
 #include "preprocess/node_drawables.hpp"
@@ -46,6 +47,7 @@ std::string without_folders(std::string text, const std::vector<std::filesystem:
 }
 
 BuildReport build(Model model, const BuildOptions& options, const std::filesystem::path& file) {
+  model = flattened(std::move(model));
   if (model.source_triangles() == 0 || model.instances.empty()) fail(model.name(), "holds no triangles");
   // Units are as large as the memory lets them be: an earlier build's are the same only if they were as
   // large.
