@@ -38,6 +38,8 @@ nlohmann::json report_json(const BuildReport& report, double seconds) {
   return {{"source_triangles", report.source_triangles},
           {"placed_triangles", report.placed_triangles},
           {"drawables", report.drawables},
+          {"sub_hierarchies", report.sub_hierarchies},
+          {"instances", report.instances},
           {"levels", report.levels},
           {"pack_bytes", report.pack_bytes},
           {"peak_rss_bytes", peak_resident_bytes()},

@@ -90,6 +90,9 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
       ->default_str("1G");
   command.add_flag("--bake-instances", flags.bake_instances,
                    "Make every placement geometry of its own, instead of sharing meshes");
+  command.add_flag(
+      "--flat", [&flags](int64_t) { flags.import.find_groups = false; },
+      "Build groups that repeat in a scene as often as they are placed, instead of once");
   command
       .add_option("--part-triangles", flags.defaults.part_triangles, "Triangles of a part of a mesh, at most")
       ->check(whole_number(least_triangles, most_triangles))
@@ -135,6 +138,7 @@ std::vector<std::string> build_arguments(const BuildFlags& flags) {
        "--part-triangles", std::to_string(options.part_triangles), "--leaf-triangles",
        std::to_string(options.leaf_triangles), "--hlod-triangles", std::to_string(options.hlod_triangles)});
   if (flags.bake_instances) arguments.emplace_back("--bake-instances");
+  if (!flags.import.find_groups) arguments.emplace_back("--flat");
   return arguments;
 }
 

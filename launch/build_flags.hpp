@@ -24,8 +24,8 @@ struct BuildFlags {
   BuildOptions options() const;
 };
 
-/// The inputs, --up, --unit, --simplifier, --bound, --memory, --bake-instances, --part-triangles and
-/// --leaf-triangles.
+/// The inputs, --up, --unit, --simplifier, --bound, --memory, --bake-instances, --flat, --part-triangles,
+/// --leaf-triangles and --hlod-triangles.
 void add_build_flags(CLI::App& command, BuildFlags& flags);
 /// --hierarchy.
 void add_hierarchy_flag(CLI::App& command, BuildFlags& flags);

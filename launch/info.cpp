@@ -16,12 +16,14 @@ nlohmann::json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 nlohmann::json describe(const Pack& pack) {
   const Skeleton& skeleton = pack.skeleton();
   const Box box = skeleton.lattice().box(skeleton.scene_nodes[0].box);
-  return {{"format_version", pack_format_version},
+  return {{"format_version", pack.format_version()},
           {"content_hash", fmt::format("{:016x}", pack.content_hash())},
           {"source_triangles", skeleton.source_triangles},
           {"placed_triangles", skeleton.placed_triangles},
           {"drawables", skeleton.drawables.size()},
           {"scene_nodes", skeleton.scene_nodes.size()},
+          {"sub_hierarchies", skeleton.sub_hierarchies},
+          {"instances", skeleton.instances.size()},
           {"levels", skeleton.levels()},
           {"chunks", skeleton.chunks.size()},
           {"pack_bytes", pack.size()},

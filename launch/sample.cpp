@@ -17,12 +17,13 @@ struct SampleCommand {
   BuildingOptions building;
   PlantOptions plant;
   SurfaceOptions surface;
-  int furniture = 0;
+  int furniture = 0, repeat_storeys = 0;
   std::filesystem::path output, json;
 };
 
 int run_building(SampleCommand command) {
   if (command.furniture > 0) command.building.furniture = command.furniture;
+  if (command.repeat_storeys > 0) command.building.repeat_storeys = command.repeat_storeys;
   const SampleReport report = make_building(command.building, command.output);
   for (const auto& [reason, count] : report.skipped_models)
     fmt::print("{} models skipped: {}\n", count, reason);
@@ -30,6 +31,7 @@ int run_building(SampleCommand command) {
              (command.output / "scene.gltf").string(), report.rooms, report.placements,
              report.furniture_meshes, report.unique_triangles, report.placed_triangles);
   write_json(command.json, {{"rooms", report.rooms},
+                            {"different_storeys", report.different_storeys},
                             {"placements", report.placements},
                             {"shell_placements", report.shell_placements},
                             {"furniture_meshes", report.furniture_meshes},
@@ -98,6 +100,10 @@ void add_sample(CLI::App& app, Action& action) {
   building->add_option("--floors", command->building.floors, "Storeys")
       ->check(whole_number(1, 100))
       ->capture_default_str();
+  building
+      ->add_option("--repeat-storeys", command->repeat_storeys,
+                   "Storeys between the lowest and the highest repeat after so many (default: all differ)")
+      ->check(whole_number(1, 100));
   building->add_option("--furniture", command->furniture, "Pieces of furniture (default: 2000 a floor)")
       ->check(whole_number(1, 1000000));
   building->add_option("--seed", command->building.seed, "Decides everything that is random")

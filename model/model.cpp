@@ -13,9 +13,16 @@ uint64_t Model::source_triangles() const {
 }
 
 uint64_t Model::placed_triangles() const {
-  uint64_t count = 0;
-  for (const Instance& instance : instances) count += meshes[instance.mesh].triangle_count();
-  return count;
+  std::vector<uint64_t> of_groups;
+  const auto count = [&](const std::vector<Instance>& meshes_placed,
+                         const std::vector<GroupInstance>& groups_placed) {
+    uint64_t triangles = 0;
+    for (const Instance& instance : meshes_placed) triangles += meshes[instance.mesh].triangle_count();
+    for (const GroupInstance& instance : groups_placed) triangles += of_groups[instance.group];
+    return triangles;
+  };
+  for (const Group& group : groups) of_groups.push_back(count(group.instances, group.groups));
+  return count(instances, group_instances);
 }
 
 }  // namespace triptych

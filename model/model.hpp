@@ -47,10 +47,25 @@ struct Instance {
   Affine transform{1};
 };
 
+/// One placement of a group, in the model or in another group.
+struct GroupInstance {
+  uint32_t group = 0;
+  Affine transform{1};  ///< the group's space to that of what it is placed in
+};
+
+/// Placements that repeat together, in a space of their own.
+struct Group {
+  std::vector<Instance> instances;
+  std::vector<GroupInstance> groups;  ///< of groups before this one alone
+};
+
 struct Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;  ///< at least one
-  std::vector<Instance> instances;
+  std::vector<Instance> instances;  ///< what belongs to no group
+  /// What repeats, said once; empty for most models, which are lists of instances. See model/flatten.hpp.
+  std::vector<Group> groups;
+  std::vector<GroupInstance> group_instances;
   /// What was or will be read: the model files, and the buffers and material libraries that they name. What
   /// triptych-import opens beside a file is not among them.
   std::vector<std::filesystem::path> files;
@@ -58,7 +73,7 @@ struct Model {
 
   std::string name() const;           ///< of its first file, for errors
   uint64_t source_triangles() const;  ///< unique: each mesh once
-  uint64_t placed_triangles() const;  ///< each mesh as often as it is placed
+  uint64_t placed_triangles() const;  ///< each mesh as often as it is placed, in groups too
 };
 
 }  // namespace triptych

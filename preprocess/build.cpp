@@ -10,6 +10,7 @@
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
 #include "preprocess/parts.hpp"
+#include "scene/expand.hpp"
 
 #include <fmt/core.h>
 
@@ -17,22 +18,94 @@ namespace triptych {
 
 namespace {
 
-void add_nodes(Skeleton& skeleton, std::span<const HierarchyNode> nodes, std::vector<NodeContent> contents) {
+/// Appends to the arrays of a skeleton or a sub-hierarchy.
+template <typename Hierarchy>
+void add_nodes(Hierarchy& hierarchy, std::span<const HierarchyNode> nodes,
+               std::vector<NodeContent> contents) {
   for (uint32_t i = 0; i < nodes.size(); ++i) {
     const NodeContent content = std::move(contents[i]);
-    skeleton.scene_nodes.push_back({content.box, nodes[i].parent, nodes[i].first_child, nodes[i].child_count,
-                                    static_cast<DrawableId>(skeleton.drawables.size()),
-                                    static_cast<uint32_t>(content.drawables.size())});
-    const auto first = static_cast<uint32_t>(skeleton.placements.size());
+    hierarchy.scene_nodes.push_back({content.box, nodes[i].parent, nodes[i].first_child, nodes[i].child_count,
+                                     static_cast<DrawableId>(hierarchy.drawables.size()),
+                                     static_cast<uint32_t>(content.drawables.size())});
+    const auto first = static_cast<uint32_t>(hierarchy.placements.size());
     for (Drawable drawable : content.drawables) {
       drawable.scene_node = i;
       drawable.first_placement += first;
-      skeleton.drawables.push_back(drawable);
+      hierarchy.drawables.push_back(drawable);
     }
-    skeleton.placements.insert(skeleton.placements.end(), content.placements.begin(),
-                               content.placements.end());
+    hierarchy.placements.insert(hierarchy.placements.end(), content.placements.begin(),
+                                content.placements.end());
   }
 }
+
+/// All hierarchies of the model, as they are built: index as in Parts::hierarchies.
+struct Hierarchies {
+  std::vector<Objects> objects;
+  std::vector<std::vector<HierarchyNode>> nodes;
+  std::vector<HierarchyDrawables> drawables;
+
+  void make_nodes(HierarchyKind kind) {
+    for (const Objects& own : objects) {
+      nodes.emplace_back();
+      if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind);
+    }
+  }
+
+  void make_drawables(const Parts& parts, std::span<const PartLevels> levels, const BuildOptions& options,
+                      BuildWork& work, ImportReport& report) {
+    uint64_t count = 0;
+    for (const auto& own : nodes) count += own.size();
+    Progress progress("hierarchical LODs", count);
+    std::vector<HierarchyRoot> roots;
+    for (uint32_t i = 0; i < nodes.size(); ++i) {
+      drawables.push_back(make_node_drawables(parts, i, objects[i], nodes[i], levels, roots, options, work,
+                                              progress, report));
+      roots.push_back(drawables.back().root);
+    }
+  }
+
+  /// Instances among the nodes of one. `numbers`: for each hierarchy its number in the pack.
+  std::vector<HierarchyInstance> instances_in(size_t hierarchy, const PlacedParts& placed,
+                                              std::span<const uint32_t> numbers) const {
+    std::vector<HierarchyInstance> instances;
+    for (uint32_t i = 0; i < nodes[hierarchy].size(); ++i) {
+      const uint32_t found = sub_hierarchy_of(nodes[hierarchy][i], objects[hierarchy]);
+      if (found == no_id) continue;
+      const PlannedSubHierarchy& inner = placed.sub_hierarchies[found];
+      instances.push_back({i, numbers[inner.hierarchy], inner.transform, placed.stretches[inner.transform]});
+    }
+    return instances;
+  }
+
+  /// Moves what the skeleton holds out of here and the parts.
+  void move_to(StoredSkeleton& skeleton, Parts& parts) {
+    ObjectCounts& counts = skeleton.surrounding.objects;
+    std::vector<uint32_t> numbers;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      PlacedParts& placed = parts.hierarchies[i];
+      const ObjectCounts& own = objects[i].counts;
+      counts.initial += own.initial * placed.uses;
+      counts.partition1 += own.partition1 * placed.uses;
+      counts.clusters += own.clusters * placed.uses;
+      counts.partition2 += own.partition2 * placed.uses;
+      numbers.push_back(static_cast<uint32_t>(skeleton.sub_hierarchies.size()));
+      std::vector<HierarchyInstance> instances = instances_in(i, placed, numbers);
+      if (i + 1 == nodes.size()) {
+        skeleton.instances = std::move(instances);
+        skeleton.surrounding.transforms = std::move(placed.transforms);
+        add_nodes(skeleton.surrounding, nodes[i], std::move(drawables[i].contents));
+      } else if (!nodes[i].empty()) {  // one of which all was dropped stands nowhere
+        SubHierarchy& added = skeleton.sub_hierarchies.emplace_back();
+        added.lattice = placed.lattice;
+        added.transforms = std::move(placed.transforms);
+        added.instances = std::move(instances);
+        add_nodes(added, nodes[i], std::move(drawables[i].contents));
+      }
+    }
+    skeleton.surrounding.lattices = std::move(parts.lattices);
+    skeleton.surrounding.palette = std::move(parts.palette);
+  }
+};
 
 /// The text with names of files without their folders: the same model gives the same pack wherever it lies.
 std::string without_folders(std::string text, const std::vector<std::filesystem::path>& files) {
@@ -45,8 +118,24 @@ std::string without_folders(std::string text, const std::vector<std::filesystem:
   return text;
 }
 
+/// Of the tree that whoever opens the pack sees. Error (file) for one that nobody could open.
+void describe_tree(const StoredSkeleton& stored, const std::filesystem::path& file, BuildReport& report) {
+  report.sub_hierarchies = stored.sub_hierarchies.size();
+  const auto describe = [&](const Skeleton& skeleton) {
+    report.drawables = skeleton.drawables.size();
+    report.levels = skeleton.levels();
+    report.instances = skeleton.instances.size();
+  };
+  if (stored.instances.empty()) {
+    describe(stored.surrounding);
+  } else {
+    describe(expand(stored, file.string()));
+  }
+}
+
 BuildReport build(Model model, const BuildOptions& options, const std::filesystem::path& file) {
-  if (model.source_triangles() == 0 || model.instances.empty()) fail(model.name(), "holds no triangles");
+  if (model.source_triangles() == 0 || (model.instances.empty() && model.group_instances.empty()))
+    fail(model.name(), "holds no triangles");
   // Units are as large as the memory lets them be: an earlier build's are the same only if they were as
   // large.
   BuildWork work(file, options.fingerprint.empty()
@@ -63,16 +152,15 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   };
 
   const std::vector<std::filesystem::path> files = model.files;
-  Skeleton skeleton;
+  StoredSkeleton stored;
+  Skeleton& skeleton = stored.surrounding;
   skeleton.import = std::move(model.report);
   skeleton.source_triangles = model.source_triangles();
   skeleton.placed_triangles = model.placed_triangles();
   BuildPlan plan;
   Parts parts;
-  Objects objects;
-  std::vector<HierarchyNode> nodes;
+  Hierarchies hierarchies;
   std::vector<PartLevels> levels;
-  std::vector<NodeContent> contents;
   stage("measure", [&] { plan = make_plan(model, options); });
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   auto& warnings = skeleton.import.warnings;
@@ -84,28 +172,22 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   stage("weld and partition",
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });
   model = {};
-  stage("cluster and partition", [&] { objects = make_objects(parts, options); });
-  stage("hierarchy", [&] { nodes = build_hierarchy(objects.extents, options.hierarchy); });
+  stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });
+  stage("hierarchy", [&] { hierarchies.make_nodes(options.hierarchy); });
   stage("leaf LODs",
         [&] { levels = make_part_levels(parts, options, exit_triangles(options), work, skeleton.import); });
-  stage("HLODs", [&] {
-    contents = make_node_drawables(parts, objects, nodes, levels, options, work, skeleton.import);
-  });
+  stage("HLODs", [&] { hierarchies.make_drawables(parts, levels, options, work, skeleton.import); });
   stage("write", [&] {
-    skeleton.lattices = std::move(parts.lattices);
-    skeleton.transforms = std::move(parts.transforms);
-    skeleton.palette = std::move(parts.palette);
-    skeleton.objects = objects.counts;
     for (std::string& warning : skeleton.import.warnings) warning = without_folders(warning, files);
-    parts = {};
     levels = {};
-    add_nodes(skeleton, nodes, std::move(contents));
+    hierarchies.move_to(stored, parts);
+    parts = {};
+    hierarchies = {};
     report.source_triangles = skeleton.source_triangles;
     report.placed_triangles = skeleton.placed_triangles;
-    report.drawables = skeleton.drawables.size();
-    report.levels = skeleton.levels();
+    describe_tree(stored, file, report);
     report.import = skeleton.import;
-    work.pack().finish(std::move(skeleton));
+    work.pack().finish(std::move(stored));
   });
   report.pack_bytes = std::filesystem::file_size(file);
   return report;

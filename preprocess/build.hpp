@@ -56,7 +56,8 @@ struct BuildStage {
 struct BuildReport {
   std::vector<BuildStage> stages;
   uint64_t source_triangles = 0, placed_triangles = 0, drawables = 0, pack_bytes = 0;
-  uint32_t levels = 0;         ///< of the hierarchy: the longest way from its root to a leaf
+  uint64_t sub_hierarchies = 0, instances = 0;  ///< groups that are stored once, and how often they stand
+  uint32_t levels = 0;                          ///< of the hierarchy: the longest way from its root to a leaf
   uint64_t resumed_units = 0;  ///< batches of units of work that an earlier, killed build had done
   ImportReport import;
 };

@@ -27,7 +27,8 @@ enum class UnitKind : uint32_t {
   divided_mesh,    ///< any other mesh, index as in BuildPlan::meshes
   divided_bucket,  ///< a bucket of a sorted mesh; buckets of all of these meshes are counted together
   part_levels,     ///< a part, index as in Parts::parts
-  hlod,            ///< an inner scene node, index in the hierarchy
+  hlod,            ///< an inner scene node, index in its hierarchy; hierarchies come one after the other
+  root_geometry,   ///< of a sub-hierarchy whose root has no HLODs; index 0
 };
 
 /// A chunk that a unit adds to the pack.

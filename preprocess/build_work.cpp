@@ -29,7 +29,9 @@ BuildWork::BuildWork(const std::filesystem::path& pack, const std::string& finge
       pack_(pack, folder_.file(file_names[2]), {kept(2), kept(3)}) {}
 
 SpoolFile& BuildWork::geometry(UnitKind kind) {
-  return kind == UnitKind::part_levels || kind == UnitKind::hlod ? surfaces_ : parts_;
+  const bool coarse =
+      kind == UnitKind::part_levels || kind == UnitKind::hlod || kind == UnitKind::root_geometry;
+  return coarse ? surfaces_ : parts_;
 }
 
 StoredUnit BuildWork::store(UnitKind kind, UnitResult result) {

@@ -120,7 +120,7 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
   return result;
 }
 
-std::vector<LeafDrawable> leaf_drawables(const Parts& parts, std::span<const PartLevels> levels,
+std::vector<LeafDrawable> leaf_drawables(const PlacedParts& parts, std::span<const PartLevels> levels,
                                          std::span<const uint32_t> members, size_t exit_triangles) {
   const auto error_of = [&](uint32_t member, uint32_t level) {
     const PlacedPart& placed = parts.placed[member];

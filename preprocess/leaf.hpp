@@ -38,7 +38,7 @@ struct LeafDrawable {
 /// twice the error or more, every member at its coarsest level within it, and at most 70 % of the triangles.
 /// They end with the first that has at most `exit_triangles`: what is coarser is left to the HLODs above,
 /// which start from the last one.
-std::vector<LeafDrawable> leaf_drawables(const Parts& parts, std::span<const PartLevels> levels,
+std::vector<LeafDrawable> leaf_drawables(const PlacedParts& parts, std::span<const PartLevels> levels,
                                          std::span<const uint32_t> members, size_t exit_triangles);
 
 }  // namespace triptych

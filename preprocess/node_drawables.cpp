@@ -20,11 +20,16 @@ struct HlodFigures {
   bool stuck = false;
 };
 
+struct RootFigures {
+  double error = 0;
+};
+
 /// What the parent of a node begins with.
 struct Coarsest {
   double error = 0;
-  std::vector<uint32_t> levels;  ///< of a leaf: LeafDrawable::levels of its last drawable
-  SpoolPlace baked;              ///< of an inner node: its last drawable
+  uint32_t triangles = 0;
+  std::vector<uint32_t> levels;  ///< of a leaf of parts: LeafDrawable::levels of its last drawable
+  SpoolPlace baked;              ///< otherwise: the last drawable of the node, or of what it stands for
 };
 
 }  // namespace
@@ -33,6 +38,8 @@ template <>
 inline constexpr auto record_members<HlodFigures> = std::tuple(&HlodFigures::errors,
                                                                &HlodFigures::coarsest_error,
                                                                &HlodFigures::stuck);
+template <>
+inline constexpr auto record_members<RootFigures> = std::tuple(&RootFigures::error);
 
 namespace {
 
@@ -45,13 +52,17 @@ void place(const Placement& placement, uint32_t triangles, NodeContent& content,
 
 class NodeDrawables {
  public:
-  NodeDrawables(const Parts& parts, const Objects& objects, std::span<const HierarchyNode> nodes,
-                std::span<const PartLevels> levels, const BuildOptions& options, BuildWork& work)
+  NodeDrawables(const Parts& parts, const PlacedParts& placed, const Objects& objects,
+                std::span<const HierarchyNode> nodes, std::span<const PartLevels> levels,
+                std::span<const HierarchyRoot> roots, const BuildOptions& options, BuildWork& work)
       : contents(nodes.size()),
         parts_(parts),
+        placed_(placed),
+        lattice_(parts.lattices[placed.lattice]),
         objects_(objects),
         nodes_(nodes),
         levels_(levels),
+        roots_(roots),
         options_(options),
         work_(work),
         coarsest_(nodes.size()),
@@ -59,13 +70,18 @@ class NodeDrawables {
     span_borders();
   }
 
-  void run() {
-    Progress progress("hierarchical LODs", nodes_.size());
+  void run(Progress& progress) {
     std::vector<size_t> leaves;
     for (size_t i = 0; i < nodes_.size(); ++i) {
       if (nodes_[i].child_count == 0) leaves.push_back(i);
     }
-    parallel_for(leaves.size(), [&](size_t i) { make_leaf(leaves[i]); });
+    parallel_for(leaves.size(), [&](size_t i) {
+      if (stands_for(leaves[i]) == no_id) {
+        make_leaf(leaves[i]);
+      } else {
+        make_instance(leaves[i]);
+      }
+    });
     progress.advance(leaves.size());
     // From the deepest level up. Nodes are in breadth-first order: those of one depth are contiguous.
     std::vector<uint32_t> depths(nodes_.size(), 0);
@@ -81,16 +97,42 @@ class NodeDrawables {
     }
   }
 
+  /// What stands for the whole of it elsewhere; after run().
+  HierarchyRoot root() {
+    const Coarsest& coarsest = coarsest_[0];
+    HierarchyRoot root{contents[0].box, coarsest.error, coarsest.triangles, coarsest.baked};
+    if (nodes_[0].child_count > 0) return root;
+    constexpr uint32_t index = 0;
+    work_.run(
+        UnitKind::root_geometry, std::span(&index, 1),
+        [&](uint32_t node) {
+          Baker baker(lattice_, options_.rules);
+          bake(node, baker);
+          const Baked baked = baker.finish(coarsest.error);
+          return record_bytes(UnitResult{{}, {record_bytes(baked)}, record_bytes(RootFigures{baked.error})});
+        },
+        [&](uint32_t, const StoredUnit& stored) {
+          root.error = stored.figures_as<RootFigures>().error;
+          root.baked = stored.geometry.at(0);
+        });
+    return root;
+  }
+
   std::vector<NodeContent> contents;
   uint64_t stuck = 0;
 
  private:
+  uint32_t stands_for(size_t node) const { return sub_hierarchy_of(nodes_[node], objects_); }
+  bool is_leaf_of_parts(size_t node) const {
+    return nodes_[node].child_count == 0 && stands_for(node) == no_id;
+  }
+
   /// Where the points of borders are: the span of leaves that share each of them, into a file, placed part by
   /// placed part.
   void span_borders() {
     std::vector<size_t> first;  // for each instance
     size_t count = 0;
-    for (const uint32_t borders : parts_.border_counts) {
+    for (const uint32_t borders : placed_.border_counts) {
       first.push_back(count);
       count += borders;
     }
@@ -102,16 +144,17 @@ class NodeDrawables {
       for (const BorderPoint& border : load_borders(work_.parts(), part))
         take(spans[first[placed.instance] + border.number]);
     };
-    for (const HierarchyNode& node : nodes_) {
-      if (node.child_count > 0) continue;
+    for (size_t i = 0; i < nodes_.size(); ++i) {
+      if (!is_leaf_of_parts(i)) continue;
+      const HierarchyNode& node = nodes_[i];
       for (const uint32_t member : objects_.members[node.object]) {
-        each_border(parts_.placed[member], [&](LeafSpan& span) {
+        each_border(placed_.placed[member], [&](LeafSpan& span) {
           span.extend({node.first_place, node.first_place});
         });
       }
     }
     std::vector<LeafSpan> own;
-    for (const PlacedPart& placed : parts_.placed) {
+    for (const PlacedPart& placed : placed_.placed) {
       own.clear();
       each_border(placed, [&](const LeafSpan& span) { own.push_back(span); });
       spans_.push_back(own.empty() ? 0 : span_file_.append(std::as_bytes(std::span(own))).offset);
@@ -120,7 +163,7 @@ class NodeDrawables {
 
   /// Of a placed part's border points.
   std::vector<LeafSpan> load_spans(uint32_t member) const {
-    const uint32_t count = parts_.parts[parts_.placed[member].part].borders;
+    const uint32_t count = parts_.parts[placed_.placed[member].part].borders;
     if (count == 0) return {};
     const std::vector<std::byte> bytes = span_file_.read({spans_[member], count * sizeof(LeafSpan)});
     return ByteReader(bytes, span_file_.path().string()).read_all<LeafSpan>(count);
@@ -129,20 +172,40 @@ class NodeDrawables {
   void make_leaf(size_t node) {
     NodeContent& content = contents[node];
     const auto& members = objects_.members[nodes_[node].object];
-    for (const uint32_t member : members) content.box.extend(parts_.boxes[member]);
-    auto leaf_levels = leaf_drawables(parts_, levels_, members, exit_triangles(options_));
+    for (const uint32_t member : members) content.box.extend(placed_.boxes[member]);
+    auto leaf_levels = leaf_drawables(placed_, levels_, members, exit_triangles(options_));
     for (const LeafDrawable& leaf : leaf_levels) {
       Drawable drawable;
       drawable.error = leaf.error;
       drawable.first_placement = static_cast<uint32_t>(content.placements.size());
       for (size_t i = 0; i < members.size(); ++i) {
-        const PlacedPart& placed = parts_.placed[members[i]];
+        const PlacedPart& placed = placed_.placed[members[i]];
         const PartLevel& level = levels_[placed.part].levels[leaf.levels[i]];
         place({level.chunk, placed.transform}, level.triangles, content, drawable);
       }
       content.drawables.push_back(drawable);
     }
-    coarsest_[node] = {content.drawables.back().error, std::move(leaf_levels.back().levels), {}};
+    const Drawable& last = content.drawables.back();
+    coarsest_[node] = {last.error, last.triangles, std::move(leaf_levels.back().levels), {}};
+  }
+
+  /// A leaf that stands for a sub-hierarchy: what is drawn of it is the sub-hierarchy's own.
+  void make_instance(size_t node) {
+    const PlannedSubHierarchy& placed = placed_.sub_hierarchies[stands_for(node)];
+    const HierarchyRoot& root = roots_[placed.hierarchy];
+    const Box local = lattice_of(placed).box(root.box);
+    Box box;
+    for (int corner = 0; corner < 8; ++corner)
+      box.extend(placed_.transforms[placed.transform] * glm::dvec4(local.corner(corner), 1));
+    LatticeBox& enclosing = contents[node].box;
+    enclosing = lattice_.enclosing(box);
+    enclosing.lo -= 1;  // rounding in the transform
+    enclosing.hi += 1;
+    coarsest_[node] = {root.error * placed_.stretches[placed.transform], root.triangles, {}, root.baked};
+  }
+
+  const Lattice& lattice_of(const PlannedSubHierarchy& placed) const {
+    return parts_.lattices[parts_.hierarchies[placed.hierarchy].lattice];
   }
 
   /// Inner nodes of one depth, ascending.
@@ -163,19 +226,18 @@ class NodeDrawables {
     uint64_t triangles = 0;
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child)
-      triangles += contents[child].drawables.back().triangles;
+      triangles += coarsest_[child].triangles;
     return triangles;
   }
 
   UnitResult simplify_children(uint32_t node) const {
-    Hlod hlod =
-        make_hlod(bake_children(node), nodes_[node].first_place, nodes_[node].end_place, parts_.lattices[0],
-                  options_.hlod_triangles, options_.simplify, options_.in_pieces());
+    Hlod hlod = make_hlod(bake_children(node), nodes_[node].first_place, nodes_[node].end_place, lattice_,
+                          options_.hlod_triangles, options_.simplify, options_.in_pieces());
     HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck};
     UnitResult result;
     for (HlodDrawable& drawable : hlod.drawables) {
       figures.errors.push_back(drawable.error);
-      result.chunks.push_back({std::move(drawable.chunk), 0});
+      result.chunks.push_back({std::move(drawable.chunk), placed_.lattice});
     }
     result.geometry.push_back(record_bytes(hlod.coarsest));
     result.figures = record_bytes(figures);
@@ -183,26 +245,35 @@ class NodeDrawables {
   }
 
   Baked bake_children(uint32_t node) const {
-    Baker baker(parts_.lattices[0], options_.rules);
+    Baker baker(lattice_, options_.rules);
     double error = 0;
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
       if (options_.rules.bounds_hold_children) error = std::max(error, coarsest_[child].error);
-      if (nodes_[child].child_count == 0) {
-        bake_leaf(child, baker);
-      } else {
-        const auto baked = load<Baked>(work_.surfaces(), coarsest_[child].baked);
-        baker.add(baked.surface, baked.spans);
-      }
+      bake(child, baker);
     }
     return baker.finish(error);
+  }
+
+  /// Collects the coarsest geometry of a node. What stands for a sub-hierarchy only touches what is around
+  /// it: it has no borders to it.
+  void bake(size_t node, Baker& baker) const {
+    if (is_leaf_of_parts(node)) return bake_leaf(node, baker);
+    const auto baked = load<Baked>(work_.surfaces(), coarsest_[node].baked);
+    if (nodes_[node].child_count > 0) {
+      baker.add(baked.surface, baked.spans);
+    } else {
+      const PlannedSubHierarchy& placed = placed_.sub_hierarchies[stands_for(node)];
+      const std::vector<LeafSpan> none(baked.surface.points.size());
+      baker.add(baked.surface, lattice_of(placed), placed_.transforms[placed.transform], none);
+    }
   }
 
   /// Collects the coarsest drawable of a leaf.
   void bake_leaf(size_t leaf, Baker& baker) const {
     const auto& members = objects_.members[nodes_[leaf].object];
     for (size_t i = 0; i < members.size(); ++i) {
-      const PlacedPart& placed = parts_.placed[members[i]];
+      const PlacedPart& placed = placed_.placed[members[i]];
       const auto part =
           load<Part>(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
       std::vector<LeafSpan> spans(part.surface.points.size());
@@ -212,7 +283,7 @@ class NodeDrawables {
         baker.add(part.surface, spans);
       } else {
         const Lattice& lattice = parts_.lattices[parts_.parts[placed.part].lattice];
-        baker.add(part.surface, lattice, parts_.transforms[placed.transform], spans);
+        baker.add(part.surface, lattice, placed_.transforms[placed.transform], spans);
       }
     }
   }
@@ -231,21 +302,28 @@ class NodeDrawables {
       content.drawables.push_back(drawable);
       content.box.extend(stored.chunks[i].box);
     }
+    double children = 0;  // the largest error of one
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
       content.box.extend(contents[child].box);
+      children = std::max(children, coarsest_[child].error);
       coarsest_[child] = {};
     }
-    // All that the node ever was lies in its box, and so do its drawables.
-    const double furthest = diagonal(parts_.lattices[0].box(content.box)) * (1 + 1e-9);
+    // All that the node ever was lies in its box, and so do its drawables. But bounds never shrink, and that
+    // of a sub-hierarchy that was stretched may be larger.
+    const double furthest = std::max(diagonal(lattice_.box(content.box)) * (1 + 1e-9), children);
     for (Drawable& drawable : content.drawables) drawable.error = std::min(drawable.error, furthest);
     coarsest_[node].error = std::min(coarsest_[node].error, furthest);
+    coarsest_[node].triangles = content.drawables.back().triangles;
   }
 
   const Parts& parts_;
+  const PlacedParts& placed_;
+  const Lattice& lattice_;
   const Objects& objects_;
   std::span<const HierarchyNode> nodes_;
   std::span<const PartLevels> levels_;
+  std::span<const HierarchyRoot> roots_;
   const BuildOptions& options_;
   BuildWork& work_;
   std::vector<Coarsest> coarsest_;
@@ -259,14 +337,23 @@ size_t exit_triangles(const BuildOptions& options) {
   return std::max<size_t>(options.hlod_triangles / 32, 16);
 }
 
-std::vector<NodeContent> make_node_drawables(const Parts& parts, const Objects& objects,
-                                             std::span<const HierarchyNode> nodes,
-                                             std::span<const PartLevels> levels, const BuildOptions& options,
-                                             BuildWork& work, ImportReport& report) {
-  NodeDrawables drawables(parts, objects, nodes, levels, options, work);
-  drawables.run();
+uint32_t sub_hierarchy_of(const HierarchyNode& node, const Objects& objects) {
+  if (node.child_count > 0 || node.object < objects.members.size()) return no_id;
+  return objects.sub_hierarchies[node.object - objects.members.size()];
+}
+
+HierarchyDrawables make_node_drawables(const Parts& parts, uint32_t hierarchy, const Objects& objects,
+                                       std::span<const HierarchyNode> nodes,
+                                       std::span<const PartLevels> levels,
+                                       std::span<const HierarchyRoot> roots, const BuildOptions& options,
+                                       BuildWork& work, Progress& progress, ImportReport& report) {
+  if (nodes.empty()) return {};
+  NodeDrawables drawables(parts, parts.hierarchies[hierarchy], objects, nodes, levels, roots, options, work);
+  drawables.run(progress);
   report.stuck_groups += drawables.stuck;
-  return std::move(drawables.contents);
+  HierarchyRoot root;
+  if (hierarchy + 1 < parts.hierarchies.size()) root = drawables.root();
+  return {std::move(drawables.contents), root};
 }
 
 }  // namespace triptych

@@ -2,6 +2,7 @@
 // children.
 #pragma once
 
+#include "base/progress.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/leaf.hpp"
 #include "preprocess/objects.hpp"
@@ -18,11 +19,30 @@ struct NodeContent {
   std::vector<Placement> placements;  ///< of all drawables
 };
 
-/// For each node of the hierarchy; HLODs are units of `work`.
-std::vector<NodeContent> make_node_drawables(const Parts& parts, const Objects& objects,
-                                             std::span<const HierarchyNode> nodes,
-                                             std::span<const PartLevels> levels, const BuildOptions& options,
-                                             BuildWork& work, ImportReport& report);
+/// What stands for a hierarchy in those that it is placed in.
+struct HierarchyRoot {
+  LatticeBox box;          ///< of all of it, on its lattice
+  double error = 0;        ///< of its coarsest geometry, in its own units
+  uint32_t triangles = 0;  ///< of that, roughly
+  SpoolPlace baked;        ///< where that lies, a Baked on its lattice
+};
+
+struct HierarchyDrawables {
+  std::vector<NodeContent> contents;  ///< for each node; one that stands for a sub-hierarchy has no drawables
+  HierarchyRoot root;                 ///< of a sub-hierarchy
+};
+
+/// The placed sub-hierarchy that a leaf stands for, an index into PlacedParts::sub_hierarchies; no_id for a
+/// leaf of parts and for an inner node.
+uint32_t sub_hierarchy_of(const HierarchyNode& node, const Objects& objects);
+
+/// Of one hierarchy, an index into Parts::hierarchies; `roots` of those before it. HLODs are units of `work`.
+/// The progress advances by one a node.
+HierarchyDrawables make_node_drawables(const Parts& parts, uint32_t hierarchy, const Objects& objects,
+                                       std::span<const HierarchyNode> nodes,
+                                       std::span<const PartLevels> levels,
+                                       std::span<const HierarchyRoot> roots, const BuildOptions& options,
+                                       BuildWork& work, Progress& progress, ImportReport& report);
 
 /// Drawables of fewer triangles than this cost more to handle than to draw: a leaf has none beyond its first.
 size_t exit_triangles(const BuildOptions& options);

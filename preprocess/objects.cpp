@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <numeric>
 #include <utility>
 
@@ -45,7 +46,7 @@ double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triang
 }
 
 /// Placed parts come instance by instance.
-Objects original_objects(const Parts& parts, std::span<const ObjectExtent> extents) {
+Objects original_objects(const PlacedParts& parts, std::span<const ObjectExtent> extents) {
   Objects objects;
   for (uint32_t i = 0; i < extents.size(); ++i) {
     if (i == 0 || parts.placed[i].instance != parts.placed[i - 1].instance) {
@@ -61,16 +62,10 @@ Objects original_objects(const Parts& parts, std::span<const ObjectExtent> exten
   return objects;
 }
 
-}  // namespace
-
-Objects make_objects(const Parts& parts, const BuildOptions& options) {
-  std::vector<ObjectExtent> extents(parts.placed.size());
-  for (size_t i = 0; i < extents.size(); ++i) {
-    extents[i].box = parts.lattices[0].box(parts.boxes[i]);
-    extents[i].triangles = parts.parts[parts.placed[i].part].triangles;
-  }
-  if (options.hierarchy == HierarchyKind::median_split) return original_objects(parts, extents);
-
+/// Of parts that lie in one hierarchy.
+Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>& extents,
+                      const BuildOptions& options) {
+  if (extents.empty()) return {};
   std::vector<uint32_t> small;
   std::vector<ObjectExtent> small_extents;
   std::vector<std::vector<uint32_t>> clusters;
@@ -106,6 +101,39 @@ Objects make_objects(const Parts& parts, const BuildOptions& options) {
   }
   objects.counts = {parts.instances, parts.placed.size(), clusters.size(), objects.members.size()};
   return objects;
+}
+
+/// Placed sub-hierarchies that hold anything.
+void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> before, Objects& objects) {
+  for (uint32_t i = 0; i < parts.sub_hierarchies.size(); ++i) {
+    const PlannedSubHierarchy& placed = parts.sub_hierarchies[i];
+    ObjectExtent extent;
+    for (const ObjectExtent& inner : before[placed.hierarchy].extents) {
+      extent.triangles += inner.triangles;
+      for (int corner = 0; corner < 8; ++corner)
+        extent.box.extend(parts.transforms[placed.transform] * glm::dvec4(inner.box.corner(corner), 1));
+    }
+    if (extent.triangles == 0) continue;
+    objects.sub_hierarchies.push_back(i);
+    objects.extents.push_back(extent);
+  }
+}
+
+}  // namespace
+
+std::vector<Objects> make_objects(const Parts& parts, const BuildOptions& options) {
+  std::vector<Objects> all;
+  for (const PlacedParts& placed : parts.hierarchies) {
+    std::vector<ObjectExtent> extents(placed.placed.size());
+    for (size_t i = 0; i < extents.size(); ++i) {
+      extents[i].box = parts.lattices[placed.lattice].box(placed.boxes[i]);
+      extents[i].triangles = parts.parts[placed.placed[i].part].triangles;
+    }
+    all.push_back(options.hierarchy == HierarchyKind::median_split ? original_objects(placed, extents)
+                                                                   : cluster_parts(placed, extents, options));
+    add_sub_hierarchies(placed, all, all.back());
+  }
+  return all;
 }
 
 }  // namespace triptych

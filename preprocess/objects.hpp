@@ -13,13 +13,15 @@ namespace triptych {
 
 struct Objects {
   std::vector<std::vector<uint32_t>> members;  ///< of each object the indices of its placed parts, ascending
-  std::vector<ObjectExtent> extents;           ///< of each object, model space
-  ObjectCounts counts;
+  /// Of each object, and behind them of each placed sub-hierarchy that holds any; in the hierarchy's space.
+  std::vector<ObjectExtent> extents;
+  std::vector<uint32_t> sub_hierarchies;  ///< which those are: indices into PlacedParts::sub_hierarchies
+  ObjectCounts counts;                    ///< without those of sub-hierarchies
 };
 
-/// Only parts that are small, by triangles and by extent, are grouped; a wall or a slab stays an object of
-/// its own, with a box as tight as it is. With HierarchyKind::median_split each placement of a mesh is an
-/// object, all its parts together.
-Objects make_objects(const Parts& parts, const BuildOptions& options);
+/// For each hierarchy. Only parts that are small, by triangles and by extent, are grouped; a wall or a slab
+/// stays an object of its own, with a box as tight as it is. A placed sub-hierarchy is an object. With
+/// HierarchyKind::median_split each placement of a mesh is an object, all its parts together.
+std::vector<Objects> make_objects(const Parts& parts, const BuildOptions& options);
 
 }  // namespace triptych

@@ -77,28 +77,35 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
   chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
 }
 
-void PackWriter::finish(Skeleton skeleton) {
-  skeleton.chunks = std::move(chunks_);
-  const uint64_t geometry_end = file_.size();
-  StreamHash hash;
-  const auto write = [&](std::span<const std::byte> bytes) {
-    hash.add(bytes);
-    file_.write(bytes);
+void PackWriter::finish(StoredSkeleton skeleton) {
+  skeleton.surrounding.chunks = std::move(chunks_);
+  std::vector<PackSection> table = {{.type = geometry_type,
+                                     .offset = sizeof(PackHeader),
+                                     .size = file_.size() - sizeof(PackHeader),
+                                     .checksum = geometry_checksum(skeleton.surrounding.chunks)}};
+  const auto add_section = [&](const std::array<char, 4>& type, const auto& write_to) {
+    const uint64_t offset = file_.size();
+    StreamHash hash;
+    write_to([&](std::span<const std::byte> bytes) {
+      hash.add(bytes);
+      file_.write(bytes);
+    });
+    table.push_back(
+        {.type = type, .offset = offset, .size = file_.size() - offset, .checksum = hash.checksum()});
   };
-  write_skeleton(skeleton, pieces_.size() / sizeof(LatticeBox), write);
-  pieces_.read_all(write);
-  const std::array<PackSection, 2> table = {PackSection{.type = geometry_type,
-                                                        .offset = sizeof(PackHeader),
-                                                        .size = geometry_end - sizeof(PackHeader),
-                                                        .checksum = geometry_checksum(skeleton.chunks)},
-                                            PackSection{.type = skeleton_type,
-                                                        .offset = geometry_end,
-                                                        .size = file_.size() - geometry_end,
-                                                        .checksum = hash.checksum()}};
-  const auto table_bytes = std::as_bytes(std::span(table));
-  const PackHeader header{.section_count = static_cast<uint32_t>(table.size()),
-                          .table_offset = file_.size(),
-                          .table_checksum = hash_bytes(table_bytes, pack_format_version)};
+  add_section(skeleton_type, [&](const auto& write) {
+    write_skeleton(skeleton.surrounding, pieces_.size() / sizeof(LatticeBox), write);
+    pieces_.read_all(write);
+  });
+  const bool instanced = !skeleton.instances.empty();
+  if (instanced) {
+    add_section(sub_hierarchies_type, [&](const auto& write) { write(encode_sub_hierarchies(skeleton)); });
+  }
+  const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
+  PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,
+                    .section_count = static_cast<uint32_t>(table.size()),
+                    .table_offset = file_.size()};
+  header.table_checksum = hash_bytes(table_bytes, header.version);
   file_.write(table_bytes);
   file_.write_at(0, std::as_bytes(std::span(&header, 1)));
   file_.commit();

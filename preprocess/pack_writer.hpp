@@ -5,7 +5,7 @@
 #include "base/record.hpp"
 #include "base/spool_file.hpp"
 #include "scene/chunk.hpp"
-#include "scene/skeleton.hpp"
+#include "scene/sub_hierarchy.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -51,8 +51,10 @@ class PackWriter {
   const std::vector<ChunkInfo>& chunks() const { return chunks_; }
   /// What was added survives the end of the process. Returns what another one can keep.
   Kept flush();
-  /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place.
-  void finish(Skeleton skeleton);
+  /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place. Without
+  /// instances the pack is of the format that has none.
+  void finish(StoredSkeleton skeleton);
+  void finish(Skeleton skeleton) { finish(StoredSkeleton{std::move(skeleton), {}, {}}); }
 
  private:
   AtomicFile file_;

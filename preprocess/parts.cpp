@@ -41,14 +41,14 @@ inline constexpr auto record_members<DivisionFigures> =
 
 namespace {
 
-/// A lattice box, on the model's lattice, that holds the surface under the transform.
+/// A box on the lattice `to` that holds the surface under the transform.
 LatticeBox placed_box(const Surface& surface, const Lattice& lattice, const Affine& transform,
-                      const Lattice& model) {
+                      const Lattice& to) {
   Box box;
   for (const glm::ivec3& point : surface.points) {
     box.extend(transform * glm::dvec4(lattice.position(point), 1));
   }
-  LatticeBox enclosing = model.enclosing(box);
+  LatticeBox enclosing = to.enclosing(box);
   enclosing.lo -= 1;  // rounding in the transform
   enclosing.hi += 1;
   return enclosing;
@@ -65,7 +65,7 @@ class PartMaker {
         progress_("partitioning", triangles_of(plan)) {
     // Borders between parts stay as they are in all levels, and that costs triangles: a mesh that is small in
     // the model, such as a piece of furniture, is parted only if it has a great many.
-    const double whole = diagonal(plan.box);
+    const double whole = diagonal(plan.box());
     small_ = whole / 32;
     large_ = whole / 6;
   }
@@ -167,10 +167,12 @@ class PartMaker {
     return result;
   }
 
-  LatticeBox box_in(uint32_t instance, const PlannedMesh& mesh, const Part& part) const {
-    if (mesh.lattice == 0) return part.surface.box();
-    return placed_box(part.surface, plan_.lattices[mesh.lattice],
-                      plan_.transforms[plan_.instances[instance].transform], plan_.lattices[0]);
+  LatticeBox box_in(uint32_t index, const PlannedMesh& mesh, const Part& part) const {
+    if (mesh.baked) return part.surface.box();
+    const PlannedInstance& instance = plan_.instances[index];
+    const PlannedHierarchy& hierarchy = plan_.hierarchies[instance.hierarchy];
+    return placed_box(part.surface, plan_.lattices[mesh.lattice], hierarchy.transforms[instance.transform],
+                      plan_.lattices[hierarchy.lattice]);
   }
 
   UnitResult divide_whole(const PlannedMesh& mesh) const {
@@ -258,21 +260,34 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   std::vector<uint32_t> first(plan.meshes.size() + 1, 0);
   for (const uint32_t mesh : maker.meshes) ++first[mesh + 1];
   for (size_t mesh = 0; mesh < plan.meshes.size(); ++mesh) first[mesh + 1] += first[mesh];
-  std::vector<uint32_t> ordinals(plan.meshes.size(), 0);  // of the next instance of each mesh
-  for (uint32_t i = 0; i < plan.instances.size(); ++i) {
-    const PlannedInstance& instance = plan.instances[i];
-    const uint32_t ordinal = ordinals[instance.mesh]++;
-    parts.border_counts.push_back(maker.border_counts[instance.mesh]);
-    for (uint32_t part = first[instance.mesh]; part < first[instance.mesh + 1]; ++part) {
-      parts.placed.push_back({part, instance.transform, i});
-      parts.boxes.push_back(maker.boxes[part][ordinal]);
-    }
-    if (first[instance.mesh + 1] > first[instance.mesh]) ++parts.instances;
+  for (PlannedHierarchy& planned : plan.hierarchies) {
+    parts.hierarchies.push_back({.placed = {},
+                                 .boxes = {},
+                                 .border_counts = {},
+                                 .transforms = std::move(planned.transforms),
+                                 .stretches = std::move(planned.stretches),
+                                 .sub_hierarchies = std::move(planned.sub_hierarchies),
+                                 .lattice = planned.lattice,
+                                 .instances = 0,
+                                 .uses = planned.uses});
   }
-  if (parts.placed.empty()) fail(model.name(), "holds no triangle that has an area");
+  std::vector<uint32_t> ordinals(plan.meshes.size(), 0);  // of the next instance of each mesh
+  uint64_t placed_instances = 0;
+  for (const PlannedInstance& instance : plan.instances) {
+    PlacedParts& hierarchy = parts.hierarchies[instance.hierarchy];
+    const auto number = static_cast<uint32_t>(hierarchy.border_counts.size());
+    const uint32_t ordinal = ordinals[instance.mesh]++;
+    hierarchy.border_counts.push_back(maker.border_counts[instance.mesh]);
+    for (uint32_t part = first[instance.mesh]; part < first[instance.mesh + 1]; ++part) {
+      hierarchy.placed.push_back({part, instance.transform, number});
+      hierarchy.boxes.push_back(maker.boxes[part][ordinal]);
+    }
+    if (first[instance.mesh + 1] == first[instance.mesh]) continue;
+    ++hierarchy.instances;
+    ++placed_instances;
+  }
+  if (placed_instances == 0) fail(model.name(), "holds no triangle that has an area");
   parts.parts = std::move(maker.infos);
-  parts.transforms = std::move(plan.transforms);
-  parts.stretches = std::move(plan.stretches);
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);
   return parts;

@@ -30,19 +30,29 @@ std::vector<BorderPoint> load_borders(const SpoolFile& file, const PartInfo& par
 
 /// A part under one of its mesh's placements.
 struct PlacedPart {
-  uint32_t part = 0, transform = 0, instance = 0;
+  uint32_t part = 0;
+  uint32_t transform = 0;  ///< 0: on the lattice of the hierarchy that it is in
+  uint32_t instance = 0;   ///< of those in the hierarchy
 };
 
-struct Parts {
-  std::vector<PartInfo> parts;
+/// What is placed in one hierarchy, in its own space.
+struct PlacedParts {
   std::vector<PlacedPart> placed;       ///< by instance
-  std::vector<LatticeBox> boxes;        ///< of each placed part, on the model's lattice
+  std::vector<LatticeBox> boxes;        ///< of each placed part, on the hierarchy's lattice
   std::vector<uint32_t> border_counts;  ///< for each instance how many border points its mesh has
   std::vector<Affine> transforms;       ///< 0: the identity
   std::vector<double> stretches;        ///< for each transform its largest singular value
-  std::vector<Lattice> lattices;        ///< 0: the model's
-  std::vector<std::array<uint8_t, 4>> palette;
+  std::vector<PlannedSubHierarchy> sub_hierarchies;
+  uint32_t lattice = 0;    ///< index into Parts::lattices
   uint64_t instances = 0;  ///< that were placed
+  uint64_t uses = 1;       ///< how often the hierarchy stands in the model
+};
+
+struct Parts {
+  std::vector<PartInfo> parts;           ///< of all hierarchies
+  std::vector<PlacedParts> hierarchies;  ///< sub-hierarchies before those that they are in; the model's last
+  std::vector<Lattice> lattices;         ///< 0: the model's
+  std::vector<std::array<uint8_t, 4>> palette;
 };
 
 /// Divides all meshes: a mesh, or a bucket of one, is a unit. What is dropped is added to the report. Error

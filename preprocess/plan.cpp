@@ -4,6 +4,8 @@
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "model/read_mesh.hpp"
+#include "preprocess/placements.hpp"
+#include "preprocess/transforms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,43 +17,16 @@ namespace triptych {
 
 namespace {
 
-constexpr int model_bits = 26, mesh_bits = 21;
-/// Between them products of six lengths are finite and, down to a lattice step, do not vanish.
-constexpr double largest_coordinate = 1e50, least_extent = 1e-40;
-
-bool finite(const Affine& transform) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      if (!(std::abs(transform[column][row]) < largest_coordinate)) return false;
-    }
-  }
-  return true;
-}
-
-/// Whether floats can place a mesh under it to within a small multiple of their own precision: the product of
-/// the matrix's absolute values and its inverse's is bounded (Skeel, Scaling for numerical stability, 1979).
-/// Turned and stretched meshes are near 1; shears and what flattens a mesh are far above.
-bool well_conditioned(const Affine& transform, double largest_condition) {
-  // Far beyond all units there are, the mesh as it was made may be too small or too large to be measured.
-  constexpr double largest_change = 1e20;
-  const double stretch = largest_stretch(transform);
-  if (!(stretch > 1 / largest_change && stretch < largest_change)) return false;
-  const glm::dmat3 matrix(transform), inverse = glm::inverse(matrix);
-  double sum = 0;
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      double entry = 0;
-      for (int k = 0; k < 3; ++k) entry += std::abs(matrix[k][row]) * std::abs(inverse[column][k]);
-      sum += entry * entry;
-    }
-  }
-  // Written so that NaN is not well-conditioned. The identity's is √3.
-  return sum <= largest_condition * largest_condition;
-}
+/// Of lattices that hierarchies are on, and of those of meshes that are placed more than once.
+constexpr int hierarchy_bits = 26, mesh_bits = 21;
 
 bool finite(const Box& box) {
   const glm::dvec3 furthest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
   return std::max({furthest.x, furthest.y, furthest.z}) < largest_coordinate;
+}
+
+void extend(Box& box, const Affine& transform, const Box& placed) {
+  for (int corner = 0; corner < 8; ++corner) box.extend(transform * glm::dvec4(placed.corner(corner), 1));
 }
 
 /// Of the positions that triangles use, transformed.
@@ -85,81 +60,134 @@ void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
   }
 }
 
-/// Placements of meshes that hold triangles, under transforms that can be drawn; how often each mesh is
-/// placed so that it can be shared.
-std::vector<uint32_t> usable_instances(const Model& model, const BuildRules& rules, BuildPlan& plan,
-                                       std::vector<uint32_t>& uses) {
-  std::vector<uint32_t> placed;
-  for (uint32_t i = 0; i < model.instances.size(); ++i) {
-    const Instance& instance = model.instances[i];
-    if (model.meshes[instance.mesh].triangle_count() == 0) continue;
-    if (finite(instance.transform)) {
-      if (well_conditioned(instance.transform, rules.largest_condition)) ++uses[instance.mesh];
-      placed.push_back(i);
-    } else {
-      ++plan.left_out;
+bool is_shareable(const Affine& transform, const BuildOptions& options) {
+  return options.share_instances && well_conditioned(transform, options.rules.largest_condition);
+}
+
+/// For each mesh in how many places it is told of that it could be shared by.
+std::vector<uint32_t> count_uses(const Model& model, std::span<const HierarchyPlacements> hierarchies,
+                                 const BuildOptions& options) {
+  std::vector<uint32_t> uses(model.meshes.size(), 0);
+  for (const HierarchyPlacements& hierarchy : hierarchies) {
+    hierarchy.each_instance([&](const Instance& instance) {
+      if (is_finite(instance.transform) && is_shareable(instance.transform, options)) ++uses[instance.mesh];
+    });
+  }
+  return uses;
+}
+
+/// Meshes, placements and transforms of all hierarchies; no boxes and lattices yet.
+class Planner {
+ public:
+  Planner(const Model& model, const BuildOptions& options, BuildPlan& plan)
+      : model_(model), options_(options), plan_(plan), shared_(model.meshes.size(), none) {}
+
+  void run() {
+    const std::vector<HierarchyPlacements> hierarchies = place_groups(model_, options_);
+    const std::vector<uint32_t> uses = count_uses(model_, hierarchies, options_);
+    for (const HierarchyPlacements& placements : hierarchies) {
+      plan_.hierarchies.push_back({{}, {}, {}, 0, placements.uses, placements.stretch, {}});
+      add_transform(Affine(1));
+      placements.each_instance([&](const Instance& instance) {
+        if (model_.meshes[instance.mesh].triangle_count() == 0) return;
+        if (is_finite(instance.transform)) {
+          add(instance, uses[instance.mesh] > 1);
+        } else {
+          plan_.left_out += placements.uses;
+        }
+      });
+      for (const GroupInstance& instance : placements.groups)
+        plan_.hierarchies.back().sub_hierarchies.push_back(
+            {instance.group, add_transform(instance.transform)});
     }
   }
-  return placed;
+
+ private:
+  static constexpr uint32_t none = 0xffffffffu;
+
+  uint32_t add_transform(const Affine& transform) {
+    PlannedHierarchy& hierarchy = plan_.hierarchies.back();
+    const bool identity = hierarchy.transforms.empty();
+    hierarchy.transforms.push_back(transform);
+    hierarchy.stretches.push_back(
+        identity || !options_.rules.bounds_are_stretched ? 1 : largest_stretch(transform));
+    return static_cast<uint32_t>(hierarchy.transforms.size() - 1);
+  }
+
+  void add(const Instance& instance, bool often) {
+    PlannedInstance planned;
+    planned.hierarchy = static_cast<uint32_t>(plan_.hierarchies.size() - 1);
+    if (often && is_shareable(instance.transform, options_)) {
+      planned.transform = add_transform(instance.transform);
+      if (shared_[instance.mesh] == none) {
+        shared_[instance.mesh] = static_cast<uint32_t>(plan_.meshes.size());
+        plan_.meshes.push_back({instance.mesh, false, 0, Affine(1), {}, 0, {}, 0});
+      }
+      planned.mesh = shared_[instance.mesh];
+    } else {
+      planned.mesh = static_cast<uint32_t>(plan_.meshes.size());
+      plan_.meshes.push_back({instance.mesh, true, 0, instance.transform, {}, 0, {}, 0});
+    }
+    const PlannedHierarchy& hierarchy = plan_.hierarchies.back();
+    PlannedMesh& mesh = plan_.meshes[planned.mesh];
+    mesh.triangles = model_.meshes[instance.mesh].triangle_count();
+    mesh.stretch = std::max(mesh.stretch, hierarchy.stretch * hierarchy.stretches[planned.transform]);
+    mesh.instances.push_back(static_cast<uint32_t>(plan_.instances.size()));
+    plan_.instances.push_back(planned);
+  }
+
+  const Model& model_;
+  const BuildOptions& options_;
+  BuildPlan& plan_;
+  std::vector<uint32_t> shared_;  ///< for each mesh the planned one of all placements
+};
+
+/// Boxes of hierarchies, and a lattice for each mesh that is placed more than once and each hierarchy.
+void make_lattices(BuildPlan& plan) {
+  plan.lattices.resize(1);
+  for (PlannedMesh& mesh : plan.meshes) {
+    if (mesh.box.empty()) plan.dropped_triangles += mesh.triangles;
+    if (!mesh.box.empty() && !finite(mesh.box)) {
+      for (const uint32_t instance : mesh.instances)
+        plan.left_out += plan.hierarchies[plan.instances[instance].hierarchy].uses;
+      mesh.box = {};
+    }
+    if (mesh.box.empty()) {
+      mesh.triangles = 0;  // its placements stay in the plan, and place nothing
+      continue;
+    }
+    for (const uint32_t index : mesh.instances) {
+      const PlannedInstance& instance = plan.instances[index];
+      PlannedHierarchy& hierarchy = plan.hierarchies[instance.hierarchy];
+      extend(hierarchy.box, hierarchy.transforms[instance.transform], mesh.box);
+    }
+    if (mesh.baked) continue;
+    mesh.lattice = static_cast<uint32_t>(plan.lattices.size());
+    plan.lattices.push_back(make_lattice(mesh.box, mesh_bits));
+  }
+  for (PlannedHierarchy& hierarchy : plan.hierarchies) {
+    for (const PlannedSubHierarchy& inner : hierarchy.sub_hierarchies) {
+      const Box& box = plan.hierarchies[inner.hierarchy].box;
+      if (!box.empty()) extend(hierarchy.box, hierarchy.transforms[inner.transform], box);
+    }
+    if (&hierarchy == &plan.hierarchies.back()) {
+      plan.lattices[0] = make_lattice(hierarchy.box, hierarchy_bits);
+    } else if (!hierarchy.box.empty()) {
+      hierarchy.lattice = static_cast<uint32_t>(plan.lattices.size());
+      plan.lattices.push_back(make_lattice(hierarchy.box, hierarchy_bits));
+    }
+  }
+  for (PlannedMesh& mesh : plan.meshes) {
+    if (mesh.baked) mesh.lattice = plan.hierarchies[plan.instances[mesh.instances[0]].hierarchy].lattice;
+  }
 }
 
 }  // namespace
 
-double largest_stretch(const Affine& transform) {
-  // The largest eigenvalue of MᵀM, by Jacobi rotations.
-  const glm::dmat3 matrix(transform);
-  glm::dmat3 gram = glm::transpose(matrix) * matrix;
-  for (int sweep = 0; sweep < 30; ++sweep) {
-    for (int p = 0; p < 2; ++p) {
-      for (int q = p + 1; q < 3; ++q) {
-        if (gram[p][q] == 0) continue;
-        const double angle = 0.5 * std::atan2(2 * gram[p][q], gram[q][q] - gram[p][p]);
-        glm::dmat3 rotation(1);
-        rotation[p][p] = rotation[q][q] = std::cos(angle);
-        rotation[q][p] = std::sin(angle);
-        rotation[p][q] = -std::sin(angle);
-        gram = glm::transpose(rotation) * gram * rotation;
-      }
-    }
-  }
-  return std::sqrt(std::max({gram[0][0], gram[1][1], gram[2][2], 0.0})) * (1 + 1e-12);
-}
-
 BuildPlan make_plan(const Model& model, const BuildOptions& options) {
   BuildPlan plan;
   make_palette(model.materials, plan);
-  plan.transforms.push_back(Affine(1));
-  plan.stretches.push_back(1);
-  plan.lattices.resize(1);
-  std::vector<uint32_t> uses(model.meshes.size(), 0);
-  const std::vector<uint32_t> placed = usable_instances(model, options.rules, plan, uses);
-
-  constexpr uint32_t none = 0xffffffffu;
-  std::vector<uint32_t> shared(model.meshes.size(), none);  // the planned mesh of all placements
-  for (const uint32_t index : placed) {
-    const Instance& instance = model.instances[index];
-    PlannedInstance planned;
-    if (options.share_instances && uses[instance.mesh] > 1 &&
-        well_conditioned(instance.transform, options.rules.largest_condition)) {
-      planned.transform = static_cast<uint32_t>(plan.transforms.size());
-      plan.transforms.push_back(instance.transform);
-      plan.stretches.push_back(options.rules.bounds_are_stretched ? largest_stretch(instance.transform) : 1);
-      if (shared[instance.mesh] == none) {
-        shared[instance.mesh] = static_cast<uint32_t>(plan.meshes.size());
-        plan.meshes.push_back({instance.mesh, none, Affine(1), {}, 0, {}, 0});
-      }
-      planned.mesh = shared[instance.mesh];
-    } else {
-      planned.mesh = static_cast<uint32_t>(plan.meshes.size());
-      plan.meshes.push_back({instance.mesh, 0, instance.transform, {}, 1, {}, 0});
-    }
-    PlannedMesh& mesh = plan.meshes[planned.mesh];
-    mesh.triangles = model.meshes[instance.mesh].triangle_count();
-    mesh.stretch = std::max(mesh.stretch, plan.stretches[planned.transform]);
-    mesh.instances.push_back(static_cast<uint32_t>(plan.instances.size()));
-    plan.instances.push_back(planned);
-  }
-
+  Planner(model, options, plan).run();
   Progress progress("measuring meshes", plan.meshes.size());
   parallel_for(plan.meshes.size(), [&](size_t i) {
     PlannedMesh& mesh = plan.meshes[i];
@@ -171,33 +199,14 @@ BuildPlan make_plan(const Model& model, const BuildOptions& options) {
     const std::vector<std::string> warnings = mesh.stream->warnings();
     plan.warnings.insert(plan.warnings.end(), warnings.begin(), warnings.end());
   }
-  for (PlannedMesh& mesh : plan.meshes) {
-    if (mesh.box.empty()) plan.dropped_triangles += mesh.triangles;
-    if (!mesh.box.empty() && !finite(mesh.box)) {
-      plan.left_out += mesh.instances.size();
-      mesh.box = {};
-    }
-    if (mesh.box.empty()) {
-      mesh.triangles = 0;  // its placements stay in the plan, and place nothing
-      continue;
-    }
-    for (const uint32_t instance : mesh.instances) {
-      const Affine& transform = plan.transforms[plan.instances[instance].transform];
-      for (int corner = 0; corner < 8; ++corner)
-        plan.box.extend(transform * glm::dvec4(mesh.box.corner(corner), 1));
-    }
-    if (mesh.lattice == 0) continue;
-    mesh.lattice = static_cast<uint32_t>(plan.lattices.size());
-    plan.lattices.push_back(make_lattice(mesh.box, mesh_bits));
-  }
-  if (plan.box.empty()) {
+  make_lattices(plan);
+  if (plan.box().empty()) {
     fail(model.name(), "holds no triangles{}{}", plan.warnings.empty() ? "" : ": ",
          fmt::join(plan.warnings, "; "));
   }
-  const double extent = diagonal(plan.box);
+  const double extent = diagonal(plan.box());
   if (extent < least_extent)
     fail(model.name(), "is {} units large, which is less than numbers bear: give it other units", extent);
-  plan.lattices[0] = make_lattice(plan.box, model_bits);
   return plan;
 }
 

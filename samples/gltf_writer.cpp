@@ -84,15 +84,26 @@ size_t GltfWriter::add_mesh(const std::string& name, size_t count,
   return gltf_["meshes"].size() - 1;
 }
 
-void GltfWriter::add_node(const std::string& name, size_t mesh, const glm::dmat4& transform) {
+void GltfWriter::add_node(const std::string& name, size_t mesh, const glm::dmat4& transform,
+                          std::optional<size_t> parent) {
   Json node = {{"name", name}, {"mesh", mesh}};
   if (transform != glm::dmat4(1)) {
     Json& matrix = node["matrix"] = Json::array();
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row) matrix.push_back(transform[column][row]);
   }
-  gltf_["scenes"][0]["nodes"].push_back(gltf_["nodes"].size());
+  Json& siblings = parent ? gltf_["nodes"][*parent]["children"] : gltf_["scenes"][0]["nodes"];
+  siblings.push_back(gltf_["nodes"].size());
   gltf_["nodes"].push_back(std::move(node));
+}
+
+size_t GltfWriter::add_parent(const std::string& name, const glm::dvec3& translation) {
+  const size_t number = gltf_["nodes"].size();
+  gltf_["scenes"][0]["nodes"].push_back(number);
+  gltf_["nodes"].push_back({{"name", name},
+                            {"translation", {translation.x, translation.y, translation.z}},
+                            {"children", Json::array()}});
+  return number;
 }
 
 void GltfWriter::set_attribution(const std::string& copyright, Json extras) {

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,11 @@ class GltfWriter {
   size_t add_mesh(const std::string& name, const std::vector<MeshPart>& parts);
   /// The same with parts that are made when they are written: only one is in memory at a time.
   size_t add_mesh(const std::string& name, size_t count, const std::function<MeshPart(size_t)>& make_part);
-  /// Places a mesh: a node at the scene's top.
-  void add_node(const std::string& name, size_t mesh, const glm::dmat4& transform);
+  /// Places a mesh: a node at the scene's top, or below another node.
+  void add_node(const std::string& name, size_t mesh, const glm::dmat4& transform,
+                std::optional<size_t> parent = {});
+  /// A node at the scene's top that places nothing itself. Returns its number.
+  size_t add_parent(const std::string& name, const glm::dvec3& translation);
   /// Goes into `asset`: `copyright` and `extras`.
   void set_attribution(const std::string& copyright, nlohmann::ordered_json extras);
   void finish();

@@ -3,6 +3,7 @@
 #include "base/bytes.hpp"
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
+#include "scene/expand.hpp"
 #include "scene/pack_skeleton.hpp"
 
 #include <string_view>
@@ -11,7 +12,7 @@ namespace triptych {
 
 Pack::Pack(const std::filesystem::path& file) : name_(file.string()), file_(open_to_read(file)) {
   size_ = size_of(file_.number(), name_);
-  read_table();
+  read();
 }
 
 std::vector<std::byte> Pack::read_bytes(uint64_t offset, uint64_t count, const std::string& place) const {
@@ -23,13 +24,39 @@ std::vector<std::byte> Pack::read_bytes(uint64_t offset, uint64_t count, const s
   return bytes;
 }
 
-void Pack::read_table() {
+void Pack::read() {
+  const std::vector<PackSection> table = read_table();
+  const auto [geometry, skeleton, sub_hierarchies] = find_sections(table);
+  if (geometry->offset > size_ || geometry->size > size_ - geometry->offset) {
+    fail(name_ + ": section GEOM", "leaves the file");
+  }
+  geometry_offset_ = geometry->offset;
+  geometry_size_ = geometry->size;
+  const std::string skeleton_place = name_ + ": section SKEL";
+  const auto skeleton_bytes = read_section(*skeleton, skeleton_place);
+  if (sub_hierarchies) {
+    const std::string sub_place = name_ + ": section SUBH";
+    const auto sub_bytes = read_section(*sub_hierarchies, sub_place);
+    skeleton_ = expand(
+        decode_skeleton({skeleton_bytes, skeleton_place}, {sub_bytes, sub_place}, geometry_size_), sub_place);
+    content_hash_ = instanced_content_hash(skeleton->checksum, sub_hierarchies->checksum);
+  } else {
+    skeleton_ = decode_skeleton(skeleton_bytes, geometry_size_, skeleton_place);
+    content_hash_ = hash_bytes(skeleton_bytes, format_version_);
+  }
+  if (geometry_checksum(skeleton_.chunks) != geometry->checksum) {
+    fail(name_ + ": section GEOM", "its checksum does not match the skeleton's chunks: the pack is spliced");
+  }
+}
+
+std::vector<PackSection> Pack::read_table() {
   if (size_ < sizeof(PackHeader)) fail(name_, "is no pack: {} bytes are less than a header", size_);
   const auto header = ByteReader(read_bytes(0, sizeof(PackHeader), name_), name_).read<PackHeader>();
   if (header.signature != pack_magic) fail(name_, "is no pack: byte 0 does not start with TRIPTYCH");
-  if (header.version != pack_format_version) {
-    fail(name_, "is a pack of format version {}, this program reads version {}", header.version,
-         pack_format_version);
+  format_version_ = header.version;
+  if (format_version_ != pack_format_version && format_version_ != instanced_pack_format_version) {
+    fail(name_, "is a pack of format version {}, this program reads version {} and {}", format_version_,
+         pack_format_version, instanced_pack_format_version);
   }
   const std::string table_place = name_ + ": section table";
   const auto table_bytes =
@@ -39,36 +66,39 @@ void Pack::read_table() {
   }
   if (const uint64_t end = header.table_offset + table_bytes.size(); end != size_)
     fail(name_, "byte {}: {} bytes are left over after the section table", end, size_ - end);
-  ByteReader reader(table_bytes, table_place);
-  const PackSection* geometry = nullptr;
-  const PackSection* skeleton = nullptr;
-  const auto sections = reader.read_all<PackSection>(header.section_count);
-  for (const PackSection& section :
-       sections) {  // sections of other types are left to programs that know them
-    for (const auto& [type, found] : {std::pair(geometry_type, &geometry), {skeleton_type, &skeleton}}) {
-      if (section.type != type) continue;
-      if (*found) fail(table_place, "names two {} sections", std::string_view(type.data(), type.size()));
-      *found = &section;
+  return ByteReader(table_bytes, table_place).read_all<PackSection>(header.section_count);
+}
+
+Pack::Sections Pack::find_sections(std::span<const PackSection> table) const {
+  const std::string place = name_ + ": section table";
+  constexpr std::array types = {geometry_type, skeleton_type, sub_hierarchies_type};
+  const auto name_of = [&](size_t type) { return std::string_view(types[type].data(), types[type].size()); };
+  Sections found{};
+  for (const PackSection& section : table) {  // sections of other types are left to programs that know them
+    for (size_t type = 0; type < types.size(); ++type) {
+      if (section.type != types[type]) continue;
+      if (found[type]) fail(place, "names two {} sections", name_of(type));
+      if (section.version != 1) fail(place, "holds a section {} of a newer version", name_of(type));
+      found[type] = &section;
     }
   }
-  if (!geometry || !skeleton) fail(table_place, "names no {} section", geometry ? "SKEL" : "GEOM");
-  if (geometry->version != 1 || skeleton->version != 1)
-    fail(table_place, "holds sections of a newer version");
-  if (geometry->offset > size_ || geometry->size > size_ - geometry->offset) {
-    fail(name_ + ": section GEOM", "leaves the file");
+  for (size_t type = 0; type < types.size(); ++type) {
+    const bool wanted = types[type] != sub_hierarchies_type || format_version_ != pack_format_version;
+    if (wanted && !found[type]) fail(place, "names no {} section", name_of(type));
+    if (!wanted && found[type]) {
+      fail(place, "names a {} section, which packs of format version {} do not have", name_of(type),
+           format_version_);
+    }
   }
-  geometry_offset_ = geometry->offset;
-  geometry_size_ = geometry->size;
-  const std::string skeleton_place = name_ + ": section SKEL";
-  const auto skeleton_bytes = read_bytes(skeleton->offset, skeleton->size, skeleton_place);
-  if (hash_bytes(skeleton_bytes) != skeleton->checksum) {
-    fail(skeleton_place, "byte {}: the checksum does not match: the pack is damaged", skeleton->offset);
+  return found;
+}
+
+std::vector<std::byte> Pack::read_section(const PackSection& section, const std::string& place) const {
+  auto bytes = read_bytes(section.offset, section.size, place);
+  if (hash_bytes(bytes) != section.checksum) {
+    fail(place, "byte {}: the checksum does not match: the pack is damaged", section.offset);
   }
-  skeleton_ = decode_skeleton(skeleton_bytes, geometry_size_, skeleton_place);
-  if (geometry_checksum(skeleton_.chunks) != geometry->checksum) {
-    fail(name_ + ": section GEOM", "its checksum does not match the skeleton's chunks: the pack is spliced");
-  }
-  content_hash_ = hash_bytes(skeleton_bytes, header.version);
+  return bytes;
 }
 
 Chunk Pack::read_chunk(uint32_t chunk) const {

@@ -7,8 +7,10 @@
 #include "scene/pack_format.hpp"
 #include "scene/skeleton.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,20 +22,28 @@ class Pack {
   /// Error (file, section, byte) for a file that is no pack, is cut, is damaged, or is of another version.
   explicit Pack(const std::filesystem::path& file);
 
+  /// Expanded: what repeats in the pack stands in each of its places (scene/expand.hpp).
   const Skeleton& skeleton() const { return skeleton_; }
   /// Reads, verifies and decodes one chunk. Error (file, chunk) for damage.
   Chunk read_chunk(uint32_t chunk) const;
   /// The same for all files with the same content: of the skeleton and every chunk's checksum.
   uint64_t content_hash() const { return content_hash_; }
   uint64_t size() const { return size_; }
+  uint32_t format_version() const { return format_version_; }
   const std::string& name() const { return name_; }
 
  private:
-  void read_table();
+  /// GEOM, SKEL and SUBH, which is null in packs without sub-hierarchies.
+  using Sections = std::array<const PackSection*, 3>;
+  void read();
+  std::vector<PackSection> read_table();
+  Sections find_sections(std::span<const PackSection> table) const;
+  std::vector<std::byte> read_section(const PackSection& section, const std::string& place) const;
   std::vector<std::byte> read_bytes(uint64_t offset, uint64_t count, const std::string& place) const;
 
   std::string name_;
   Descriptor file_;
+  uint32_t format_version_ = 0;
   uint64_t size_ = 0, geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
 };

@@ -10,11 +10,15 @@
 
 namespace triptych {
 
+/// Of packs without sub-hierarchies.
 inline constexpr uint32_t pack_format_version = 2;
+/// Of packs that have the section SUBH: programs that do not know it must not misread them.
+inline constexpr uint32_t instanced_pack_format_version = 3;
 
 inline constexpr std::array<char, 8> pack_magic = {'T', 'R', 'I', 'P', 'T', 'Y', 'C', 'H'};
 inline constexpr std::array<char, 4> geometry_type = {'G', 'E', 'O', 'M'};
 inline constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
+inline constexpr std::array<char, 4> sub_hierarchies_type = {'S', 'U', 'B', 'H'};
 
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;
@@ -36,5 +40,8 @@ static_assert(sizeof(PackSection) == 32);
 /// The geometry section is too large to be read at once: its checksum is that of its chunks' checksums in
 /// order.
 uint64_t geometry_checksum(std::span<const ChunkInfo> chunks);
+
+/// The content hash of a pack with both sections.
+uint64_t instanced_content_hash(uint64_t skeleton_checksum, uint64_t sub_hierarchies_checksum);
 
 }  // namespace triptych

@@ -1,7 +1,7 @@
-// The skeleton as bytes: the pack's section SKEL.
+// The skeleton as bytes: the pack's sections SKEL and, where groups of objects repeat, SUBH.
 #pragma once
 
-#include "scene/skeleton.hpp"
+#include "scene/sub_hierarchy.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -18,9 +18,21 @@ void write_skeleton(const Skeleton& skeleton, uint64_t piece_count,
 /// The whole section, with the skeleton's own pieces.
 std::vector<std::byte> encode_skeleton(const Skeleton& skeleton);
 
+/// The section SUBH: everything of the stored skeleton but its surrounding hierarchy.
+std::vector<std::byte> encode_sub_hierarchies(const StoredSkeleton& stored);
+
 /// Error (place, byte) for bytes that end too soon or too late, and for a skeleton that does not hold
-/// together: ids out of range, children before their parents, boxes or errors that are no boxes or errors.
-/// geometry_size: bytes of the geometry section, which the chunk table must stay inside.
+/// together (scene/check_skeleton.hpp). geometry_size: bytes of the geometry section, which the chunk table
+/// must stay inside.
 Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_size, const std::string& place);
+
+/// A section's bytes and the place that errors name.
+struct SectionBytes {
+  std::span<const std::byte> bytes;
+  std::string place;
+};
+/// The same for both sections.
+StoredSkeleton decode_skeleton(const SectionBytes& skeleton, const SectionBytes& sub_hierarchies,
+                               uint64_t geometry_size);
 
 }  // namespace triptych

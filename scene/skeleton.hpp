@@ -65,6 +65,19 @@ struct ObjectCounts {
   bool operator==(const ObjectCounts&) const = default;
 };
 
+/// A sub-hierarchy (scene/sub_hierarchy.hpp) in one of its places: an id in it is the first one plus the
+/// local one.
+struct ExpandedInstance {
+  SceneNodeId scene_node = 0;        ///< that stands for it: the parent of its root
+  SceneNodeId first_scene_node = 0;  ///< its root
+  uint32_t scene_node_count = 0;     ///< without those of instances within it
+  DrawableId first_drawable = 0;
+  uint32_t drawable_count = 0;
+  uint32_t sub_hierarchy = 0;
+  uint32_t transform = 0;  ///< index into Skeleton::transforms: its space to the model's
+  bool operator==(const ExpandedInstance&) const = default;
+};
+
 struct Skeleton {
   std::vector<SceneNode> scene_nodes;
   std::vector<Drawable> drawables;
@@ -75,6 +88,8 @@ struct Skeleton {
   std::vector<ChunkInfo> chunks;
   std::vector<LatticeBox> pieces;  ///< of chunks in several pieces: boxes of their vertices, piece by piece
   std::vector<std::array<uint8_t, 4>> palette;  ///< base colours, sRGB bytes, that vertices name by index
+  std::vector<ExpandedInstance> instances;      ///< where sub-hierarchies were put, in the order of their ids
+  uint32_t sub_hierarchies = 0;                 ///< how many of them the pack holds
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
   ImportReport import;

@@ -32,6 +32,12 @@ struct ImportOptions {
   /// Positions of meshes that stay in their files, kept while those are read: of all threads together, and
   /// for the rest of the process. Less of it makes reading slower where triangles use vertices in no order.
   uint64_t position_cache_bytes = uint64_t{64} << 20;
+  /// Subtrees of a scene's nodes that are equal become one group (Model::groups) where they place at least so
+  /// many meshes, and so many triangles, together: less is not worth a hierarchy of its own. Without it they
+  /// are instances like all others.
+  bool find_groups = true;
+  uint64_t group_placements = 8;
+  uint64_t group_triangles = 1u << 14;
   /// The program that reads further formats; empty: triptych-import beside the program that runs.
   std::filesystem::path converter = {};
   /// It is ended where it takes more address space or longer.

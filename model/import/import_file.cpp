@@ -51,6 +51,7 @@ FileImport::FileImport(std::filesystem::path file, Model& model, const ImportOpt
       model_(model),
       options_(options),
       first_instance_(model.instances.size()),
+      first_group_instance_(model.group_instances.size()),
       first_warning_(model.report.warnings.size()),
       to_metres_y_up_(to_metres_y_up(options)) {
   model_.files.push_back(file_);
@@ -137,12 +138,22 @@ void FileImport::add_instance(uint32_t mesh, const Affine& transform) {
   model_.instances.push_back({mesh, to_metres_y_up_ * glm::dmat4(transform)});
 }
 
+uint32_t FileImport::add_group(Group group) {
+  model_.groups.push_back(std::move(group));
+  return static_cast<uint32_t>(model_.groups.size() - 1);
+}
+
+void FileImport::add_group_instance(uint32_t group, const Affine& transform) {
+  model_.group_instances.push_back({group, to_metres_y_up_ * glm::dmat4(transform)});
+}
+
 void FileImport::finish() {
   for (const auto& [what, count] : warnings_) {
     model_.report.warnings.push_back(count > 0 ? fmt::format("{}: {} {}", place(), count, what)
                                                : fmt::format("{}: {}", place(), what));
   }
-  if (model_.instances.size() > first_instance_) return;
+  if (model_.instances.size() > first_instance_ || model_.group_instances.size() > first_group_instance_)
+    return;
   std::string why;
   const std::string own = place() + ": ";
   for (size_t i = first_warning_; i < model_.report.warnings.size(); ++i) {

@@ -58,6 +58,9 @@ class FileImport {
   std::optional<uint32_t> add_mesh(Mesh mesh);
   uint32_t add_stream(std::string name, std::shared_ptr<const MeshStream> stream);
   void add_instance(uint32_t mesh, const Affine& transform);
+  /// The group's instances are in its own space: only those of groups in the model are turned to metres.
+  uint32_t add_group(Group group);
+  void add_group_instance(uint32_t group, const Affine& transform);
 
   /// Moves the warnings into the model's report. Error if the file placed no triangle.
   void finish();
@@ -68,7 +71,7 @@ class FileImport {
   std::filesystem::path file_;
   Model& model_;
   ImportOptions options_;
-  size_t first_instance_, first_warning_;
+  size_t first_instance_, first_group_instance_, first_warning_;
   uint64_t in_memory_ = 0;  ///< triangles of the model's meshes that do not stay in their files
   uint64_t held_bytes_ = 0;
   std::shared_ptr<SpoolFile> store_;  ///< for meshes beyond ImportOptions::held_bytes

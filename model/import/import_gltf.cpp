@@ -149,46 +149,111 @@ std::vector<int> scene_roots(const tinygltf::Model& gltf, const std::vector<int>
   return roots;
 }
 
-void place_node(const GltfFile& gltf, size_t index, const Affine& transform, FileImport& target,
-                GltfMeshes& meshes) {
-  const auto& node = gltf.model.nodes[index];
-  if (node.mesh == -1) return;
-  const std::string place = node_place(target, index);
-  const auto mesh = meshes.mesh(node.mesh, place);
-  if (!mesh) return target.warn("nodes place a mesh without triangles");
-  std::vector<Affine> placements = {Affine(1)};
-  const auto instancing = node.extensions.find("EXT_mesh_gpu_instancing");
-  if (instancing != node.extensions.end()) placements = instance_transforms(gltf, instancing->second, place);
-  for (const Affine& placement : placements) {
-    const Affine placed = compose(transform, placement);
-    if (is_finite(placed)) {
-      target.add_instance(*mesh, placed);
-    } else {
-      target.warn("placements were dropped: their transforms are not finite");
+/// Places what a tree of nodes holds: in the model, or in a group.
+class Placer {
+ public:
+  Placer(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes, const GltfGroups& groups)
+      : gltf_(gltf), target_(target), meshes_(meshes), groups_(groups) {}
+
+  void place_groups() {
+    for (size_t group = 0; group < groups_.nodes.size(); ++group) {
+      into_ = Group();
+      uses_ = groups_.uses[group];
+      // Depth first from a node that is the group; its own transform is its placement's.
+      walk({{static_cast<int>(groups_.nodes[group]), Affine(1)}}, true);
+      const bool empty = into_->instances.empty() && into_->groups.empty();
+      numbers_.push_back(empty ? GltfGroups::none : target_.add_group(std::move(*into_)));
     }
+    into_.reset();
+    uses_ = 1;
   }
-}
 
-}  // namespace
+  void place_scene(const std::vector<int>& roots) {
+    std::vector<Open> open;
+    for (size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], Affine(1)});
+    walk(std::move(open), false);
+  }
 
-void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes) {
+ private:
   struct Open {
     int node;
     Affine transform;
   };
-  const std::vector<int> roots = scene_roots(gltf.model, check_tree(gltf.model, target), target);
-  std::vector<Open> open;
-  for (size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], Affine(1)});
-  while (!open.empty()) {  // depth first, in the file's order
-    const Open next = open.back();
-    open.pop_back();
-    const auto index = static_cast<size_t>(next.node);
-    const Affine transform =
-        compose(next.transform, local_transform(gltf.model.nodes[index], node_place(target, index)));
-    place_node(gltf, index, transform, target, meshes);
-    const auto& children = gltf.model.nodes[index].children;
-    for (size_t i = children.size(); i-- > 0;) open.push_back({children[i], transform});
+
+  /// `inside`: the first node is the group that is being made.
+  void walk(std::vector<Open> open, bool inside) {
+    while (!open.empty()) {  // depth first, in the file's order
+      const Open next = open.back();
+      open.pop_back();
+      const auto index = static_cast<size_t>(next.node);
+      Affine transform = next.transform;
+      if (!inside) {
+        transform = compose(transform, local_transform(gltf_.model.nodes[index], node_place(target_, index)));
+        if (const uint32_t group = groups_.of_node[index]; group != GltfGroups::none) {
+          place_group(group, transform);
+          continue;
+        }
+      }
+      inside = false;
+      place_node(index, transform);
+      const auto& children = gltf_.model.nodes[index].children;
+      for (size_t i = children.size(); i-- > 0;) open.push_back({children[i], transform});
+    }
   }
+
+  void place_node(size_t index, const Affine& transform) {
+    const auto& node = gltf_.model.nodes[index];
+    if (node.mesh == -1) return;
+    const std::string place = node_place(target_, index);
+    const auto mesh = meshes_.mesh(node.mesh, place);
+    if (!mesh) return target_.warn("nodes place a mesh without triangles", uses_);
+    std::vector<Affine> placements = {Affine(1)};
+    const auto instancing = node.extensions.find("EXT_mesh_gpu_instancing");
+    if (instancing != node.extensions.end())
+      placements = instance_transforms(gltf_, instancing->second, place);
+    for (const Affine& placement : placements) {
+      const Affine placed = compose(transform, placement);
+      if (!is_finite(placed)) {
+        target_.warn(not_finite, uses_);
+      } else if (into_) {
+        into_->instances.push_back({*mesh, placed});
+      } else {
+        target_.add_instance(*mesh, placed);
+      }
+    }
+  }
+
+  void place_group(uint32_t group, const Affine& transform) {
+    const uint32_t number = numbers_[group];
+    if (number == GltfGroups::none) return;
+    if (!is_finite(transform)) {
+      target_.warn(not_finite, uses_ * groups_.placements[group]);
+    } else if (into_) {
+      into_->groups.push_back({number, transform});
+    } else {
+      target_.add_group_instance(number, transform);
+    }
+  }
+
+  static constexpr const char* not_finite = "placements were dropped: their transforms are not finite";
+
+  const GltfFile& gltf_;
+  FileImport& target_;
+  GltfMeshes& meshes_;
+  const GltfGroups& groups_;
+  std::optional<Group> into_;      ///< nothing: the model
+  uint64_t uses_ = 1;              ///< how often what is placed now stands in the scene
+  std::vector<uint32_t> numbers_;  ///< of groups in the model
+};
+
+}  // namespace
+
+void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes) {
+  const std::vector<int> roots = scene_roots(gltf.model, check_tree(gltf.model, target), target);
+  const GltfGroups groups = find_gltf_groups(gltf.model, roots, target.options());
+  Placer placer(gltf, target, meshes, groups);
+  placer.place_groups();
+  placer.place_scene(roots);
 }
 
 void import_gltf(FileImport& target) {

@@ -111,8 +111,24 @@ class GltfMeshes {
   std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor
 };
 
-/// Walks the scene's node tree and places its meshes, EXT_mesh_gpu_instancing included. Error for nodes that
-/// are out of range, have several parents or form a cycle.
+/// Which subtrees of the node tree repeat.
+struct GltfGroups {
+  static constexpr uint32_t none = 0xffffffffu;
+  std::vector<uint32_t> of_node;  ///< for each node the group that its subtree is, or none; not its transform
+  std::vector<uint32_t> nodes;    ///< for each group a node that is one; groups come before those they are in
+  std::vector<uint64_t> uses;     ///< for each group how often it stands in the scene, in other groups too
+  std::vector<uint64_t> placements;  ///< for each group how many meshes it places, with those of groups in it
+};
+
+/// Two subtrees are equal if their nodes place the same meshes under transforms that are equal to the bit,
+/// without the transform of the topmost one. What they place together must come to the options' bounds
+/// (ImportOptions::find_groups), and they must stand in at least two places: a group that is only in another
+/// one, once, is none. `roots`: of a tree. Reads no geometry.
+GltfGroups find_gltf_groups(const tinygltf::Model& gltf, const std::vector<int>& roots,
+                            const ImportOptions& options);
+
+/// Walks the scene's node tree and places its meshes, EXT_mesh_gpu_instancing included, and what repeats as
+/// groups. Error for nodes that are out of range, have several parents or form a cycle.
 void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes);
 
 }  // namespace triptych

@@ -6,6 +6,9 @@
 #include "preprocess/check/check_surfaces.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
 #include <numeric>
@@ -127,6 +130,18 @@ uint64_t largest_share(std::vector<uint64_t> wanted, uint64_t budget) {
   return wanted.empty() ? 0 : wanted.back();
 }
 
+/// To within what rotations lose.
+bool nearly_equal(const glm::dmat3& a, const glm::dmat3& b) {
+  double largest = 0, difference = 0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      largest = std::max({largest, std::abs(a[column][row]), std::abs(b[column][row])});
+      difference = std::max(difference, std::abs(a[column][row] - b[column][row]));
+    }
+  }
+  return difference <= largest * 1e-12;
+}
+
 }  // namespace
 
 bool is_source(const Skeleton& skeleton, DrawableId id) {
@@ -134,10 +149,41 @@ bool is_source(const Skeleton& skeleton, DrawableId id) {
   return node.child_count == 0 && node.first_drawable == id;
 }
 
+std::vector<DrawableId> equally_distant(const Skeleton& skeleton) {
+  std::vector<DrawableId> representatives(skeleton.drawables.size());
+  std::iota(representatives.begin(), representatives.end(), 0u);
+  struct Known {
+    glm::dmat3 gram;  ///< products of the axes: what the transform does to lengths
+    DrawableId first_drawable;
+  };
+  std::vector<std::vector<Known>> known(skeleton.sub_hierarchies);
+  for (const ExpandedInstance& instance : skeleton.instances) {
+    const glm::dmat3 axes(skeleton.transforms[instance.transform]);
+    const glm::dmat3 gram = glm::transpose(axes) * axes;
+    auto& others = known[instance.sub_hierarchy];
+    const auto same = std::find_if(others.begin(), others.end(),
+                                   [&](const Known& other) { return nearly_equal(other.gram, gram); });
+    if (same == others.end()) {
+      others.push_back({gram, instance.first_drawable});
+      continue;
+    }
+    for (uint32_t i = 0; i < instance.drawable_count; ++i)
+      representatives[instance.first_drawable + i] = same->first_drawable + i;
+  }
+  return representatives;
+}
+
 std::vector<double> measured_distances(const Pack& pack, uint64_t points) {
-  std::vector<DrawableId> all(pack.skeleton().drawables.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return measured_distances(pack, all, points);
+  const std::vector<DrawableId> representatives = equally_distant(pack.skeleton());
+  std::vector<DrawableId> asked;
+  for (DrawableId id = 0; id < representatives.size(); ++id) {
+    if (representatives[id] == id) asked.push_back(id);
+  }
+  const std::vector<double> found = measured_distances(pack, asked, points);
+  std::vector<double> measured(representatives.size());
+  for (size_t i = 0; i < asked.size(); ++i) measured[asked[i]] = found[i];
+  for (DrawableId id = 0; id < representatives.size(); ++id) measured[id] = measured[representatives[id]];
+  return measured;
 }
 
 std::vector<double> measured_distances(const Pack& pack, std::span<const DrawableId> drawables,

@@ -12,6 +12,10 @@ namespace triptych {
 /// Whether the drawable is the finest one of a leaf: the source that others are held against.
 bool is_source(const Skeleton& skeleton, DrawableId id);
 
+/// For each drawable one that is as far from its source: itself, or, in a sub-hierarchy that stands elsewhere
+/// under a transform which differs by a motion or a mirror image alone, the one with the same local id there.
+std::vector<DrawableId> equally_distant(const Skeleton& skeleton);
+
 /// For each drawable the largest two-sided distance to its source that was found at about `points` points
 /// over all; 0 for the source itself, NaN where a chunk is damaged. A lower bound of the true distance, the
 /// same for the same pack.

@@ -5,6 +5,7 @@
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "samples/building/shell.hpp"
+#include "samples/building/storeys.hpp"
 #include "samples/gltf_writer.hpp"
 
 #include <algorithm>
@@ -77,19 +78,61 @@ uint64_t triangles_of(const std::vector<MeshPart>& parts) {
   return count;
 }
 
-void write_shell(const FloorPlan& plan, GltfWriter& gltf, SampleReport& report) {
+/// What stands in the building, by storey, until all meshes are written.
+class Scene {
+ public:
+  Scene(const BuildingDesign& design, SampleReport& report) : design_(design), report_(report) {}
+
+  /// Returns how often it stands in the building.
+  size_t place(std::string name, size_t mesh, const glm::dmat4& transform, std::optional<int> storey,
+               uint64_t triangles) {
+    nodes_.push_back({std::move(name), mesh, transform, storey});
+    size_t times = 1;
+    if (storey && !design_.storeys.empty())
+      times = static_cast<size_t>(std::count(design_.storeys.begin(), design_.storeys.end(), *storey));
+    report_.placed_triangles += triangles * times;
+    return times;
+  }
+
+  void write(GltfWriter& gltf) const {
+    for (const Node& node : nodes_) {
+      if (design_.storeys.empty() || !node.storey) gltf.add_node(node.name, node.mesh, node.transform);
+    }
+    for (size_t floor = 0; floor < design_.storeys.size(); ++floor) {
+      const int storey = design_.storeys[floor];
+      const double above = floor_level(static_cast<int>(floor)) - floor_level(storey);
+      const size_t parent = gltf.add_parent(fmt::format("storey {}", floor), {0, above, 0});
+      for (const Node& node : nodes_) {
+        if (node.storey == storey) gltf.add_node(node.name, node.mesh, node.transform, parent);
+      }
+    }
+  }
+
+ private:
+  struct Node {
+    std::string name;
+    size_t mesh;
+    glm::dmat4 transform;
+    std::optional<int> storey;
+  };
+  const BuildingDesign& design_;
+  SampleReport& report_;
+  std::vector<Node> nodes_;
+};
+
+void write_shell(const FloorPlan& plan, GltfWriter& gltf, Scene& scene, SampleReport& report) {
   for (const ShellObject& object : make_shell(plan)) {
     const size_t mesh = gltf.add_mesh(object.name, object.parts);
-    for (const auto& place : object.places) gltf.add_node(object.name, mesh, place);
     const uint64_t triangles = triangles_of(object.parts);
+    for (const auto& place : object.places)
+      report.shell_placements += scene.place(object.name, mesh, place, object.storey_of(place), triangles);
     ++report.shell_meshes;
     report.unique_triangles += triangles;
-    report.shell_placements += object.places.size();
-    report.placed_triangles += triangles * object.places.size();
   }
 }
 
-std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf, SampleReport& report) {
+std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf, Scene& scene,
+                                 SampleReport& report) {
   std::map<size_t, size_t> numbers;
   std::set<size_t> used;
   Progress progress("placing furniture", design.furnishing.placements.size());
@@ -106,12 +149,11 @@ std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf,
       report.transparent_materials += mesh.transparent_materials;
     }
     const Room& room = design.plan.rooms[static_cast<size_t>(placement.room)];
-    gltf.add_node(fmt::format("{} {}: {}", room.name, room_type_name(room.type), piece.name),
-                  numbers[placement.piece], placement_transform(placement));
-    report.placed_triangles += mesh.triangles;
+    report.placements +=
+        scene.place(fmt::format("{} {}: {}", room.name, room_type_name(room.type), piece.name),
+                    numbers[placement.piece], placement_transform(placement), room.floor, mesh.triangles);
     progress.advance();
   }
-  report.placements = design.furnishing.placements.size();
   return used;
 }
 
@@ -122,26 +164,40 @@ BuildingDesign design_building(const BuildingOptions& options) {
   if (options.furniture && (*options.furniture < 0 || *options.furniture > most_furniture))
     fail("sample building", "{} pieces of furniture; 0 to {} can be placed", *options.furniture,
          most_furniture);
+  if (options.repeat_storeys && *options.repeat_storeys < 1)
+    fail("sample building", "storeys cannot repeat after {} different ones", *options.repeat_storeys);
   const Random random(options.seed);
   BuildingDesign design;
-  design.plan = make_floor_plan(options.floors, random.fork(for_plan));
+  int floors = options.floors;
+  if (options.repeat_storeys && floors >= 1 && floors <= max_floors) {
+    design.storeys = repeated_storeys(floors, *options.repeat_storeys);
+    floors = different_storeys(design.storeys);
+  }
+  design.plan = make_floor_plan(floors, random.fork(for_plan));
   design.furniture = load_furniture(options.catalogues);
-  const auto wanted = static_cast<size_t>(options.furniture.value_or(furniture_a_floor * options.floors));
+  auto wanted = static_cast<size_t>(options.furniture.value_or(furniture_a_floor * options.floors));
 
   // A small building has few models: it is to be made, built and tested in seconds.
   const uint64_t budget = std::clamp<uint64_t>(wanted * 300, least_unique_triangles, most_unique_triangles);
   const size_t models = std::max<size_t>(60, wanted / 6);
+  if (!design.storeys.empty())
+    wanted = wanted * static_cast<size_t>(floors) / static_cast<size_t>(options.floors);
   const RolePools pools = choose_pools(design.furniture, budget, models, random.fork(for_pools));
   read_pools(design, pools);
   std::vector<uint64_t> triangles;
   for (const FurnitureMesh& mesh : design.meshes) triangles.push_back(mesh.triangles);
   design.furnishing = furnish_building(design.furniture, pools, triangles, design.plan, wanted,
                                        mean_triangles, random.fork(for_furniture));
-  const auto& placements = design.furnishing.placements;
-  design.walk = make_walk(design.plan, placements, random.fork(for_walk));
-  design.fly = make_fly(design.plan);
-  design.spin = make_spin(design.plan, placements, random.fork(for_spin));
-  design.jump = make_jump(design.plan, placements, random.fork(for_jump));
+  FloorPlan plan = design.plan;
+  std::vector<FurniturePlacement> placements = design.furnishing.placements;
+  if (!design.storeys.empty()) {
+    placements = repeat_placements(plan, placements, design.storeys);
+    plan = repeat_plan(plan, design.storeys);
+  }
+  design.walk = make_walk(plan, placements, random.fork(for_walk));
+  design.fly = make_fly(plan);
+  design.spin = make_spin(plan, placements, random.fork(for_spin));
+  design.jump = make_jump(plan, placements, random.fork(for_jump));
   return design;
 }
 
@@ -149,10 +205,14 @@ SampleReport make_building(const BuildingOptions& options, const std::filesystem
   const BuildingDesign design = design_building(options);
   SampleReport report;
   report.rooms = design.plan.rooms.size();
+  report.different_storeys = design.plan.floors;
+  if (!design.storeys.empty()) report.rooms = repeat_plan(design.plan, design.storeys).rooms.size();
   report.skipped_models = design.skipped_models;
   GltfWriter gltf(folder, "triptych sample building");
-  write_shell(design.plan, gltf, report);
-  const auto used = write_furniture(design, gltf, report);
+  Scene scene(design, report);
+  write_shell(design.plan, gltf, scene, report);
+  const auto used = write_furniture(design, gltf, scene, report);
+  scene.write(gltf);
   write_attribution(design, used, gltf, folder);
   gltf.finish();
   write_file(folder / "walk.json", path_json(design.walk));

@@ -19,11 +19,15 @@ namespace triptych {
 struct BuildingOptions {
   int floors = 7;
   std::optional<int> furniture;  ///< wanted placements; without it 2000 a floor
-  uint64_t seed = 1;             ///< decides everything: equal options give equal files
+  /// Storeys between the lowest and the highest repeat after so many different ones, and each is a node of
+  /// its own in the scene; without it all are different, and placed one by one.
+  std::optional<int> repeat_storeys;
+  uint64_t seed = 1;  ///< decides everything: equal options give equal files
   std::filesystem::path catalogues = furniture_folder;
 };
 
 struct SampleReport {
+  int different_storeys = 0;
   size_t rooms = 0;
   size_t placements = 0;        ///< of furniture
   size_t shell_placements = 0;  ///< of slabs, walls, doors, windows, stairs
@@ -37,13 +41,15 @@ struct SampleReport {
 struct BuildingDesign {
   Furniture furniture;
   std::vector<FurnitureMesh> meshes;  ///< by piece; empty where the piece was not read
-  FloorPlan plan;
-  Furnishing furnishing;
+  FloorPlan plan;                     ///< of the different storeys, one above the other
+  Furnishing furnishing;              ///< theirs
+  std::vector<int> storeys;           ///< of a building that repeats them: which of them each storey is
   CameraFrames walk, fly, spin, jump;
   std::map<std::string, size_t> skipped_models;
 };
 
-/// Error for options out of range (floors 1 to 100, furniture 0 to 1,000,000) and where no catalogues are
+/// Error for options out of range (floors 1 to 100, furniture 0 to 1,000,000,
+/// storeys that repeat after none) and where no catalogues are
 /// installed.
 BuildingDesign design_building(const BuildingOptions& options);
 

@@ -272,7 +272,8 @@ Rect hall_void() { return {23.5, 18.6, 36.5, 21.4}; }
 std::vector<Rect> stair_voids() { return {{13.15, 17.35, 15.925, 21.5}, {44.075, 17.35, 46.85, 21.5}}; }
 
 FloorPlan make_floor_plan(int floors, const Random& random) {
-  if (floors < 1 || floors > 100) fail("sample building", "{} floors; 1 to 100 can be built", floors);
+  if (floors < 1 || floors > max_floors)
+    fail("sample building", "{} floors; 1 to {} can be built", floors, max_floors);
   FloorPlan plan;
   plan.floors = floors;
   for (int floor = 0; floor < floors; ++floor)

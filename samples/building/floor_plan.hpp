@@ -87,7 +87,9 @@ Rect leaf_footprint(const Wall& wall, const Opening& door);
 Rect hall_void();
 std::vector<Rect> stair_voids();
 
-/// Error for fewer than 1 or more than 100 floors.
+inline constexpr int max_floors = 100;
+
+/// Error for fewer than 1 or more than max_floors.
 FloorPlan make_floor_plan(int floors, const Random& random);
 
 }  // namespace triptych

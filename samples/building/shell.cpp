@@ -77,16 +77,21 @@ class Shell {
   }
 
  private:
-  void add(std::string name, std::vector<MeshPart> parts, std::vector<glm::dmat4> places = once()) {
-    if (!places.empty()) objects_.push_back({std::move(name), std::move(parts), std::move(places)});
+  void add(std::string name, std::vector<MeshPart> parts, std::optional<int> storey) {
+    objects_.push_back({std::move(name), std::move(parts), once(), storey});
+  }
+  void add_shared(std::string name, std::vector<MeshPart> parts, std::vector<glm::dmat4> places) {
+    if (!places.empty()) objects_.push_back({std::move(name), std::move(parts), std::move(places), {}});
   }
 
   void add_room(const Room& room) {
     const double level = floor_level(room.floor);
     const Rect &grid = room.grid, &area = room.area;
     const std::string name = room.name + " " + room_type_name(room.type);
-    add(name + " floor", {pierced_box({grid.x0, level - slab, grid.z0}, {grid.x1, level, grid.z1}, 1,
-                                      room.voids, floor_colour(room.type))});
+    add(name + " floor",
+        {pierced_box({grid.x0, level - slab, grid.z0}, {grid.x1, level, grid.z1}, 1, room.voids,
+                     floor_colour(room.type))},
+        room.floor);
     const bool top = room.floor + 1 == plan_.floors;
     std::vector<Rect> above;
     if (!top && room.type == RoomType::hall) above = {hall_void()};
@@ -95,16 +100,18 @@ class Shell {
         if (grid.contains(hole)) above = {hole};
     add(name + " ceiling",
         {pierced_box({area.x0, level + ceiling, area.z0}, {area.x1, level + ceiling + ceiling_panel, area.z1},
-                     1, above, white)});
+                     1, above, white)},
+        room.floor);
     if (top) {
       const double roof = floor_level(plan_.floors);
-      add(name + " roof", {box({grid.x0, roof - slab, grid.z0}, {grid.x1, roof, grid.z1}, concrete)});
+      add(name + " roof", {box({grid.x0, roof - slab, grid.z0}, {grid.x1, roof, grid.z1}, concrete)},
+          room.floor);
     }
     if (room.type == RoomType::hall)
-      for (const Rect& hole : room.voids) add(name + " railing", {railing(hole, level)});
+      for (const Rect& hole : room.voids) add(name + " railing", {railing(hole, level)}, room.floor);
     if (room.type == RoomType::stairs)
-      for (const Rect& hole : room.voids) add(name + " railing", {stair_railing(hole, level)});
-    if (!room.partitions.empty()) add(name + " partitions", {partitions(room, level)});
+      for (const Rect& hole : room.voids) add(name + " railing", {stair_railing(hole, level)}, room.floor);
+    if (!room.partitions.empty()) add(name + " partitions", {partitions(room, level)}, room.floor);
     if (room.type == RoomType::stairs && !top)
       (grid.x0 < width / 2 ? west_stairs_ : east_stairs_).push_back(placed({0, level, 0}, 0));
   }
@@ -163,7 +170,8 @@ class Shell {
     } else {
       parts = {pierced_box(low, high, axis, holes, wall_colour(plan_, wall))};
     }
-    add(fmt::format("{}.w{} {}", wall.floor, number, outer ? "facade" : "wall"), std::move(parts));
+    add(fmt::format("{}.w{} {}", wall.floor, number, outer ? "facade" : "wall"), std::move(parts),
+        wall.floor);
     for (const Opening& opening : wall.openings) add_opening(wall, opening, level);
     for (const int side : {wall.low_room, wall.high_room})
       if (side >= 0) add_skirting(wall, side == wall.high_room, level, number);
@@ -207,7 +215,7 @@ class Shell {
                        ? box({stops[i], level, low}, {stops[i + 1], level + tall, high}, part.colour)
                        : box({low, level, stops[i]}, {high, level + tall, stops[i + 1]}, part.colour));
     }
-    if (!part.indices.empty()) add(fmt::format("{} skirting {}", room.name, number), {part});
+    if (!part.indices.empty()) add(fmt::format("{} skirting {}", room.name, number), {part}, wall.floor);
   }
 
   void add_shared_objects() {
@@ -215,13 +223,14 @@ class Shell {
     MeshPart handles = box({-0.09, 1.02, leaf / 2 - 0.14}, {0.09, 1.05, leaf / 2 - 0.11}, metal);
     for (const double x : {-0.09, 0.07})
       append(handles, box({x, 1.02, leaf / 2 - 0.24}, {x + 0.02, 1.05, leaf / 2 - 0.14}, metal));
-    add("door leaf",
-        {box({-door_leaf / 2, 0.01, -leaf / 2}, {door_leaf / 2, door_height - door_frame - 0.005, leaf / 2},
-             wood),
-         handles},
-        leaves_);
+    add_shared("door leaf",
+               {box({-door_leaf / 2, 0.01, -leaf / 2},
+                    {door_leaf / 2, door_height - door_frame - 0.005, leaf / 2}, wood),
+                handles},
+               leaves_);
     const double half = door_width / 2, deep = inner_wall / 2 + 0.01;
-    add("door frame",
+    add_shared(
+        "door frame",
         {pierced_box({-half, 0, -deep}, {half, door_height, deep}, 2,
                      {{-half + door_frame, 0, half - door_frame, door_height - door_frame}}, frame_colour)},
         frames_);
@@ -236,17 +245,19 @@ class Shell {
     MeshPart sills = sill;
     append(sills,
            box({-w + 0.002, window_sill + 0.002, 0.04}, {w - 0.002, window_sill + 0.03, reach}, concrete));
-    add("window", {frame, sills}, windows_);
-    add("west stairs", stair_flights(stair_voids()[0], true), west_stairs_);
-    add("east stairs", stair_flights(stair_voids()[1], false), east_stairs_);
+    add_shared("window", {frame, sills}, windows_);
+    add_shared("west stairs", stair_flights(stair_voids()[0], true), west_stairs_);
+    add_shared("east stairs", stair_flights(stair_voids()[1], false), east_stairs_);
   }
 
   void add_surroundings() {
-    add("ground", {box({-60, -0.6, -60}, {width + 60, -slab, depth + 60}, grass)});
+    add("ground", {box({-60, -0.6, -60}, {width + 60, -slab, depth + 60}, grass)}, std::nullopt);
     const double roof = floor_level(plan_.floors);
-    add("roof parapet", {pierced_box({-outer_wall, roof - slab, -outer_wall},
-                                     {width + outer_wall, roof + 0.9, depth + outer_wall}, 1,
-                                     {{0, 0, width, depth}}, facade_colour)});
+    add("roof parapet",
+        {pierced_box({-outer_wall, roof - slab, -outer_wall},
+                     {width + outer_wall, roof + 0.9, depth + outer_wall}, 1, {{0, 0, width, depth}},
+                     facade_colour)},
+        plan_.floors - 1);
   }
 
   const FloorPlan& plan_;
@@ -255,6 +266,11 @@ class Shell {
 };
 
 }  // namespace
+
+std::optional<int> ShellObject::storey_of(const glm::dmat4& place) const {
+  if (places.size() == 1 && place == glm::dmat4(1)) return storey;
+  return static_cast<int>(std::lround(place[3].y / measures::storey));
+}
 
 std::vector<Rect> railing_footprints(const Rect& hole) {
   constexpr double t = 0.06;

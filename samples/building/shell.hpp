@@ -4,6 +4,7 @@
 #include "samples/building/floor_plan.hpp"
 #include "samples/building/obj_furniture.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct ShellObject {
   std::string name;
   std::vector<MeshPart> parts;
   std::vector<glm::dmat4> places;
+  std::optional<int> storey;  ///< of one that stands once; nothing: it is outside
+
+  /// Of one of its places.
+  std::optional<int> storey_of(const glm::dmat4& place) const;
 };
 
 /// Slabs, ceilings and skirtings are one object a room, walls one a piece between two rooms; doors, windows

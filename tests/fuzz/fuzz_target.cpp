@@ -48,6 +48,14 @@ std::optional<std::vector<CornerTriangle>> triangles_of(const std::filesystem::p
     }
     for (const Instance& instance : model.instances)
       expect(instance.mesh < model.meshes.size(), "an instance names no mesh");
+    for (const GroupInstance& instance : model.group_instances)
+      expect(instance.group < model.groups.size(), "a group's instance names none");
+    for (size_t i = 0; i < model.groups.size(); ++i) {
+      for (const Instance& instance : model.groups[i].instances)
+        expect(instance.mesh < model.meshes.size(), "an instance in a group names no mesh");
+      for (const GroupInstance& instance : model.groups[i].groups)
+        expect(instance.group < i, "a group holds one that does not come before it");
+    }
     for (const CornerTriangle& triangle : triangles) {
       expect(triangle.material < model.materials.size(), "a triangle names no material");
       for (const glm::dvec3& corner : triangle.corners)
@@ -72,7 +80,9 @@ std::filesystem::path file_of(std::span<const uint8_t> bytes) {
 
 void import_both_ways(std::span<const uint8_t> bytes, void (*import)(FileImport&)) {
   const std::filesystem::path file = file_of(bytes);
-  ImportOptions in_memory, streamed;
+  ImportOptions in_memory;
+  in_memory.group_placements = in_memory.group_triangles = 1;
+  ImportOptions streamed = in_memory;
   in_memory.stream_above = in_memory.most_in_memory = uint64_t{1} << 40;
   streamed.stream_above = streamed.most_in_memory = 0;
   const auto expected = triangles_of(file, import, in_memory);

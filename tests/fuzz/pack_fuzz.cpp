@@ -1,7 +1,9 @@
 // The pack reader behind its checksums, which a fuzzer cannot guess: first byte 0, then the length of a
 // skeleton, the skeleton, and the geometry that its chunks are in. First byte 1: a pack file as it stands.
+// First byte 2: the length of a skeleton, the skeleton, and the section of sub-hierarchies.
 #include "base/error.hpp"
 #include "fuzz_target.hpp"
+#include "scene/expand.hpp"
 #include "scene/pack.hpp"
 #include "scene/pack_skeleton.hpp"
 
@@ -34,6 +36,28 @@ void read_parts(std::span<const std::byte> bytes) {
   }
 }
 
+void expand_parts(std::span<const std::byte> bytes) {
+  uint32_t length = 0;
+  if (bytes.size() < sizeof(length)) return;
+  std::memcpy(&length, bytes.data(), sizeof(length));
+  bytes = bytes.subspan(sizeof(length));
+  if (length > bytes.size()) return;
+  constexpr uint64_t geometry_size = 1000, most = 64 << 20;
+  const Skeleton skeleton = expand(decode_skeleton({bytes.first(length), "skeleton"},
+                                                   {bytes.subspan(length), "sub-hierarchies"}, geometry_size),
+                                   "sub-hierarchies", most);
+  for (size_t i = 1; i < skeleton.scene_nodes.size(); ++i) {
+    const SceneNode& node = skeleton.scene_nodes[i];
+    if (node.parent >= i || node.box.empty()) std::abort();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (node.box.lo[axis] < -Lattice::limit || node.box.hi[axis] > Lattice::limit) std::abort();
+    }
+  }
+  for (const Placement& placement : skeleton.placements) {
+    if (placement.transform >= skeleton.transforms.size()) std::abort();
+  }
+}
+
 void read_file_of(std::span<const uint8_t> bytes) {
   const Pack pack(fuzz::file_of(bytes));
   for (uint32_t i = 0; i < pack.skeleton().chunks.size(); ++i) pack.read_chunk(i);
@@ -49,6 +73,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {
     if (data[0] == 0) triptych::read_parts(std::as_bytes(rest));
     if (data[0] == 1) triptych::read_file_of(rest);
+    if (data[0] == 2) triptych::expand_parts(std::as_bytes(rest));
   } catch (const triptych::Error&) {
   }
   return 0;

@@ -97,6 +97,37 @@ void write_text_formats() {
   write("stl/binary.stl", stl.bytes());
 }
 
+/// The skeleton's hierarchy twice in a pair, one of them mirrored, and the pair and one more in the model.
+StoredSkeleton with_instances(Skeleton skeleton) {
+  StoredSkeleton stored;
+  Affine mirrored(1);
+  mirrored[0].x = -1;
+  const SceneNode inner{.box = {{-2, 0, 0}, {2, 2, 1}}, .first_child = 1, .child_count = 2};
+  SceneNode instance = inner;
+  instance.parent = 0;
+  instance.first_child = instance.child_count = 0;
+  stored.sub_hierarchies.push_back({.lattice = 0,
+                                    .scene_nodes = std::move(skeleton.scene_nodes),
+                                    .drawables = std::move(skeleton.drawables),
+                                    .placements = std::move(skeleton.placements),
+                                    .transforms = skeleton.transforms,
+                                    .instances = {}});
+  stored.sub_hierarchies.push_back({.lattice = 0,
+                                    .scene_nodes = {inner, instance, instance},
+                                    .drawables = {},
+                                    .placements = {},
+                                    .transforms = {Affine(1), mirrored},
+                                    .instances = {{.scene_node = 1}, {.scene_node = 2, .transform = 1}}});
+  stored.surrounding = std::move(skeleton);
+  stored.surrounding.transforms.push_back(mirrored);
+  stored.surrounding.scene_nodes = {inner, instance, instance};
+  stored.surrounding.drawables.clear();
+  stored.surrounding.placements.clear();
+  stored.instances = {{.scene_node = 1, .sub_hierarchy = 1},
+                      {.scene_node = 2, .sub_hierarchy = 0, .transform = 1}};
+  return stored;
+}
+
 void write_pack() {
   Chunk chunk;
   for (int i = 0; i < 9; ++i) chunk.vertices.push_back({{i % 3, i / 3, i % 2}, i % 2 ? 1u : 0u});
@@ -128,15 +159,32 @@ void write_pack() {
   skeleton.chunks = Pack(file).skeleton().chunks;
   skeleton.pieces = Pack(file).skeleton().pieces;
   std::filesystem::remove(file);
+  {
+    PackWriter instanced(file);
+    instanced.add_chunk(chunk, 0);
+    instanced.finish(with_instances(skeleton));
+    ByteWriter instanced_whole;
+    instanced_whole.write(uint8_t{1});
+    instanced_whole.write_all(std::span<const std::byte>(read_file(file)));
+    write("pack/whole_instances", instanced_whole.bytes());
+    const Pack opened(file);  // or the seed is none
+    std::filesystem::remove(file);
+  }
 
   const auto encoded = encode_chunk(chunk);
-  const auto bytes = encode_skeleton(skeleton);
-  ByteWriter parts;
-  parts.write(uint8_t{0});
-  parts.write(static_cast<uint32_t>(bytes.size()));
-  parts.write_all(std::span<const std::byte>(bytes));
-  parts.write_all(std::span<const std::byte>(encoded));
-  write("pack/parts", parts.bytes());
+  const auto parts_of = [](uint8_t kind, const std::vector<std::byte>& first,
+                           const std::vector<std::byte>& second) {
+    ByteWriter parts;
+    parts.write(kind);
+    parts.write(static_cast<uint32_t>(first.size()));
+    parts.write_all(std::span<const std::byte>(first));
+    parts.write_all(std::span<const std::byte>(second));
+    return std::move(parts.bytes());
+  };
+  write("pack/parts", parts_of(0, encode_skeleton(skeleton), encoded));
+  const StoredSkeleton instanced = with_instances(std::move(skeleton));
+  write("pack/instances",
+        parts_of(2, encode_skeleton(instanced.surrounding), encode_sub_hierarchies(instanced)));
 }
 
 }  // namespace

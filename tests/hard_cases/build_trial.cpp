@@ -1,4 +1,5 @@
 // Builds against the model as it was given, not as it lies on its lattices.
+#include "model/flatten.hpp"
 #include "preprocess/check/check.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/support/distance_judge.hpp"
@@ -19,7 +20,7 @@ bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.
 /// belong to neighbours.
 std::vector<Corners> placed_triangles(const Model& model, size_t most) {
   std::vector<Corners> result;
-  for (const Instance& instance : model.instances) {
+  for (const Instance& instance : model.instances) {  // of a model without groups
     for (const Triangle& triangle : model.meshes[instance.mesh].triangles) {
       Corners corners;
       for (size_t i = 0; i < 3; ++i) {
@@ -92,14 +93,15 @@ Problems build_problems(const Trial& trial) {
                                    report.monotonicity_violations, report.checksum_errors,
                                    report.messages.empty() ? "" : report.messages[0]));
   }
-  const std::vector<Corners> source = placed_triangles(trial.model, 12'000);
+  const Model flat = flattened(trial.model);
+  const std::vector<Corners> source = placed_triangles(flat, 12'000);
   if (!source.empty()) hold_against_source(built.pack(), source, problems);
   if (trial.oriented) {
     const SceneNode& root = skeleton.scene_nodes[0];
     const double coarse = volume(triangles_of(built.pack(), root.first_drawable + root.drawable_count - 1));
     double whole = 0;
-    for (const Instance& instance : trial.model.instances) {
-      Model one = trial.model;
+    for (const Instance& instance : flat.instances) {
+      Model one = flat;
       one.instances = {instance};
       whole += std::abs(volume(placed_triangles(one, 12'000)));
     }

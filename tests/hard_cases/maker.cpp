@@ -49,6 +49,18 @@ Maker& Maker::clutter(int count, const glm::dvec3& lo, const glm::dvec3& hi, dou
   return *this;
 }
 
+uint32_t Maker::group() {
+  model_.groups.push_back({std::move(model_.instances), std::move(model_.group_instances)});
+  model_.instances.clear();
+  model_.group_instances.clear();
+  return static_cast<uint32_t>(model_.groups.size() - 1);
+}
+
+Maker& Maker::place_group(uint32_t group, const Affine& transform) {
+  model_.group_instances.push_back({group, transform});
+  return *this;
+}
+
 Model Maker::model() { return std::move(model_); }
 
 View look(const glm::dvec3& eye, const glm::dvec3& target, double fov_y_degrees, Size size, double near,
@@ -90,6 +102,7 @@ Model snapped(Model model, double step) {
 
 Model moved(Model model, const glm::dvec3& by) {
   for (Instance& instance : model.instances) instance.transform[3] += by;
+  for (GroupInstance& instance : model.group_instances) instance.transform[3] += by;
   return model;
 }
 
@@ -103,6 +116,7 @@ std::vector<View> moved(std::vector<View> views, const glm::dvec3& by) {
 
 Model scaled(Model model, double factor) {
   for (Instance& instance : model.instances) instance.transform *= factor;
+  for (GroupInstance& instance : model.group_instances) instance.transform *= factor;
   return model;
 }
 

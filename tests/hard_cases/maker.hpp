@@ -25,6 +25,9 @@ class Maker {
   Maker& quad(const glm::dvec3& corner, const glm::dvec3& side, const glm::dvec3& other_side);
   /// Boxes of random places and sizes in the box.
   Maker& clutter(int count, const glm::dvec3& lo, const glm::dvec3& hi, double size, uint32_t seed = 1);
+  /// Makes a group of what was placed since the last one.
+  uint32_t group();
+  Maker& place_group(uint32_t group, const Affine& transform);
   /// Takes the model out.
   Model model();
 

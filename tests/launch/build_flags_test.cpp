@@ -44,6 +44,8 @@ TEST(BuildFlags, without_flags_are_the_builds_own_options) {
   EXPECT_EQ(given.part_triangles, own.part_triangles);
   EXPECT_EQ(given.leaf_triangles, own.leaf_triangles);
   EXPECT_TRUE(given.share_instances);
+  EXPECT_TRUE(parse({"a.obj"}).import.find_groups);
+  EXPECT_FALSE(parse({"a.obj", "--flat"}).import.find_groups);
 }
 
 TEST(BuildFlags, unknown_words_and_too_little_memory_are_usage_errors) {
@@ -69,7 +71,7 @@ TEST(BuildFlags, unknown_words_and_too_little_memory_are_usage_errors) {
 TEST(BuildFlags, as_arguments_give_the_same_flags_again) {
   const BuildFlags flags =
       parse({"a.obj", "--up", "z", "--unit", "ft", "--simplifier", "openmesh", "--bound", "tight", "--memory",
-             "2G", "--bake-instances", "--hierarchy", "median_split", "--leaf-triangles", "77"});
+             "2G", "--bake-instances", "--flat", "--hierarchy", "median_split", "--leaf-triangles", "77"});
   const std::vector<std::string> arguments = build_arguments(flags);
   EXPECT_EQ(build_arguments(parse(arguments)), arguments);
   EXPECT_EQ(parse(arguments).import.unit, LengthUnit::foot);
@@ -94,6 +96,7 @@ TEST(BuildFingerprint, changes_with_every_flag_that_changes_the_pack_and_with_th
                                                {"--bound", "tight"},
                                                {"--hierarchy", "median_split"},
                                                {"--bake-instances"},
+                                               {"--flat"},
                                                {"--part-triangles", "99"},
                                                {"--leaf-triangles", "99"}})
     add(flag);

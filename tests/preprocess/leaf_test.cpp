@@ -7,7 +7,7 @@ namespace {
 
 /// One placed part whose levels have these triangles; each level's bound is its number.
 std::vector<LeafDrawable> drawables_of(const std::vector<uint32_t>& triangles, size_t exit_triangles) {
-  Parts parts;
+  PlacedParts parts;
   parts.placed = {PlacedPart{}};
   parts.stretches = {1};
   PartLevels levels;

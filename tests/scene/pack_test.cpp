@@ -6,57 +6,15 @@
 #include "preprocess/pack_writer.hpp"
 #include "scene/pack_format.hpp"
 #include "scene/pack_skeleton.hpp"
+#include "tests/support/pack_bytes.hpp"
 #include "tests/support/small_pack.hpp"
 
-#include <fstream>
 #include <gtest/gtest.h>
 
 namespace triptych {
 namespace {
 
-using test::small_pack;
-using test::SmallPack;
-using test::write_pack;
-
-constexpr size_t header_bytes = 32, section_bytes = 32;
-
-/// What opening the pack and reading every chunk of it says; empty if all is well.
-std::string error_of(const std::filesystem::path& file) {
-  try {
-    const Pack pack(file);
-    for (uint32_t i = 0; i < pack.skeleton().chunks.size(); ++i) pack.read_chunk(i);
-  } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()).find(file.string()), 0u) << error.what();
-    return std::string(error.what()).substr(file.string().size());
-  }
-  return "";
-}
-
-std::string error_of(std::filesystem::path file, const std::string& contents) {
-  file += ".damaged";
-  std::ofstream(file, std::ios::binary) << contents;  // write_file() waits for the disk
-  return error_of(file);
-}
-
-template <typename Value>
-Value value_at(const std::string& bytes, size_t offset) {
-  Value value;
-  std::memcpy(&value, bytes.data() + offset, sizeof(value));
-  return value;
-}
-
-template <typename Value>
-void put(std::string& bytes, size_t offset, Value value) {
-  std::memcpy(bytes.data() + offset, &value, sizeof(value));
-}
-
-/// Makes the table's checksum in the header right again after a change of the table.
-void seal_table(std::string& bytes) {
-  const auto table = value_at<uint64_t>(bytes, 16);
-  const auto size = value_at<uint32_t>(bytes, 12) * section_bytes;
-  put(bytes, 24,
-      hash_bytes(std::as_bytes(std::span(bytes.data() + table, size)), value_at<uint32_t>(bytes, 8)));
-}
+using namespace test;
 
 TEST(Pack, what_is_written_is_read_back) {
   const SmallPack written = small_pack();
@@ -245,8 +203,8 @@ TEST(Pack, table_entries_that_were_exchanged_or_doubled_are_refused) {
 TEST(Pack, another_version_and_another_kind_of_file_are_refused_by_name) {
   const auto file = write_pack(small_pack());
   std::string other = read_text_file(file);
-  put(other, 8, uint32_t{pack_format_version + 1});
-  EXPECT_NE(error_of(file, other).find("version 2"), std::string::npos);
+  put(other, 8, uint32_t{instanced_pack_format_version + 1});
+  EXPECT_NE(error_of(file, other).find("version 2 and 3"), std::string::npos);
   std::string noise;
   for (int i = 0; i < 256 * 256; ++i) noise.push_back(static_cast<char>(i));
   EXPECT_NE(error_of(file, noise).find("is no pack"), std::string::npos);

@@ -1,5 +1,6 @@
 #include "tests/support/pack_judge.hpp"
 
+#include "model/flatten.hpp"
 #include "tests/support/drawable_triangles.hpp"
 #include "tests/support/surface_judge.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 
 std::vector<Corners> placed_triangles(const Model& model) {
   std::vector<Corners> result;
-  for (const Instance& instance : model.instances) {
+  const Model flat = flattened(model);
+  for (const Instance& instance : flat.instances) {
     const Mesh& mesh = model.meshes.at(instance.mesh);
     for (const Triangle& triangle : mesh.triangles) {
       Corners corners;

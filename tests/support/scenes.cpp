@@ -39,6 +39,16 @@ class Scene {
     model_.instances.push_back({static_cast<uint32_t>(model_.meshes.size() - 1), transform});
   }
   void box(const glm::dvec3& lo, const glm::dvec3& hi) { add(awkward::box(lo, hi)); }
+  /// Makes a group of what was placed since the last one.
+  uint32_t group() {
+    model_.groups.push_back({std::move(model_.instances), std::move(model_.group_instances)});
+    model_.instances.clear();
+    model_.group_instances.clear();
+    return static_cast<uint32_t>(model_.groups.size() - 1);
+  }
+  void place_group(uint32_t group, const Affine& transform) {
+    model_.group_instances.push_back({group, transform});
+  }
   Model take() { return std::move(model_); }
 
  private:
@@ -188,6 +198,33 @@ Model triangle() {
   return scene.take();
 }
 
+Model storeys() {
+  Scene scene;
+  Random random(18);
+  // A room with furniture, three to a storey, one of them mirrored.
+  scene.box({0, 0, 0}, {0.2, 6, 3});
+  scene.box({0, 0, 0}, {6, 0.2, 3});
+  for (int i = 0; i < 24; ++i) {
+    const glm::dvec3 lo = random.vector() * glm::dvec3(5, 5, 1.5) + glm::dvec3(0.3, 0.3, 0);
+    scene.box(lo, lo + random.vector(0.1, 0.7));
+  }
+  scene.add(awkward::sphere(12, 0.4), awkward::translation({3, 3, 1}));
+  for (int i = 0; i < 4; ++i)
+    scene.place(placed(rotation(random) * random.number(0.5, 1.5), random.vector(1, 2.5)));
+  const uint32_t room_group = scene.group();
+  scene.box({0, 0, -0.25}, {18, 6, 0});
+  scene.place_group(room_group, Affine(1));
+  scene.place_group(room_group, awkward::translation({6, 0, 0}));
+  scene.place_group(room_group, placed(glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), {18, 0, 0}));
+  const uint32_t storey = scene.group();
+  scene.box({-4, -4, -0.5}, {22, 10, -0.25});
+  for (int i = 0; i < 4; ++i) scene.place_group(storey, awkward::translation({0, 0, 3.25 * i}));
+  scene.place_group(storey, placed(rotation(random) * 0.5, {26, 4, 6}));
+  scene.place_group(storey, placed(glm::dmat3(0, 1.5, 0, 1, 0, 0, 0, 0, 0.75), {-8, -6, 0}));
+  scene.place_group(room_group, placed(glm::dmat3(2, 0, 0, 0, -1, 0, 0, 0, 1), {4, 14, 0}));
+  return scene.take();
+}
+
 struct Entry {
   std::string name;
   Model (*make)();
@@ -209,6 +246,7 @@ const std::vector<Entry>& entries() {
                                           [] {
                                             return room({1e6, -1e6, 1e6});
                                           }},
+                                         {"storeys", storeys},
                                          {"triangle", triangle}};
   return all;
 }

@@ -40,6 +40,7 @@ class Random {
 ///   instances  one mesh placed often: turned, stretched, mirrored
 ///   sheared    one mesh under transforms whose axes nearly coincide, and flattened ones
 ///   far        the room, a million units from the origin
+///   storeys    sub-hierarchies within sub-hierarchies: stacked, turned, stretched, mirrored
 ///   triangle   nothing but one triangle
 const std::vector<std::string>& names();
 Model make(const std::string& name);

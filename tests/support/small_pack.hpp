@@ -96,18 +96,24 @@ inline SmallPack small_pack() {
   return pack;
 }
 
-/// Writes the pack under the running test's own name; tests that run in two OpenGL contexts side by side have
+/// Writes a pack under the running test's own name; tests that run in two OpenGL contexts side by side have
 /// two.
-inline std::filesystem::path write_pack(const SmallPack& pack) {
+inline std::filesystem::path write_pack(const std::vector<Chunk>& chunks,
+                                        const std::vector<uint32_t>& chunk_lattices,
+                                        const StoredSkeleton& skeleton) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const char* context = std::getenv("TRIPTYCH_TEST_CONTEXT");
   const auto file =
       std::filesystem::path(testing::TempDir()) / (std::string("triptych_") + (context ? context : "") +
                                                    test->test_suite_name() + "_" + test->name() + ".tpk");
   PackWriter writer(file);
-  for (size_t i = 0; i < pack.chunks.size(); ++i) writer.add_chunk(pack.chunks[i], pack.chunk_lattices[i]);
-  writer.finish(pack.skeleton);
+  for (size_t i = 0; i < chunks.size(); ++i) writer.add_chunk(chunks[i], chunk_lattices[i]);
+  writer.finish(skeleton);
   return file;
+}
+
+inline std::filesystem::path write_pack(const SmallPack& pack) {
+  return write_pack(pack.chunks, pack.chunk_lattices, {pack.skeleton, {}, {}});
 }
 
 }  // namespace triptych::test

@@ -50,12 +50,31 @@ Model rooms() {
   return awkward::model_of(std::move(meshes));
 }
 
+/// The same in groups: of nine, placed turned, stretched and mirrored, and of two of those with a plate.
+Model groups_of_instances() {
+  Model model = instances();
+  model.groups.push_back({{model.instances.begin(), model.instances.begin() + 9}, {}});
+  model.instances.erase(model.instances.begin() + 3, model.instances.end());
+  Affine mirrored = awkward::translation({70, 0, 3}), turned = awkward::translation({0, 90, 0});
+  mirrored[0] = {-1.5, 0, 0};
+  turned[0] = {0, 1.2, 0.4};
+  turned[1] = {-0.8, 0, 0};
+  model.groups.push_back({{{2, awkward::translation({0, -4, 0})}}, {{0, Affine(1)}, {0, mirrored}}});
+  model.group_instances = {{1, awkward::translation({0, 20, 0})},
+                           {1, turned},
+                           {1, awkward::translation({0, 20, 30})},
+                           {0, turned},
+                           {0, awkward::translation({100, 0, 0})}};
+  return model;
+}
+
 const std::vector<Case> cases = {
     {"a_closed_surface_in_parts", [] { return awkward::model_of({awkward::wavy_sphere(40)}); }},
     {"a_closed_surface_in_buckets", [] { return awkward::model_of({awkward::wavy_sphere(40)}); }, 0, 2000},
     {"a_soup", [] { return awkward::model_of({awkward::soup(1500)}); }},
     {"instances", instances},
     {"rooms", rooms},
+    {"groups", groups_of_instances},
     {"sheets_on_one_spine", [] { return awkward::model_of({awkward::book(7, 12)}); }},
     {"a_flat_plate", [] { return awkward::model_of({awkward::grid(40, 30)}); }}};
 

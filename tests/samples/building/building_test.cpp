@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "samples/building/free_space.hpp"
+#include "samples/building/storeys.hpp"
 
 #include <cstring>
 #include <filesystem>
@@ -185,9 +186,66 @@ TEST(Paths, have_their_lengths_and_paces) {
   for (const CameraFrame& frame : design().spin) EXPECT_EQ(frame.eye, design().spin[0].eye);
 }
 
+TEST(Building, repeated_storeys_are_nodes_with_equal_children_and_stand_on_each_other) {
+  const Folder folder("tower");
+  BuildingOptions options;
+  options.floors = 6;
+  options.furniture = 1200;
+  options.repeat_storeys = 2;
+  const SampleReport report = make_building(options, folder.path());
+  EXPECT_EQ(report.different_storeys, 4);
+  const auto gltf = nlohmann::json::parse(read_text_file(folder.path() / "scene.gltf"));
+  std::vector<nlohmann::json> storeys;
+  size_t placements = 0;
+  for (const size_t root : gltf["scenes"][0]["nodes"]) {
+    const auto& node = gltf["nodes"][root];
+    if (!node.contains("children")) {
+      ++placements;
+      continue;
+    }
+    EXPECT_EQ(node["name"], "storey " + std::to_string(storeys.size()));
+    storeys.push_back(nlohmann::json::array({node["translation"]}));
+    for (const size_t child : node["children"]) {
+      storeys.back().push_back(gltf["nodes"][child]);
+      ++placements;
+    }
+  }
+  EXPECT_EQ(placements, report.placements + report.shell_placements);
+  ASSERT_EQ(storeys.size(), 6u);
+  const auto without_place = [](nlohmann::json storey) {
+    storey.erase(0);
+    return storey;
+  };
+  EXPECT_EQ(without_place(storeys[1]), without_place(storeys[3]));
+  EXPECT_EQ(without_place(storeys[2]), without_place(storeys[4]));
+  EXPECT_NE(without_place(storeys[1]), without_place(storeys[2]));
+  for (const size_t different : {0, 1, 2}) EXPECT_EQ(storeys[different][0][1], 0);
+  EXPECT_EQ(storeys[3][0][1], floor_level(3) - floor_level(1));
+  EXPECT_EQ(storeys[5][0][1], floor_level(5) - floor_level(3));
+  // Rooms and furniture of the paths' building are those of the storeys, each where it stands.
+  const BuildingDesign made = design_building(options);
+  const FloorPlan tower = repeat_plan(made.plan, made.storeys);
+  const auto all = repeat_placements(made.plan, made.furnishing.placements, made.storeys);
+  EXPECT_EQ(tower.rooms.size(), report.rooms);
+  EXPECT_EQ(all.size(), report.placements);
+  for (const FurniturePlacement& placement : all) {
+    const Room& room = tower.rooms[static_cast<size_t>(placement.room)];
+    EXPECT_TRUE(room.area.contains(placement.footprint));
+    EXPECT_GE(placement.position.y, floor_level(room.floor) - 1e-9);
+    EXPECT_LT(placement.position.y, floor_level(room.floor + 1));
+  }
+}
+
 TEST(Building, options_out_of_range_are_errors) {
   BuildingOptions options = tiny();
   options.floors = 0;
+  EXPECT_THROW(design_building(options), Error);
+  options.repeat_storeys = 1;
+  EXPECT_THROW(design_building(options), Error);
+  options.floors = 101;
+  EXPECT_THROW(design_building(options), Error);
+  options = tiny();
+  options.repeat_storeys = 0;
   EXPECT_THROW(design_building(options), Error);
   options = tiny();
   options.furniture = -1;

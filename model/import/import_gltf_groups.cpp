@@ -1,0 +1,155 @@
+// Subtrees of a glTF scene that repeat.
+#include "base/bytes.hpp"
+#include "model/import/import_gltf.hpp"
+
+#include <string>
+#include <unordered_map>
+
+namespace triptych {
+
+namespace {
+
+/// Subtrees that are equal but for the transform of the topmost node.
+struct Kind {
+  std::vector<uint32_t> children;  ///< kinds, each with a smaller number than this one
+  uint64_t placements = 0, triangles = 0;
+  int node = 0;  ///< the first that is of it
+};
+
+uint64_t elements(const tinygltf::Model& gltf, int accessor) {
+  return accessor >= 0 && static_cast<size_t>(accessor) < gltf.accessors.size()
+             ? gltf.accessors[static_cast<size_t>(accessor)].count
+             : 0;
+}
+
+/// As the file's counts say; what is wrong with it is found when it is read.
+uint64_t triangles_of(const tinygltf::Model& gltf, int mesh) {
+  if (mesh < 0 || static_cast<size_t>(mesh) >= gltf.meshes.size()) return 0;
+  uint64_t triangles = 0;
+  for (const tinygltf::Primitive& primitive : gltf.meshes[static_cast<size_t>(mesh)].primitives) {
+    const auto positions = primitive.attributes.find("POSITION");
+    if (positions == primitive.attributes.end()) continue;
+    triangles += elements(gltf, primitive.indices >= 0 ? primitive.indices : positions->second) / 3;
+  }
+  return triangles;
+}
+
+/// Accessors of EXT_mesh_gpu_instancing, and how many placements they are; 1 without any.
+uint64_t write_instancing(const tinygltf::Model& gltf, const tinygltf::Node& node, ByteWriter& key) {
+  const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
+  key.write(static_cast<uint8_t>(found != node.extensions.end()));
+  if (found == node.extensions.end() || !found->second.Get("attributes").IsObject()) return 1;
+  const tinygltf::Value& attributes = found->second.Get("attributes");
+  uint64_t count = 1;
+  for (const std::string& name : attributes.Keys()) {
+    const tinygltf::Value& accessor = attributes.Get(name);
+    key.write_text(name);
+    key.write(accessor.IsInt() ? accessor.GetNumberAsInt() : -1);
+    if (accessor.IsInt()) count = std::max(count, elements(gltf, accessor.GetNumberAsInt()));
+  }
+  return count;
+}
+
+void write_transform(const tinygltf::Node& node, ByteWriter& key) {
+  for (const auto* values : {&node.matrix, &node.translation, &node.rotation, &node.scale}) {
+    key.write(static_cast<uint32_t>(values->size()));
+    key.write_all(std::span<const double>(*values));
+  }
+}
+
+class Kinds {
+ public:
+  explicit Kinds(const tinygltf::Model& gltf) : of_node(gltf.nodes.size(), GltfGroups::none), gltf_(gltf) {}
+
+  /// Finds the kind of every node below.
+  void add_tree(int root) {
+    std::vector<std::pair<int, bool>> open = {{root, false}};  // whether its children are known
+    while (!open.empty()) {
+      const auto [node, known] = open.back();
+      open.pop_back();
+      if (known) {
+        add_node(node);
+        continue;
+      }
+      open.emplace_back(node, true);
+      for (const int child : gltf_.nodes[static_cast<size_t>(node)].children) open.emplace_back(child, false);
+    }
+  }
+
+  std::vector<uint32_t> of_node;
+  std::vector<Kind> kinds;
+
+ private:
+  void add_node(int index) {
+    const tinygltf::Node& node = gltf_.nodes[static_cast<size_t>(index)];
+    Kind kind;
+    kind.node = index;
+    ByteWriter key;
+    key.write(node.mesh);
+    const uint64_t placements = write_instancing(gltf_, node, key);
+    if (node.mesh >= 0) {
+      kind.placements = placements;
+      kind.triangles = placements * triangles_of(gltf_, node.mesh);
+    }
+    for (const int child : node.children) {
+      const uint32_t of_child = of_node[static_cast<size_t>(child)];
+      write_transform(gltf_.nodes[static_cast<size_t>(child)], key);
+      key.write(of_child);
+      kind.children.push_back(of_child);
+      kind.placements += kinds[of_child].placements;
+      kind.triangles += kinds[of_child].triangles;
+    }
+    const auto& bytes = key.bytes();
+    const auto [found, inserted] =
+        known_.try_emplace(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()),
+                           static_cast<uint32_t>(kinds.size()));
+    if (inserted) kinds.push_back(std::move(kind));
+    of_node[static_cast<size_t>(index)] = found->second;
+  }
+
+  const tinygltf::Model& gltf_;
+  std::unordered_map<std::string, uint32_t> known_;
+};
+
+}  // namespace
+
+GltfGroups find_gltf_groups(const tinygltf::Model& gltf, const std::vector<int>& roots,
+                            const ImportOptions& options) {
+  GltfGroups groups;
+  groups.of_node.assign(gltf.nodes.size(), GltfGroups::none);
+  if (!options.find_groups) return groups;
+  Kinds found(gltf);
+  for (const int root : roots) found.add_tree(root);
+  const std::vector<Kind>& kinds = found.kinds;
+  // How often each kind stands in what is left when all that repeats is said once, and how often in the
+  // scene. From the topmost down: a kind's number is larger than those of its children.
+  std::vector<uint64_t> said(kinds.size(), 0), uses(kinds.size(), 0);
+  for (const int root : roots) {
+    ++said[found.of_node[static_cast<size_t>(root)]];
+    ++uses[found.of_node[static_cast<size_t>(root)]];
+  }
+  std::vector<uint8_t> is_group(kinds.size(), 0);
+  for (size_t i = kinds.size(); i-- > 0;) {
+    const Kind& kind = kinds[i];
+    is_group[i] = said[i] >= 2 && kind.placements >= options.group_placements &&
+                  kind.triangles >= options.group_triangles;
+    for (const uint32_t child : kind.children) {
+      said[child] += is_group[i] ? 1 : said[i];
+      uses[child] += uses[i];
+    }
+  }
+  std::vector<uint32_t> numbers(kinds.size(), GltfGroups::none);
+  for (size_t i = 0; i < kinds.size(); ++i) {
+    if (!is_group[i]) continue;
+    numbers[i] = static_cast<uint32_t>(groups.nodes.size());
+    groups.nodes.push_back(static_cast<uint32_t>(kinds[i].node));
+    groups.uses.push_back(uses[i]);
+    groups.placements.push_back(kinds[i].placements);
+  }
+  for (size_t i = 0; i < found.of_node.size(); ++i) {
+    if (found.of_node[i] != GltfGroups::none) groups.of_node[i] = numbers[found.of_node[i]];
+  }
+  return groups;
+}
+
+}  // namespace triptych

@@ -1,0 +1,40 @@
+// What a pack holds where groups of objects repeat: hierarchies that are stored once, and the scene nodes
+// that stand for them under transforms.
+#pragma once
+
+#include "scene/skeleton.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace triptych {
+
+/// A scene node that stands for a sub-hierarchy: stored without children, and an inner scene node whose only
+/// child is the sub-hierarchy's root when the skeleton is expanded. It may have drawables of its own.
+struct HierarchyInstance {
+  SceneNodeId scene_node = 0;
+  uint32_t sub_hierarchy = 0;
+  uint32_t transform = 0;  ///< the sub-hierarchy's space to that of the hierarchy that the scene node is in
+  double stretch = 1;      ///< bound of the factor by which the transform stretches lengths at most
+  bool operator==(const HierarchyInstance&) const = default;
+};
+
+/// A hierarchy in a space of its own; its ids are local, from 0 on. Chunks, lattices and palette are those of
+/// the pack.
+struct SubHierarchy {
+  uint32_t lattice = 0;  ///< index into Skeleton::lattices: what boxes of its scene nodes are on
+  std::vector<SceneNode> scene_nodes;  ///< as Skeleton's; errors of drawables count in its own space
+  std::vector<Drawable> drawables;
+  std::vector<Placement> placements;  ///< Placement::transform: index into the transforms below
+  std::vector<Affine> transforms;     ///< a chunk's positions to the sub-hierarchy's space; 0 is the identity
+  std::vector<HierarchyInstance> instances;  ///< of sub-hierarchies before this one, by ascending scene node
+};
+
+/// A skeleton as a pack holds it. Without instances it is the surrounding hierarchy alone.
+struct StoredSkeleton {
+  Skeleton surrounding;                      ///< not expanded: Skeleton::instances is empty
+  std::vector<HierarchyInstance> instances;  ///< in the surrounding hierarchy, by ascending scene node
+  std::vector<SubHierarchy> sub_hierarchies;
+};
+
+}  // namespace triptych
