@@ -8,7 +8,7 @@ namespace {
 thread_local bool started = false;
 thread_local std::vector<TimelineSpan> spans;
 thread_local uint64_t lost = 0;
-constexpr size_t most_spans = 1'000'000;
+constexpr size_t max_spans = 1'000'000;
 }  // namespace
 
 void start_timeline() { started = true; }
@@ -22,7 +22,7 @@ TimelineScope::TimelineScope(const char* stage, uint32_t frame) : stage_(stage),
 
 TimelineScope::~TimelineScope() {
   if (begin_ms_ < 0) return;
-  if (spans.size() < most_spans) {
+  if (spans.size() < max_spans) {
     spans.push_back({stage_, frame_, begin_ms_, steady_milliseconds()});
   } else {
     ++lost;

@@ -15,8 +15,8 @@ namespace triptych {
 
 namespace {
 
-constexpr uint64_t least_memory = uint64_t{128} << 20;
-constexpr uint32_t least_triangles = 16, most_triangles = 1u << 24;
+constexpr uint64_t min_memory = uint64_t{128} << 20;
+constexpr uint32_t min_triangles = 16, max_triangles = 1u << 24;
 
 const std::map<std::string, Simplifier>& simplifiers() {
   static const std::map<std::string, Simplifier> names = {{"collapse", Simplifier::collapse},
@@ -85,7 +85,7 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
   command
       .add_option("--memory", flags.defaults.memory,
                   "The resident size that the build aims to stay below, at least 128M")
-      ->transform(bytes_from(least_memory, "128M"))
+      ->transform(bytes_from(min_memory, "128M"))
       ->type_name("BYTES")
       ->default_str("1G");
   command.add_flag("--bake-instances", flags.bake_instances,
@@ -95,17 +95,17 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
       "Build groups that repeat in a scene as often as they are placed, instead of once");
   command
       .add_option("--part-triangles", flags.defaults.part_triangles, "Triangles of a part of a mesh, at most")
-      ->check(whole_number(least_triangles, most_triangles))
+      ->check(whole_number(min_triangles, max_triangles))
       ->capture_default_str();
   command
       .add_option("--leaf-triangles", flags.defaults.leaf_triangles,
                   "Triangles of a leaf of the hierarchy, roughly")
-      ->check(whole_number(least_triangles, most_triangles))
+      ->check(whole_number(min_triangles, max_triangles))
       ->capture_default_str();
   command
       .add_option("--hlod-triangles", flags.defaults.hlod_triangles,
                   "Triangles of an inner scene node's coarsest level, roughly")
-      ->check(whole_number(least_triangles, most_triangles))
+      ->check(whole_number(min_triangles, max_triangles))
       ->capture_default_str();
 }
 

@@ -95,7 +95,7 @@ void add_path_flags(CLI::App& command, RunOptions& options) {
       ->check(positive_number())
       ->default_str("1");
   command.add_option("--frames", options.frames, "Only the first frames of the path")
-      ->check(whole_number(1, most_frames));
+      ->check(whole_number(1, max_frames));
 }
 
 void add_run_flags(CLI::App& command, RunOptions& options) {
@@ -105,14 +105,14 @@ void add_run_flags(CLI::App& command, RunOptions& options) {
 }
 
 namespace {
-constexpr uint64_t most_batch = uint64_t{1} << 32;
+constexpr uint64_t max_batch = uint64_t{1} << 32;
 
 template <typename Target>
 CLI::Option* add_batch(CLI::App& command, Target& target) {
   return command
       .add_option("--batch", target, "Ids a packet of a delta: smaller ones come earlier and cost more bytes")
       ->type_name("IDS")
-      ->check(whole_number(1, most_batch));
+      ->check(whole_number(1, max_batch));
 }
 }  // namespace
 

@@ -176,7 +176,7 @@ void add_explain(CLI::App& app, Action& action) {
   add_run_flags(*sub, command->run);
   sub->add_option("--frame", command->frame, "The frame of the path")
       ->required()
-      ->check(whole_number(0, most_frames));
+      ->check(whole_number(0, max_frames));
   sub->add_option("--pixel", command->pixel, "The pixel, counted from the left and the top")
       ->delimiter(',')
       ->expected(2)

@@ -174,7 +174,7 @@ void write_mesh(const aiMesh& mesh, Output& output, const std::string& place, Co
       corners.emplace_back(vertex.x, vertex.y, vertex.z);
     }
     if (corners.size() < 3) ++notes["points or lines were skipped"];
-    if (corners.size() > most_clipped_corners) ++notes[std::string(fan_warning)];
+    if (corners.size() > max_clipped_corners) ++notes[std::string(fan_warning)];
     triangulate(corners, triangles);
     for (const auto& [a, b, c] : triangles)
       output.write(std::array<uint32_t, 3>{face.mIndices[a], face.mIndices[b], face.mIndices[c]});

@@ -72,8 +72,8 @@ int run(const MeasureBuildCommand& command) {
   return 0;
 }
 
-constexpr double least_yardstick_seconds = 1;
-constexpr size_t most_yardstick_passes = 20;
+constexpr double min_yardstick_seconds = 1;
+constexpr size_t max_yardstick_passes = 20;
 
 struct YardstickCommand {
   std::vector<std::filesystem::path> inputs;
@@ -87,7 +87,7 @@ int run(const YardstickCommand& command) {
   Yardstick yardstick;
   size_t passes = 0;
   // A small model is done so quickly that whatever else the machine does decides: several times, then.
-  while (passes == 0 || (yardstick.seconds < least_yardstick_seconds && passes < most_yardstick_passes)) {
+  while (passes == 0 || (yardstick.seconds < min_yardstick_seconds && passes < max_yardstick_passes)) {
     const Yardstick pass = measure_yardstick(model);
     yardstick.triangles += pass.triangles;
     yardstick.left += pass.left;

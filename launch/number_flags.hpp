@@ -54,7 +54,7 @@ inline CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_
 }
 
 /// Admits bytes as whole numbers, with K, M, G or T behind them for powers of 1,024, and hands on the number.
-inline CLI::Validator bytes_from(uint64_t least, const std::string& least_text) {
+inline CLI::Validator bytes_from(uint64_t least, const std::string& min_text) {
   return CLI::Validator(
       [=](std::string& text) {
         uint64_t value = 0;
@@ -69,7 +69,7 @@ inline CLI::Validator bytes_from(uint64_t least, const std::string& least_text) 
         const bool number = read.ec == std::errc() && suffix.size() <= 1 && power != std::string::npos &&
                             value <= std::numeric_limits<uint64_t>::max() >> shift;
         if (!number || value << shift < least)
-          return fmt::format("\"{}\" is no number of bytes from {} on, such as 512M or 2G", text, least_text);
+          return fmt::format("\"{}\" is no number of bytes from {} on, such as 512M or 2G", text, min_text);
         text = std::to_string(value << shift);
         return std::string();
       },
@@ -77,7 +77,7 @@ inline CLI::Validator bytes_from(uint64_t least, const std::string& least_text) 
 }
 
 /// A day is more than anybody waits, and cameras that come at other rates than these are not meant.
-constexpr double most_seconds = 86400, least_rate = 0.001, most_rate = 1e6;
+constexpr double max_seconds = 86400, min_rate = 0.001, max_rate = 1e6;
 
 /// Of a flag for a vector: it takes one word, and what comes after that is not its own.
 inline CLI::Option* take_one(CLI::Option* option) { return option->expected(1)->allow_extra_args(false); }

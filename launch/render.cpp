@@ -93,7 +93,7 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
   sub->add_option("--every", command->every,
                   "Only every so many frames of the path, each as if it were the next one")
-      ->check(whole_number(1, most_frames));
+      ->check(whole_number(1, max_frames));
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

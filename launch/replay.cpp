@@ -152,7 +152,7 @@ void add_replay(CLI::App& app, Action& action) {
   add_common_flags(*sub, command->json);
   sub->add_option("folder", command->folder, "What session --record left")->required()->type_name("DIR");
   auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file")
-                    ->check(whole_number(0, most_frames));
+                    ->check(whole_number(0, max_frames));
   sub->add_option("--frames", "All of them; -o is a folder")
       ->check(one_of({"all"}))
       ->type_name("all")

@@ -28,7 +28,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
   role.add_option("--session", command.session, "A number that the roles of one session share")
       ->check(whole_number(0));
   role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
-      ->check(number_between(0.001, most_seconds))
+      ->check(number_between(0.001, max_seconds))
       ->capture_default_str();
 }
 
@@ -72,20 +72,20 @@ void add_role(CLI::App& app, Action& action) {
   add_connection_flags(*render, *render_command);
   render->add_option("-o,--output", render_command->output, "Folder for the PNG files")->type_name("DIR");
   render->add_option("--loop", render_command->loop, "How often the path is played")
-      ->check(whole_number(1, most_frames));
+      ->check(whole_number(1, max_frames));
   render->add_option("--rate", render_command->rate, "Cameras released a second")
-      ->check(number_between(least_rate, most_rate));
+      ->check(number_between(min_rate, max_rate));
   render
       ->add_option("--timeout", render_command->timeout_ms,
                    "Milliseconds to wait for a frame's visible set before going on alone")
-      ->check(number_between(1, 1000 * most_seconds))
+      ->check(number_between(1, 1000 * max_seconds))
       ->capture_default_str();
   render->add_option("--journal", render_command->journal, "Append each frame's record here, not to the JSON")
       ->type_name("FILE");
   render
       ->add_option("--begin", render_command->begin,
                    "First frame: an earlier render node drew those before it")
-      ->check(whole_number(0, most_frames));
+      ->check(whole_number(0, max_frames));
   add_window_flag(*render, render_command->window);
   render->add_flag("--hash", render_command->hash, "Take down each picture's hash and visible set");
   render->callback([render_command, &action] {

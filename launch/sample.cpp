@@ -114,13 +114,13 @@ void add_sample(CLI::App& app, Action& action) {
   CLI::App* plant = sample->add_subcommand(
       "plant", "A coal-fired power plant: some 1,200 objects, among them one network of pipes");
   plant->footer("Example: triptych sample plant -o plant --triangles 1000000");
-  add_sample_flags(*plant, *command, command->plant, least_plant_triangles, most_plant_triangles);
+  add_sample_flags(*plant, *command, command->plant, min_plant_triangles, max_plant_triangles);
   plant->callback([command, &action] { action = [command] { return run_plant(*command); }; });
 
   const auto add_surface = [&](const char* name, const char* does, MakeSurface make) {
     CLI::App* surface = sample->add_subcommand(name, does);
     surface->footer(fmt::format("Example: triptych sample {} -o {} --triangles 1000000", name, name));
-    add_sample_flags(*surface, *command, command->surface, least_surface_triangles, most_surface_triangles);
+    add_sample_flags(*surface, *command, command->surface, min_surface_triangles, max_surface_triangles);
     surface->callback([command, make, &action] { action = [=] { return run_surface(*command, make); }; });
   };
   add_surface("isosurface", "The surface between two gases that mix, with holes and depth", make_isosurface);

@@ -7,9 +7,9 @@ namespace triptych {
 void add_session_flags(CLI::App& command, SessionOptions& options) {
   add_run_flags(command, options.run);
   command.add_option("--loop", options.loop, "How often the path is played")
-      ->check(whole_number(1, most_frames));
+      ->check(whole_number(1, max_frames));
   command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
-      ->check(number_between(least_rate, most_rate));
+      ->check(number_between(min_rate, max_rate));
   add_batch_flag(command, options.batches);
   command.add_option("--hosts", options.hosts, "Play the switch nodes on the machines that this file names")
       ->type_name("HOSTS.toml");
@@ -21,10 +21,10 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   command
       .add_option("--timeout", options.timeout_ms,
                   "Milliseconds to wait for a frame's visible set before the render node goes on alone")
-      ->check(number_between(1, 1000 * most_seconds))
+      ->check(number_between(1, 1000 * max_seconds))
       ->capture_default_str();
   command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")
-      ->check(whole_number(0, most_frames))
+      ->check(whole_number(0, max_frames))
       ->capture_default_str();
   add_timeline_flag(command, options.timeline);
   command.add_option("--record", options.record, "Folder to keep every message in; replay shows them again")

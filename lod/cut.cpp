@@ -24,7 +24,7 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
   EyeBounds bounds = view.eye_space.bounds(node.box);
   if (bounds.outside) {
     if (culling == FrustumCulling::on) return no_id;
-    bounds.least_depth =
+    bounds.min_depth =
         std::sqrt(static_cast<double>(squared_distance(view.cell, node.box))) * skeleton.lattice().step;
     bounds.stretch = 1;
   }

@@ -16,8 +16,8 @@ constexpr double rounding_of_size = 0x1p-14;
 
 double projected_error(double focal_length, double error, const EyeBounds& bounds) {
   if (bounds.parallel) return focal_length * error;
-  if (!(bounds.least_depth > error)) return std::numeric_limits<double>::infinity();
-  return focal_length * error * bounds.stretch / (bounds.least_depth - error);
+  if (!(bounds.min_depth > error)) return std::numeric_limits<double>::infinity();
+  return focal_length * error * bounds.stretch / (bounds.min_depth - error);
 }
 
 EyeSpace::EyeSpace(const Skeleton& skeleton, const View& view, const glm::dmat3& rotation,
@@ -50,7 +50,7 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   const glm::dvec3 half = (model_box.hi - model_box.lo) * 0.5;
   const auto reach = [&](const Direction& along) { return glm::dot(along.absolute, half); };
   const double depth = -centre.z, depth_reach = reach(axes_[2]);
-  EyeBounds bounds{.least_depth = depth - depth_reach};
+  EyeBounds bounds{.min_depth = depth - depth_reach};
   const double share = rules_.frustum_margin ? 1 : 0;
   if (orthographic_) {
     // Inside the frustum: left ≤ x ≤ right, bottom ≤ y ≤ top.
@@ -68,11 +68,11 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   };
   bounds.outside = depth + depth_reach + margin < near_ || std::any_of(sides_.begin(), sides_.end(), beyond);
   bounds.stretch = corner_stretch_;
-  if (!rules_.least_depth_error && bounds.least_depth > 0)
-    bounds.least_depth = glm::length(centre) - glm::length(half);
-  if (bounds.least_depth > 0) {
+  if (!rules_.min_depth_error && bounds.min_depth > 0)
+    bounds.min_depth = glm::length(centre) - glm::length(half);
+  if (bounds.min_depth > 0) {
     const double x = std::abs(centre.x) + reach(axes_[0]), y = std::abs(centre.y) + reach(axes_[1]);
-    const double tangent_squared = (x * x + y * y) / (bounds.least_depth * bounds.least_depth);
+    const double tangent_squared = (x * x + y * y) / (bounds.min_depth * bounds.min_depth);
     bounds.stretch = std::min(bounds.stretch, std::sqrt(1 + tangent_squared));
   }
   if (!rules_.oblique_stretch) bounds.stretch = 1;

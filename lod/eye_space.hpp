@@ -16,8 +16,8 @@ namespace triptych {
 inline constexpr double vertex_rounding = 0x1p-17;
 
 struct EyeBounds {
-  double least_depth = 0;  ///< of the box along the view axis; negative behind the eye
-  bool outside = false;    ///< so far beyond one of the frustum's planes that no rounding draws any of it
+  double min_depth = 0;   ///< of the box along the view axis; negative behind the eye
+  bool outside = false;   ///< so far beyond one of the frustum's planes that no rounding draws any of it
   double stretch = 1;     ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
   bool parallel = false;  ///< orthographic: the picture does not depend on depth
 };

@@ -8,7 +8,7 @@ namespace triptych {
 struct FrameRules {
   // Selection of levels
   bool orthographic_error = true;  ///< orthographic pixel errors do not divide by depth
-  bool least_depth_error = true;   ///< pixel errors divide by a box's least depth, not by the distance to it
+  bool min_depth_error = true;     ///< pixel errors divide by a box's least depth, not by the distance to it
   bool oblique_stretch = true;     ///< pixel errors count that oblique views stretch
   bool frustum_margin = true;      ///< planes of the frustum leave room for what rounding may draw
   bool model_units = true;         ///< eye space on the device has a unit near the model's size

@@ -6,7 +6,7 @@ namespace triptych {
 
 FrameRules injected_frame_rules() {
   return {.orthographic_error = !injected(Fault::perspective_rule),
-          .least_depth_error = !injected(Fault::euclidean_depth),
+          .min_depth_error = !injected(Fault::euclidean_depth),
           .oblique_stretch = !injected(Fault::dropped_stretch),
           .frustum_margin = !injected(Fault::exact_frustum),
           .model_units = !injected(Fault::fixed_units),

@@ -18,7 +18,7 @@ constexpr double box_cost = 4;
 /// A surface is taken apart into about so many bundles before the search for pairs, which takes the square.
 constexpr uint64_t bundles = 64;
 /// What is connected is not cut into less.
-constexpr uint64_t least_triangles = 8;
+constexpr uint64_t min_triangles = 8;
 
 /// Joins boxes pair by pair.
 class Joiner {
@@ -130,11 +130,11 @@ class Bundles {
     const uint64_t share = surface.triangles.size() / bundles;
     std::vector<uint32_t> small;
     for (uint32_t i = 0; i < count; ++i) {
-      if (extents[i].triangles <= std::max(share, least_triangles)) {
+      if (extents[i].triangles <= std::max(share, min_triangles)) {
         small.push_back(i);
         continue;
       }
-      for (const auto& part : partition_objects(triangles, members[i], std::max(share, least_triangles))) {
+      for (const auto& part : partition_objects(triangles, members[i], std::max(share, min_triangles))) {
         boxes.emplace_back();
         for (const uint32_t triangle : part) add(triangle, triangles);
       }
@@ -167,7 +167,7 @@ std::vector<uint8_t> fitting_pieces(const Surface& surface) {
   for (const Box& box : apart.boxes) whole.extend(box);
   std::vector<uint32_t> numbers(apart.boxes.size(), no_id);
   Joiner joiner(std::move(apart.boxes));
-  joiner.run(most_pieces, half_area(whole) * box_cost / static_cast<double>(count));
+  joiner.run(max_pieces, half_area(whole) * box_cost / static_cast<double>(count));
   if (joiner.groups() == 1) return {};
   std::vector<uint8_t> pieces;
   uint32_t next = 0;

@@ -11,13 +11,13 @@
 namespace triptych {
 
 /// A surface is never in more pieces than this.
-constexpr size_t most_pieces = 32;
-static_assert(most_pieces <= most_chunk_pieces);
+constexpr size_t max_pieces = 32;
+static_assert(max_pieces <= max_chunk_pieces);
 
 /// For each triangle which piece it is in, numbered as they first come; nothing if the surface is better
 /// tested by one box. Connected components, large ones cut like partition_triangles(), are joined bottom-up,
 /// each time the two that raise the area of all boxes the least, while that costs less than another box, or
-/// there are more than `most_pieces` (agglomerative clustering as in Walter, Bala, Kulkarni and Pingali, Fast
+/// there are more than `max_pieces` (agglomerative clustering as in Walter, Bala, Kulkarni and Pingali, Fast
 /// agglomerative clustering for rendering, 2008).
 std::vector<uint8_t> fitting_pieces(const Surface& surface);
 

@@ -55,7 +55,7 @@ void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
         static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
     const auto [found, inserted] = indices.try_emplace(color, static_cast<uint32_t>(plan.palette.size()));
     if (inserted) plan.palette.push_back(color);
-    if (plan.palette.size() > most_colors) fail("build", "the model has more than {} colours", most_colors);
+    if (plan.palette.size() > max_colors) fail("build", "the model has more than {} colours", max_colors);
     plan.colors.push_back(found->second);
   }
 }
@@ -205,7 +205,7 @@ BuildPlan make_plan(const Model& model, const BuildOptions& options) {
          fmt::join(plan.warnings, "; "));
   }
   const double extent = diagonal(plan.box());
-  if (extent < least_extent)
+  if (extent < min_extent)
     fail(model.name(), "is {} units large, which is less than numbers bear: give it other units", extent);
   return plan;
 }

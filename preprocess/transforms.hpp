@@ -6,7 +6,7 @@
 namespace triptych {
 
 /// Between them products of six lengths are finite and, down to a lattice step, do not vanish.
-inline constexpr double largest_coordinate = 1e50, least_extent = 1e-40;
+inline constexpr double largest_coordinate = 1e50, min_extent = 1e-40;
 
 /// Whether all entries are numbers below the largest coordinate.
 bool is_finite(const Affine& transform);

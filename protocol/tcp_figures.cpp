@@ -14,7 +14,7 @@ TcpFigures tcp_figures(int socket) {
           .bytes_received = info.tcpi_bytes_received,
           .retransmissions = info.tcpi_total_retrans,
           .round_trip_ms = info.tcpi_rtt / 1000.0,
-          .least_round_trip_ms = info.tcpi_min_rtt / 1000.0};
+          .min_round_trip_ms = info.tcpi_min_rtt / 1000.0};
 }
 
 }  // namespace triptych

@@ -11,7 +11,7 @@ struct TcpFigures {
   uint64_t bytes_received = 0;   ///< payload that the other side had acknowledged
   uint64_t retransmissions = 0;  ///< segments
   double round_trip_ms = 0;      ///< smoothed (RFC 6298)
-  double least_round_trip_ms = 0;
+  double min_round_trip_ms = 0;
 };
 
 TcpFigures tcp_figures(int socket);

@@ -17,10 +17,10 @@ constexpr double plot_width = width - left - right, plot_height = height - top -
 
 double axis_step(double value) {
   if (!(value > 0)) return 1;
-  constexpr double most_steps = 5;
-  const double power = std::pow(10, std::floor(std::log10(value / most_steps)));
+  constexpr double max_steps = 5;
+  const double power = std::pow(10, std::floor(std::log10(value / max_steps)));
   for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
-    if (factor * power * most_steps >= value) return factor * power;
+    if (factor * power * max_steps >= value) return factor * power;
   }
   return 10 * power;
 }

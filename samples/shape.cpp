@@ -7,14 +7,13 @@
 namespace triptych {
 namespace {
 
-constexpr size_t least_sides = 5, most_sides = 160, box_triangles = 12, bolt_triangles = 20,
-                 bolt_corners = 12;
+constexpr size_t min_sides = 5, max_sides = 160, box_triangles = 12, bolt_triangles = 20, bolt_corners = 12;
 
 /// Arc steps of a bend. More sides, smoother bends.
 size_t bend_steps(size_t sides) { return std::clamp<size_t>(sides / 4, 2, 12); }
 
 /// Rings that a round part cannot do without.
-size_t least_rings(size_t points, bool bent, size_t sides) {
+size_t min_rings(size_t points, bool bent, size_t sides) {
   return bent ? 2 + (points - 2) * (bend_steps(sides) + 1) : points;
 }
 
@@ -182,9 +181,8 @@ Shape::Plan Shape::plan_for(uint64_t triangles) const {
   uint64_t least = 0, bars = 0;
   for (const Part& part : parts_) {
     const uint64_t needed =
-        part.radii.empty()
-            ? fixed(part)
-            : round_triangles(least_sides, least_rings(part.points.size(), part.bent, least_sides));
+        part.radii.empty() ? fixed(part)
+                           : round_triangles(min_sides, min_rings(part.points.size(), part.bent, min_sides));
     if (plan.parts > 0 && least + needed > triangles) break;
     least += needed;
     if (part.radii.empty()) bars += needed;
@@ -203,9 +201,9 @@ Shape::Plan Shape::plan_for(uint64_t triangles) const {
       for (size_t k = 1; k < part.points.size(); ++k)
         length += glm::distance(part.points[k - 1], part.points[k]);
       plan.sides[i] = static_cast<size_t>(
-          std::clamp(around / edge, static_cast<double>(least_sides), static_cast<double>(most_sides)));
+          std::clamp(around / edge, static_cast<double>(min_sides), static_cast<double>(max_sides)));
       constexpr double stretch = 6;  // along a pipe triangles may be longer
-      plan.rings[i] = std::max(least_rings(part.points.size(), part.bent, plan.sides[i]),
+      plan.rings[i] = std::max(min_rings(part.points.size(), part.bent, plan.sides[i]),
                                static_cast<size_t>(length / (stretch * edge)));
       count += round_triangles(plan.sides[i], plan.rings[i]);
     }

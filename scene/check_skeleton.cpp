@@ -125,7 +125,7 @@ void check_pieces(const Skeleton& skeleton, const std::string& place) {
     const std::string here = fmt::format("{}: chunk {}", place, i);
     if (chunk.first_piece > end) fail(here, "names pieces that do not exist");
     const size_t count = end - chunk.first_piece;
-    if (count == 1 || count > most_chunk_pieces) fail(here, "has {} pieces", count);
+    if (count == 1 || count > max_chunk_pieces) fail(here, "has {} pieces", count);
     for (size_t piece = chunk.first_piece; piece < end; ++piece) {
       const LatticeBox& box = skeleton.pieces[piece];
       if (box.empty() || !chunk.box.contains(box)) fail(here, "has a piece outside its box");

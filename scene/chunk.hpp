@@ -22,9 +22,9 @@ struct ChunkVertex {
 static_assert(sizeof(ChunkVertex) == 16);
 
 /// No palette is larger, since vertices could not name its colours.
-inline constexpr size_t most_colors = size_t{1} << 24;
+inline constexpr size_t max_colors = size_t{1} << 24;
 /// Nor has a chunk more pieces.
-inline constexpr size_t most_chunk_pieces = 256;
+inline constexpr size_t max_chunk_pieces = 256;
 
 struct Chunk {
   std::vector<ChunkVertex> vertices;

@@ -8,8 +8,7 @@
 namespace triptych {
 
 PathSource::PathSource(std::vector<FrameRequest> once, uint32_t first, size_t loop) : once_(std::move(once)) {
-  if (loop > most_frames / once_.size())
-    fail("--loop", "{} times {} frames are too many", loop, once_.size());
+  if (loop > max_frames / once_.size()) fail("--loop", "{} times {} frames are too many", loop, once_.size());
   numbers_ = {first, static_cast<uint32_t>(once_.size() * loop)};
 }
 

@@ -15,7 +15,7 @@
 namespace triptych {
 
 /// The most frames, or rounds over a path, that a command counts.
-constexpr uint64_t most_frames = std::numeric_limits<uint32_t>::max();
+constexpr uint64_t max_frames = std::numeric_limits<uint32_t>::max();
 
 /// Pixels.
 struct PictureSize {

@@ -11,7 +11,7 @@ namespace triptych {
 namespace {
 
 /// Where star and fan cannot be seen along one direction, a triangle may turn no further than this cosine.
-constexpr double least_cosine = 0.2;
+constexpr double min_cosine = 0.2;
 /// Above rounding.
 constexpr double slack = 1 + 1e-9;
 
@@ -168,7 +168,7 @@ bool Collapser::all_fit(ShrinkingMesh& mesh, uint32_t target, uint32_t neighbour
            (int{a == third} + int{b == third} + int{c == third} < 2);
   };
   // Of a hub the star is large; all that matters there is also in the stars of the point's neighbours.
-  if (mesh.degree(target) > Star::most_spokes) {
+  if (mesh.degree(target) > Star::max_spokes) {
     size_t around = 0;
     for (const auto& [corner, way] : neighbours_) around += corner == target ? 0 : mesh.degree(corner);
     if (around < mesh.degree(target)) {
@@ -251,7 +251,7 @@ bool Collapser::move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t tar
     }
     if (degenerate(mesh.point(target), mesh.point(spoke.from), mesh.point(spoke.to))) return false;
     const glm::dvec3 after = glm::cross(from_[i] - way_, to_[i] - way_);
-    if (!(glm::dot(normals_[i].direction, after) > least_cosine * glm::length(after))) return false;
+    if (!(glm::dot(normals_[i].direction, after) > min_cosine * glm::length(after))) return false;
     collapse_.errors[i] = before_[i] + length_;
   }
   return true;
@@ -280,7 +280,7 @@ bool Collapser::cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, d
 }
 
 void Collapser::apply(ShrinkingMesh& mesh) {
-  std::array<uint32_t, Star::most_spokes> moving;
+  std::array<uint32_t, Star::max_spokes> moving;
   size_t count = 0;
   const auto spokes = star_.spokes();
   for (size_t i = 0; i < spokes.size(); ++i) {

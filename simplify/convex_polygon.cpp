@@ -13,7 +13,7 @@ glm::dvec3 middle_of(const ConvexPolygon& polygon) {
 }
 
 ConvexPolygon cut(ConvexPolygon& polygon, const glm::dvec3& normal, double limit, double narrow) {
-  std::array<double, ConvexPolygon::most_corners + 2> beyond;
+  std::array<double, ConvexPolygon::max_corners + 2> beyond;
   double furthest = -1, deepest = -1;
   for (size_t i = 0; i < polygon.size(); ++i) {
     beyond[i] = glm::dot(normal, polygon[i]) - limit;

@@ -12,7 +12,7 @@ namespace triptych {
 /// not cut.
 class ConvexPolygon {
  public:
-  static constexpr size_t most_corners = 15;
+  static constexpr size_t max_corners = 15;
   void push_back(const glm::dvec3& corner) { corners_[size_++] = corner; }
   size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -23,7 +23,7 @@ class ConvexPolygon {
   operator std::span<const glm::dvec3>() const { return {corners_.data(), size_}; }
 
  private:
-  std::array<glm::dvec3, most_corners + 2> corners_;
+  std::array<glm::dvec3, max_corners + 2> corners_;
   size_t size_ = 0;
 };
 

@@ -29,9 +29,9 @@ void OneSided::add(const Corners& triangle, double known) {
   add(polygon, known);
 }
 
-double OneSided::finish(size_t most_cuts, double known) {
+double OneSided::finish(size_t max_cuts, double known) {
   for (size_t i = 0;
-       i < most_cuts && !waiting_.empty() && !is_tight(waiting_.front().bound) && !is_tight(known); ++i) {
+       i < max_cuts && !waiting_.empty() && !is_tight(waiting_.front().bound) && !is_tight(known); ++i) {
     std::pop_heap(waiting_.begin(), waiting_.end());
     const Waiting piece = waiting_.back();
     waiting_.pop_back();
@@ -82,7 +82,7 @@ void OneSided::divide(const Waiting& piece) {
   std::array<ConvexPolygon, 3> beyond;
   ConvexPolygon rest = piece.polygon;
   bool was_cut = false;
-  for (size_t i = 0; i < 3 && !rest.empty() && rest.size() < ConvexPolygon::most_corners; ++i) {
+  for (size_t i = 0; i < 3 && !rest.empty() && rest.size() < ConvexPolygon::max_corners; ++i) {
     const glm::dvec3 outwards = glm::cross(near[(i + 1) % 3] - near[i], normal);
     const double length = glm::length(outwards);
     if (!(length > 0)) continue;

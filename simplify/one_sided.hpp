@@ -36,7 +36,7 @@ class OneSided {
   /// A triangle that is to be bounded. `known`: a bound that holds for it.
   void add(const Corners& triangle, double known);
   /// The bound of all that was added, after so many cuts at most; there is no need to be below `known`.
-  double finish(size_t most_cuts, double known);
+  double finish(size_t max_cuts, double known);
 
  private:
   struct Waiting {

@@ -8,7 +8,7 @@ namespace triptych {
 bool Star::read(ShrinkingMesh& mesh, uint32_t point) {
   fans_.clear();
   crowd_ = 0;
-  if (mesh.degree(point) == 0 || mesh.degree(point) > most_spokes) return false;
+  if (mesh.degree(point) == 0 || mesh.degree(point) > max_spokes) return false;
   mesh.star(point, spokes_);
   if (!order_single()) order_fans(mesh, point);
   return true;

@@ -15,7 +15,7 @@ namespace triptych {
 class Star {
  public:
   /// A point with more triangles waits until there are fewer: ordering them takes the square.
-  static constexpr size_t most_spokes = 48;
+  static constexpr size_t max_spokes = 48;
 
   struct Fan {
     size_t begin, end;  ///< of spokes(); each one's `to` is the next one's `from`

@@ -38,7 +38,7 @@ class Clustering {
  public:
   /// Gives up as soon as more than `most` triangles are left.
   Clustering(const Source& source, double cell, size_t most = std::numeric_limits<size_t>::max())
-      : surface_(source.surface), planes_(source.planes), colors_(source.colors), most_(most), cell_(cell) {
+      : surface_(source.surface), planes_(source.planes), colors_(source.colors), max_(most), cell_(cell) {
     CellMoves moves = move_to_cells(surface_, planes_, source.locked, cell);
     image_ = std::move(moves.images);
     bound_ = moved_ = moves.furthest;
@@ -54,7 +54,7 @@ class Clustering {
       double area;
       uint32_t triangle;
     };
-    const size_t expected = std::min(most_, surface_.triangles.size());
+    const size_t expected = std::min(max_, surface_.triangles.size());
     tsl::robin_map<Key<4>, uint32_t, KeyHash, KeyEqual> numbers(2 * expected);
     std::vector<Image> images;
     images.reserve(expected);
@@ -72,7 +72,7 @@ class Clustering {
       } else if (Image& image = images[found->second]; area > image.area) {
         image = {area, i};
       }
-      if (images.size() > most_) break;
+      if (images.size() > max_) break;
     }
     kept_.reserve(images.size());
     sides_.reserve(3 * images.size());
@@ -179,7 +179,7 @@ class Clustering {
 
   bool keep(const Triangle& triangle) {
     kept_.push_back(triangle);
-    if (kept_.size() > most_) return false;
+    if (kept_.size() > max_) return false;
     const auto& [a, b, c] = triangle.vertices;
     const uint32_t own = color(triangle);
     for (const uint32_t corner : {a, b, c}) corners_.insert({corner, own});
@@ -190,7 +190,7 @@ class Clustering {
   const Surface& surface_;
   const TrianglePlanes& planes_;
   Colors colors_;
-  size_t most_;
+  size_t max_;
   double cell_, moved_ = 0, bound_ = 0;
   std::vector<uint32_t> image_;
   std::vector<Triangle> kept_;

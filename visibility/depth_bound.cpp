@@ -8,20 +8,18 @@ namespace triptych {
 
 namespace {
 /// Planes with larger terms say nothing; floats hold up to here.
-constexpr double greatest_term = 0x1p20;
+constexpr double max_term = 0x1p20;
 /// Orthographic: faces seen more obliquely than this say nothing.
-constexpr double least_cosine = 0x1p-10;
+constexpr double min_cosine = 0x1p-10;
 
-double greatest_coordinate(const glm::dvec3& a) {
-  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
-}
+double max_coordinate(const glm::dvec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
 }  // namespace
 
 FacePlanes::FacePlanes(const FrameView& view)
     : view_(view.view()), clip_(view.clip), rotation_(view.rotation), stretch_(view_.corner_stretch()) {
   const Box model = view.skeleton->lattice().box(view.skeleton->scene_nodes[0].box);
-  tiny_ = 0x1p-34 * std::max({greatest_coordinate(view_.camera.eye), greatest_coordinate(model.lo),
-                              greatest_coordinate(model.hi)});
+  tiny_ = 0x1p-34 *
+          std::max({max_coordinate(view_.camera.eye), max_coordinate(model.lo), max_coordinate(model.hi)});
 }
 
 std::array<DepthPlane, 3> FacePlanes::of(const Box& box, double slack) const {
@@ -56,7 +54,7 @@ DepthPlane FacePlanes::perspective(int axis, const Box& box, double slack) const
 DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
   const glm::dvec3 along = rotation_[axis];
   const double forward = -along.z;
-  if (std::abs(forward) < least_cosine) return {};
+  if (std::abs(forward) < min_cosine) return {};
   const double low = box.lo[axis] - clip_.reference[axis], high = box.hi[axis] - clip_.reference[axis];
   const double start = (forward > 0 ? low : high) / forward;
   const Camera& camera = view_.camera;
@@ -77,7 +75,7 @@ DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
 DepthPlane FacePlanes::with_slack(const glm::dvec2& slope, double middle, double rounding,
                                   double slack) const {
   const double terms = std::abs(slope.x) + std::abs(slope.y) + std::abs(middle);
-  if (!(terms + rounding < greatest_term)) return {};
+  if (!(terms + rounding < max_term)) return {};
   const double added = rounding + std::abs(slope.x) / (2 * view_.width) +
                        std::abs(slope.y) / (2 * view_.height) + plane_rounding * terms;
   return {glm::vec2(slope), static_cast<float>(middle + slack * added)};

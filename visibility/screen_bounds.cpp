@@ -19,10 +19,10 @@ constexpr double float_rounding = 0x1p-19;
 /// on rounding is an eighth of a pixel, positions are off by 0.325 pixels at most, so all of it is within
 /// half a pixel. Where pixels are finer than that, as below a degree of view, the margin grows with the
 /// bound.
-constexpr double least_margin = 0.5;
+constexpr double min_margin = 0.5;
 constexpr double roundings_of_margin = 4;
 /// Beyond it rounding in w may reach the margin of depths.
-constexpr double greatest_narrow_tangent = 8;
+constexpr double max_narrow_tangent = 8;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
 constexpr double near_margin = 1.001;
 
@@ -72,7 +72,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 }
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::perspective_extent(const Box& model_box) const {
-  double least_depth = 1e300, greatest_depth = -1e300, greatest_tangent = 0, furthest = 0;
+  double min_depth = 1e300, max_depth = -1e300, max_tangent = 0, furthest = 0;
   Extent seen;
   for (int i = 0; i < 8; ++i) {
     glm::dvec3 relative = model_box.corner(i) - clip_.reference;
@@ -80,23 +80,23 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
     const glm::dvec3 corner = rotation_ * relative;
     const double depth = -corner.z;
     furthest = std::max(furthest, glm::length(corner));
-    least_depth = std::min(least_depth, depth);
-    greatest_depth = std::max(greatest_depth, depth);
+    min_depth = std::min(min_depth, depth);
+    max_depth = std::max(max_depth, depth);
     if (depth <= 0) continue;
     seen.corners[seen.count++] = glm::dvec2(corner) / depth;
-    greatest_tangent = std::max(greatest_tangent, glm::length(corner) / depth);
+    max_tangent = std::max(max_tangent, glm::length(corner) / depth);
   }
-  if (greatest_depth + furthest * vertex_rounding < clip_.near / near_margin) return {.beyond = true};
-  if (least_depth < clip_.near * near_margin) {
+  if (max_depth + furthest * vertex_rounding < clip_.near / near_margin) return {.beyond = true};
+  if (min_depth < clip_.near * near_margin) {
     if (rules_.near_plane_refines) return {};
-    least_depth = greatest_depth;
+    min_depth = max_depth;
   }
   // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
   // (p and w).
-  const double rounding = 2 * float_rounding * greatest_tangent * greatest_tangent * focal_length_;
-  if (!(rounding <= 0.25 || greatest_tangent <= greatest_narrow_tangent)) return {};
+  const double rounding = 2 * float_rounding * max_tangent * max_tangent * focal_length_;
+  if (!(rounding <= 0.25 || max_tangent <= max_narrow_tangent)) return {};
   const double margin = rules_.bounds_margin ? 1 + share_of_depth : 1;
-  return on_screen(seen, clip_.depth(least_depth) * margin, rounding);
+  return on_screen(seen, clip_.depth(min_depth) * margin, rounding);
 }
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::parallel_extent(const Box& box) const {
@@ -123,7 +123,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 
 BoxProjector::Extent BoxProjector::on_screen(Extent seen, double depth, double rounding) const {
   const Camera& camera = view_.camera;
-  const double pixels = rules_.bounds_margin ? std::max(least_margin, roundings_of_margin * rounding) : 0;
+  const double pixels = rules_.bounds_margin ? std::max(min_margin, roundings_of_margin * rounding) : 0;
   if (!std::isfinite(pixels)) return {};
   seen.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
   const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);

@@ -54,7 +54,7 @@ std::array<HalfPlane, 4> silhouette(std::span<const glm::dvec2> points, const gl
   }
   const Hull outline = convex_hull(points);
   const std::span<const glm::dvec2> hull(outline.points.data(), outline.count);
-  std::array<double, 4> most_cut{};  // of each corner, twice the area
+  std::array<double, 4> max_cut{};  // of each corner, twice the area
   for (size_t i = 0; i < hull.size(); ++i) {
     const glm::dvec2 from = hull[i], to = hull[(i + 1) % hull.size()];
     const double length = std::abs(to.x - from.x) + std::abs(to.y - from.y);
@@ -67,8 +67,8 @@ std::array<HalfPlane, 4> silhouette(std::span<const glm::dvec2> points, const gl
     const double outside = -(normal.x * (right ? hi.x : lo.x) + normal.y * (top ? hi.y : lo.y) + offset);
     const double cut = outside > 0 ? outside * outside / std::abs(normal.x * normal.y) : 0;
     const size_t corner = (right ? 1u : 0u) + (top ? 2u : 0u);
-    if (!(cut > most_cut[corner])) continue;
-    most_cut[corner] = cut;
+    if (!(cut > max_cut[corner])) continue;
+    max_cut[corner] = cut;
     const double rounding = half_plane_rounding * (1 + std::abs(offset));
     sides[corner] = {glm::vec2(normal), static_cast<float>(offset + rounding)};
   }

@@ -23,7 +23,7 @@ namespace triptych {
 namespace {
 
 constexpr std::string_view complaint_prefix = "triptych: ", warning_prefix = "warning: ";
-constexpr size_t most_talk = size_t{1} << 16;  ///< bytes that are listened to
+constexpr size_t max_talk = size_t{1} << 16;  ///< bytes that are listened to
 
 /// A child process that is killed and collected when it goes out of scope.
 class Child {
@@ -74,7 +74,7 @@ std::string listen(int errors, double seconds) {
     const ssize_t count = ::read(errors, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) break;
-    if (said.size() < most_talk) said.append(buffer.data(), static_cast<size_t>(count));
+    if (said.size() < max_talk) said.append(buffer.data(), static_cast<size_t>(count));
   }
   return said;
 }

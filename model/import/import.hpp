@@ -25,7 +25,7 @@ struct ImportOptions {
   /// Meshes of more triangles stay in their file (Mesh::stream) ...
   uint64_t stream_above = 4096;
   /// ... and so do all further ones when those in memory would have more than these together.
-  uint64_t most_in_memory = 2'000'000;
+  uint64_t max_in_memory = 2'000'000;
   /// Meshes that are held in memory take no more than this, bytes: further ones wait in the temporary folder,
   /// and look like streams that MeshStream::load() knows.
   uint64_t held_bytes = uint64_t{1} << 40;

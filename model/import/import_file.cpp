@@ -121,7 +121,7 @@ bool FileImport::should_stream(uint64_t triangles) const {
 }
 
 uint64_t FileImport::memory_left() const {
-  return options_.most_in_memory - std::min(in_memory_, options_.most_in_memory);
+  return options_.max_in_memory - std::min(in_memory_, options_.max_in_memory);
 }
 
 uint32_t FileImport::add_stream(std::string name, std::shared_ptr<const MeshStream> stream) {

@@ -56,7 +56,7 @@ PlyEncoding read_encoding(std::string_view line, const ImportReader& reader) {
 }
 
 /// The least that one record of the element can take, in bytes.
-uint64_t least_record_bytes(const PlyElement& element, PlyEncoding encoding) {
+uint64_t min_record_bytes(const PlyElement& element, PlyEncoding encoding) {
   uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
     bytes += encoding == PlyEncoding::ascii ? 2 : scalar_bytes(property.count_type.value_or(property.type));
@@ -68,7 +68,7 @@ void check_promises(const PlyHeader& header, const ImportReader& reader) {
   uint64_t left =
       reader.left() + (header.encoding == PlyEncoding::ascii ? 1 : 0);  // the last line may lack its end
   for (const PlyElement& element : header.elements) {
-    const uint64_t record = least_record_bytes(element, header.encoding);
+    const uint64_t record = min_record_bytes(element, header.encoding);
     if (element.count == 0) continue;
     if (record == 0) fail(reader.line_place(), "element \"{}\" has no properties", element.name);
     if (element.count > left / record) {

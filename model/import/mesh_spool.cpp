@@ -13,7 +13,7 @@ namespace triptych {
 
 namespace {
 constexpr size_t block_bytes = size_t{1} << 20;
-constexpr uint64_t most_in_memory = uint64_t{1} << 18;
+constexpr uint64_t max_in_memory = uint64_t{1} << 18;
 }  // namespace
 
 void ByteSpool::append(std::span<const std::byte> bytes) {
@@ -64,7 +64,7 @@ void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material) {
 }
 
 void MeshSpool::grow_beyond(uint64_t triangles_or_vertices) {
-  if (in_file_ || triangles_or_vertices <= std::min(most_in_memory, target_.memory_left())) return;
+  if (in_file_ || triangles_or_vertices <= std::min(max_in_memory, target_.memory_left())) return;
   in_file_ = true;
   vertices_.move_to_file(target_.options().temporary_folder);
   faces_.move_to_file(target_.options().temporary_folder);
@@ -106,7 +106,7 @@ void MeshSpool::place_in_memory() {
         vertex = local[vertex];
       }
       triangulate(corners, cut);
-      target_.warn(fan_warning, corners.size() > most_clipped_corners);
+      target_.warn(fan_warning, corners.size() > max_clipped_corners);
       for (const auto& [a, b, c] : cut) mesh.triangles.push_back({{face[a], face[b], face[c]}, head[0]});
     }
     if (const auto added = target_.add_mesh(std::move(mesh))) target_.add_instance(*added, Affine(1));

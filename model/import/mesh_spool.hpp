@@ -37,7 +37,7 @@ class ByteSpool {
 };
 
 /// Takes vertices and faces in any order, and places the meshes in the end: in memory where they are few, at
-/// most 262,144 triangles and vertices and what is left of ImportOptions::most_in_memory, otherwise as
+/// most 262,144 triangles and vertices and what is left of ImportOptions::max_in_memory, otherwise as
 /// streams of a temporary file.
 class MeshSpool {
  public:

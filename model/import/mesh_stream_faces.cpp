@@ -86,7 +86,7 @@ class FaceReader {
 
   void read_corners(uint64_t count) {
     const size_t item = scalar_bytes(type_);
-    if (count > most_clipped_corners) return read_fan(count);
+    if (count > max_clipped_corners) return read_fan(count);
     const std::byte* bytes = window_.take(count * item);
     corners_.resize(count);
     for (uint64_t i = 0; i < count; ++i) corners_[i] = positions_.at(vertex(bytes + i * item));

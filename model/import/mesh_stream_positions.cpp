@@ -10,9 +10,9 @@ namespace triptych {
 
 namespace {
 
-constexpr size_t least_blocks = 256, slab_bytes = size_t{1} << 20;
+constexpr size_t min_blocks = 256, slab_bytes = size_t{1} << 20;
 /// Of all caches of the process; 64 MiB unless limit_all() says otherwise.
-std::atomic<uint64_t> blocks_taken{0}, most_blocks{10922};
+std::atomic<uint64_t> blocks_taken{0}, max_blocks{10922};
 
 template <typename Value>
 double load(const std::byte* bytes, bool swapped) {
@@ -73,7 +73,7 @@ PositionCache::PositionCache(const PositionTable& table) : table_(table), reader
   table_.check();
 }
 
-void PositionCache::limit_all(uint64_t bytes) { most_blocks = bytes / block_bytes; }
+void PositionCache::limit_all(uint64_t bytes) { max_blocks = bytes / block_bytes; }
 
 PositionCache::~PositionCache() {
   blocks_taken -= slots_.size();
@@ -97,7 +97,7 @@ const glm::dvec3* PositionCache::find(uint64_t block) {
 }
 
 size_t PositionCache::free_slot() {
-  if (slots_.size() < least_blocks || blocks_taken.load() < most_blocks.load()) {
+  if (slots_.size() < min_blocks || blocks_taken.load() < max_blocks.load()) {
     slots_.push_back({.positions = new_block()});
     ++blocks_taken;
     return slots_.size() - 1;

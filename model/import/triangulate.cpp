@@ -143,7 +143,7 @@ void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<uin
     triangles.assign(halves.begin(), halves.end());
     return;
   }
-  if (count > 4 && count <= most_clipped_corners) {
+  if (count > 4 && count <= max_clipped_corners) {
     std::vector<glm::dvec2> points = on_best_plane(corners);
     if (!points.empty()) {
       EarClipping clipping(std::move(points), triangles);

@@ -11,7 +11,7 @@
 namespace triptych {
 
 /// Faces of more corners are cut as fans: ears take time with the square of the corners.
-inline constexpr size_t most_clipped_corners = 4096;
+inline constexpr size_t max_clipped_corners = 4096;
 inline constexpr std::string_view fan_warning =
     "faces of more than 4,096 corners were cut as fans, which only suits convex ones";
 

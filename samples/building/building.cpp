@@ -17,7 +17,7 @@ namespace {
 
 constexpr int furniture_a_floor = 2000;
 constexpr double mean_triangles = 4300;
-constexpr uint64_t most_unique_triangles = 2'700'000, least_unique_triangles = 150'000;
+constexpr uint64_t max_unique_triangles = 2'700'000, min_unique_triangles = 150'000;
 
 // Streams of random numbers.
 enum : uint64_t { for_pools, for_plan, for_furniture, for_walk, for_spin, for_jump };
@@ -160,10 +160,10 @@ std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf,
 }  // namespace
 
 BuildingDesign design_building(const BuildingOptions& options) {
-  constexpr int most_furniture = 1'000'000;
-  if (options.furniture && (*options.furniture < 0 || *options.furniture > most_furniture))
+  constexpr int max_furniture = 1'000'000;
+  if (options.furniture && (*options.furniture < 0 || *options.furniture > max_furniture))
     fail("sample building", "{} pieces of furniture; 0 to {} can be placed", *options.furniture,
-         most_furniture);
+         max_furniture);
   if (options.repeat_storeys && *options.repeat_storeys < 1)
     fail("sample building", "storeys cannot repeat after {} different ones", *options.repeat_storeys);
   const Random random(options.seed);
@@ -178,7 +178,7 @@ BuildingDesign design_building(const BuildingOptions& options) {
   auto wanted = static_cast<size_t>(options.furniture.value_or(furniture_a_floor * options.floors));
 
   // A small building has few models: it is to be made, built and tested in seconds.
-  const uint64_t budget = std::clamp<uint64_t>(wanted * 300, least_unique_triangles, most_unique_triangles);
+  const uint64_t budget = std::clamp<uint64_t>(wanted * 300, min_unique_triangles, max_unique_triangles);
   const size_t models = std::max<size_t>(60, wanted / 6);
   if (!design.storeys.empty())
     wanted = wanted * static_cast<size_t>(floors) / static_cast<size_t>(options.floors);

@@ -42,9 +42,9 @@ std::optional<glm::dvec3> average_png(std::string_view bytes) {
   image.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) return std::nullopt;
   image.format = PNG_FORMAT_RGBA;
-  constexpr uint64_t most_pixels = uint64_t{1} << 27;
+  constexpr uint64_t max_pixels = uint64_t{1} << 27;
   std::vector<uint8_t> pixels;
-  if (uint64_t{image.width} * image.height > most_pixels) {
+  if (uint64_t{image.width} * image.height > max_pixels) {
     png_image_free(&image);
     return std::nullopt;
   }

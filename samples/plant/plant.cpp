@@ -20,9 +20,9 @@ enum : uint64_t { for_places, for_machines, for_pipes, for_jump };
 }  // namespace
 
 PlantReport make_plant(const PlantOptions& options, const std::filesystem::path& folder) {
-  if (options.triangles < least_plant_triangles || options.triangles > most_plant_triangles)
-    fail("sample plant", "{} triangles; {} to {} can be made", options.triangles, least_plant_triangles,
-         most_plant_triangles);
+  if (options.triangles < min_plant_triangles || options.triangles > max_plant_triangles)
+    fail("sample plant", "{} triangles; {} to {} can be made", options.triangles, min_plant_triangles,
+         max_plant_triangles);
   const Random random(options.seed);
   PlantSite site(random.fork(for_places));
   PlantObjects objects;

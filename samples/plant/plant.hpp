@@ -10,7 +10,7 @@
 
 namespace triptych {
 
-inline constexpr uint64_t least_plant_triangles = 50'000, most_plant_triangles = 50'000'000;
+inline constexpr uint64_t min_plant_triangles = 50'000, max_plant_triangles = 50'000'000;
 
 struct PlantOptions {
   uint64_t triangles = 12'700'000;  ///< kept within 2 %

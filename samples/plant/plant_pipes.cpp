@@ -10,14 +10,14 @@ namespace {
 using Point = glm::dvec3;
 // A service of a plant of 12.7 million triangles has as many pipes as there is room for; with fewer triangles
 // there are fewer pipes, and coarser ones.
-constexpr double triangles_of_all = 750'000, pipes_of_all = 900, growth = 0.6, least_pipes = 6;
+constexpr double triangles_of_all = 750'000, pipes_of_all = 900, growth = 0.6, min_pipes = 6;
 constexpr double margin = 0.7;
 
 struct Service {
   Point colour;
-  double least_radius, most_radius;
+  double min_radius, max_radius;
 };
-constexpr size_t most_bundle = 8;
+constexpr size_t max_bundle = 8;
 
 const std::array<Service, pipe_services> services{{{{0.62, 0.62, 0.60}, 0.10, 0.32},     // main steam, lagged
                                                    {{0.50, 0.18, 0.12}, 0.08, 0.25},     // reheat
@@ -71,11 +71,10 @@ Shape make_pipes(const PlantSite& site, size_t service, uint64_t triangles, Rand
   Shape shape(kind.colour);
   const double share = static_cast<double>(triangles) / triangles_of_all;
   const auto wanted =
-      static_cast<size_t>(std::clamp(pipes_of_all * std::pow(share, growth), least_pipes, pipes_of_all));
+      static_cast<size_t>(std::clamp(pipes_of_all * std::pow(share, growth), min_pipes, pipes_of_all));
   for (size_t pipes = 0; pipes < wanted;) {
-    const double radius =
-        kind.least_radius * std::pow(kind.most_radius / kind.least_radius, random.uniform());
-    const size_t bundle = 1 + random.below(radius < 0.12 ? most_bundle : 3);
+    const double radius = kind.min_radius * std::pow(kind.max_radius / kind.min_radius, random.uniform());
+    const size_t bundle = 1 + random.below(radius < 0.12 ? max_bundle : 3);
     // Neighbours are the same way, shifted along the diagonal: they never meet.
     const double shift = 2.2 * radius;
     const double reach = shift * static_cast<double>(bundle) + radius;

@@ -35,8 +35,8 @@ void add_beam(Shape& shape, const Point& from, const Point& to) {
 Shape grating(const SiteBox& area, uint64_t triangles) {
   Shape shape(grate);
   const auto bars = static_cast<int>(std::min<uint64_t>(triangles / 12, 700));
-  constexpr int least_bars = 40;
-  if (bars < least_bars) {
+  constexpr int min_bars = 40;
+  if (bars < min_bars) {
     shape.box(area.low, area.high);
     return shape;
   }

@@ -238,9 +238,9 @@ SurfaceReport write_surface(const FieldMaker& make_field, const glm::dvec3& low,
                             uint64_t triangles, const std::filesystem::path& folder,
                             const std::string& name) {
   const auto wanted = static_cast<double>(triangles);
-  constexpr size_t least_cells = 8, sampled_rows = 20'000;
+  constexpr size_t min_cells = 8, sampled_rows = 20'000;
   const auto rounded = [&](double cells) {
-    return std::max(least_cells, static_cast<size_t>(std::lround(cells)));
+    return std::max(min_cells, static_cast<size_t>(std::lround(cells)));
   };
   struct Trial {
     double cells, triangles;

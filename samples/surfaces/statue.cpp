@@ -103,15 +103,15 @@ class Statue : public Field {
 
   void evaluate(const SampleRow& row, std::span<float> values) const override {
     // The body's distance grows by at most a step each step: far from it, samples can be passed over.
-    constexpr double most_displaced = 0.045;
+    constexpr double max_displaced = 0.045;
     for (size_t i = 0; i < values.size();) {
       const Point p(row.x + static_cast<double>(i) * row.step, row.y, row.z);
       const double body = body_at(p);
-      if (std::abs(body) <= most_displaced) {
+      if (std::abs(body) <= max_displaced) {
         values[i++] = static_cast<float>(body + displacement(p));
         continue;
       }
-      const auto passed = 1 + static_cast<size_t>((std::abs(body) - most_displaced) / row.step);
+      const auto passed = 1 + static_cast<size_t>((std::abs(body) - max_displaced) / row.step);
       const size_t end = std::min(values.size(), i + passed);
       for (; i < end; ++i) values[i] = static_cast<float>(body);
     }

@@ -5,9 +5,9 @@
 namespace triptych {
 
 void check_surface_options(const std::string& sample, const SurfaceOptions& options) {
-  if (options.triangles < least_surface_triangles || options.triangles > most_surface_triangles)
-    fail(sample, "{} triangles; {} to {} can be made", options.triangles, least_surface_triangles,
-         most_surface_triangles);
+  if (options.triangles < min_surface_triangles || options.triangles > max_surface_triangles)
+    fail(sample, "{} triangles; {} to {} can be made", options.triangles, min_surface_triangles,
+         max_surface_triangles);
 }
 
 }  // namespace triptych

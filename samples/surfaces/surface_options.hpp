@@ -7,7 +7,7 @@
 namespace triptych {
 
 /// The fewest and the most triangles of a sample that is one surface.
-inline constexpr uint64_t least_surface_triangles = 1'000, most_surface_triangles = 500'000'000;
+inline constexpr uint64_t min_surface_triangles = 1'000, max_surface_triangles = 500'000'000;
 
 struct SurfaceOptions {
   uint64_t triangles = 10'000'000;  ///< kept within a tenth

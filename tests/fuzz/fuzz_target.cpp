@@ -83,8 +83,8 @@ void import_both_ways(std::span<const uint8_t> bytes, void (*import)(FileImport&
   ImportOptions in_memory;
   in_memory.group_placements = in_memory.group_triangles = 1;
   ImportOptions streamed = in_memory;
-  in_memory.stream_above = in_memory.most_in_memory = uint64_t{1} << 40;
-  streamed.stream_above = streamed.most_in_memory = 0;
+  in_memory.stream_above = in_memory.max_in_memory = uint64_t{1} << 40;
+  streamed.stream_above = streamed.max_in_memory = 0;
   const auto expected = triangles_of(file, import, in_memory);
   const auto found = triangles_of(file, import, streamed);
   // A stream may do without parts of a file that hold no geometry, so it may succeed alone.

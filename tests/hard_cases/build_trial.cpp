@@ -114,7 +114,7 @@ Problems build_problems(const Trial& trial) {
   bool said = false;
   for (const std::string& warning : built.report().import.warnings)
     said = said || warning.starts_with(left_out);
-  if (skeleton.drawables.size() > trial.most_drawables)
+  if (skeleton.drawables.size() > trial.max_drawables)
     problems.push_back(fmt::format("{} drawables", skeleton.drawables.size()));
   if (trial.left_out > 0 && !said) problems.push_back("the build does not say \"" + left_out + "\"");
   return problems;

@@ -23,7 +23,7 @@ struct Trial {
   bool oriented = false;      ///< closed meshes, their outsides out: levels of detail must not turn them over
   bool slivers = false;       ///< has triangles whose depth leaves their box, and with it the picture
   size_t left_out = 0;        ///< placements that the build has to count as left out
-  size_t most_drawables = ~size_t{0};  ///< that the build may come to
+  size_t max_drawables = ~size_t{0};  ///< that the build may come to
   /// Another model and other views that must give the same pictures, pixel for pixel.
   std::shared_ptr<Trial> twin = nullptr;
   /// Path files that must be refused with one line that names their frame 0; then there are no views.

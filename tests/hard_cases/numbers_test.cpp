@@ -119,7 +119,7 @@ RC_GTEST_PROP(Numbers, the_least_depth_of_a_box_is_at_most_that_of_its_points, (
   const EyeBounds bounds = FrameView(scene.skeleton, {scene.view}).eye_space.bounds(scene.box);
   if (bounds.parallel || bounds.outside) return;
   for (int i = 0; i < Scene::points; ++i)
-    RC_ASSERT(-scene.eye_point(i).z >= bounds.least_depth - scene.slack());
+    RC_ASSERT(-scene.eye_point(i).z >= bounds.min_depth - scene.slack());
 }
 
 RC_GTEST_PROP(Numbers, the_rectangle_of_a_box_holds_its_points_with_nearly_half_a_pixel_to_spare, ()) {

@@ -241,15 +241,15 @@ TEST(ProjectedError, bounds_how_far_any_displaced_point_of_the_box_moves) {
 
 TEST(ProjectedError, of_an_orthographic_view_does_not_depend_on_depth) {
   for (const double depth : {-5.0, 0.5, 1e9})
-    EXPECT_EQ(projected_error(40, 0.5, {.least_depth = depth, .parallel = true}), 20);
+    EXPECT_EQ(projected_error(40, 0.5, {.min_depth = depth, .parallel = true}), 20);
 }
 
 TEST(ProjectedError, is_infinite_where_the_surface_may_reach_the_eye) {
-  EXPECT_TRUE(std::isinf(projected_error(500, 1, {.least_depth = 1, .outside = false, .stretch = 1})));
-  EXPECT_TRUE(std::isinf(projected_error(500, 1, {.least_depth = -3, .outside = false, .stretch = 1})));
-  EXPECT_TRUE(std::isinf(projected_error(500, 0, {.least_depth = 0, .outside = false, .stretch = 1})));
-  EXPECT_EQ(projected_error(500, 0, {.least_depth = 1, .outside = false, .stretch = 2}), 0);
-  EXPECT_DOUBLE_EQ(projected_error(500, 1, {.least_depth = 6, .outside = false, .stretch = 2}), 200);
+  EXPECT_TRUE(std::isinf(projected_error(500, 1, {.min_depth = 1, .outside = false, .stretch = 1})));
+  EXPECT_TRUE(std::isinf(projected_error(500, 1, {.min_depth = -3, .outside = false, .stretch = 1})));
+  EXPECT_TRUE(std::isinf(projected_error(500, 0, {.min_depth = 0, .outside = false, .stretch = 1})));
+  EXPECT_EQ(projected_error(500, 0, {.min_depth = 1, .outside = false, .stretch = 2}), 0);
+  EXPECT_DOUBLE_EQ(projected_error(500, 1, {.min_depth = 6, .outside = false, .stretch = 2}), 200);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(FittingPieces, of_bars_that_cross_have_boxes_that_fit) {
     const Surface surface = awkward::surface_of(crossing_bars(count));
     const std::vector<LatticeBox> pieces = in_pieces(surface).pieces();
     ASSERT_GT(pieces.size(), 1u) << count;
-    EXPECT_LE(pieces.size(), most_pieces);
+    EXPECT_LE(pieces.size(), max_pieces);
     double area = 0;
     for (const LatticeBox& piece : pieces) area += area_of(piece);
     EXPECT_LT(area, 0.7 * area_of(surface.box())) << count;

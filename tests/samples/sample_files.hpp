@@ -28,7 +28,7 @@ class Folder {
 /// The model with all its triangles in memory.
 inline Model read_whole(const std::filesystem::path& file) {
   ImportOptions options;
-  options.stream_above = options.most_in_memory = std::numeric_limits<uint64_t>::max();
+  options.stream_above = options.max_in_memory = std::numeric_limits<uint64_t>::max();
   return import_model({file}, options);
 }
 

@@ -295,7 +295,7 @@ TEST(PackSkeleton, pieces_that_do_not_hold_together_are_refused) {
   refused([](Skeleton& s) { s.pieces[3].hi.y = 2; });
   refused([](Skeleton& s) { s.pieces[0].lo.x = 2; });
   refused([](Skeleton& s) { s.pieces.clear(); });
-  refused([](Skeleton& s) { s.pieces.resize(2 + most_chunk_pieces + 1, s.pieces[0]); });
+  refused([](Skeleton& s) { s.pieces.resize(2 + max_chunk_pieces + 1, s.pieces[0]); });
 }
 
 TEST(PackSkeleton, bytes_cut_anywhere_or_changed_anywhere_never_crash) {

@@ -17,7 +17,7 @@ const InGallery geometry_objects_at_one_place(
        maker.box({0, 0, -1}, {1, 1, -0.5});
        trial.model = maker.model();
        trial.build = {};
-       trial.most_drawables = 100;
+       trial.max_drawables = 100;
        trial.views = around({1, 1, 0}, 4, 3);
        return trial;
      }});

@@ -29,7 +29,7 @@ std::string grid_obj(bool faces_first) {
 TEST(ImportSpool, large_text_files_move_to_a_temporary_file_that_has_no_name) {
   write_model("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
   const auto folder = test::empty_folder("temporary");
-  const ImportOptions few = {.temporary_folder = folder, .most_in_memory = 1000};
+  const ImportOptions few = {.temporary_folder = folder, .max_in_memory = 1000};
   for (const bool faces_first : {false, true}) {
     const auto file = write_model("a.obj", grid_obj(faces_first));
     const Model expected = import_model({file}, in_memory), found = import_model({file}, few);
@@ -51,7 +51,7 @@ TEST(ImportSpool, what_is_dropped_on_the_way_has_the_same_warning) {
   const auto file = write_model("a.obj", text + "\n");
   write_model("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
   const Model expected = import_model({file}, in_memory),
-              found = import_model({file}, {.most_in_memory = 1000});
+              found = import_model({file}, {.max_in_memory = 1000});
   ASSERT_EQ(expected.report.warnings.size(), 2u);
   std::vector<std::string> warnings = found.report.warnings;
   for (const Mesh& mesh : found.meshes) {
@@ -72,10 +72,9 @@ TEST(ImportSpool, meshes_beyond_what_memory_holds_wait_in_a_file_and_weld_as_the
   const uint64_t triangles = import_model({file}, in_memory).source_triangles();
   for (const uint64_t most : {2 * triangles, 2 * triangles - 1}) {
     // The file twice: of both together the most that is not left in files is counted.
-    const Model expected = import_model({file, file}, {.most_in_memory = most}),
-                found =
-                    import_model({file, file},
-                                 {.temporary_folder = folder, .most_in_memory = most, .held_bytes = 100'000});
+    const Model expected = import_model({file, file}, {.max_in_memory = most}),
+                found = import_model(
+                    {file, file}, {.temporary_folder = folder, .max_in_memory = most, .held_bytes = 100'000});
     ASSERT_EQ(found.meshes.size(), expected.meshes.size());
     const std::vector<uint32_t> colors(expected.materials.size(), 0);
     size_t held = 0, stored = 0;
@@ -114,7 +113,7 @@ TEST(ImportSpool, large_ascii_ply_and_stl_files_stream_too) {
     stl += "endloop\nendfacet\n";
   }
   stl += "endsolid s\n";
-  const ImportOptions few = {.most_in_memory = 500};
+  const ImportOptions few = {.max_in_memory = 500};
   for (const auto& file : {write_model("a.ply", ply), write_model("a.stl", stl)}) {
     const Model expected = import_model({file}, in_memory), found = import_model({file}, few);
     ASSERT_TRUE(found.meshes[0].stream);
@@ -124,7 +123,7 @@ TEST(ImportSpool, large_ascii_ply_and_stl_files_stream_too) {
 }
 
 TEST(ImportSpool, a_folder_for_temporary_files_that_is_not_there_is_an_error) {
-  const ImportOptions nowhere = {.temporary_folder = "/nonexistent/folder", .most_in_memory = 10};
+  const ImportOptions nowhere = {.temporary_folder = "/nonexistent/folder", .max_in_memory = 10};
   EXPECT_THROW(import_model({write_model("a.obj", grid_obj(false))}, nowhere), Error);
 }
 

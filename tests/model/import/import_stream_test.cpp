@@ -106,8 +106,8 @@ TEST(ImportStream, meshes_of_more_than_4096_triangles_stream_and_smaller_ones_un
   const auto large = write_model("large.ply", grid_ply(false, false));
   EXPECT_TRUE(import_model({large}).meshes[0].stream);
   EXPECT_FALSE(import_model({large}, {.stream_above = 100000}).meshes[0].stream);
-  EXPECT_TRUE(import_model({large}, {.stream_above = 100000, .most_in_memory = 1000}).meshes[0].stream);
-  const ImportOptions room_for_one = {.stream_above = 100000, .most_in_memory = 25000};
+  EXPECT_TRUE(import_model({large}, {.stream_above = 100000, .max_in_memory = 1000}).meshes[0].stream);
+  const ImportOptions room_for_one = {.stream_above = 100000, .max_in_memory = 25000};
   const Model two = import_model({large, large}, room_for_one);
   EXPECT_FALSE(two.meshes[0].stream);
   EXPECT_TRUE(two.meshes[1].stream);

@@ -55,7 +55,7 @@ inline std::string import_error(const std::string& name, std::string_view conten
 }
 
 inline const ImportOptions streamed = {.stream_above = 0};
-inline const ImportOptions in_memory = {.stream_above = 1u << 30, .most_in_memory = 1u << 30};
+inline const ImportOptions in_memory = {.stream_above = 1u << 30, .max_in_memory = 1u << 30};
 
 /// Of either kind of mesh.
 inline std::vector<CornerTriangle> triangles_of(const Mesh& mesh) {
