@@ -12,8 +12,6 @@
 #include "preprocess/parts.hpp"
 #include "scene/expand.hpp"
 
-#include <fmt/core.h>
-
 namespace triptych {
 
 namespace {

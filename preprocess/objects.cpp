@@ -4,8 +4,11 @@
 #include "preprocess/partition.hpp"
 
 #include <algorithm>
+<<<<<<< ours
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+=======
+>>>>>>> theirs
 #include <numeric>
 #include <utility>
 

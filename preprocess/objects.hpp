@@ -6,7 +6,6 @@
 #include "preprocess/parts.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace triptych {

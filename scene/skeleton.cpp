@@ -1,7 +1,6 @@
 #include "scene/skeleton.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 namespace triptych {
 

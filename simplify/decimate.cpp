@@ -5,7 +5,6 @@
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <mutex>
 
 #ifndef NDEBUG

@@ -1,7 +1,6 @@
 #include "simplify/edge_collapse.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace triptych {

@@ -28,7 +28,6 @@ class ShrinkingMesh {
   static constexpr uint32_t gone = 0xffffffffu;
 
   size_t triangle_count() const { return alive_; }
-  size_t point_count() const { return points_.size(); }
   const glm::ivec3& point(uint32_t index) const { return points_[index]; }
   /// Those that are gone among them.
   size_t face_count() const { return faces_.size(); }

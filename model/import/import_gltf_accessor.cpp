@@ -1,7 +1,6 @@
 #include "base/error.hpp"
 #include "model/import/import_gltf.hpp"
 
-#include <algorithm>
 #include <cstring>
 
 namespace triptych {

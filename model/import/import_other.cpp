@@ -3,7 +3,6 @@
 #include "model/import/import_file.hpp"
 #include "model/import/mesh_stream_source.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 

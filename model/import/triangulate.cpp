@@ -3,7 +3,6 @@
 #include "model/import/import_limits.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 

@@ -4,7 +4,6 @@
 
 #include "scene/pack.hpp"
 
-#include <atomic>
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <memory>

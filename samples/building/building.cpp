@@ -9,7 +9,6 @@
 #include "samples/gltf_writer.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
 namespace triptych {

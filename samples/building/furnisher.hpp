@@ -7,7 +7,6 @@
 #include <array>
 #include <functional>
 #include <glm/glm.hpp>
-#include <limits>
 #include <optional>
 #include <vector>
 

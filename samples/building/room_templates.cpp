@@ -2,7 +2,6 @@
 #include "samples/building/room_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/constants.hpp>
 
 namespace triptych {

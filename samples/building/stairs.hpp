@@ -2,7 +2,7 @@
 #pragma once
 
 #include "samples/building/floor_plan.hpp"
-#include "samples/building/obj_furniture.hpp"
+#include "samples/mesh_part.hpp"
 
 namespace triptych {
 

@@ -1,6 +1,5 @@
 #include "samples/surfaces/isosurface.hpp"
 
-#include "base/error.hpp"
 #include "samples/orbits.hpp"
 
 #include <algorithm>

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
-#include <memory>
 #include <span>
 #include <string>
 
