@@ -4,11 +4,7 @@
 #include "preprocess/partition.hpp"
 
 #include <algorithm>
-<<<<<<< ours
-#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-=======
->>>>>>> theirs
 #include <numeric>
 #include <utility>
 
