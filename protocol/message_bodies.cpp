@@ -9,6 +9,8 @@
 #include <initializer_list>
 #include <limits>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -39,13 +41,6 @@ std::string read_line(ByteReader& in) {
   return line;
 }
 
-template <typename Enum>
-Enum read_enum(ByteReader& in, Enum largest, const char* what) {
-  const auto value = in.read<uint8_t>();
-  if (value > static_cast<uint8_t>(largest)) fail(in.place(), "{} {} does not exist", what, value);
-  return static_cast<Enum>(value);
-}
-
 void expect_not_negative(const ByteReader& in, double value, const char* what) {
   if (!std::isfinite(value) || value < 0) fail(in.place(), "{} is {}", what, value);
 }
@@ -63,13 +58,13 @@ ShortNumber shorten(double number) {
 }
 
 /// How many bytes each has, four bits each, two to a byte; then those bytes, the lowest first.
-void write_numbers(ByteWriter& out, std::span<const double> numbers) {
+void write_numbers(ByteWriter& out, std::span<const double* const> numbers) {
   for (size_t i = 0; i < numbers.size(); i += 2) {
-    const uint32_t next = i + 1 < numbers.size() ? shorten(numbers[i + 1]).bytes : 0;
-    out.write(static_cast<uint8_t>(shorten(numbers[i]).bytes | next << 4));
+    const uint32_t next = i + 1 < numbers.size() ? shorten(*numbers[i + 1]).bytes : 0;
+    out.write(static_cast<uint8_t>(shorten(*numbers[i]).bytes | next << 4));
   }
-  for (const double number : numbers) {
-    const ShortNumber shortened = shorten(number);
+  for (const double* number : numbers) {
+    const ShortNumber shortened = shorten(*number);
     for (uint32_t byte = 8 - shortened.bytes; byte < 8; ++byte)
       out.write(static_cast<uint8_t>(shortened.bits >> (8 * byte)));
   }
@@ -93,185 +88,209 @@ void read_numbers(ByteReader& in, std::span<double* const> numbers) {
   }
 }
 
-/// Times and clocks, milliseconds.
-void read_times(ByteReader& in, std::initializer_list<double*> times) {
-  read_numbers(in, {times.begin(), times.size()});
-  for (const double* time : times) expect_not_negative(in, *time, "a time");
-}
+/// One place in the bytes of a message: a BodyWriter writes the fields that it is shown, a BodyReader reads
+/// them. So one description of a message serves both.
+class BodyWriter {
+ public:
+  static constexpr bool reads = false;
+  explicit BodyWriter(ByteWriter& out) : out_(out) {}
 
-uint32_t read_count(ByteReader& in) {
-  const uint64_t count = in.read_varint();
-  if (count > std::numeric_limits<uint32_t>::max()) fail(in.place(), "a count of {}", count);
-  return static_cast<uint32_t>(count);
-}
-
-// One write and one read for each message; the frame is in the header.
-
-void write_body(ByteWriter& out, const Hello& hello) {
-  out.write(hello.version);
-  out.write(hello.role);
-  out.write(hello.channel);
-  out.write(hello.called);
-  out.write(hello.session);
-  out.write(hello.pack_hash);
-  for (const auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version, &hello.raster})
-    write_line(out, *text);
-}
-
-Hello read_hello(ByteReader& in) {
-  Hello hello;
-  hello.version = in.read<uint32_t>();
-  hello.role = read_enum(in, Role::switch_1, "role");
-  hello.channel = read_enum(in, Channel::nodes, "channel");
-  hello.called = read_enum(in, Role::switch_1, "role");
-  if (hello.version != protocol_version) {
-    in.read_all<std::byte>(in.left());
-    return hello;
+  template <typename Value>
+  void plain(const Value& value) {
+    out_.write(value);
   }
-  hello.session = in.read<uint64_t>();
-  hello.pack_hash = in.read<uint64_t>();
+  /// One byte; `largest` is the last that exists.
+  template <typename Enum>
+  void choice(const Enum& value, Enum /*largest*/, const char* /*what*/) {
+    out_.write(static_cast<uint8_t>(value));
+  }
+  void line(const std::string& text) { write_line(out_, text); }
+  void count(uint32_t value) { out_.write_varint(value); }
+  void count(uint64_t value) { out_.write_varint(value); }
+  void numbers(std::span<const double* const> numbers) { write_numbers(out_, numbers); }
+  /// Milliseconds, not negative.
+  void times(std::initializer_list<const double*> times) { numbers({times.begin(), times.size()}); }
+  void rest(const std::vector<std::byte>& bytes) { out_.write_all(std::span<const std::byte>(bytes)); }
+
+ private:
+  ByteWriter& out_;
+};
+
+class BodyReader {
+ public:
+  static constexpr bool reads = true;
+  explicit BodyReader(ByteReader& in) : in_(in) {}
+
+  template <typename Value>
+  void plain(Value& value) {
+    value = in_.read<Value>();
+  }
+  template <typename Enum>
+  void choice(Enum& value, Enum largest, const char* what) {
+    const auto read = in_.read<uint8_t>();
+    if (read > static_cast<uint8_t>(largest)) fail(place(), "{} {} does not exist", what, read);
+    value = static_cast<Enum>(read);
+  }
+  void line(std::string& text) { text = read_line(in_); }
+  void count(uint32_t& value) {
+    const uint64_t read = in_.read_varint();
+    if (read > std::numeric_limits<uint32_t>::max()) fail(place(), "a count of {}", read);
+    value = static_cast<uint32_t>(read);
+  }
+  void count(uint64_t& value) { value = in_.read_varint(); }
+  void numbers(std::span<double* const> numbers) { read_numbers(in_, numbers); }
+  void times(std::initializer_list<double*> times) {
+    numbers({times.begin(), times.size()});
+    for (const double* time : times) expect_not_negative(in_, *time, "a time");
+  }
+  void rest(std::vector<std::byte>& bytes) { bytes = in_.read_all<std::byte>(in_.left()); }
+
+  ByteReader& bytes() { return in_; }
+  const std::string& place() const { return in_.place(); }
+
+ private:
+  ByteReader& in_;
+};
+
+// One description of each message; the frame is in the header.
+
+/// A message to read, or a constant one to write.
+template <typename M, typename Type>
+concept Either = std::is_same_v<std::remove_const_t<M>, Type>;
+
+template <typename Body, Either<Hello> M>
+void describe(Body& body, M& hello) {
+  body.plain(hello.version);
+  body.choice(hello.role, Role::switch_1, "role");
+  body.choice(hello.channel, Channel::nodes, "channel");
+  body.choice(hello.called, Role::switch_1, "role");
+  if constexpr (Body::reads) {
+    if (hello.version != protocol_version) {
+      std::vector<std::byte> unknown;
+      return body.rest(unknown);
+    }
+  }
+  body.plain(hello.session);
+  body.plain(hello.pack_hash);
   for (auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version, &hello.raster})
-    *text = read_line(in);
-  return hello;
-}
-
-/// The numbers of a camera message in their order; a symmetric frustum's left and bottom say it all.
-std::vector<double*> numbers_of(CameraMessage& message, bool symmetric) {
-  Camera& camera = message.state.view.camera;
-  std::vector<double*> numbers;
-  for (auto* vector : {&camera.eye, &camera.target, &camera.up}) {
-    for (int axis = 0; axis < 3; ++axis) numbers.push_back(&(*vector)[axis]);
-  }
-  numbers.insert(numbers.end(), {&camera.near, &message.state.pixel_error, &camera.left, &camera.bottom});
-  if (!symmetric) numbers.insert(numbers.end(), {&camera.right, &camera.top});
-  return numbers;
+    body.line(*text);
 }
 
 bool is_symmetric(const Camera& camera) {
   return camera.right == -camera.left && camera.top == -camera.bottom;
 }
 
-void write_body(ByteWriter& out, const CameraMessage& message) {
-  const Camera& camera = message.state.view.camera;
-  const bool symmetric = is_symmetric(camera);
-  out.write(static_cast<uint8_t>((message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
-                                 (camera.orthographic() ? orthographic_mark : 0) |
-                                 (symmetric ? symmetric_mark : 0)));
-  out.write_varint(static_cast<uint32_t>(message.state.view.width));
-  out.write_varint(static_cast<uint32_t>(message.state.view.height));
-  CameraMessage copy = message;
-  std::vector<double> numbers;
-  for (const double* number : numbers_of(copy, symmetric)) numbers.push_back(*number);
-  write_numbers(out, numbers);
-}
-
-CameraMessage read_camera(ByteReader& in, uint32_t frame) {
-  CameraMessage message;
-  message.frame = frame;
-  Camera& camera = message.state.view.camera;
-  const auto marks = read_enum(
-      in, static_cast<uint8_t>(last_mark | warm_up_mark | orthographic_mark | symmetric_mark), "camera mark");
-  message.last = (marks & last_mark) != 0;
-  message.warm_up = (marks & warm_up_mark) != 0;
-  if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
+template <typename Body, Either<CameraMessage> M>
+void describe(Body& body, M& message) {
+  auto& view = message.state.view;
+  auto& camera = view.camera;
+  auto marks = static_cast<uint8_t>((message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
+                                    (camera.orthographic() ? orthographic_mark : 0) |
+                                    (is_symmetric(camera) ? symmetric_mark : 0));
+  auto width = static_cast<uint32_t>(view.width), height = static_cast<uint32_t>(view.height);
+  body.choice(marks, static_cast<uint8_t>(last_mark | warm_up_mark | orthographic_mark | symmetric_mark),
+              "camera mark");
+  body.count(width);
+  body.count(height);
   const bool symmetric = (marks & symmetric_mark) != 0;
-  const uint32_t width = read_count(in), height = read_count(in);
-  if (width < 1 || width > largest_side || height < 1 || height > largest_side) {
-    fail(in.place(), "a viewport of {}x{}", width, height);
+  // A symmetric frustum's left and bottom say it all.
+  const std::array numbers = {&camera.eye.x,
+                              &camera.eye.y,
+                              &camera.eye.z,
+                              &camera.target.x,
+                              &camera.target.y,
+                              &camera.target.z,
+                              &camera.up.x,
+                              &camera.up.y,
+                              &camera.up.z,
+                              &camera.near,
+                              &message.state.pixel_error,
+                              &camera.left,
+                              &camera.bottom,
+                              &camera.right,
+                              &camera.top};
+  body.numbers(std::span(numbers).first(numbers.size() - (symmetric ? 2 : 0)));
+  if constexpr (Body::reads) {
+    message.last = (marks & last_mark) != 0;
+    message.warm_up = (marks & warm_up_mark) != 0;
+    if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
+    if (width < 1 || width > largest_side || height < 1 || height > largest_side)
+      fail(body.place(), "a viewport of {}x{}", width, height);
+    view.width = static_cast<int>(width);
+    view.height = static_cast<int>(height);
+    expect_not_negative(body.bytes(), message.state.pixel_error, "the pixel error");
+    if (symmetric) {
+      camera.right = -camera.left;
+      camera.top = -camera.bottom;
+    }
+    check_camera(camera, body.place());
+    if (!symmetric && is_symmetric(camera)) fail(body.place(), "a symmetric frustum that is not marked");
   }
-  message.state.view.width = static_cast<int>(width);
-  message.state.view.height = static_cast<int>(height);
-  read_numbers(in, numbers_of(message, symmetric));
-  expect_not_negative(in, message.state.pixel_error, "the pixel error");
-  if (symmetric) {
-    camera.right = -camera.left;
-    camera.top = -camera.bottom;
-  }
-  check_camera(camera, in.place());
-  if (!symmetric && is_symmetric(camera)) fail(in.place(), "a symmetric frustum that is not marked");
-  return message;
 }
 
-void write_body(ByteWriter& out, const DeltaMessage& message) {
+/// Where everything is decided, the type says so, and the watermark is set already.
+template <typename Body, Either<DeltaMessage> M>
+void describe(Body& body, M& message) {
   if (message.watermark != everything_decided) {
-    out.write_varint(message.watermark.distance);
-    out.write_varint(message.watermark.id);
+    auto id = static_cast<uint64_t>(message.watermark.id);
+    body.count(message.watermark.distance);
+    body.count(id);
+    if constexpr (Body::reads) {
+      if (id > no_id) fail(body.place(), "a watermark beyond the ids");
+      message.watermark.id = static_cast<DrawableId>(id);
+    }
   }
-  out.write_all(std::span<const std::byte>(message.encoded));
+  body.rest(message.encoded);
 }
 
-DeltaMessage read_delta(ByteReader& in, uint32_t frame, bool all_decided) {
-  DeltaMessage message{frame, everything_decided, {}};
-  if (!all_decided) {
-    message.watermark.distance = in.read_varint();
-    const uint64_t id = in.read_varint();
-    if (id > no_id) fail(in.place(), "a watermark beyond the ids");
-    message.watermark.id = static_cast<DrawableId>(id);
-  }
-  message.encoded = in.read_all<std::byte>(in.left());
-  return message;
-}
-
-void write_body(ByteWriter& out, const Sentinel& message) {
-  const StageTimes& times = message.times;
-  out.write(message.digest);
-  for (const uint32_t count :
-       {message.visible, message.added, message.removed, times.queries, times.cut_size})
-    out.write_varint(count);
-  write_numbers(out, std::array{times.hardware_cull_ms, times.sent_at_ms});
-}
-
-Sentinel read_sentinel(ByteReader& in, uint32_t frame) {
-  Sentinel message;
-  message.frame = frame;
-  StageTimes& times = message.times;
-  message.digest = in.read<uint64_t>();
+template <typename Body, Either<Sentinel> M>
+void describe(Body& body, M& message) {
+  auto& times = message.times;
+  body.plain(message.digest);
   for (auto* count : {&message.visible, &message.added, &message.removed, &times.queries, &times.cut_size})
-    *count = read_count(in);
-  read_times(in, {&times.hardware_cull_ms, &times.sent_at_ms});
-  return message;
+    body.count(*count);
+  body.times({&times.hardware_cull_ms, &times.sent_at_ms});
 }
 
-void write_body(ByteWriter&, const FullSetRequest&) {}
-
-void write_body(ByteWriter& out, const FullSet& message) {
-  out.write_all(std::span<const std::byte>(encode_delta({message.visible, {}}, {})));
+template <typename Body, Either<FullSet> M>
+void describe(Body& body, M& message) {
+  if constexpr (Body::reads) {
+    std::vector<std::byte> encoded;
+    body.rest(encoded);
+    message.visible = decode_delta(encoded, {}, body.place()).added;
+  } else {
+    body.rest(encode_delta({message.visible, {}}, {}));
+  }
 }
 
-FullSet read_full_set(ByteReader& in, uint32_t frame) {
-  return {frame, decode_delta(in.read_all<std::byte>(in.left()), {}, in.place()).added};
+template <typename Body, Either<SwitchReport> M>
+void describe(Body& body, M& message) {
+  body.times({&message.began_at_ms, &message.occlusion_representation_ms, &message.camera_waiting_ms,
+              &message.packets_waiting_ms});
+  body.count(message.drawables);
+  body.count(message.triangles);
 }
 
-void write_body(ByteWriter& out, const SwitchReport& message) {
-  write_numbers(out, std::array{message.began_at_ms, message.occlusion_representation_ms,
-                                message.camera_waiting_ms, message.packets_waiting_ms});
-  out.write_varint(message.drawables);
-  out.write_varint(message.triangles);
+template <typename Body, Either<Bye> M>
+void describe(Body& body, M& message) {
+  body.line(message.reason);
 }
 
-SwitchReport read_switch_report(ByteReader& in, uint32_t frame) {
-  SwitchReport message;
-  message.frame = frame;
-  read_times(in, {&message.began_at_ms, &message.occlusion_representation_ms, &message.camera_waiting_ms,
-                  &message.packets_waiting_ms});
-  message.drawables = read_count(in);
-  message.triangles = in.read_varint();
-  return message;
+template <typename Body, Either<ClockAnswer> M>
+void describe(Body& body, M& message) {
+  body.times({&message.clock_ms});
 }
 
-void write_body(ByteWriter& out, const Bye& message) { write_line(out, message.reason); }
+/// The frame says it all.
+template <typename Body, typename M>
+requires Either<M, FullSetRequest> || Either<M, Ready> || Either<M, ClockRequest>
+void describe(Body&, M&) {}
 
-void write_body(ByteWriter&, const Ready&) {}
-
-void write_body(ByteWriter&, const ClockRequest&) {}
-
-void write_body(ByteWriter& out, const ClockAnswer& message) {
-  write_numbers(out, std::array{message.clock_ms});
-}
-
-ClockAnswer read_clock_answer(ByteReader& in, uint32_t frame) {
-  ClockAnswer message{frame, 0};
-  read_times(in, {&message.clock_ms});
+/// A message of this type with nothing in it.
+template <size_t... types>
+Message empty_message(uint32_t type, std::index_sequence<types...>) {
+  Message message;
+  ((type == types ? static_cast<void>(message.emplace<types>()) : void()), ...);
   return message;
 }
 
@@ -288,37 +307,25 @@ bool is_message_type(uint32_t type) {
 }
 
 void write_message_body(ByteWriter& out, const Message& message) {
-  std::visit([&](const auto& content) { write_body(out, content); }, message);
+  BodyWriter body(out);
+  std::visit([&](const auto& content) { describe(body, content); }, message);
 }
 
 Message read_message_body(uint32_t type, uint32_t frame, ByteReader& in) {
-  switch (type) {
-    case 0:
-      return read_hello(in);
-    case 1:
-      return read_camera(in, frame);
-    case delta_type:
-    case delta_type | all_decided_mark:
-      return read_delta(in, frame, type != delta_type);
-    case 3:
-      return read_sentinel(in, frame);
-    case 4:
-      return FullSetRequest{frame};
-    case 5:
-      return read_full_set(in, frame);
-    case 6:
-      return read_switch_report(in, frame);
-    case 7:
-      return Bye{read_line(in)};
-    case 8:
-      return Ready{frame};
-    case 9:
-      return ClockRequest{frame};
-    case 10:
-      return read_clock_answer(in, frame);
-    default:
-      fail(in.place(), "message type {} does not exist", type);
-  }
+  if (!is_message_type(type)) fail(in.place(), "message type {} does not exist", type);
+  Message message =
+      empty_message(type & ~all_decided_mark, std::make_index_sequence<std::variant_size_v<Message>>());
+  BodyReader body(in);
+  std::visit(
+      [&](auto& content) {
+        if constexpr (requires { content.frame; }) content.frame = frame;
+        if constexpr (requires { content.watermark; }) {
+          if ((type & all_decided_mark) != 0) content.watermark = everything_decided;
+        }
+        describe(body, content);
+      },
+      message);
+  return message;
 }
 
 }  // namespace triptych
