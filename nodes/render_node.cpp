@@ -190,7 +190,7 @@ class RenderNode {
     double drawing_ms = 0;
     const auto draw_more = [&](const std::vector<DrawableId>& drawables) {
       const Stopwatch stopwatch;
-      options_.rules.slow_down();
+      options_.session_rules.slow_down();
       picture.draw(drawables);
       drawing_ms += stopwatch.milliseconds();
     };
@@ -198,8 +198,8 @@ class RenderNode {
     const FrameView view(pack_.skeleton(), frame.state, options_.frame_rules);
     picture.begin(view, frame.number);
     inbox.limit_waiting(options_.timeout);
-    Awaited<IntakeResult> taken =
-        take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_, draw_more, options_.rules);
+    Awaited<IntakeResult> taken = take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_,
+                                             draw_more, options_.session_rules);
     if (!taken) return taken.ending();
     IntakeResult& intake = *taken;
     if (intake.digest_mismatch) {
@@ -209,7 +209,7 @@ class RenderNode {
       draw_more(ordered);
     }
     const Stopwatch finishing;
-    options_.rules.slow_down();
+    options_.session_rules.slow_down();
     picture.finish();
     done_ms_ = clock_.milliseconds();
     FrameRecord record;

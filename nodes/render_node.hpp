@@ -21,7 +21,7 @@ struct RenderNodeOptions {
   Peers::Connect connect = {};
   /// Begin without waiting for switch nodes: another render node did so before this one.
   bool begin_alone = false;
-  SessionRules rules = {};
+  SessionRules session_rules = {};
   /// Whether this role is to end; asked several times a second.
   std::function<bool()> stop = stop_requested;
 };

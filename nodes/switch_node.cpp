@@ -100,7 +100,7 @@ class Epoch {
       if (ending_) return;  // nobody hears the rest
       sentinel_.added += static_cast<uint32_t>(packet.delta.added.size());
       sentinel_.removed += static_cast<uint32_t>(packet.delta.removed.size());
-      const SessionRules& rules = epoch_.node_.options.rules;
+      const SessionRules& rules = epoch_.node_.options.session_rules;
       VisibleDelta delta = packet.delta;
       if (rules.withholds_added && !delta.added.empty()) delta.added.pop_back();
       rules.slow_down();
@@ -150,12 +150,12 @@ class Epoch {
     Awaited<IntakeResult> intake = take_frame(
         inbox_, node_.pack.skeleton(), node_.pack.content_hash(), current, sets_.latest(),
         [&](const std::vector<DrawableId>& decided) {
-          node_.options.rules.slow_down();
+          node_.options.session_rules.slow_down();
           node_.stage->represent(decided);
         },
-        node_.options.rules);
+        node_.options.session_rules);
     if (!intake) return intake.ending();
-    node_.options.rules.slow_down();
+    node_.options.session_rules.slow_down();
     if (intake->digest_mismatch) {
       begin(camera_);
       node_.stage->represent(intake->visible);

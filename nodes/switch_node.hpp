@@ -21,7 +21,7 @@ struct SwitchNodeOptions {
   /// Connects both peers: for the first epoch, or for another one after a loss. Nothing where the session is
   /// over.
   std::function<std::unique_ptr<Mailbox>(bool again)> connect = {};
-  SessionRules rules = {};
+  SessionRules session_rules = {};
   /// Whether this role is to end; asked several times a second.
   std::function<bool()> stop = stop_requested;
 };

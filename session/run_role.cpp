@@ -75,7 +75,7 @@ int run_switch(const RoleCommand& command) {
                                         return again ? connector.connect_again(stop_requested)
                                                      : connector.connect(stop_requested);
                                       },
-                                  .rules = injected_rules(command.self)};
+                                  .session_rules = injected_rules(command.self)};
   const SwitchNodeSummary done = run_switch_node(pack, command.self, sink, options);
   notice("{}: {} frames culled, {} occlusion representations, {} epochs", role_name(command.self),
          done.culled, done.represented, done.epochs);
@@ -113,7 +113,7 @@ int run_render(const RoleCommand& command) {
          .cull = command.cull,
          .connect = [&](const std::function<bool()>& stop) { return connector.connect(stop); },
          .begin_alone = command.begin > 0,
-         .rules = injected_rules(Role::render)});
+         .session_rules = injected_rules(Role::render)});
   }
   RoleRecord record = sink.finish();
   notice("render node: {} frames, {} of them alone, {} epochs", done.frames, done.alone, done.epochs);
