@@ -5,11 +5,14 @@
 
 namespace triptych {
 
-/// Whether allocations are counted here: not under sanitizers, which have an allocator of their own. Counted
-/// in programs that link triptych_allocation_count, which replaces the global operator new.
+/// Whether anybody counts: programs that link triptych_allocation_count do, which replaces the global
+/// operator new, but not under sanitizers.
 bool allocations_are_counted();
 
 /// Calls of operator new in this thread so far.
 uint64_t allocation_count();
+
+/// For the operator new that counts.
+void count_allocation() noexcept;
 
 }  // namespace triptych
