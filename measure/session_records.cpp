@@ -10,7 +10,7 @@ namespace triptych {
 using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids,
-                                   kernel_bytes, retransmissions, round_trip_ms, min_round_trip_ms)
+                                   kernel_bytes, retransmissions, round_trip_ms, least_round_trip_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
                                    latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,
@@ -50,7 +50,7 @@ std::vector<SocketRecord> sockets_of(Role self, const Mailbox& mailbox) {
                          .kernel_bytes = kernel.bytes_sent,
                          .retransmissions = kernel.retransmissions,
                          .round_trip_ms = kernel.round_trip_ms,
-                         .min_round_trip_ms = kernel.min_round_trip_ms});
+                         .least_round_trip_ms = kernel.min_round_trip_ms});
     }
   }
   return sockets;
@@ -70,7 +70,7 @@ void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>
       (*known).*figure += socket.*figure;
     }
     known->round_trip_ms = socket.round_trip_ms;
-    known->min_round_trip_ms = std::min(known->min_round_trip_ms, socket.min_round_trip_ms);
+    known->least_round_trip_ms = std::min(known->least_round_trip_ms, socket.least_round_trip_ms);
   }
 }
 

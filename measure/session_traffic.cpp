@@ -63,7 +63,7 @@ json traffic_json(const std::vector<RoleRecord>& roles) {
                              {"kernel_bytes_per_frame", static_cast<double>(socket.kernel_bytes) / count},
                              {"retransmissions", socket.retransmissions},
                              {"round_trip_ms", socket.round_trip_ms},
-                             {"least_round_trip_ms", socket.min_round_trip_ms}});
+                             {"least_round_trip_ms", socket.least_round_trip_ms}});
         }
       }
     }

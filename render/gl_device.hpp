@@ -11,7 +11,7 @@ namespace triptych {
 
 /// How rectangles are tested. Both give the same answers; which is faster depends on the machine.
 enum class TestKind {
-  queries,  ///< one GL_ANY_SAMPLES_PASSED occlusion query a rectangle
+  queries,  ///< one occlusion query a rectangle (any samples passed)
   storage,  ///< all rectangles in one instanced draw; fragments that pass mark their slot
 };
 

@@ -1,6 +1,8 @@
 // Builds that are killed, starved of disk, or raced.
+#include "base/clock.hpp"
 #include "tests/session/program.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 #include <sys/resource.h>
@@ -45,14 +47,17 @@ TEST(BuildResume, twenty_kills_leave_the_same_bytes_and_the_work_done_before_cou
   const Folder folder;
   const std::string model = make_plant(folder);
   const std::string whole = folder.file("whole.tpk"), killed = folder.file("killed.tpk");
+  const Stopwatch stopwatch;
   test::run(build_arguments(model, whole));
+  // Kills come at any time of a build, however busy the machine is.
+  const auto duration_ms = static_cast<uint32_t>(std::clamp(stopwatch.milliseconds(), 400.0, 5000.0));
 
   std::mt19937 random(7);
   int kills = 0, resumed = 0;
   uint64_t done = 0;  // units of work that a run found done; they only become more until one finishes
   while (kills < 20) {
     Program build(build_arguments(model, killed));
-    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 400));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % duration_ms));
     build.signal(SIGKILL);
     const int code = build.wait();
     const std::string said = build.errors();

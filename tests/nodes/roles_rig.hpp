@@ -144,7 +144,9 @@ class Roles : public testing::Test {
   Roles()
       : network([this](Role caller, Role callee, std::shared_ptr<Connection> connection) {
           return spoil ? spoil(caller, callee, std::move(connection)) : connection;
-        }) {}
+        }) {
+    pack();  // made once, before the roles' threads ask for it
+  }
 
   static ContextThread& thread(Role role) {
     static std::array<ContextThread, 3> threads;
