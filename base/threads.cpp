@@ -2,7 +2,10 @@
 
 #include "base/rounding.hpp"
 
+#include <atomic>
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
@@ -26,11 +29,23 @@ void set_thread_count(unsigned count) {
 }
 
 void parallel_for(size_t count, const std::function<void(size_t)>& body) {
-  // Threads have the mode of whoever woke them first.
+  // Exceptions stay out of TBB: it would cancel what runs within the bodies, too, such as an Embree tree that
+  // is being built, which its user then takes for whole.
+  std::atomic<bool> failed = false;
+  std::mutex mutex;
+  std::exception_ptr first;
   tbb::parallel_for(size_t{0}, count, [&](size_t i) {
-    const NearestRounding rounding;
-    body(i);
+    if (failed) return;
+    const NearestRounding rounding;  // threads have the mode of whoever woke them first
+    try {
+      body(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!first) first = std::current_exception();
+      failed = true;
+    }
   });
+  if (first) std::rethrow_exception(first);
 }
 
 }  // namespace triptych
