@@ -201,7 +201,7 @@ void receive_till_full(Mailbox& mailbox) {
     const Backlog most = mailbox.max_backlog();
     return most.messages >= mailbox_limit.messages || most.bytes >= mailbox_limit.bytes;
   };
-  for (int tries = 0; tries < 400 && !full(); ++tries) mailbox.context().run_for(50ms);
+  for (int tries = 0; tries < 2400 && !full(); ++tries) mailbox.context().run_for(50ms);
   EXPECT_TRUE(full()) << "nothing was flooded";
   mailbox.context().run_for(300ms);
 }
