@@ -45,7 +45,7 @@ struct Hierarchies {
   void make_nodes(HierarchyKind kind) {
     for (const Objects& own : objects) {
       nodes.emplace_back();
-      if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind);
+      if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind, own.leaves);
     }
   }
 

@@ -15,7 +15,8 @@ using Range = std::span<uint32_t>;
 
 class Splitter {
  public:
-  explicit Splitter(std::span<const ObjectExtent> objects) : objects_(objects) {
+  Splitter(std::span<const ObjectExtent> objects, std::span<const uint64_t> leaves)
+      : objects_(objects), leaves_(leaves) {
     for (const auto& [box, triangles] : objects) centers_.push_back(center(box));
   }
 
@@ -25,14 +26,15 @@ class Splitter {
     return {range.first(range.size() / 2), range.subspan(range.size() / 2)};
   }
 
-  /// At the median along the axis, and for odd counts on the side, where the expected cost is least.
+  /// At the median of the leaves along the axis, and where it is within an object on the side, where the
+  /// expected cost is least.
   std::vector<Range> small_halves(Range range) const {
-    const size_t middle = range.size() / 2;
-    std::pair<int, size_t> best{0, middle};  // axis, and how many come first
+    std::pair<int, size_t> best{0, range.size() / 2};  // axis, and how many come first
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
       sort(range, axis);
-      for (size_t first = middle; first <= range.size() - middle; ++first) {
+      const auto [fewest, most] = middles(range);
+      for (size_t first = fewest; first <= most; ++first) {
         const double cost = cost_of(range.first(first)) + cost_of(range.subspan(first));
         if (cost < least) {
           least = cost;
@@ -45,6 +47,28 @@ class Splitter {
   }
 
  private:
+  uint64_t leaves_of(uint32_t object) const { return leaves_.empty() ? 1 : leaves_[object]; }
+  uint64_t leaves_of(Range range) const {
+    uint64_t leaves = 0;
+    for (const uint32_t object : range) leaves += leaves_of(object);
+    return leaves;
+  }
+
+  /// How many objects of the range, of two or more, come before its middle: without the one that the middle
+  /// is within, and with it.
+  std::pair<size_t, size_t> middles(Range range) const {
+    const uint64_t all = leaves_of(range);
+    uint64_t before = 0;
+    size_t first = 0;
+    for (; first + 1 < range.size(); ++first) {
+      const uint64_t with_next = before + leaves_of(range[first]);
+      if (2 * with_next > all) break;
+      before = with_next;
+    }
+    const size_t most = 2 * before == all ? first : first + 1;
+    return {std::max<size_t>(first, 1), std::min(most, range.size() - 1)};
+  }
+
   double cost_of(Range range) const {
     Box box;
     double triangles = 0;
@@ -52,11 +76,12 @@ class Splitter {
       box.extend(objects_[object].box);
       triangles += static_cast<double>(objects_[object].triangles);
     }
-    return expected_cost(box, static_cast<double>(range.size()), triangles);
+    return expected_cost(box, static_cast<double>(leaves_of(range)), triangles);
   }
   void sort(Range range, int axis) const { std::sort(range.begin(), range.end(), AlongAxis{centers_, axis}); }
 
   std::span<const ObjectExtent> objects_;
+  std::span<const uint64_t> leaves_;
   std::vector<glm::dvec3> centers_;
 };
 
@@ -75,8 +100,9 @@ std::vector<Range> quarters(const Splitter& splitter, Range range) {
 
 }  // namespace
 
-std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects, HierarchyKind kind) {
-  const Splitter splitter(objects);
+std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects, HierarchyKind kind,
+                                           std::span<const uint64_t> leaves) {
+  const Splitter splitter(objects, leaves);
   std::vector<uint32_t> order(objects.size());
   std::iota(order.begin(), order.end(), 0u);
   std::vector<HierarchyNode> nodes(1);

@@ -31,7 +31,10 @@ struct HierarchyNode {
 /// that gives the halves the least expected cost. Two levels of cuts make one of
 /// up to four children. With HierarchyKind::median_split each cut is along the longest axis and makes a
 /// level. At least one object must be given; one gives a root that is a leaf.
+/// `leaves`: how many leaves of the whole tree each object stands for, none if it is one each. An object that
+/// stands for a hierarchy of its own is as heavy as that, and so as near to the root as its size asks for.
 std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects,
-                                           HierarchyKind kind = HierarchyKind::partition_cluster_partition);
+                                           HierarchyKind kind = HierarchyKind::partition_cluster_partition,
+                                           std::span<const uint64_t> leaves = {});
 
 }  // namespace triptych

@@ -104,6 +104,7 @@ Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>&
 
 /// Placed sub-hierarchies that hold anything.
 void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> before, Objects& objects) {
+  objects.leaves.assign(objects.extents.size(), 1);
   for (uint32_t i = 0; i < parts.sub_hierarchies.size(); ++i) {
     const PlannedSubHierarchy& placed = parts.sub_hierarchies[i];
     ObjectExtent extent;
@@ -115,6 +116,8 @@ void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> befo
     if (extent.triangles == 0) continue;
     objects.sub_hierarchies.push_back(i);
     objects.extents.push_back(extent);
+    const std::vector<uint64_t>& inner = before[placed.hierarchy].leaves;
+    objects.leaves.push_back(std::accumulate(inner.begin(), inner.end(), uint64_t{0}));
   }
 }
 

@@ -70,6 +70,32 @@ TEST(Hierarchy, boxes_that_double_in_size_make_no_deep_tree) {
   EXPECT_LE(depth_of(nodes), 26u);  // balanced: 5; box by box: 125
 }
 
+TEST(Hierarchy, what_stands_for_many_leaves_is_near_the_root) {
+  std::mt19937 random(4);
+  std::vector<ObjectExtent> objects;
+  for (int i = 0; i < 400; ++i) {
+    const glm::dvec3 lo{random() % 1000, random() % 1000, random() % 1000};
+    objects.push_back({{lo, lo + 10.0}, 100});
+  }
+  std::vector<uint64_t> leaves(objects.size(), 1);
+  leaves[100] = leaves[200] = 2000;
+  const auto nodes = build_hierarchy(objects, HierarchyKind::partition_cluster_partition, leaves);
+  expect_sound(nodes, 400);
+  for (uint32_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].object != 100 && nodes[i].object != 200) continue;
+    uint32_t depth = 0;
+    for (uint32_t node = i; node != 0; node = nodes[node].parent) ++depth;
+    EXPECT_LE(depth, 3u);
+  }
+  EXPECT_LE(depth_of(nodes), 9u);  // without: 6
+  // Where all are one leaf each, it makes no difference that they say so.
+  const std::vector<uint64_t> ones(objects.size(), 1);
+  const auto plain = build_hierarchy(objects);
+  const auto said = build_hierarchy(objects, HierarchyKind::partition_cluster_partition, ones);
+  ASSERT_EQ(plain.size(), said.size());
+  for (size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(plain[i].object, said[i].object);
+}
+
 TEST(Hierarchy, groups_far_apart_are_parted_at_the_root) {
   std::vector<ObjectExtent> objects;
   for (int i = 0; i < 40; ++i) {
