@@ -17,7 +17,7 @@ struct SocketRecord {
   std::string name;  ///< "switch node 0 to render node, nodes"
   uint64_t bytes = 0, messages = 0;
   uint64_t deltas = 0, delta_body_bytes = 0, delta_ids = 0;
-  uint64_t kernel_bytes = 0, retransmissions = 0;   ///< TcpFigures of what was sent
+  uint64_t kernel_bytes = 0, retransmissions = 0;     ///< TcpFigures of what was sent
   double round_trip_ms = 0, least_round_trip_ms = 0;  ///< of the last connection; the least of all
 };
 
