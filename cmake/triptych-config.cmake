@@ -2,7 +2,7 @@
 # what those rooms need is looked for: find_package(triptych COMPONENTS visibility).
 include(CMakeFindDependencyMacro)
 
-set(triptych_rooms base scene model simplify preprocess lod visibility residency render protocol nodes measure report
+set(triptych_rooms base scene model simplify preprocess lod visibility residency raster render protocol nodes measure report
     samples view session)
 # What each room brings in; a room needs that of those below it, too.
 set(triptych_below_base "")
@@ -13,9 +13,10 @@ set(triptych_below_preprocess simplify)
 set(triptych_below_lod scene)
 set(triptych_below_visibility lod)
 set(triptych_below_residency scene)
+set(triptych_below_raster visibility residency)
 set(triptych_below_render visibility residency)
 set(triptych_below_protocol visibility)
-set(triptych_below_nodes protocol render)
+set(triptych_below_nodes protocol raster render)
 set(triptych_below_measure nodes preprocess)
 set(triptych_below_report scene)
 set(triptych_below_samples base)

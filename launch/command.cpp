@@ -48,9 +48,20 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
       ->check(whole_number(1, 1024));
 }
 
-void add_context_flag(CLI::App& command, ContextKind& context) {
+void add_device_flags(CLI::App& command, DeviceOptions& device) {
+  const std::map<std::string, DeviceKind> kinds{
+      {"auto", DeviceKind::automatic}, {"gl", DeviceKind::gl}, {"cpu", DeviceKind::cpu}};
+  const CLI::Option* const kind =
+      add_choice_flag(command, "--device", device.kind, kinds,
+                      "What draws: OpenGL, or the program itself; auto is gl where there is a graphics card")
+          ->default_str("auto");
   const std::map<std::string, ContextKind> names{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}};
-  add_choice_flag(command, "--context", context, names, "Where OpenGL comes from")->default_str("egl");
+  add_choice_flag(command, "--context", device.context, names,
+                  "Where OpenGL comes from; without --device it means --device gl")
+      ->default_str("egl")
+      ->each([kind, &device](const std::string&) {
+        if (kind->count() == 0) device.kind = DeviceKind::gl;
+      });
 }
 
 void add_window_flag(CLI::App& command, bool& window) {
@@ -69,17 +80,17 @@ void add_timeline_flag(CLI::App& command, std::filesystem::path& file) {
       ->type_name("FILE");
 }
 
-void add_context_flags(CLI::App& command, RunOptions& options) {
-  add_context_flag(command, options.context);
+void add_device_and_test_flags(CLI::App& command, DeviceOptions& device) {
+  add_device_flags(command, device);
   const std::map<std::string, TestKind> names{{"queries", TestKind::queries}, {"storage", TestKind::storage}};
-  add_choice_flag(command, "--test", options.test, names,
-                  "How boxes are tested: occlusion queries, or a draw that marks a storage buffer")
+  add_choice_flag(command, "--test", device.test, names,
+                  "How OpenGL tests boxes: occlusion queries, or a draw that marks a storage buffer")
       ->default_str("storage");
 }
 
 void add_drawing_flags(CLI::App& command, RunOptions& options) {
   command.add_option("pack", options.pack, "The pack to draw")->required()->type_name("FILE.tpk");
-  add_context_flags(command, options);
+  add_device_and_test_flags(command, options.device);
 }
 
 void add_path_flags(CLI::App& command, RunOptions& options) {

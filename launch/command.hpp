@@ -16,16 +16,16 @@ using Action = std::function<int()>;
 
 /// --json, --inject and --threads, which every subcommand takes.
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
-/// --context.
-void add_context_flag(CLI::App& command, ContextKind& context);
+/// --device and --context.
+void add_device_flags(CLI::App& command, DeviceOptions& device);
 /// --window; --path is then not needed, which require_path() sees to once the command line was read.
 void add_window_flag(CLI::App& command, bool& window);
 void require_path(const RunOptions& options, bool window);
 /// --timeline.
 void add_timeline_flag(CLI::App& command, std::filesystem::path& file);
-/// --context and --test.
-void add_context_flags(CLI::App& command, RunOptions& options);
-/// The pack and add_context_flags: what every process that draws needs.
+/// The same and --test.
+void add_device_and_test_flags(CLI::App& command, DeviceOptions& device);
+/// The pack and add_device_and_test_flags: what every process that draws needs.
 void add_drawing_flags(CLI::App& command, RunOptions& options);
 /// --path, --size, --pixel-error, --frames.
 void add_path_flags(CLI::App& command, RunOptions& options);

@@ -136,8 +136,8 @@ int run(const ExplainCommand& command) {
   if (command.frame >= frames.size()) {
     fail(command.run.path.string(), "has no frame {}: it has {}", command.frame, frames.size());
   }
-  const auto context = make_context(command.run.context);
-  Explainer explainer(pack, command.run.size.width, command.run.size.height, command.run.test);
+  const ChosenDevice device = choose_device(command.run.device);
+  Explainer explainer(pack, command.run.size.width, command.run.size.height, device.options);
   {
     Progress progress("frames before it", command.frame);
     for (uint32_t i = 0; i <= command.frame; ++i) {
@@ -162,6 +162,7 @@ int run(const ExplainCommand& command) {
     print(explanation, command.run.pixel_error());
     report["drawable"] = to_json(explanation);
   }
+  add_device(report, device.names);
   write_json(command.run.json, report);
   return 0;
 }

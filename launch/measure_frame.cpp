@@ -58,18 +58,19 @@ nlohmann::json report_of(const std::vector<FrameStepSamples>& samples) {
 int run(const MeasureFrameCommand& command) {
   const Pack pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
-  const auto context = make_context(command.run.context);
-  PackDevice device(pack, {command.run.test});
-  const nlohmann::json report =
+  const ChosenDevice chosen = choose_device(command.run.device);
+  PackDevice device(pack, chosen.options);
+  nlohmann::json report =
       report_of(measure_frame_steps(pack, device.hierarchy(), device.device(), frames, command.rounds));
   std::vector<std::vector<std::string>> lines;
-  for (const nlohmann::json& line : report["rows"]) {
+  for (const nlohmann::json& line : std::as_const(report)["rows"]) {
     const nlohmann::json& us = line["us"];
     lines.push_back({line["step"].get<std::string>(), in_threes(us["mean"].get<double>(), 1),
                      in_threes(us["p50"].get<double>(), 1), in_threes(us["p95"].get<double>(), 1),
                      line["allocations"].is_null() ? "-" : in_threes(line["allocations"].get<double>(), 1)});
   }
   fmt::print("{}", text_table({"step", "us", "median", "p95", "allocations"}, lines));
+  add_device(report, chosen.names);
   write_json(command.run.json, report);
   return 0;
 }

@@ -76,21 +76,22 @@ int run(const MeasureHierarchyCommand& command) {
     packs.push_back(std::make_unique<Pack>(file));
   }
   const std::vector<FrameRequest> requests = load_frames(command.run, packs.front()->skeleton());
-  const auto context = make_context(command.run.context);
+  const ChosenDevice device = choose_device(command.run.device);
   const std::vector<SideBySideRun> runs = run_side_by_side(
-      std::array<const Pack*, 2>{packs[0].get(), packs[1].get()}, requests, command.run.test, command.rounds);
+      std::array<const Pack*, 2>{packs[0].get(), packs[1].get()}, requests, device.options, command.rounds);
   nlohmann::json rows = nlohmann::json::array();
   for (size_t i = 0; i < kinds.size(); ++i)
     rows.push_back(row(name_of(kinds[i]), builds[i], *packs[i], runs[i]));
   print(rows);
   fmt::print("{} rounds of {} frames at {} px, frame by frame in turn\n", command.rounds, requests.size(),
              command.run.pixel_error());
-  write_json(command.run.json,
-             {{"rows", rows},
-              {"frames", requests.size()},
-              {"rounds", command.rounds},
-              {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)},
-              {"pixel_error", command.run.pixel_error()}});
+  nlohmann::json report = {{"rows", rows},
+                           {"frames", requests.size()},
+                           {"rounds", command.rounds},
+                           {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)},
+                           {"pixel_error", command.run.pixel_error()}};
+  add_device(report, device.names);
+  write_json(command.run.json, report);
   for (size_t i = 0; i < kinds.size(); ++i) {
     const Comparison& comparison = runs[i].comparison;
     if (comparison.different.empty()) continue;
@@ -110,7 +111,7 @@ void add_measure_hierarchy(CLI::App& measure, Action& action) {
   sub->footer("Example: triptych measure hierarchy scene.gltf --path walk.json");
   add_common_flags(*sub, command->run.json);
   add_build_flags(*sub, command->flags);
-  add_context_flags(*sub, command->run);
+  add_device_and_test_flags(*sub, command->run.device);
   add_path_flags(*sub, command->run);
   sub->add_option("--rounds", command->rounds, "How often the path is drawn")
       ->check(whole_number(1, 1000))

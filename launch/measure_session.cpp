@@ -26,9 +26,9 @@ std::vector<FrameRequest> played(const std::vector<FrameRequest>& path, size_t t
 }
 
 /// The same path in one process, with each picture's hash.
-std::vector<FrameRecord> run_one_process(const Pack& pack, const RunOptions& run,
+std::vector<FrameRecord> run_one_process(const Pack& pack, const RunOptions& run, const DeviceOptions& device,
                                          const std::vector<FrameRequest>& requests) {
-  LocalPipeline pipeline(pack, {.width = run.size.width, .height = run.size.height, .device = {run.test}});
+  LocalPipeline pipeline(pack, {.width = run.size.width, .height = run.size.height, .device = device});
   std::vector<FrameRecord> records;
   Progress progress("one process", requests.size());
   for (const FrameRequest& request : requests) {
@@ -105,13 +105,15 @@ int run(SessionOptions options) {
                                  .session = {},
                                  .fallback = {},
                                  .one_process = {}};
-  const auto context = make_context(options.run.context);
-  if (!(context->names() == measurement.roles.front().gl)) {
-    fail("measure session", "the comparison's OpenGL is not the session's: {}", context->names().renderer);
+  const ChosenDevice device = choose_device(options.run.device);
+  if (!(device.names == measurement.roles.front().device)) {
+    fail("measure session", "the comparison's device is not the session's: {}, and not {}",
+         device.names.renderer, measurement.roles.front().device.renderer);
   }
-  measurement.one_process = run_one_process(pack, options.run, measurement.requests);
+  measurement.one_process = run_one_process(pack, options.run, device.options, measurement.requests);
   const std::vector<Comparison> comparisons =
-      compare(pack, measurement.requests, {&measurement.roles.front().frames, &measurement.one_process});
+      compare(pack, device.options, measurement.requests,
+              {&measurement.roles.front().frames, &measurement.one_process});
   measurement.session = comparisons[0];
   measurement.fallback = comparisons[1];
   nlohmann::json report = session_report(pack, measurement);

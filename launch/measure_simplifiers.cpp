@@ -50,8 +50,8 @@ bool kept(const nlohmann::json& row) {
 }
 
 /// Builds once and adds a row for each pixel error.
-void measure(const MeasureSimplifiersCommand& command, const BuildFlags& flags, const TemporaryFolder& folder,
-             nlohmann::json& rows) {
+void measure(const MeasureSimplifiersCommand& command, const BuildFlags& flags, const DeviceOptions& device,
+             const TemporaryFolder& folder, nlohmann::json& rows) {
   const SimplifyLimits limits = flags.options().simplify;
   const std::filesystem::path file =
       folder.path() / (name_of(limits.simplifier) + "-" + name_of(limits.bound) + ".tpk");
@@ -60,8 +60,7 @@ void measure(const MeasureSimplifiersCommand& command, const BuildFlags& flags, 
   const std::vector<std::vector<FrameRequest>> paths = sweep(command.run, pack.skeleton());
   const std::vector<PathDeviation> deviations = measure_deviation(pack, paths, command.points);
   LocalPipeline pipeline(
-      pack,
-      {.width = command.run.size.width, .height = command.run.size.height, .device = {command.run.test}});
+      pack, {.width = command.run.size.width, .height = command.run.size.height, .device = device});
   Progress progress("draw", paths.size());
   for (size_t i = 0; i < paths.size(); ++i) {
     const std::vector<FrameRecord> frames = draw(pipeline, paths[i]);
@@ -112,7 +111,7 @@ int run(const MeasureSimplifiersCommand& command) {
   std::vector<Bound> bounds = {Bound::fast, Bound::tight};
   if (command.flags.simplifier) simplifiers = {*command.flags.simplifier};
   if (command.flags.bound) bounds = {*command.flags.bound};
-  const auto context = make_context(command.run.context);
+  const ChosenDevice device = choose_device(command.run.device);
   const TemporaryFolder folder;
   nlohmann::json rows = nlohmann::json::array();
   for (const Bound bound : bounds) {
@@ -120,18 +119,19 @@ int run(const MeasureSimplifiersCommand& command) {
       BuildFlags flags = command.flags;
       flags.simplifier = simplifier;
       flags.bound = bound;
-      measure(command, flags, folder, rows);
+      measure(command, flags, device.options, folder, rows);
     }
   }
   print(rows);
   const BuildOptions standard;
-  write_json(
-      command.run.json,
-      {{"rows", rows},
-       {"default",
-        {{"simplifier", name_of(standard.simplify.simplifier)}, {"bound", name_of(standard.simplify.bound)}}},
-       {"points", command.points},
-       {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)}});
+  nlohmann::json report = {
+      {"rows", rows},
+      {"default",
+       {{"simplifier", name_of(standard.simplify.simplifier)}, {"bound", name_of(standard.simplify.bound)}}},
+      {"points", command.points},
+      {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)}};
+  add_device(report, device.names);
+  write_json(command.run.json, report);
   for (const nlohmann::json& row : rows) {
     if (kept(row)) continue;
     fail("measure simplifiers", "{}, {}: drawable {} is {} pixels from its source in frame {}, not {}",
@@ -153,7 +153,7 @@ void add_measure_simplifiers(CLI::App& measure_app, Action& action) {
       "--simplifier and --bound restrict it to one of each.");
   add_common_flags(*sub, command->run.json);
   add_build_flags(*sub, command->flags);
-  add_context_flags(*sub, command->run);
+  add_device_and_test_flags(*sub, command->run.device);
   add_path_flags(*sub, command->run);
   take_list(sub->get_option("--pixel-error"));
   sub->add_option("--points", command->points,

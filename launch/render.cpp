@@ -33,12 +33,12 @@ int run(const RenderCommand& command) {
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   std::erase_if(frames, [&](const FrameRequest& frame) { return frame.number % command.every != 0; });
   make_folder(command.output);
-  const auto context = make_context(command.run.context);
+  const ChosenDevice device = choose_device(command.run.device);
   const auto [width, height] = command.run.size;
   LocalPipeline pipeline(pack, {.width = width,
                                 .height = height,
                                 .cull = command.cull,
-                                .device = {command.run.test},
+                                .device = device.options,
                                 .item_buffer = command.item_buffer});
   std::vector<FrameRecord> records;
   {
@@ -52,7 +52,7 @@ int run(const RenderCommand& command) {
       progress.advance();
     }
   }
-  const nlohmann::json report = {
+  nlohmann::json report = {
       {"frames", records.size()},
       {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},
       {"occlusion_representation_ms",
@@ -65,14 +65,13 @@ int run(const RenderCommand& command) {
       {"cut", distribution_json(records, [](const FrameRecord& r) { return r.cut_drawables; })},
       {"tests", distribution_json(records, [](const FrameRecord& r) { return r.tests; })},
       {"series", frame_series(records)},
-      {"peak_rss_bytes", peak_resident_bytes()},
-      {"gl",
-       {{"vendor", context->names().vendor},
-        {"renderer", context->names().renderer},
-        {"version", context->names().version}}}};
-  fmt::print("{} frames, median {:.1f} ms, {:.0f} drawables and {:.0f} triangles drawn of a cut of {:.0f}\n",
-             records.size(), report["frame_ms"]["p50"].get<double>(), report["visible"]["mean"].get<double>(),
-             report["drawn_triangles"]["mean"].get<double>(), report["cut"]["mean"].get<double>());
+      {"peak_rss_bytes", peak_resident_bytes()}};
+  add_device(report, device.names);
+  fmt::print(
+      "{} frames on {}, median {:.1f} ms, {:.0f} drawables and {:.0f} triangles drawn of a cut of {:.0f}\n",
+      records.size(), device_name(device.options.kind), report["frame_ms"]["p50"].get<double>(),
+      report["visible"]["mean"].get<double>(), report["drawn_triangles"]["mean"].get<double>(),
+      report["cut"]["mean"].get<double>());
   write_json(command.run.json, report);
   if (!command.timeline.empty()) write_json(command.timeline, chrome_trace({own_timeline("render")}, {}));
   return 0;

@@ -24,7 +24,7 @@ namespace {
 
 struct ReplayCommand {
   std::filesystem::path folder, pack, output, json;
-  ContextKind context = ContextKind::egl;
+  DeviceOptions device{.kind = DeviceKind::automatic};
   std::optional<uint32_t> frame;  ///< none: all of them
   bool partial = false;
 };
@@ -32,7 +32,8 @@ struct ReplayCommand {
 /// Draws replayed frames; keeps what it needs from one to the next.
 class Replayer {
  public:
-  Replayer(const ReplayCommand& command, const Pack& pack) : command_(command), pack_(pack), device_(pack) {}
+  Replayer(const ReplayCommand& command, const Pack& pack, const DeviceOptions& device)
+      : command_(command), pack_(pack), device_(pack, device) {}
 
   /// A frame that a killed render node drew and its successor drew again is wanted once.
   bool wants(uint32_t frame) const {
@@ -111,13 +112,13 @@ int run(const ReplayCommand& command) {
     check_is_none_of(output, {header.pack}, "the pack of the recording");
   }
   if (!command.frame) make_folder(command.output);
-  const auto context = make_context(command.context);
-  if (context->names().renderer != header.own.gl_renderer ||
-      context->names().version != header.own.gl_version) {
-    notice("replay: recorded with OpenGL {} {}, drawn with {} {}: pixels may differ", header.own.gl_renderer,
-           header.own.gl_version, context->names().renderer, context->names().version);
+  const ChosenDevice device = choose_device(command.device);
+  if (device.names.renderer != header.own.device.renderer ||
+      device.names.version != header.own.device.version) {
+    notice("replay: recorded with {} {}, drawn with {} {}: pixels may differ", header.own.device.renderer,
+           header.own.device.version, device.names.renderer, device.names.version);
   }
-  Replayer replayer(command, pack);
+  Replayer replayer(command, pack, device.options);
   std::string cut;
   for (const std::filesystem::path& file : files) {
     RecordingReader reader(file);
@@ -139,7 +140,9 @@ int run(const ReplayCommand& command) {
   } else {
     fmt::print("{} frames\n", replayer.frames().size());
   }
-  write_json(command.json, {{"frames", replayer.frames()}, {"cut", !cut.empty()}});
+  nlohmann::json report = {{"frames", replayer.frames()}, {"cut", !cut.empty()}};
+  add_device(report, device.names);
+  write_json(command.json, report);
   return 0;
 }
 
@@ -159,7 +162,7 @@ void add_replay(CLI::App& app, Action& action) {
       ->excludes(frame);
   sub->add_option("-o,--output", command->output, "Where the picture goes")->required()->type_name("PATH");
   sub->add_option("--pack", command->pack, "The pack, where it is not where it was")->type_name("FILE.tpk");
-  add_context_flag(*sub, command->context);
+  add_device_flags(*sub, command->device);
   sub->add_flag("--partial", command->partial, "Show what a recording holds that ends too soon");
   sub->callback([command, sub, &action] {
     if (sub->count("--frame") + sub->count("--frames") == 0) throw CLI::RequiredError("--frame or --frames");

@@ -9,10 +9,10 @@ namespace triptych {
 
 namespace {
 
-int run(ContextKind kind, const std::filesystem::path& json) {
-  const auto context = make_context(kind);
+int run(const DeviceOptions& options, const std::filesystem::path& json) {
+  const ChosenDevice device = choose_device(options);
   const RasterCertificate certificate = measure_raster();
-  const DeviceNames& names = context->names();
+  const DeviceNames& names = device.names;
   fmt::print("{}, {}, OpenGL {}\n{} bits of a pixel by its own account\n\n", names.vendor, names.renderer,
              names.version, certificate.claimed_subpixel_bits);
   nlohmann::json findings = nlohmann::json::array();
@@ -42,8 +42,8 @@ void add_selftest(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("selftest", "Whether this machine's OpenGL draws as culling needs it");
   sub->footer("Example: triptych selftest --context osmesa");
   add_common_flags(*sub, options->json);
-  add_context_flags(*sub, *options);
-  sub->callback([=, &action] { action = [=] { return run(options->context, options->json); }; });
+  add_device_flags(*sub, options->device);
+  sub->callback([=, &action] { action = [=] { return run(options->device, options->json); }; });
 }
 
 }  // namespace triptych

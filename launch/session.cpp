@@ -23,9 +23,9 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
     fallback_frames += frame.fallback;
   }
   // A role that was killed and given up did not say what it had.
-  const bool same_gl =
+  const bool same_device =
       std::all_of(outcome.records.begin(), outcome.records.end(), [&](const RoleRecord& role) {
-        return role.gl.vendor.empty() || role.gl == outcome.records.front().gl;
+        return role.device.vendor.empty() || role.device == outcome.records.front().device;
       });
   nlohmann::json restarted = nlohmann::json::array(), waiting = nlohmann::json::object();
   for (const RestartedRole& role : outcome.restarted)
@@ -46,8 +46,9 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
       {"restarts", outcome.restarted.size()},
       {"restarted", restarted},
       {"most_waiting", waiting},
-      {"pictures_are", same_gl ? "identical" : "conservative"},
+      {"pictures_are", same_device ? "identical" : "conservative"},
       {"roles", roles}};
+  if (!outcome.records.front().device.vendor.empty()) add_device(report, outcome.records.front().device);
   if (options.hash) {
     report["pictures"] = nlohmann::json::array();
     for (const FrameRecord& frame : frames)

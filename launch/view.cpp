@@ -30,9 +30,9 @@ int run(const ViewCommand& command) {
   if (options.play && !options.path) fail("view", "--play needs a --path to play");
   Viewer viewer(pack, options);
   say(viewer_help());
+  const ChosenDevice device = choose_device(command.run.device, viewer.window().names());
   LocalPipeline pipeline(
-      pack,
-      {.width = viewer.window().width(), .height = viewer.window().height(), .device = {command.run.test}});
+      pack, {.width = viewer.window().width(), .height = viewer.window().height(), .device = device.options});
   std::vector<FrameRecord> records;
   while (!viewer.left()) {
     constexpr double patience_s = 1;
@@ -49,14 +49,14 @@ int run(const ViewCommand& command) {
     records.push_back(record);
     records.back().visible = {};
   }
-  const DeviceNames& gl = viewer.window().names();
-  const nlohmann::json report = {
+  nlohmann::json report = {
       {"frames", records.size()},
       {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},
       {"drawn_triangles", distribution_json(records, [](const FrameRecord& r) { return r.drawn_triangles; })},
-      {"peak_rss_bytes", peak_resident_bytes()},
-      {"gl", {{"vendor", gl.vendor}, {"renderer", gl.renderer}, {"version", gl.version}}}};
-  fmt::print("{} frames, median {:.1f} ms\n", records.size(), report["frame_ms"]["p50"].get<double>());
+      {"peak_rss_bytes", peak_resident_bytes()}};
+  add_device(report, device.names);
+  fmt::print("{} frames on {}, median {:.1f} ms\n", records.size(), device_name(device.options.kind),
+             report["frame_ms"]["p50"].get<double>());
   write_json(command.run.json, report);
   return 0;
 }
@@ -76,7 +76,7 @@ void add_view(CLI::App& app, Action& action) {
       ->type_name("DIR")
       ->capture_default_str();
   sub->callback([command, sub, &action] {
-    if (sub->count("--context") > 0) command->context = command->run.context;
+    if (sub->count("--context") > 0) command->context = command->run.device.context;
     action = [command] { return run(*command); };
   });
 }

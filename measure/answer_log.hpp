@@ -11,15 +11,19 @@ namespace triptych {
 /// Answers of tests in their order, one a test.
 struct AnswerLog {
   std::vector<uint8_t> answers;
+  DeviceMargins margins;  ///< of who gave them
 };
 
 /// Hands everything on to a target, and appends what it answers.
 class AnswerRecorder final : public FrameTarget {
  public:
-  AnswerRecorder(FrameTarget& target, AnswerLog& log) : target_(target), log_(log) {}
+  AnswerRecorder(FrameTarget& target, AnswerLog& log) : target_(target), log_(log) {
+    log_.margins = target.margins();
+  }
   int width() const override { return target_.width(); }
   int height() const override { return target_.height(); }
   TargetKind kind() const override { return target_.kind(); }
+  DeviceMargins margins() const override { return target_.margins(); }
   void begin(const FrameView& view) override { target_.begin(view); }
   void draw(std::span<const DrawableId> drawables) override { target_.draw(drawables); }
   void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
@@ -29,7 +33,7 @@ class AnswerRecorder final : public FrameTarget {
   void draw_lines(std::span<const ScreenLine> lines) override { target_.draw_lines(lines); }
   std::vector<uint8_t> read_colors() const override { return target_.read_colors(); }
   std::vector<uint32_t> read_items() const override { return target_.read_items(); }
-  void copy_to_window(int width, int height) const override { target_.copy_to_window(width, height); }
+  bool copy_to_window(int width, int height) const override { return target_.copy_to_window(width, height); }
 
  private:
   FrameTarget& target_;
@@ -45,6 +49,7 @@ class AnswerPlayer final : public FrameTarget {
   int width() const override { return width_; }
   int height() const override { return height_; }
   TargetKind kind() const override { return TargetKind::depth_only; }
+  DeviceMargins margins() const override { return log_.margins; }
   void begin(const FrameView&) override {}
   void draw(std::span<const DrawableId>) override {}
   void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
@@ -54,7 +59,7 @@ class AnswerPlayer final : public FrameTarget {
   void draw_lines(std::span<const ScreenLine>) override {}
   std::vector<uint8_t> read_colors() const override { return {}; }
   std::vector<uint32_t> read_items() const override { return {}; }
-  void copy_to_window(int, int) const override {}
+  bool copy_to_window(int, int) const override { return false; }
 
  private:
   const AnswerLog& log_;

@@ -32,14 +32,15 @@ void add_frame(Comparison& comparison, const FrameRecord& record, uint64_t pictu
 
 }  // namespace
 
-std::vector<Comparison> compare(const Pack& pack, const std::vector<FrameRequest>& requests,
+std::vector<Comparison> compare(const Pack& pack, const DeviceOptions& options,
+                                const std::vector<FrameRequest>& requests,
                                 const std::vector<const std::vector<FrameRecord>*>& runs) {
   std::vector<Comparison> comparisons(runs.size());
   size_t frames = 0;
   for (const std::vector<FrameRecord>* run : runs) frames = std::max(frames, run->size());
   if (frames > requests.size()) fail("comparison", "{} frames were drawn of {}", frames, requests.size());
   if (frames == 0) return comparisons;
-  PackDevice device(pack);
+  PackDevice device(pack, options);
   const View& first = requests.front().state.view;
   PictureStage pictures(device.device(), first.width, first.height, TargetKind::color_and_item);
   const FrameRules rules = injected_frame_rules();

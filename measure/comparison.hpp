@@ -2,6 +2,7 @@
 // visible.
 #pragma once
 
+#include "nodes/device_choice.hpp"
 #include "nodes/frame_record.hpp"
 #include "scene/frame_state.hpp"
 #include "scene/pack.hpp"
@@ -24,9 +25,10 @@ struct Comparison {
 };
 
 /// Draws each frame's whole cut, picture and item buffer in one pass, and compares with the picture hashes
-/// and visible sets of several runs; one comparison a run. A context must be current, of the same OpenGL as
-/// drew the frames. requests[k] is frame run[k] of each run.
-std::vector<Comparison> compare(const Pack& pack, const std::vector<FrameRequest>& requests,
+/// and visible sets of several runs; one comparison a run. device: a chosen one, the same as drew
+/// the frames. requests[k] is frame run[k] of each run.
+std::vector<Comparison> compare(const Pack& pack, const DeviceOptions& device,
+                                const std::vector<FrameRequest>& requests,
                                 const std::vector<const std::vector<FrameRecord>*>& runs);
 
 }  // namespace triptych

@@ -17,9 +17,9 @@ LocalPipelineOptions of_size(int width, int height) {
 }
 }  // namespace
 
-Explainer::Explainer(const Pack& pack, int width, int height, TestKind test)
+Explainer::Explainer(const Pack& pack, int width, int height, const DeviceOptions& device)
     : skeleton_(pack.skeleton()),
-      device_(pack, {test}),
+      device_(pack, device),
       strategy_(device_.hierarchy(), {.observer = this}),
       pipeline_(device_.hierarchy(), device_.device(), strategy_, of_size(width, height)),
       item_stage_(device_.device(), width, height, TargetKind::item) {}

@@ -49,10 +49,10 @@ struct DrawableExplanation {
   std::vector<uint64_t> by_pixels;  ///< of each of `by`, pixels owned (hidden: within the rectangle)
 };
 
-/// Draws frames as the one-process fallback does, and explains the last. A context must be current.
+/// Draws frames as the one-process fallback does, and explains the last. device: a chosen one.
 class Explainer : private TestObserver {
  public:
-  Explainer(const Pack& pack, int width, int height, TestKind test);
+  Explainer(const Pack& pack, int width, int height, const DeviceOptions& device);
 
   /// Frames in order: what a frame shows does not depend on those before it, what it hides does.
   void draw(const FrameRequest& frame);

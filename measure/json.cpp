@@ -1,6 +1,7 @@
 #include "measure/json.hpp"
 
 #include "base/file.hpp"
+#include "nodes/device_choice.hpp"
 
 namespace triptych {
 
@@ -18,6 +19,12 @@ nlohmann::json to_json(const ImportReport& report) {
           {"repaired_edges", report.repaired_edges},
           {"stuck_groups", report.stuck_groups},
           {"warnings", report.warnings}};
+}
+
+void add_device(nlohmann::json& report, const DeviceNames& device) {
+  report["device"] = device_name(kind_of(device));
+  if (kind_of(device) != DeviceKind::gl) return;
+  report["gl"] = {{"vendor", device.vendor}, {"renderer", device.renderer}, {"version", device.version}};
 }
 
 std::string json_text(const nlohmann::json& value, int indent) {

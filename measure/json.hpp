@@ -3,6 +3,7 @@
 
 #include "base/distribution.hpp"
 #include "scene/import_report.hpp"
+#include "visibility/device.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,9 @@ nlohmann::json to_json(const Distribution& distribution);
 
 /// {"dropped_triangles", "welded_vertices", "repaired_edges", "stuck_groups", "warnings"}.
 nlohmann::json to_json(const ImportReport& report);
+
+/// Adds "device" (gl or cpu) and, where it is used, "gl" {"vendor", "renderer", "version"}.
+void add_device(nlohmann::json& report, const DeviceNames& device);
 
 /// The distribution of what `value` gives for each record.
 template <typename Record, typename Value>

@@ -95,7 +95,7 @@ json to_json(const RoleRecord& record) {
   return {{"role_record", role_record_version},
           {"sockets", record.sockets},
           {"frames", record.frames},
-          {"gl", record.gl},
+          {"device", record.device},
           {"raster", record.raster},
           {"timeline", record.timeline},
           {"clocks", record.clocks},
@@ -105,7 +105,7 @@ json to_json(const RoleRecord& record) {
 void add_record(RoleRecord& sum, const RoleRecord& record) {
   add_sockets(sum.sockets, record.sockets);
   add_backlog(sum.most_waiting, record.most_waiting);
-  sum.gl = record.gl;
+  sum.device = record.device;
   sum.raster = record.raster;
   sum.timeline.process = record.timeline.process;
   sum.timeline.spans.insert(sum.timeline.spans.end(), record.timeline.spans.begin(),
@@ -126,7 +126,7 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
   try {
     return {document.at("sockets").get<std::vector<SocketRecord>>(),
             document.at("frames").get<std::vector<FrameRecord>>(),
-            document.at("gl").get<DeviceNames>(),
+            document.at("device").get<DeviceNames>(),
             document.at("raster").get<std::string>(),
             document.at("timeline").get<ProcessTimeline>(),
             document.at("clocks").get<std::vector<PeerClock>>(),

@@ -38,12 +38,12 @@ struct ProcessTimeline {
 };
 
 /// Of the JSON of a RoleRecord: a higher one whenever its keys change, or those of what it holds.
-constexpr int role_record_version = 1;
+constexpr int role_record_version = 2;
 
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
   std::vector<FrameRecord> frames;    ///< the render node's
-  DeviceNames gl;
+  DeviceNames device;
   std::string raster;  ///< verdict of the role's raster certificate
   ProcessTimeline timeline;
   std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own

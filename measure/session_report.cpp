@@ -140,7 +140,7 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
   const Delta sum = sum_deltas(frames);
   const double frames_per_second = seconds > 0 ? static_cast<double>(frames.size()) / seconds : 0;
   const View view = measurement.requests.empty() ? View{} : measurement.requests.front().state.view;
-  return {
+  json report = {
       {"frames", frames.size()},
       {"size", fmt::format("{}x{}", view.width, view.height)},
       {"pixel_error", measurement.requests.empty() ? 0.0 : measurement.requests.front().state.pixel_error},
@@ -178,11 +178,9 @@ json session_report(const Pack& pack, const SessionMeasurement& measurement) {
         {"culling_efficiency", measurement.fallback.culling_efficiency()},
         {"series", frame_series(measurement.one_process)}}},
       {"series", frame_series(frames)},
-      {"raster", raster},
-      {"gl",
-       {{"vendor", measurement.roles.front().gl.vendor},
-        {"renderer", measurement.roles.front().gl.renderer},
-        {"version", measurement.roles.front().gl.version}}}};
+      {"raster", raster}};
+  add_device(report, measurement.roles.front().device);
+  return report;
 }
 
 }  // namespace triptych

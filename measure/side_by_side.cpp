@@ -9,8 +9,8 @@
 namespace triptych {
 
 std::vector<SideBySideRun> run_side_by_side(std::span<const Pack* const> packs,
-                                            const std::vector<FrameRequest>& requests, TestKind test,
-                                            size_t rounds) {
+                                            const std::vector<FrameRequest>& requests,
+                                            const DeviceOptions& device, size_t rounds) {
   std::vector<SideBySideRun> runs(packs.size());
   if (requests.empty()) return runs;
   {
@@ -18,7 +18,7 @@ std::vector<SideBySideRun> run_side_by_side(std::span<const Pack* const> packs,
     std::vector<std::unique_ptr<LocalPipeline>> fallbacks;
     for (const Pack* pack : packs) {
       fallbacks.push_back(std::make_unique<LocalPipeline>(
-          *pack, LocalPipelineOptions{.width = first.width, .height = first.height, .device = {test}}));
+          *pack, LocalPipelineOptions{.width = first.width, .height = first.height, .device = device}));
     }
     Progress progress("side by side", rounds * requests.size());
     for (size_t round = 0; round < rounds; ++round) {
@@ -41,7 +41,7 @@ std::vector<SideBySideRun> run_side_by_side(std::span<const Pack* const> packs,
   for (size_t i = 0; i < packs.size(); ++i) {
     const std::vector<FrameRecord> first_round(
         runs[i].frames.begin(), runs[i].frames.begin() + static_cast<std::ptrdiff_t>(requests.size()));
-    runs[i].comparison = compare(*packs[i], requests, {&first_round}).front();
+    runs[i].comparison = compare(*packs[i], device, requests, {&first_round}).front();
   }
   return runs;
 }

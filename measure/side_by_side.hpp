@@ -16,9 +16,9 @@ struct SideBySideRun {
 };
 
 /// Draws each frame in one process from each pack, one pack after the other; frame by frame another one
-/// begins. Every round starts over, as if nothing had been drawn. Then compares. A context must be current.
+/// begins. Every round starts over, as if nothing had been drawn. Then compares. device: a chosen one.
 std::vector<SideBySideRun> run_side_by_side(std::span<const Pack* const> packs,
-                                            const std::vector<FrameRequest>& requests, TestKind test,
-                                            size_t rounds);
+                                            const std::vector<FrameRequest>& requests,
+                                            const DeviceOptions& device, size_t rounds);
 
 }  // namespace triptych

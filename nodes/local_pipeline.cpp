@@ -34,15 +34,21 @@ LocalPipeline::LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOp
 void LocalPipeline::resize(int width, int height) {
   options_.width = width;
   options_.height = height;
-  occlusion_.emplace(hierarchy_.skeleton(), device_, *strategy_, width, height, options_.rules);
+  occlusion_.reset();
   picture_.emplace(device_, width, height, options_.item_buffer ? TargetKind::item : TargetKind::color);
+  depth_ = device_.order_matters() ? device_.make_target(TargetKind::depth_only, width, height) : nullptr;
+  make_occlusion_stage();
+}
+
+void LocalPipeline::make_occlusion_stage() {
+  FrameTarget& target = depth_ ? *depth_ : picture_->target();
+  occlusion_.emplace(hierarchy_.skeleton(), target, *strategy_, options_.rules);
 }
 
 void LocalPipeline::set_strategy(Strategy& strategy) {
   if (&strategy == strategy_) return;
   strategy_ = &strategy;
-  occlusion_.emplace(hierarchy_.skeleton(), device_, strategy, options_.width, options_.height,
-                     options_.rules);
+  make_occlusion_stage();
 }
 
 void LocalPipeline::set_strategy(StrategyKind kind) {
@@ -75,7 +81,8 @@ const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
   const FrameView& view = own_view ? *own_view : occlusion_->view();
   ordered_ = visible_;
   sorter_.sort(hierarchy_.skeleton(), view.cell, ordered_);
-  picture_->begin(view, frame.number);
+  const bool begun = !depth_ && !own_view && strategy_->representation() != nullptr;
+  if (!begun) picture_->begin(view, frame.number);
   picture_->draw(ordered_);
   picture_->finish();
   record_.render_ms = stage.milliseconds();

@@ -24,8 +24,10 @@ struct LocalPipelineOptions {
 };
 
 /// Draws frames of a path, in order, from the same stages as a session: R(i) out of V(i−1), the strategy
-/// against it, the picture of V(i). After some frames it allocates nothing but what the device does. A
-/// context must be current.
+/// against it, the picture of V(i). Where the order of drawing does not matter (Device::order_matters()),
+/// R(i) becomes the picture: V(i−1) is drawn once, and what culling finds is added (Quick-VDR §4); what R(i)
+/// holds beyond V(i) is of cut i, too, and hides nothing that shows. After some frames it allocates nothing
+/// but what the device does. Of `gl` a context must be current.
 class LocalPipeline {
  public:
   /// With a device and a strategy of the caller's; of the options the size, item_buffer and rules count.
@@ -72,8 +74,11 @@ class LocalPipeline {
   const Hierarchy& hierarchy_;
   Device& device_;
   Strategy* strategy_;
-  std::optional<OcclusionStage> occlusion_;
+  void make_occlusion_stage();
+
   std::optional<PictureStage> picture_;
+  std::unique_ptr<FrameTarget> depth_;  ///< what is tested against; null where the picture is
+  std::optional<OcclusionStage> occlusion_;
   VisibleSet visible_, previous_;
   std::vector<DrawableId> ordered_;
   VisibleDelta delta_;

@@ -4,12 +4,9 @@
 
 namespace triptych {
 
-OcclusionStage::OcclusionStage(const Skeleton& skeleton, Device& device, Strategy& strategy, int width,
-                               int height, const FrameRules& rules)
-    : skeleton_(skeleton),
-      strategy_(strategy),
-      rules_(rules),
-      target_(device.make_target(TargetKind::depth_only, width, height)) {}
+OcclusionStage::OcclusionStage(const Skeleton& skeleton, FrameTarget& target, Strategy& strategy,
+                               const FrameRules& rules)
+    : skeleton_(skeleton), strategy_(strategy), rules_(rules), target_(target) {}
 
 void OcclusionStage::begin(const FrameRequest& frame) {
   const TimelineScope scope("begin occlusion representation", frame.number);
@@ -19,23 +16,23 @@ void OcclusionStage::begin(const FrameRequest& frame) {
   last_camera_ = frame.state.view;
   view_.emplace(skeleton_, state, rules_);
   if (OcclusionRepresentation* representation = strategy_.representation())
-    representation->begin(*view_, *target_);
+    representation->begin(*view_, target_);
 }
 
 void OcclusionStage::represent(const VisibleSet& visible) {
   const TimelineScope scope("draw occlusion representation", frame_);
   if (OcclusionRepresentation* representation = strategy_.representation())
-    representation->add(visible, *target_);
+    representation->add(visible, target_);
 }
 
 void OcclusionStage::finish() {
   const TimelineScope scope("finish occlusion representation", frame_);
-  if (strategy_.representation() != nullptr) target_->finish();
+  if (strategy_.representation() != nullptr) target_.finish();
 }
 
 const CullResult& OcclusionStage::cull(const VisibleSet& previous, CullSink& sink) {
   const TimelineScope scope("hardware cull", frame_);
-  return strategy_.run(*view_, previous, *target_, sink);
+  return strategy_.run(*view_, previous, target_, sink);
 }
 
 std::span<const DrawableId> OcclusionStage::represented() const {

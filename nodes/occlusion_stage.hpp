@@ -7,7 +7,6 @@
 #include "visibility/device.hpp"
 #include "visibility/strategy.hpp"
 
-#include <memory>
 #include <optional>
 
 namespace triptych {
@@ -16,10 +15,10 @@ namespace triptych {
 /// nodes run this same code, with any strategy; one that has no representation leaves OR idle.
 class OcclusionStage {
  public:
-  OcclusionStage(const Skeleton& skeleton, Device& device, Strategy& strategy, int width, int height,
-                 const FrameRules& rules);
+  /// All but the rules must outlive it.
+  OcclusionStage(const Skeleton& skeleton, FrameTarget& target, Strategy& strategy, const FrameRules& rules);
 
-  /// OR, start: frame i. The viewport must be the stage's size: Error (place: frame target) otherwise.
+  /// OR, start: frame i. The viewport must be the target's size: Error (place: frame target) otherwise.
   void begin(const FrameRequest& frame);
   /// OR: draws what of V(i−1) was decided, mapped to cut i. May be called as packets come.
   void represent(const VisibleSet& visible);
@@ -38,7 +37,7 @@ class OcclusionStage {
   const Skeleton& skeleton_;
   Strategy& strategy_;
   FrameRules rules_;
-  std::unique_ptr<FrameTarget> target_;
+  FrameTarget& target_;
   uint32_t frame_ = 0;
   std::optional<FrameView> view_;
   std::optional<View> last_camera_;  ///< of the frame before

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lod/hierarchy.hpp"
-#include "render/gl_device.hpp"
+#include "nodes/device_choice.hpp"
 #include "residency/load_on_demand.hpp"
 #include "scene/pack.hpp"
 #include "visibility/device.hpp"
@@ -11,18 +11,11 @@
 
 namespace triptych {
 
-struct DeviceOptions {
-  TestKind test = TestKind::storage;  ///< of `gl`
-};
-
-/// What every process that draws makes of a pack, which must outlive it. A context must be current.
+/// What every process that draws makes of a pack, which must outlive it.
 class PackDevice {
  public:
-  explicit PackDevice(const Pack& pack, const DeviceOptions& options = {})
-      : hierarchy_(pack.skeleton()),
-        representation_(hierarchy_),
-        residency_(pack),
-        device_(make_gl_device(pack.skeleton(), representation_, residency_, options.test)) {}
+  /// options: of a chosen device. Of `gl`, its context must be current here and wherever the device is used.
+  explicit PackDevice(const Pack& pack, const DeviceOptions& options = {});
 
   const Hierarchy& hierarchy() const { return hierarchy_; }
   const Skeleton& skeleton() const { return hierarchy_.skeleton(); }

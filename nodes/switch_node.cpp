@@ -25,8 +25,8 @@ struct LastingState {
   const SwitchNodeOptions& options;
   PackDevice device;
   std::unique_ptr<ExactStrategy> strategy;  ///< a session claims that its pictures are the un-culled ones
+  std::unique_ptr<FrameTarget> target;      ///< of the size of the last camera
   std::optional<OcclusionStage> stage;
-  int width = 0, height = 0;
   SwitchNodeSummary summary;
 };
 
@@ -66,11 +66,10 @@ class Epoch {
 
   void begin(const CameraMessage& camera) {
     const View& view = camera.state.view;
-    if (!node_.stage || node_.width != view.width || node_.height != view.height) {
-      node_.width = view.width;
-      node_.height = view.height;
-      node_.stage.emplace(node_.device.skeleton(), node_.device.device(), *node_.strategy, view.width,
-                          view.height, node_.options.frame_rules);
+    if (!node_.stage || node_.target->width() != view.width || node_.target->height() != view.height) {
+      node_.stage.reset();
+      node_.target = node_.device.device().make_target(TargetKind::depth_only, view.width, view.height);
+      node_.stage.emplace(node_.device.skeleton(), *node_.target, *node_.strategy, node_.options.frame_rules);
     }
     node_.stage->begin(request(camera));
   }

@@ -172,7 +172,7 @@ void describe(Body& body, M& hello) {
   }
   body.plain(hello.session);
   body.plain(hello.pack_hash);
-  for (auto* text : {&hello.gl_vendor, &hello.gl_renderer, &hello.gl_version, &hello.raster})
+  for (auto* text : {&hello.device.vendor, &hello.device.renderer, &hello.device.version, &hello.raster})
     body.line(*text);
 }
 

@@ -4,6 +4,7 @@
 #include "lod/draw_rank.hpp"
 #include "protocol/role.hpp"
 #include "scene/frame_state.hpp"
+#include "visibility/device.hpp"
 #include "visibility/visible_set.hpp"
 
 #include <cstddef>
@@ -25,7 +26,7 @@ struct Hello {
   Role called = Role::render;  ///< whom the sender believes to be speaking to
   uint64_t session = 0;  ///< a number that whoever starts the session chose: roles of two sessions do not mix
   uint64_t pack_hash = 0;  ///< the content hash of the pack that the role has opened
-  std::string gl_vendor, gl_renderer, gl_version;
+  DeviceNames device;
   std::string raster;  ///< the verdict of the sender's raster certificate: "exact" or "conservative"
   bool operator==(const Hello&) const = default;
 };

@@ -2,9 +2,9 @@
 // given, and the bounds of its pieces.
 #pragma once
 
-#include "base/epoch_marks.hpp"
 #include "lod/representation.hpp"
 #include "visibility/screen_bounds.hpp"
+#include "visibility/vertex_terms.hpp"
 
 #include <glm/vec4.hpp>
 #include <optional>
@@ -29,13 +29,6 @@ struct DrawRecord {
 };
 static_assert(sizeof(DrawRecord) == 80);
 
-/// DepthBound of a piece in window coordinates (pixels): for each of the planes its slopes and what there is
-/// at (0, 0), which the vertex stage passes on as they are. Last, `nearest`.
-struct BoundRecord {
-  glm::vec4 x, y, at;
-};
-static_assert(sizeof(BoundRecord) == 48);
-
 struct DrawCommand {
   uint32_t index_count, instance_count, first_index;
   int32_t base_vertex;
@@ -44,7 +37,7 @@ struct DrawCommand {
 
 struct DrawList {
   std::vector<DrawRecord> records;
-  std::vector<BoundRecord> bounds;
+  std::vector<PixelDepthBound> bounds;
   std::vector<DrawCommand> commands;
   uint64_t triangles = 0;
 
@@ -52,31 +45,19 @@ struct DrawList {
   void clear();
 };
 
-/// Places chunks under one frame view at a time. Positions are taken relative to the cell of the eye
-/// (ClipSpace::reference) on the chunk's own lattice, in integers, so that precision does not depend on where
-/// the model stands. Keeps its room from frame to frame.
+/// Makes draw lists under one frame view at a time. Keeps its room from frame to frame.
 class DrawListBuilder {
  public:
-  explicit DrawListBuilder(const Skeleton& skeleton);
+  explicit DrawListBuilder(const Skeleton& skeleton) : skeleton_(skeleton), placer_(skeleton) {}
 
   void begin(const FrameView& view);
   /// ranges: of each chunk where it lies in device memory; those that are not loaded are left out.
   void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, DrawList& list);
 
  private:
-  struct PlacedLattice {
-    uint32_t lattice = no_id;
-    glm::vec4 rows[3];
-    glm::ivec3 cell;
-  };
-  const PlacedLattice& place(uint32_t transform, uint32_t lattice);
-  BoundRecord bound(const LatticeBox& box) const;
-
   const Skeleton& skeleton_;
-  std::optional<FrameView> view_;
+  LatticePlacer placer_;
   std::optional<BoxProjector> projector_;
-  EpochMarks is_placed_;               ///< transforms
-  std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice that it was last asked with
 };
 
 }  // namespace triptych

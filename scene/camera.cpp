@@ -1,5 +1,6 @@
 #include "scene/camera.hpp"
 
+#include "base/tangent.hpp"
 #include "base/error.hpp"
 #include "base/rounding.hpp"
 
@@ -26,7 +27,7 @@ bool wide_enough(double low, double high) {
 }  // namespace
 
 void set_field_of_view(Camera& camera, double fov_y_degrees, double aspect) {
-  camera.top = std::tan(glm::radians(fov_y_degrees) / 2);
+  camera.top = tangent(glm::radians(fov_y_degrees) / 2);
   camera.bottom = -camera.top;
   camera.right = camera.top * aspect;
   camera.left = -camera.right;

@@ -1,6 +1,7 @@
 #include "session/role_arguments.hpp"
 
 #include "base/inject.hpp"
+#include "base/threads.hpp"
 #include "measure/frame_journal.hpp"
 
 namespace triptych {
@@ -20,9 +21,12 @@ Words shared_arguments(const SessionOptions& options, const SessionSetup& setup,
                  "--session",
                  std::to_string(setup.session),
                  "--context",
-                 options.run.context == ContextKind::egl ? "egl" : "osmesa",
+                 options.run.device.context == ContextKind::egl ? "egl" : "osmesa",
+                 "--device",
+                 device_name(options.run.device.kind),
                  "--test",
-                 options.run.test == TestKind::storage ? "storage" : "queries"};
+                 options.run.device.test == TestKind::storage ? "storage" : "queries"};
+  if (thread_count_limit() > 0) append(words, {"--threads", std::to_string(thread_count_limit())});
   if (!options.timeline.empty()) append(words, {"--timeline"});
   if (!options.record.empty()) append(words, {"--record", options.record.string()});
   if (!key_file.empty()) append(words, {"--key-file", key_file});

@@ -1,8 +1,7 @@
 // What every process that draws a pack along a path is told.
 #pragma once
 
-#include "render/context.hpp"
-#include "render/gl_device.hpp"
+#include "nodes/device_choice.hpp"
 #include "scene/frame_state.hpp"
 #include "scene/pack.hpp"
 #include "visibility/hardware_cull.hpp"
@@ -26,8 +25,7 @@ struct RunOptions {
   std::filesystem::path pack, path, json;
   PictureSize size;
   std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
-  ContextKind context = ContextKind::egl;
-  TestKind test = TestKind::storage;
+  DeviceOptions device{.kind = DeviceKind::automatic};
   size_t frames = 0;  ///< the first so many; 0 is all
   double pixel_error() const { return pixel_errors.front(); }
 };

@@ -62,13 +62,13 @@ int run_switch(const RoleCommand& command) {
   stop_requested();  // from here on a signal ends the role in good order
   if (command.end_with_stdin) end_with_stdin();
   const Pack pack(command.run.pack);
-  const auto context = make_context(command.run.context);
-  const SessionConnector connector(command, pack, context->names());
+  const ChosenDevice device = choose_device(command.run.device);
+  const SessionConnector connector(command, pack, device.names);
   RoleRecord record;
-  record.gl = context->names();
-  record.raster = raster_verdict();
+  record.device = device.names;
+  record.raster = raster_verdict(device.names);
   SwitchSink sink(command.self, record);
-  const SwitchNodeOptions options{.device = {command.run.test},
+  const SwitchNodeOptions options{.device = device.options,
                                   .cull = command.cull,
                                   .connect =
                                       [&](bool again) {
@@ -90,18 +90,18 @@ int run_render(const RoleCommand& command) {
   const Pack pack(command.run.pack);
   std::unique_ptr<WindowSource> window;
   std::unique_ptr<FrameSource> path;
-  std::unique_ptr<Context> context;
+  ChosenDevice device;
   if (command.window) {
     window = std::make_unique<WindowSource>(pack, viewer_options(command.run), command.begin);
+    device = choose_device(command.run.device, window->names());
   } else {
-    context = make_context(command.run.context);
+    device = choose_device(command.run.device);
     path =
         std::make_unique<PathSource>(load_frames(command.run, pack.skeleton()), command.begin, command.loop);
   }
   FrameSource& source = window ? *window : *path;
-  const DeviceNames& gl = window ? window->names() : context->names();
   if (!command.output.empty()) make_folder(command.output);
-  const SessionConnector connector(command, pack, gl);
+  const SessionConnector connector(command, pack, device.names);
   RenderSink sink(command, connector, window.get(), source.numbers());
   RenderNodeSummary done;
   if (source.numbers().first < source.numbers().count) {
@@ -109,7 +109,7 @@ int run_render(const RoleCommand& command) {
         pack, source, sink,
         {.rate = command.rate,
          .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
-         .device = {command.run.test},
+         .device = device.options,
          .cull = command.cull,
          .connect = [&](const std::function<bool()>& stop) { return connector.connect(stop); },
          .begin_alone = command.begin > 0,
@@ -117,8 +117,8 @@ int run_render(const RoleCommand& command) {
   }
   RoleRecord record = sink.finish();
   notice("render node: {} frames, {} of them alone, {} epochs", done.frames, done.alone, done.epochs);
-  record.gl = gl;
-  record.raster = raster_verdict();
+  record.device = device.names;
+  record.raster = raster_verdict(device.names);
   record.timeline = own_timeline(role_name(Role::render));
   write_json(command.run.json, to_json(record));
   return 0;

@@ -3,7 +3,6 @@
 
 #include "protocol/connect.hpp"
 #include "protocol/recording.hpp"
-#include "render/context.hpp"
 #include "session/role_command.hpp"
 
 #include <chrono>
@@ -15,8 +14,8 @@
 
 namespace triptych {
 
-/// Verdict of the raster certificate, of the context that is current when it is first asked for.
-const std::string& raster_verdict();
+/// Verdict of the raster certificate; of `gl` of the context that is current when it is first asked for.
+const std::string& raster_verdict(const DeviceNames& device);
 
 /// Connects the role with both of its peers, epoch by epoch, with what its flags say: addresses, key,
 /// recording.
@@ -24,7 +23,7 @@ class SessionConnector {
  public:
   /// Error for an address beyond this machine without a key, unless the command insists, and for key files
   /// that do not serve.
-  SessionConnector(const RoleCommand& command, const Pack& pack, const DeviceNames& gl);
+  SessionConnector(const RoleCommand& command, const Pack& pack, const DeviceNames& device);
 
   /// The first time, or after the epoch before is over. Nothing where `stop` or a peer says so. Error where
   /// it does not come about.
@@ -40,7 +39,7 @@ class SessionConnector {
   ConnectOutcome attempt(const std::function<bool()>& stop) const;
   /// What every mailbox of this role gets: the recording, faults.
   std::unique_ptr<Mailbox> equip(std::unique_ptr<Mailbox> mailbox) const;
-  void compare_opengl(const Mailbox& mailbox) const;
+  void compare_devices(const Mailbox& mailbox) const;
 
   Hello own_;
   std::optional<Listener> listener_;

@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "render/gl_device.hpp"
+#include "render/window_picture.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -168,6 +169,7 @@ class Window::Implementation {
   Library library;
   GLFWwindow* window = nullptr;
   std::optional<WindowContext> context;
+  std::optional<WindowPicture> picture;  ///< of targets that are not OpenGL's
   Input input;
   std::vector<int> pressed;  ///< since the last poll, perhaps let go already
   bool moving = false, looking = false;
@@ -182,7 +184,11 @@ Window::~Window() = default;
 Input Window::poll(double patience) { return implementation_->poll(patience); }
 
 std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back) {
-  target.copy_to_window(width(), height());
+  if (!target.copy_to_window(width(), height())) {
+    std::optional<WindowPicture>& picture = implementation_->picture;
+    if (!picture) picture.emplace();
+    picture->show(target.read_colors(), target.width(), target.height(), width(), height());
+  }
   std::vector<uint8_t> colors;
   if (read_back) colors = read_window(width(), height());
   glfwSwapBuffers(implementation_->window);

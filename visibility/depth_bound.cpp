@@ -15,8 +15,24 @@ constexpr double min_cosine = 0x1p-10;
 double max_coordinate(const glm::dvec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
 }  // namespace
 
-FacePlanes::FacePlanes(const FrameView& view)
-    : view_(view.view()), clip_(view.clip), rotation_(view.rotation), stretch_(view_.corner_stretch()) {
+PixelDepthBound pixel_bound(const DepthBound& bound, int width, int height) {
+  PixelDepthBound pixels;
+  pixels.at = glm::vec4(bound.nearest);
+  for (int i = 0; i < 3; ++i) {
+    const DepthPlane& plane = bound.planes[static_cast<size_t>(i)];
+    pixels.x[i] = plane.slope.x * 2.0f / static_cast<float>(width);
+    pixels.y[i] = plane.slope.y * 2.0f / static_cast<float>(height);
+    pixels.at[i] = plane.at(-1, -1);
+  }
+  return pixels;
+}
+
+FacePlanes::FacePlanes(const FrameView& view, const DeviceMargins& margins)
+    : view_(view.view()),
+      clip_(view.clip),
+      rotation_(view.rotation),
+      snapping_(margins.plane),
+      stretch_(view_.corner_stretch()) {
   const Box model = view.skeleton->lattice().box(view.skeleton->scene_nodes[0].box);
   tiny_ = 0x1p-34 *
           std::max({max_coordinate(view_.camera.eye), max_coordinate(model.lo), max_coordinate(model.hi)});
@@ -71,13 +87,14 @@ DepthPlane FacePlanes::parallel(int axis, const Box& box, double slack) const {
                     (share_of_depth * clip_.range + vertex_rounding * distance) * std::abs(scale), slack);
 }
 
-/// Snapping moves what is drawn by at most 1/16 pixel; a quarter of a pixel's slope is added.
+/// Snapping moves what is drawn across the slope.
 DepthPlane FacePlanes::with_slack(const glm::dvec2& slope, double middle, double rounding,
                                   double slack) const {
   const double terms = std::abs(slope.x) + std::abs(slope.y) + std::abs(middle);
   if (!(terms + rounding < max_term)) return {};
-  const double added = rounding + std::abs(slope.x) / (2 * view_.width) +
-                       std::abs(slope.y) / (2 * view_.height) + plane_rounding * terms;
+  const double added =
+      rounding + snapping_ * (2 * std::abs(slope.x) / view_.width + 2 * std::abs(slope.y) / view_.height) +
+      plane_rounding * terms;
   return {glm::vec2(slope), static_cast<float>(middle + slack * added)};
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "lod/frame_view.hpp"
+#include "visibility/device_margins.hpp"
 
 #include <array>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 namespace triptych {
 
@@ -29,11 +31,19 @@ struct DepthBound {
   std::array<DepthPlane, 3> planes;
 };
 
+/// DepthBound over pixels (0 to width and height, centres at 0.5): for each of the planes its slopes and what
+/// there is at (0, 0). Last, in `at.w`, `nearest`. Laid out as shaders read it.
+struct PixelDepthBound {
+  glm::vec4 x{0}, y{0}, at{1};
+};
+static_assert(sizeof(PixelDepthBound) == 48);
+PixelDepthBound pixel_bound(const DepthBound& bound, int width, int height);
+
 /// The planes of the box's faces that look at the eye, at most one an axis: behind each of them lies all that
 /// the box holds. In normalised device coordinates they are affine because depth is near / z, or linear in z.
 class FacePlanes {
  public:
-  explicit FacePlanes(const FrameView& view);
+  FacePlanes(const FrameView& view, const DeviceMargins& margins);
 
   /// Where each lies, and by how much content may seem to be in front of it: rounding and snapping move
   /// vertices. `slack` times that much is added, so that planes of slack 2 are in front of those of slack 1,
@@ -48,8 +58,9 @@ class FacePlanes {
   View view_;
   ClipSpace clip_;
   glm::dmat3 rotation_;
-  double stretch_;  ///< of rays against the view axis, at most
-  double tiny_;     ///< distances below this one are not known to a share of 2⁻¹⁶
+  double snapping_;  ///< DeviceMargins::plane
+  double stretch_;   ///< of rays against the view axis, at most
+  double tiny_;      ///< distances below this one are not known to a share of 2⁻¹⁶
 };
 
 }  // namespace triptych

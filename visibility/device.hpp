@@ -34,6 +34,10 @@ class Device {
   /// Targets live no longer than their device. Error where the device has no room for such a size.
   virtual std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) = 0;
   virtual const DeviceNames& names() const = 0;
+  /// Whether a picture depends on the order in which drawables are drawn, so that it must be draw rank order.
+  /// Where it does not, what was drawn to test against may become the picture, and what was drawn already is
+  /// not drawn again.
+  virtual bool order_matters() const { return true; }
   /// Bytes of device memory that geometry takes.
   virtual uint64_t memory_bytes() const = 0;
 };

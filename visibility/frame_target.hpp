@@ -17,8 +17,8 @@ namespace triptych {
 enum class TargetKind { color, item, depth_only, color_and_item };
 
 /// A picture, or a depth alone, of width × height pixels. Rows of what is read back go from bottom to top.
-/// All targets of one device share one vertex stage, and at equal depth what was drawn first stays, so that a
-/// picture depends on the set drawn and on the draw rank order that it is drawn in alone.
+/// All targets of one device share one vertex stage, and at equal depth the lower draw rank wins: by itself
+/// (Device::order_matters() is false), or because what was drawn first stays and is drawn in draw rank order.
 class FrameTarget : public OcclusionTester {
  public:
   virtual int width() const = 0;
@@ -44,8 +44,9 @@ class FrameTarget : public OcclusionTester {
   /// width × height of drawable id + 1, 0 where nothing is; of a target with items.
   virtual std::vector<uint32_t> read_items() const = 0;
   /// Shows the colours in the window whose context is current in this thread, of width × height pixels: what
-  /// fits; the rest is background.
-  virtual void copy_to_window(int window_width, int window_height) const = 0;
+  /// fits; the rest is background. False, and nothing is done, where the target is not OpenGL's: whoever has
+  /// the window takes read_colors().
+  virtual bool copy_to_window(int window_width, int window_height) const = 0;
 };
 
 /// The drawables that own at least one pixel of an item buffer, as read_items() gives it.

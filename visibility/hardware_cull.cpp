@@ -35,7 +35,7 @@ HardwareCull::HardwareCull(const Hierarchy& hierarchy, const CullOptions& option
 const CullResult& HardwareCull::run(const FrameView& view, LazyCut& cut, OcclusionTester& tester,
                                     std::span<const DrawableId> represented, const VisibleSet& previous,
                                     CullSink& sink) {
-  const BoxProjector projector(view);
+  const BoxProjector projector(view, tester.margins());
   view_ = &view;
   cut_ = &cut;
   projector_ = &projector;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/skeleton.hpp"
+#include "visibility/device_margins.hpp"
 #include "visibility/screen_bounds.hpp"
 
 #include <cstdint>
@@ -13,6 +14,9 @@ namespace triptych {
 class OcclusionTester {
  public:
   virtual ~OcclusionTester() = default;
+
+  /// What bounds of the boxes that are tested here must leave room for.
+  virtual DeviceMargins margins() const { return {}; }
 
   /// Adds the drawables' depth, in the order given.
   virtual void draw(std::span<const DrawableId> drawables) = 0;

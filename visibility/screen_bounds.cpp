@@ -15,12 +15,6 @@ namespace {
 /// distance under the identity, by 83 · 2⁻²⁴ under the worst matrix that a build shares a mesh under
 /// (lod/plan.cpp), which is 2.6 times this.
 constexpr double float_rounding = 0x1p-19;
-/// Snapping takes a vertex of the content and one of the rectangle by 1/16 of a pixel each. Where the bound
-/// on rounding is an eighth of a pixel, positions are off by 0.325 pixels at most, so all of it is within
-/// half a pixel. Where pixels are finer than that, as below a degree of view, the margin grows with the
-/// bound.
-constexpr double min_margin = 0.5;
-constexpr double roundings_of_margin = 4;
 /// Beyond it rounding in w may reach the margin of depths.
 constexpr double max_narrow_tangent = 8;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
@@ -33,14 +27,15 @@ bool says_nothing(const ScreenRectangle& r) {
 }
 }  // namespace
 
-BoxProjector::BoxProjector(const FrameView& view)
+BoxProjector::BoxProjector(const FrameView& view, const DeviceMargins& margins)
     : lattice_(&view.skeleton->lattice()),
+      margins_(margins),
       rules_(view.rules),
       view_(view.view()),
       clip_(view.clip),
       rotation_(view.rotation),
       focal_length_(view.focal_length),
-      faces_(view) {}
+      faces_(view, margins) {}
 
 ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
   const NearestRounding rounding;
@@ -65,6 +60,11 @@ DepthBound BoxProjector::depth_bound(const LatticeBox& box) const {
   const Box model_box = lattice_->box(box);
   const Extent found = extent(model_box);
   return {.nearest = static_cast<float>(found.nearest), .planes = faces_.of(model_box, 1)};
+}
+
+PixelDepthBound BoxProjector::pixel_bound(const LatticeBox& box) const {
+  const DepthBound bound = rules_.fragment_bound ? depth_bound(box) : DepthBound{};
+  return triptych::pixel_bound(bound, view_.width, view_.height);
 }
 
 BoxProjector::Extent BoxProjector::extent(const Box& box) const {
@@ -123,7 +123,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 
 BoxProjector::Extent BoxProjector::on_screen(Extent seen, double depth, double rounding) const {
   const Camera& camera = view_.camera;
-  const double pixels = rules_.bounds_margin ? std::max(min_margin, roundings_of_margin * rounding) : 0;
+  const double pixels = rules_.bounds_margin ? std::max(margins_.outline, margins_.roundings * rounding) : 0;
   if (!std::isfinite(pixels)) return {};
   seen.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
   const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);

@@ -43,18 +43,19 @@ struct ScreenBounds {
 };
 
 /// Projects boxes of the model lattice under one frame view, whose skeleton must outlive it. Derived margins:
-/// the rectangle grows by half a pixel on each side (sub-pixel snapping is at most 1/16 pixel by the OpenGL
-/// minimum, of the content and of the rectangle itself, and the vertex stage's rounding is bounded), by more
-/// where views are so narrow that rounding is beyond an eighth of a pixel; the depth moves towards the eye by
+/// the rectangle grows on each side by what the device's rules ask for (DeviceMargins), and by more where
+/// views are so narrow that rounding in the vertex stage is beyond that; the depth moves towards the eye by
 /// 2⁻¹⁴ of itself, orthographic of its range (float rounding of w and z). Boxes that touch the near plane, or
 /// that are extremely oblique, may be anywhere on the screen; their faces still bound their depth.
 class BoxProjector {
  public:
-  explicit BoxProjector(const FrameView& view);
+  explicit BoxProjector(const FrameView& view, const DeviceMargins& margins = {});
   /// What the occlusion test draws.
   ScreenBounds bounds(const LatticeBox& box) const;
   /// What fragments of the box's content are held to.
   DepthBound depth_bound(const LatticeBox& box) const;
+  /// The same over pixels; no bound where FrameRules::fragment_bound is off.
+  PixelDepthBound pixel_bound(const LatticeBox& box) const;
 
  private:
   /// Where the corners are: the rectangle, and one depth for all of it.
@@ -73,6 +74,7 @@ class BoxProjector {
   Extent on_screen(Extent corners, double depth, double rounding) const;
 
   const Lattice* lattice_;
+  DeviceMargins margins_;
   FrameRules rules_;
   View view_;
   ClipSpace clip_;

@@ -28,8 +28,9 @@ class GlFrameTarget final : public FrameTarget {
   void draw_lines(std::span<const ScreenLine> lines) override { lines_.draw(lines, framebuffer_); }
   std::vector<uint8_t> read_colors() const override { return framebuffer_.read_colors(); }
   std::vector<uint32_t> read_items() const override { return framebuffer_.read_items(); }
-  void copy_to_window(int window_width, int window_height) const override {
+  bool copy_to_window(int window_width, int window_height) const override {
     framebuffer_.copy_to_window(window_width, window_height);
+    return true;
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "render/gl/framebuffer.hpp"
 
 #include "base/error.hpp"
+#include "visibility/shading.hpp"
 
 #include <algorithm>
 
@@ -8,7 +9,6 @@ namespace triptych {
 
 namespace {
 constexpr GLenum color_attachment = GL_COLOR_ATTACHMENT0, item_attachment = GL_COLOR_ATTACHMENT1;
-constexpr float background[4] = {0.86f, 0.90f, 0.95f, 1};
 }  // namespace
 
 Framebuffer::Framebuffer(TargetKind kind, int width, int height)
@@ -47,8 +47,12 @@ void Framebuffer::clear() const {
   const float far_away = 0;
   glClearNamedFramebufferfv(framebuffer_, GL_DEPTH, 0, &far_away);
   const GLuint nothing[4] = {0, 0, 0, 0};
-  if (has_colors()) glClearNamedFramebufferfv(framebuffer_, GL_COLOR, 0, background);
+  if (has_colors()) glClearNamedFramebufferfv(framebuffer_, GL_COLOR, 0, background_color);
   if (has_items()) glClearNamedFramebufferuiv(framebuffer_, GL_COLOR, has_colors() ? 1 : 0, nothing);
+}
+
+void Framebuffer::write_colors(std::span<const uint8_t> colors) {
+  glTextureSubImage2D(color_, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
 }
 
 void Framebuffer::copy_to_window(int window_width, int window_height) const {
@@ -56,7 +60,7 @@ void Framebuffer::copy_to_window(int window_width, int window_height) const {
   const int copied_width = std::min(width_, window_width), copied_height = std::min(height_, window_height);
   if (copied_width < window_width || copied_height < window_height) {
     glBindFramebuffer(GL_FRAMEBUFFER, window);
-    glClearNamedFramebufferfv(window, GL_COLOR, 0, background);
+    glClearNamedFramebufferfv(window, GL_COLOR, 0, background_color);
   }
   glNamedFramebufferReadBuffer(framebuffer_, color_attachment);
   glBlitNamedFramebuffer(framebuffer_, window, 0, 0, copied_width, copied_height, 0, 0, copied_width,

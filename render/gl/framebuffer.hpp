@@ -5,6 +5,7 @@
 #include "visibility/frame_target.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace triptych {
@@ -20,6 +21,8 @@ class Framebuffer {
   void clear() const;
   /// width × height × RGBA bytes; TargetKind::color or color_and_item.
   std::vector<uint8_t> read_colors() const;
+  /// Replaces them; RGBA, of a target with colours.
+  void write_colors(std::span<const uint8_t> colors);
   /// width × height of drawable id + 1, 0 where nothing is; TargetKind::item or color_and_item.
   std::vector<uint32_t> read_items() const;
   /// width × height of reversed depth.

@@ -148,7 +148,7 @@ double passes_that_disagree() {
                           .item = 0,
                           .first_bound = 0,
                           .unused = {}};
-  const BoundRecord bound{.x = {}, .y = {}, .at = glm::vec4(1)};
+  const PixelDepthBound bound{.x = {}, .y = {}, .at = glm::vec4(1)};
   const glm::vec4 white(1);
   GlVertexArray vertex_array;
   StreamBuffer positions, records, bounds, palette;

@@ -1,13 +1,12 @@
 #include "render/gl/renderer.hpp"
 
 #include "render/gl/shaders.hpp"
-
-#include <glm/geometric.hpp>
+#include "visibility/shading.hpp"
+#include "visibility/vertex_terms.hpp"
 
 namespace triptych {
 
 namespace {
-const glm::dvec3 light_in_model = glm::normalize(glm::dvec3(0.35, 0.85, 0.40));
 
 GlProgram make_pass(TargetKind kind, Projection projection) {
   const std::string vertex = geometry_vertex_shader(projection);
@@ -41,21 +40,9 @@ Renderer::Pass& Renderer::pass(TargetKind kind) {
 }
 
 void Renderer::set_projection(const Pass& pass) const {
-  const Camera& camera = view_->view().camera;
-  const ClipSpace& clip = view_->clip;
-  const double width = camera.right - camera.left, height = camera.top - camera.bottom;
-  const double shift_x = (camera.right + camera.left) / width,
-               shift_y = (camera.top + camera.bottom) / height;
-  const double scale = clip.orthographic ? 2 * clip.unit : 2;  // sides are tangents, or model units
-  const double side = clip.orthographic ? -1 : 1;              // shifts go with −z, or with 1
-  glUniform4f(pass.frustum, static_cast<float>(scale / width), static_cast<float>(scale / height),
-              static_cast<float>(side * shift_x), static_cast<float>(side * shift_y));
-  if (clip.orthographic) {
-    glUniform2f(pass.depth, static_cast<float>(clip.unit / clip.range),
-                static_cast<float>(clip.depth(clip.reference_depth)));
-  } else {
-    glUniform2f(pass.depth, static_cast<float>(clip.near / clip.unit), 0);
-  }
+  const auto [frustum, depth] = clip_terms(*view_);
+  glUniform4f(pass.frustum, frustum.x, frustum.y, frustum.z, frustum.w);
+  glUniform2f(pass.depth, depth.x, depth.y);
 }
 
 void Renderer::set_view(const FrameView& view) {
@@ -74,14 +61,14 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
   builder_.append(geometry_.ranges(), items_, list_);
   if (list_.commands.empty()) return 0;
   records_.upload(std::span<const DrawRecord>(list_.records));
-  bounds_.upload(std::span<const BoundRecord>(list_.bounds));
+  bounds_.upload(std::span<const PixelDepthBound>(list_.bounds));
   commands_.upload(std::span<const DrawCommand>(list_.commands));
 
   const Pass& used = pass(framebuffer.kind());
   glUseProgram(used.program);
   set_projection(used);
   if (used.light >= 0) {
-    const glm::vec3 light(view_->rotation * light_in_model);
+    const glm::vec3 light = light_direction(*view_);
     glUniform3f(used.light, light.x, light.y, light.z);
   }
   framebuffer.bind();

@@ -1,5 +1,9 @@
 #include "render/gl/shaders.hpp"
 
+#include "visibility/shading.hpp"
+
+#include <fmt/core.h>
+
 namespace triptych {
 
 namespace {
@@ -31,7 +35,9 @@ void bound_fragment() {
 )";
 
 // The shaded colour of a fragment, the same text for every pass that draws colours.
-const std::string shaded = R"(
+const std::string shaded = fmt::format("const float ambient = {}, diffuse = {}, head = {};\n", ambient_light,
+                                       diffuse_light, head_light) +
+                           R"(
 in vec3 eye_position;
 flat in vec4 base_color;
 uniform vec3 light;  // direction to the light, eye space
@@ -40,8 +46,7 @@ void shade_fragment() {
   vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
   float length_squared = dot(normal, normal);
   normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
-  // Both sides are lit: CAD models do not agree on which side is out.
-  color = vec4(base_color.rgb * (0.42 + 0.38 * abs(dot(normal, light)) + 0.20 * abs(normal.z)), 1.0);
+  color = vec4(base_color.rgb * (ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z)), 1.0);
 }
 )";
 

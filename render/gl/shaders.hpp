@@ -12,7 +12,7 @@ inline constexpr GLuint draws_binding = 0;       ///< storage: one DrawRecord a 
 inline constexpr GLuint palette_binding = 1;     ///< storage: colours
 inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under test
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
-inline constexpr GLuint bounds_binding = 4;      ///< storage: one BoundRecord a piece
+inline constexpr GLuint bounds_binding = 4;      ///< storage: one PixelDepthBound a piece
 
 /// Of perspective views; of orthographic ones, whose w is 1 and whose depth is linear.
 std::string geometry_vertex_shader(Projection projection);

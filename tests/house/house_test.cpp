@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
   };
   const std::set<std::string> visibility = with(scene, {"lod"});
   const std::set<std::string> devices = with(visibility, {"visibility"});
-  const std::set<std::string> nodes = with(devices, {"protocol", "render", "residency"});
+  const std::set<std::string> nodes = with(devices, {"protocol", "raster", "render", "residency"});
   const std::set<std::string> building = with(scene, {"model", "simplify"});
   const std::set<std::string> measure = with(with(nodes, building), {"nodes", "preprocess"});
   const std::set<std::string> view = with(nodes, {"nodes"});
@@ -42,6 +42,7 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
       {"visibility", visibility},
       {"protocol", devices},
       {"residency", scene},
+      {"raster", with(devices, {"residency"})},
       {"render", with(devices, {"residency"})},
       {"nodes", nodes},
       {"measure", measure},

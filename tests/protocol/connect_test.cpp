@@ -88,7 +88,7 @@ TEST_F(Session, every_pair_of_roles_gets_two_sockets) {
   for (const Role from : all_roles) {
     for (const Role to : all_roles) {
       if (from == to) continue;
-      EXPECT_EQ(mailboxes[from]->peer_hello(to).gl_renderer, sample_hello(to).gl_renderer);
+      EXPECT_EQ(mailboxes[from]->peer_hello(to).device.renderer, sample_hello(to).device.renderer);
       EXPECT_EQ(mailboxes[from]->peer_hello(to).role, to);
       for (const Channel channel : all_channels) {
         ASSERT_FALSE(mailboxes[from]->send(to, channel, FullSetRequest{++frame}));
@@ -256,11 +256,11 @@ TEST_F(Session, a_session_that_is_over_ends_the_waiting_of_those_who_had_come) {
 
 TEST_F(Session, another_opengl_is_only_reported) {
   Hello other = sample_hello(Role::switch_1);
-  other.gl_renderer = "somebody's graphics card";
+  other.device.renderer = "somebody's graphics card";
   auto render = start(Role::render), switch_0 = start(Role::switch_0), switch_1 = start(other);
   const std::array connected = {render.get(), switch_0.get(), switch_1.get()};
   for (const Connected& role : connected) ASSERT_EQ(role.error, "");
-  EXPECT_EQ(connected[0].mailbox->peer_hello(Role::switch_1).gl_renderer, "somebody's graphics card");
+  EXPECT_EQ(connected[0].mailbox->peer_hello(Role::switch_1).device.renderer, "somebody's graphics card");
 }
 
 TEST_F(Session, strangers_do_not_disturb) {

@@ -14,7 +14,7 @@ class Recording : public testing::Test {
   Recording() {
     header.own.role = Role::switch_0;
     header.own.pack_hash = 0x1234567890abcdef;
-    header.own.gl_renderer = "a renderer";
+    header.own.device.renderer = "a renderer";
     header.pack = "models/building.tpk";
     for (const Message& message : sample_messages()) {
       messages.push_back({.time_ms = 1.5 * static_cast<double>(messages.size()),

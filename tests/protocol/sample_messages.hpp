@@ -26,9 +26,9 @@ inline Hello sample_hello(Role role) {
   hello.role = role;
   hello.session = 77;
   hello.pack_hash = 0x0123456789abcdef;
-  hello.gl_vendor = "Mesa";
-  hello.gl_renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
-  hello.gl_version = "4.5 (Core Profile) Mesa 22.3.6";
+  hello.device.vendor = "Mesa";
+  hello.device.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  hello.device.version = "4.5 (Core Profile) Mesa 22.3.6";
   hello.raster = "exact";
   return hello;
 }

@@ -1,0 +1,40 @@
+// Geometry as the rasteriser reads it: chunks of a pack, kept once something wants to be drawn.
+#pragma once
+
+#include "lod/representation.hpp"
+#include "residency/residency.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+struct RasterChunk {
+  std::vector<int32_t> x, y, z;   ///< of each vertex, on the chunk's lattice
+  std::vector<uint8_t> piece;     ///< of each vertex, index into the chunk's pieces
+  std::vector<uint32_t> corners;  ///< three a triangle: indices of vertices
+  std::vector<uint32_t> color;    ///< of each triangle, index into the palette
+
+  uint64_t bytes() const;
+};
+
+/// The chunks that were asked for so far.
+class ChunkGeometry {
+ public:
+  ChunkGeometry(const Skeleton& skeleton, Residency& residency);
+
+  /// Asks the residency for the chunks that are needed and are not here. Error for a damaged chunk.
+  void require(std::span<const DrawItem> items);
+  const RasterChunk& chunk(uint32_t index) const { return *chunks_[index]; }
+
+  uint64_t memory_bytes() const { return bytes_; }
+
+ private:
+  Residency& residency_;
+  std::vector<std::unique_ptr<const RasterChunk>> chunks_;  ///< null where it was not asked for
+  uint64_t bytes_ = 0;
+};
+
+}  // namespace triptych

@@ -1,0 +1,42 @@
+#include "raster/fill.hpp"
+
+#include <algorithm>
+
+namespace triptych {
+
+namespace {
+/// Both positive, or zero above.
+int64_t divide_up(int64_t a, int64_t b) { return (a + b - 1) / b; }
+
+/// Where few pixels are in question, trying them costs less than divisions.
+constexpr int64_t few = 4;
+
+bool covered(const Triangle& triangle, int32_t row, int64_t i) {
+  for (size_t k = 0; k < 3; ++k) {
+    if (triangle.edge[k] + int64_t{triangle.step_y[k]} * row + triangle.step_x[k] * i < 0) return false;
+  }
+  return true;
+}
+}  // namespace
+
+RowSpan row_span(const Triangle& triangle, int32_t row) {
+  RowSpan span{0, triangle.right - triangle.left};
+  if (span.last < few) {
+    while (span.first <= span.last && !covered(triangle, row, span.first)) ++span.first;
+    while (span.first <= span.last && !covered(triangle, row, span.last)) --span.last;
+    return span;
+  }
+  for (size_t k = 0; k < 3; ++k) {
+    const int64_t at = triangle.edge[k] + int64_t{triangle.step_y[k]} * row, step = triangle.step_x[k];
+    if (step > 0) {
+      if (at < 0) span.first = std::max(span.first, divide_up(-at, step));
+    } else if (at < 0) {
+      return {1, 0};
+    } else if (step < 0) {
+      span.last = std::min(span.last, at / -step);
+    }
+  }
+  return span;
+}
+
+}  // namespace triptych

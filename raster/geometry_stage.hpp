@@ -1,0 +1,38 @@
+// From a stretch of a chunk to triangles that can be filled.
+#pragma once
+
+#include "raster/slots.hpp"
+#include "raster/triangle.hpp"
+#include "visibility/screen_bounds.hpp"
+
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// What one stretch of triangles becomes. Keeps its room from use to use.
+struct StretchTriangles {
+  std::vector<Triangle> triangles;      ///< with their slots
+  std::vector<PixelDepthBound> bounds;  ///< of the chunk's pieces; triangles point to them
+  int32_t bottom = 0, top = -1;         ///< rows that any of them has pixels in
+};
+
+/// What is the same for all that is drawn into one picture.
+struct GeometryTerms {
+  GeometryTerms(const FrameView& view, const BoxProjector& projector);
+
+  const BoxProjector* projector;
+  ClipTerms clip;
+  bool orthographic;
+  WindowTransform window;
+  PictureLimits limits;
+
+  glm::vec4 to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
+};
+
+/// range: numbered. pieces: boxes of the chunk's pieces, placed. Depths of `triangles` keep the bounds of
+/// their piece: by a proof, or by Triangle::bound. A function of its arguments alone.
+void make_triangles(const GeometryTerms& terms, const DrawnRange& range, std::span<const LatticeBox> pieces,
+                    StretchTriangles& result);
+
+}  // namespace triptych

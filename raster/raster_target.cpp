@@ -1,0 +1,143 @@
+#include "raster/raster_target.hpp"
+
+#include "base/error.hpp"
+#include "base/threads.hpp"
+#include "raster/box_test.hpp"
+#include "raster/float_state.hpp"
+#include "raster/lines.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+namespace triptych {
+
+RasterScene::RasterScene(const Skeleton& skeleton, Representation& representation, Residency& residency)
+    : skeleton_(skeleton),
+      representation_(representation),
+      geometry_(skeleton, residency),
+      placer_(skeleton) {}
+
+void RasterScene::set_view(const FrameView& view) {
+  if (view_ && view.state == view_->state && view.rules == view_->rules) return;
+  view_ = view;
+  representation_.begin(view);
+  placer_.begin(view);
+  projector_.emplace(view, raster_margins);
+  terms_.emplace(*view_, *projector_);
+}
+
+uint64_t RasterScene::draw(std::span<const DrawableId> drawables, VisibilityBuffer& buffer) {
+  items_.clear();
+  for (const DrawableId id : drawables) representation_.append(id, items_);
+  geometry_.require(items_);
+  stretches_.clear();
+  uint64_t triangles = 0;
+  for (const DrawItem& item : items_) {
+    const bool same = !stretches_.empty() && stretches_.back().rank.id == item.drawable;
+    PlacedStretch stretch{
+        .rank = same ? stretches_.back().rank : draw_rank(skeleton_, view_->cell, item.drawable),
+        .part = same ? stretches_.back().part + 1 : 0,
+        .chunk = &geometry_.chunk(item.chunk),
+        .first_triangle = item.first_index / 3,
+        .triangle_count = item.index_count / 3,
+        .placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice),
+        .pieces = item.pieces};
+    triangles += stretch.triangle_count;
+    stretches_.push_back(stretch);
+  }
+  buffer.draw(*terms_, stretches_);
+  return triangles;
+}
+
+RasterTarget::RasterTarget(RasterScene& scene, TargetKind kind, int width, int height,
+                           const RasterOptions& options)
+    : scene_(scene),
+      kind_(kind),
+      buffer_(width, height, kind == TargetKind::depth_only, options.max_slots),
+      drawn_(scene.skeleton().drawables.size()) {}
+
+DeviceMargins RasterTarget::margins() const { return raster_margins; }
+
+void RasterTarget::begin(const FrameView& view) {
+  if (view.view().width != width() || view.view().height != height()) {
+    fail("frame target", "a viewport of {}x{} where {}x{} was agreed", view.view().width, view.view().height,
+         width(), height());
+  }
+  const FloatState state;
+  view_ = view;
+  scene_.set_view(view);
+  buffer_.clear();
+  drawn_.clear();
+  drawn_triangles_ = 0;
+  picture_is_made_ = false;
+}
+
+void RasterTarget::draw(std::span<const DrawableId> drawables) {
+  const FloatState state;
+  fresh_.clear();
+  for (const DrawableId id : drawables) {
+    if (drawn_.mark_first(id)) fresh_.push_back(id);
+  }
+  if (fresh_.empty()) return;
+  scene_.set_view(*view_);  // other targets draw, too
+  drawn_triangles_ += scene_.draw(fresh_, buffer_);
+  picture_is_made_ = false;
+}
+
+void RasterTarget::test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+                        std::span<uint8_t> visible) {
+  const bool strict = !view_->rules.non_strict_test;
+  const auto test_one = [&](size_t i) {
+    const FloatState state;
+    const size_t first = i == 0 ? 0 : ends[i - 1];
+    const auto own = rectangles.subspan(first, ends[i] - first);
+    visible[i] = std::any_of(own.begin(), own.end(), [&](const ScreenRectangle& rectangle) {
+      return may_show(buffer_, rectangle, strict);
+    });
+  };
+  // Few tests take less time than waking other threads.
+  constexpr size_t worth_sharing = 64;
+  if (ends.size() >= worth_sharing) {
+    parallel_for(ends.size(), test_one);
+  } else {
+    for (size_t i = 0; i < ends.size(); ++i) test_one(i);
+  }
+}
+
+void RasterTarget::finish() {
+  if (has_colors()) make_picture();
+}
+
+void RasterTarget::make_picture() const {
+  if (picture_is_made_) return;
+  picture_.resize(static_cast<size_t>(width()) * static_cast<size_t>(height()));
+  if (view_) {
+    shade(buffer_, *view_, picture_);
+  } else {
+    std::fill(picture_.begin(), picture_.end(), background_pixel());
+  }
+  picture_is_made_ = true;
+}
+
+void RasterTarget::draw_lines(std::span<const ScreenLine> lines) {
+  make_picture();
+  triptych::draw_lines(lines, width(), height(), picture_);
+}
+
+std::vector<uint8_t> RasterTarget::read_colors() const {
+  assert(has_colors());
+  make_picture();
+  std::vector<uint8_t> colors(picture_.size() * sizeof(Rgba));
+  std::memcpy(colors.data(), picture_.data(), colors.size());
+  return colors;
+}
+
+std::vector<uint32_t> RasterTarget::read_items() const {
+  assert(kind_ == TargetKind::item || kind_ == TargetKind::color_and_item);
+  std::vector<uint32_t> items(static_cast<size_t>(width()) * static_cast<size_t>(height()));
+  name_items(buffer_, items);
+  return items;
+}
+
+}  // namespace triptych

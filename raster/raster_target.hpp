@@ -1,0 +1,76 @@
+// A frame target of the rasteriser.
+#pragma once
+
+#include "base/epoch_marks.hpp"
+#include "raster/raster_device.hpp"
+#include "raster/shade.hpp"
+#include "visibility/frame_target.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace triptych {
+
+/// Draws drawables of one pack; what all targets of a device share.
+class RasterScene {
+ public:
+  RasterScene(const Skeleton& skeleton, Representation& representation, Residency& residency);
+
+  /// What follows is drawn under this view.
+  void set_view(const FrameView& view);
+  /// Draws them into the buffer; how many triangles they are.
+  uint64_t draw(std::span<const DrawableId> drawables, VisibilityBuffer& buffer);
+
+  const Skeleton& skeleton() const { return skeleton_; }
+  uint64_t memory_bytes() const { return geometry_.memory_bytes(); }
+
+ private:
+  const Skeleton& skeleton_;
+  Representation& representation_;
+  ChunkGeometry geometry_;
+  LatticePlacer placer_;
+  std::optional<FrameView> view_;
+  std::optional<BoxProjector> projector_;
+  std::optional<GeometryTerms> terms_;
+  std::vector<DrawItem> items_;
+  std::vector<PlacedStretch> stretches_;
+};
+
+class RasterTarget final : public FrameTarget {
+ public:
+  RasterTarget(RasterScene& scene, TargetKind kind, int width, int height, const RasterOptions& options);
+
+  int width() const override { return buffer_.width(); }
+  int height() const override { return buffer_.height(); }
+  TargetKind kind() const override { return kind_; }
+  DeviceMargins margins() const override;
+  void begin(const FrameView& view) override;
+  /// Those that were drawn since begin() already are left out.
+  void draw(std::span<const DrawableId> drawables) override;
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+            std::span<uint8_t> visible) override;
+  /// Makes the picture.
+  void finish() override;
+  uint64_t drawn_triangles() const override { return drawn_triangles_; }
+  void draw_lines(std::span<const ScreenLine> lines) override;
+  std::vector<uint8_t> read_colors() const override;
+  std::vector<uint32_t> read_items() const override;
+  bool copy_to_window(int, int) const override { return false; }
+
+ private:
+  bool has_colors() const { return kind_ == TargetKind::color || kind_ == TargetKind::color_and_item; }
+  void make_picture() const;
+
+  RasterScene& scene_;
+  TargetKind kind_;
+  VisibilityBuffer buffer_;
+  std::optional<FrameView> view_;
+  EpochMarks drawn_;  ///< drawables
+  std::vector<DrawableId> fresh_;
+  uint64_t drawn_triangles_ = 0;
+  // Made when somebody wants it.
+  mutable std::vector<Rgba> picture_;
+  mutable bool picture_is_made_ = false;
+};
+
+}  // namespace triptych

@@ -1,0 +1,110 @@
+#include "raster/shade.hpp"
+
+#include "base/threads.hpp"
+#include "raster/float_state.hpp"
+#include "visibility/shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace triptych {
+
+namespace {
+
+uint8_t to_byte(float channel) { return static_cast<uint8_t>(std::rint(channel * 255.0f)); }
+
+class Shader {
+ public:
+  explicit Shader(const FrameView& view) : palette_(view.skeleton->palette), light_(light_direction(view)) {}
+
+  Rgba operator()(const SlotTable::Triangle& shown) const {
+    const RasterChunk& chunk = *shown.range->chunk;
+    const uint32_t* corners = &chunk.corners[3 * size_t{shown.triangle}];
+    // Differences of lattice points are exact.
+    const auto edge = [&](uint32_t to) {
+      const uint32_t from = corners[0];
+      const auto x = static_cast<float>(chunk.x[to] - chunk.x[from]),
+                 y = static_cast<float>(chunk.y[to] - chunk.y[from]),
+                 z = static_cast<float>(chunk.z[to] - chunk.z[from]);
+      const auto along = [&](const glm::vec4& row) { return (row.x * x + row.y * y) + row.z * z; };
+      const PlacedLattice& placed = shown.range->placed;
+      return glm::vec3(along(placed.rows[0]), along(placed.rows[1]), along(placed.rows[2]));
+    };
+    const float lit = light_of(glm::cross(scaled(edge(corners[1])), scaled(edge(corners[2]))));
+    Rgba color{0, 0, 0, 255};
+    const std::array<uint8_t, 4>& base = palette_[chunk.color[shown.triangle]];
+    for (size_t i = 0; i < 3; ++i) color[i] = to_byte(static_cast<float>(base[i]) / 255.0f * lit);
+    return color;
+  }
+
+ private:
+  /// So that products neither overflow nor vanish.
+  static glm::vec3 scaled(const glm::vec3& v) {
+    const float most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return most > 0 ? v / most : v;
+  }
+  float light_of(const glm::vec3& normal) const {
+    const float length = std::sqrt((normal.x * normal.x + normal.y * normal.y) + normal.z * normal.z);
+    const float scale = length > 0 ? 1.0f / length : 0.0f;
+    const float towards = (normal.x * light_.x + normal.y * light_.y) + normal.z * light_.z;
+    return (ambient_light + diffuse_light * std::abs(towards * scale)) +
+           head_light * std::abs(normal.z * scale);
+  }
+
+  const std::vector<std::array<uint8_t, 4>>& palette_;
+  glm::vec3 light_;
+};
+
+[[gnu::noinline]] void shade_row(const VisibilityBuffer& buffer, const Shader& shader, int y, Rgba* row) {
+  const Rgba background = background_pixel();
+  // Neighbours are often of one triangle.
+  uint32_t slot = 0;
+  Rgba color = background;
+  bool known = false;
+  for (int x = 0; x < buffer.width(); ++x) {
+    const VisibilityWord word = buffer.word(x, y);
+    if (word == 0) {
+      row[x] = background;
+      continue;
+    }
+    if (!known || slot_of(word) != slot) {
+      known = true;
+      slot = slot_of(word);
+      color = shader(buffer.find(slot));
+    }
+    row[x] = color;
+  }
+}
+
+}  // namespace
+
+Rgba background_pixel() {
+  Rgba color;
+  for (size_t i = 0; i < 4; ++i) color[i] = to_byte(background_color[i]);
+  return color;
+}
+
+void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
+  const Shader shader(view);
+  constexpr int rows = 16;
+  parallel_for(static_cast<size_t>((buffer.height() + rows - 1) / rows), [&](size_t i) {
+    const FloatState state;
+    const int first = static_cast<int>(i) * rows, end = std::min(first + rows, buffer.height());
+    for (int y = first; y < end; ++y)
+      shade_row(buffer, shader, y,
+                picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width()));
+  });
+}
+
+void name_items(const VisibilityBuffer& buffer, std::span<uint32_t> items) {
+  size_t i = 0;
+  for (int y = 0; y < buffer.height(); ++y) {
+    for (int x = 0; x < buffer.width(); ++x, ++i) {
+      const auto shown = buffer.triangle(x, y);
+      items[i] = shown ? shown->range->rank.id + 1 : 0;
+    }
+  }
+}
+
+}  // namespace triptych

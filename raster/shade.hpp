@@ -1,0 +1,25 @@
+// Colours, once a pixel, when all is drawn.
+#pragma once
+
+#include "raster/visibility_buffer.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+using Rgba = std::array<uint8_t, 4>;
+
+/// Of pixels without geometry.
+Rgba background_pixel();
+
+/// The picture of what the buffer holds under the view, rows from bottom to top: flat faces in the light that
+/// visibility/shading.hpp has, over the background.
+void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture);
+
+/// The drawable that shows at each pixel, plus 1; 0 where none does.
+void name_items(const VisibilityBuffer& buffer, std::span<uint32_t> items);
+
+}  // namespace triptych

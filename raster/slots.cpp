@@ -1,0 +1,69 @@
+#include "raster/slots.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+
+namespace triptych {
+
+void SlotTable::clear() {
+  next_slot_ = 0;
+  compacted_ = 0;
+  kept_.clear();
+  ranges_.clear();
+}
+
+uint32_t SlotTable::add(DrawnRange range) {
+  assert(range.triangle_count <= left());
+  range.first_slot = static_cast<uint32_t>(next_slot_);
+  next_slot_ += range.triangle_count;
+  ranges_.push_back(range);
+  return range.first_slot;
+}
+
+size_t SlotTable::range_of(uint32_t slot) const {
+  const auto after =
+      std::upper_bound(ranges_.begin() + static_cast<std::ptrdiff_t>(compacted_), ranges_.end(), slot,
+                       [](uint32_t value, const DrawnRange& range) { return value < range.first_slot; });
+  return static_cast<size_t>(after - ranges_.begin()) - 1;
+}
+
+SlotTable::Kept SlotTable::name_of(uint32_t slot) const {
+  if (slot < kept_.size()) return kept_[slot];
+  const size_t range = range_of(slot);
+  return {static_cast<uint32_t>(range), ranges_[range].first_triangle + (slot - ranges_[range].first_slot)};
+}
+
+SlotTable::Triangle SlotTable::find(uint32_t slot) const {
+  const Kept name = name_of(slot);
+  return {&ranges_[name.range], name.triangle};
+}
+
+bool SlotTable::precedes(uint32_t slot, uint32_t other) const {
+  const auto key = [&](uint32_t of) {
+    const Triangle found = find(of);
+    return std::tuple(found.range->rank, found.range->part, found.triangle);
+  };
+  return key(slot) < key(other);
+}
+
+void SlotTable::compact(std::span<VisibilityWord> words) {
+  scratch_.clear();
+  for (const VisibilityWord word : words) {
+    if (word != 0) scratch_.push_back(slot_of(word));
+  }
+  std::sort(scratch_.begin(), scratch_.end());
+  scratch_.erase(std::unique(scratch_.begin(), scratch_.end()), scratch_.end());
+  std::vector<Kept> kept;
+  for (const uint32_t slot : scratch_) kept.push_back(name_of(slot));
+  for (VisibilityWord& word : words) {
+    if (word == 0) continue;
+    const auto at = std::lower_bound(scratch_.begin(), scratch_.end(), slot_of(word));
+    word = (word & ~VisibilityWord{0xffffffffu}) | static_cast<uint32_t>(at - scratch_.begin());
+  }
+  kept_ = std::move(kept);
+  compacted_ = ranges_.size();
+  next_slot_ = kept_.size();
+}
+
+}  // namespace triptych

@@ -1,0 +1,72 @@
+#include "raster/slots.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace triptych {
+namespace {
+
+DrawnRange range(uint64_t distance, DrawableId id, uint32_t triangles, uint32_t part = 0, uint32_t first = 0) {
+  return {.rank = {distance, id}, .part = part, .first_triangle = first, .triangle_count = triangles};
+}
+
+VisibilityWord word_of(uint32_t slot) { return VisibilityWord{0x3f000000u} << 32 | slot; }
+
+TEST(SlotTable, names_what_was_numbered) {
+  SlotTable slots(1000);
+  EXPECT_EQ(slots.add(range(5, 7, 10)), 0u);
+  EXPECT_EQ(slots.add(range(3, 9, 4, 2, 100)), 10u);
+  EXPECT_EQ(slots.left(), 986u);
+  EXPECT_EQ(slots.find(9).range->rank.id, 7u);
+  EXPECT_EQ(slots.find(9).triangle, 9u);
+  EXPECT_EQ(slots.find(10).range->rank.id, 9u);
+  EXPECT_EQ(slots.find(13).triangle, 103u);
+}
+
+TEST(SlotTable, at_equal_depth_the_nearer_then_the_lower_id_part_and_triangle_win_whatever_was_first) {
+  SlotTable slots(1000);
+  const uint32_t far = slots.add(range(5, 1, 2)), near = slots.add(range(3, 9, 2)),
+                 lower = slots.add(range(3, 4, 2)), second_part = slots.add(range(3, 4, 2, 1));
+  EXPECT_TRUE(slots.precedes(near, far));
+  EXPECT_FALSE(slots.precedes(far, near));
+  EXPECT_TRUE(slots.precedes(lower, near));
+  EXPECT_TRUE(slots.precedes(lower, lower + 1));
+  EXPECT_TRUE(slots.precedes(lower + 1, second_part));
+  EXPECT_FALSE(slots.precedes(lower, lower));
+}
+
+TEST(SlotTable, compaction_keeps_what_pixels_name_and_makes_room) {
+  SlotTable slots(12);
+  slots.add(range(5, 1, 6));
+  slots.add(range(3, 2, 6));
+  EXPECT_EQ(slots.left(), 0u);
+  std::vector<VisibilityWord> words = {0, word_of(2), word_of(11), word_of(2), word_of(7)};
+  std::vector<std::pair<DrawableId, uint32_t>> before, after;
+  const auto names = [&](auto& into) {
+    for (const VisibilityWord word : words) {
+      if (word == 0) continue;
+      EXPECT_EQ(word >> 32, 0x3f000000u);
+      const auto found = slots.find(slot_of(word));
+      into.push_back({found.range->rank.id, found.triangle});
+    }
+  };
+  names(before);
+  slots.compact(words);
+  names(after);
+  EXPECT_EQ(before, after);
+  EXPECT_EQ(words[0], 0u);
+  EXPECT_EQ(slots.left(), 9u);
+  // Twice, with new ones between.
+  const uint32_t slot = slots.add(range(1, 3, 9));
+  EXPECT_EQ(slots.find(slot + 8).range->rank.id, 3u);
+  words[0] = word_of(slot + 8);
+  before.insert(before.begin(), {3, 8});
+  slots.compact(words);
+  after.clear();
+  names(after);
+  EXPECT_EQ(before, after);
+  EXPECT_EQ(slots.left(), 8u);
+}
+
+}  // namespace
+}  // namespace triptych

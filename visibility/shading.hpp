@@ -1,0 +1,24 @@
+// How every device shades: one light, flat faces, both sides lit, since CAD models do not agree on which side
+// is out.
+#pragma once
+
+#include "lod/frame_view.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace triptych {
+
+/// A face of base colour c with the unit normal n (eye space, either side) is
+/// c · (ambient + diffuse · |n · light| + headlight · |n.z|).
+inline constexpr float ambient_light = 0.42f, diffuse_light = 0.38f, head_light = 0.20f;
+
+/// What pixels without geometry show; red, green, blue, alpha.
+inline constexpr float background_color[4] = {0.86f, 0.90f, 0.95f, 1};
+
+/// The direction to the light in eye space.
+inline glm::vec3 light_direction(const FrameView& view) {
+  return glm::vec3(view.rotation * glm::normalize(glm::dvec3(0.35, 0.85, 0.40)));
+}
+
+}  // namespace triptych
