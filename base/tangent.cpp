@@ -11,8 +11,8 @@ namespace {
 // π/2 in two doubles.
 constexpr double half_pi = 0x1.921fb54442d18p+0, half_pi_rest = 0x1.1a62633145c07p-54;
 
-/// Σ (−y²)ⁱ / (first · (first + 1) …): the series of sine and cosine, without their first factor. For |y| ≤ π/4
-/// twelve terms leave less than 2⁻⁶⁰.
+/// Σ (−y²)ⁱ / (first · (first + 1) …): the series of sine and cosine, without their first factor. For |y| ≤
+/// π/4 twelve terms leave less than 2⁻⁶⁰.
 double series(double squared, int first) {
   double sum = 1;
   for (int term = 11; term > 0; --term) {

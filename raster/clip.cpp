@@ -1,5 +1,6 @@
 #include "raster/clip.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace triptych {
@@ -52,8 +53,12 @@ ClippedPolygon clip_triangle(const std::array<glm::vec4, 3>& corners, const Wind
   ClippedPolygon result;
   if (polygon.count < 3) return result;
   for (size_t i = 0; i < polygon.count; ++i) {
-    const glm::vec4& corner = polygon.corners[i];
+    glm::vec4 corner = polygon.corners[i];
     if (!(std::isfinite(corner.x) && std::isfinite(corner.y) && corner.w > 0)) return result;
+    // Where w nearly cancels out, rounding may leave a corner anywhere.
+    const float most_x = 1.5f * window.guard_x() * corner.w, most_y = 1.5f * window.guard_y() * corner.w;
+    corner.x = std::clamp(corner.x, -most_x, most_x);
+    corner.y = std::clamp(corner.y, -most_y, most_y);
     result.corners[i] = window.apply(corner);
   }
   result.count = polygon.count;

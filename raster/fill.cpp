@@ -11,7 +11,7 @@ int64_t divide_up(int64_t a, int64_t b) { return (a + b - 1) / b; }
 /// Where few pixels are in question, trying them costs less than divisions.
 constexpr int64_t few = 4;
 
-bool covered(const Triangle& triangle, int32_t row, int64_t i) {
+bool covered(const WindowTriangle& triangle, int32_t row, int64_t i) {
   for (size_t k = 0; k < 3; ++k) {
     if (triangle.edge[k] + int64_t{triangle.step_y[k]} * row + triangle.step_x[k] * i < 0) return false;
   }
@@ -19,7 +19,7 @@ bool covered(const Triangle& triangle, int32_t row, int64_t i) {
 }
 }  // namespace
 
-RowSpan row_span(const Triangle& triangle, int32_t row) {
+RowSpan row_span(const WindowTriangle& triangle, int32_t row) {
   RowSpan span{0, triangle.right - triangle.left};
   if (span.last < few) {
     while (span.first <= span.last && !covered(triangle, row, span.first)) ++span.first;

@@ -43,11 +43,11 @@ struct VisibilityWriter {
 struct RowSpan {
   int64_t first, last;
 };
-RowSpan row_span(const Triangle& triangle, int32_t row);
+RowSpan row_span(const WindowTriangle& triangle, int32_t row);
 
 /// Rows first_row to last_row, both included.
 template <typename Writer>
-void fill(const Triangle& triangle, int32_t first_row, int32_t last_row,
+void fill(const WindowTriangle& triangle, int32_t first_row, int32_t last_row,
           PixelBuffer<typename Writer::Word> buffer, const Writer& writer) {
   const int32_t bottom = triangle.bottom > first_row ? triangle.bottom : first_row;
   const int32_t top = triangle.top < last_row ? triangle.top : last_row;

@@ -1,6 +1,8 @@
 // Floating point as the rasteriser needs it, whatever the program around us has set.
 #pragma once
 
+#include "base/rounding.hpp"
+
 #include <xmmintrin.h>
 
 namespace triptych {
@@ -17,6 +19,7 @@ class FloatState {
 
  private:
   static constexpr unsigned defaults = 0x1f80;
+  NearestRounding rounding_;  // the old unit's mode, too, which the C library goes by
   unsigned before_;
 };
 

@@ -14,7 +14,7 @@ struct StageVertex {
   bool is_inside;  ///< of the planes that triangles are clipped at; elsewhere the others hold nothing
 };
 
-void add(const Triangle& triangle, StretchTriangles& result) {
+void add(const WindowTriangle& triangle, StretchTriangles& result) {
   if (result.triangles.empty()) {
     result.bottom = triangle.bottom;
     result.top = triangle.top;
@@ -28,7 +28,7 @@ void add_clipped(const GeometryTerms& terms, const std::array<glm::vec4, 3>& cor
                  const PixelDepthBound& bound, StretchTriangles& result) {
   const ClippedPolygon polygon = clip_triangle(corners, terms.window);
   for (size_t i = 2; i < polygon.count; ++i) {
-    Triangle triangle;
+    WindowTriangle triangle;
     if (!set_up({polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]}, terms.limits, triangle))
       continue;
     triangle.slot = slot;
@@ -90,7 +90,7 @@ glm::vec4 GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk&
       add_clipped(terms, positions, range.first_slot + i, bound, result);
       continue;
     }
-    Triangle triangle;
+    WindowTriangle triangle;
     if (!set_up({a.window, b.window, c.window}, terms.limits, triangle)) continue;
     triangle.slot = range.first_slot + i;
     // All three corners are behind each plane by more than the depth may be off, and so is what lies between.

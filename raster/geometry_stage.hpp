@@ -12,9 +12,9 @@ namespace triptych {
 
 /// What one stretch of triangles becomes. Keeps its room from use to use.
 struct StretchTriangles {
-  std::vector<Triangle> triangles;      ///< with their slots
-  std::vector<PixelDepthBound> bounds;  ///< of the chunk's pieces; triangles point to them
-  int32_t bottom = 0, top = -1;         ///< rows that any of them has pixels in
+  std::vector<WindowTriangle> triangles;  ///< with their slots
+  std::vector<PixelDepthBound> bounds;    ///< of the chunk's pieces; triangles point to them
+  int32_t bottom = 0, top = -1;           ///< rows that any of them has pixels in
 };
 
 /// What is the same for all that is drawn into one picture.
@@ -31,7 +31,7 @@ struct GeometryTerms {
 };
 
 /// range: numbered. pieces: boxes of the chunk's pieces, placed. Depths of `triangles` keep the bounds of
-/// their piece: by a proof, or by Triangle::bound. A function of its arguments alone.
+/// their piece: by a proof, or by WindowTriangle::bound. A function of its arguments alone.
 void make_triangles(const GeometryTerms& terms, const DrawnRange& range, std::span<const LatticeBox> pieces,
                     StretchTriangles& result);
 

@@ -18,7 +18,7 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
       geometry_(skeleton, residency),
       placer_(skeleton) {}
 
-void RasterScene::set_view(const FrameView& view) {
+[[gnu::noinline]] void RasterScene::set_view(const FrameView& view) {
   if (view_ && view.state == view_->state && view.rules == view_->rules) return;
   view_ = view;
   representation_.begin(view);
@@ -27,7 +27,7 @@ void RasterScene::set_view(const FrameView& view) {
   terms_.emplace(*view_, *projector_);
 }
 
-uint64_t RasterScene::draw(std::span<const DrawableId> drawables, VisibilityBuffer& buffer) {
+[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables, VisibilityBuffer& buffer) {
   items_.clear();
   for (const DrawableId id : drawables) representation_.append(id, items_);
   geometry_.require(items_);
@@ -111,6 +111,7 @@ void RasterTarget::finish() {
 
 void RasterTarget::make_picture() const {
   if (picture_is_made_) return;
+  const FloatState state;
   picture_.resize(static_cast<size_t>(width()) * static_cast<size_t>(height()));
   if (view_) {
     shade(buffer_, *view_, picture_);

@@ -79,13 +79,13 @@ class Shader {
 
 }  // namespace
 
-Rgba background_pixel() {
+[[gnu::noinline]] Rgba background_pixel() {
   Rgba color;
   for (size_t i = 0; i < 4; ++i) color[i] = to_byte(background_color[i]);
   return color;
 }
 
-void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
+[[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
   const Shader shader(view);
   constexpr int rows = 16;
   parallel_for(static_cast<size_t>((buffer.height() + rows - 1) / rows), [&](size_t i) {

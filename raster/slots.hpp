@@ -19,7 +19,7 @@ struct DrawnRange {
   uint32_t triangle_count = 0;
   uint32_t first_slot = 0;
   const RasterChunk* chunk = nullptr;
-  PlacedLattice placed;
+  PlacedLattice placed = {};
 };
 
 /// A pixel of the visibility buffer: reversed depth above (a positive float, whose bits order as it does), a

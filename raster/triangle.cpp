@@ -17,7 +17,7 @@ float as_float(int64_t value) { return static_cast<float>(value); }
 /// The depth's slopes, and by how much it may be off. Set-up rounds a slope by five units of the sum of its
 /// terms, evaluation the products and sums by three more, and the first corner's depth by two; twice that is
 /// allowed, for terms of second order.
-void set_up_depth(const std::array<WindowVertex, 3>& corners, int64_t area, Triangle& triangle) {
+void set_up_depth(const std::array<WindowVertex, 3>& corners, int64_t area, WindowTriangle& triangle) {
   const auto& [a, b, c] = corners;
   const float dx1 = as_float(b.x - a.x), dx2 = as_float(c.x - a.x), dy1 = as_float(b.y - a.y),
               dy2 = as_float(c.y - a.y);
@@ -38,7 +38,7 @@ void set_up_depth(const std::array<WindowVertex, 3>& corners, int64_t area, Tria
 
 /// To the left of it the edge function is positive. Minus one where its own pixels are not its triangle's.
 /// Divided by a pixel's sub-pixels, which keeps the sign at pixel centres.
-void set_up_edge(const WindowVertex& from, const WindowVertex& to, size_t edge, Triangle& triangle) {
+void set_up_edge(const WindowVertex& from, const WindowVertex& to, size_t edge, WindowTriangle& triangle) {
   const int32_t step_x = from.y - to.y, step_y = to.x - from.x;
   const bool own = step_x > 0 || (step_x == 0 && step_y < 0);
   const int64_t at = int64_t{step_y} * (triangle.bottom * subpixels + half - from.y) +
@@ -50,7 +50,8 @@ void set_up_edge(const WindowVertex& from, const WindowVertex& to, size_t edge, 
 
 }  // namespace
 
-bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits, Triangle& triangle) {
+bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
+            WindowTriangle& triangle) {
   const auto& [a, b, c] = corners;
   triangle.left = std::max((std::min({a.x, b.x, c.x}) + half - 1) >> subpixel_bits, 0);
   triangle.right = std::min((std::max({a.x, b.x, c.x}) - half) >> subpixel_bits, limits.width - 1);

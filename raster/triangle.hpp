@@ -21,7 +21,7 @@ struct PictureLimits {
 ///   clamp((z + slope_y · dy) + slope_x · dx, low, high),   dx, dy: sub-pixels from the first corner
 ///
 /// in floats, in this order; where `bounded`, the farther of that and PixelDepthBound.
-struct Triangle {
+struct WindowTriangle {
   std::array<int64_t, 3> edge;
   std::array<int32_t, 3> step_x, step_y;
   int32_t left, right, bottom, top;  ///< pixels, inclusive
@@ -44,7 +44,8 @@ struct Triangle {
 };
 
 /// False where it covers nothing: it has no area, or lies between pixel centres.
-bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits, Triangle& triangle);
+bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
+            WindowTriangle& triangle);
 
 /// How far behind the bound a corner lies, at least, in depth; negative in front of it.
 float slack(const PixelDepthBound& bound, const WindowVertex& corner);

@@ -119,7 +119,7 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   for (size_t i = 0; i < batch_.size(); ++i) {
     const StretchTriangles& stretch = triangles_[i];
     if (stretch.bottom > last || stretch.top < first) continue;
-    for (const Triangle& triangle : stretch.triangles) {
+    for (const WindowTriangle& triangle : stretch.triangles) {
       if (triangle.bottom > last || triangle.top < first) continue;
       if (depth_alone_) {
         fill(triangle, first, last, PixelBuffer<uint32_t>{depths_.data(), width_}, DepthWriter{});

@@ -17,7 +17,7 @@ struct PlacedStretch {
   uint32_t part = 0;  ///< counts the drawable's stretches
   const RasterChunk* chunk = nullptr;
   uint32_t first_triangle = 0, triangle_count = 0;
-  PlacedLattice placed;
+  PlacedLattice placed = {};
   std::span<const LatticeBox> pieces;
 };
 

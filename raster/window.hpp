@@ -62,6 +62,10 @@ class WindowTransform {
            inside(clip, Plane::bottom) >= 0;
   }
 
+  /// What |x| and |y| are at most within the guard band, as a share of w.
+  float guard_x() const { return guard_x_; }
+  float guard_y() const { return guard_y_; }
+
   /// Of a position that is inside.
   WindowVertex apply(const glm::vec4& clip) const {
     const float over_w = 1.0f / clip.w;

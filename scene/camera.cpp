@@ -1,8 +1,8 @@
 #include "scene/camera.hpp"
 
-#include "base/tangent.hpp"
 #include "base/error.hpp"
 #include "base/rounding.hpp"
+#include "base/tangent.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Box tests against every pixel's depth, by brute force.
 #include "raster/box_test.hpp"
+
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +65,8 @@ TEST(BoxTest, says_what_a_look_at_every_pixel_says) {
       for (DepthPlane& plane : rectangle.planes) {
         plane.middle = static_cast<float>(random.number(0, 0.01));
         if (i % 2 == 0 && &plane != &rectangle.planes[0])
-          plane.slope = {static_cast<float>(random.number(-0.01, 0.01)), static_cast<float>(random.number(-0.01, 0.01))};
+          plane.slope = {static_cast<float>(random.number(-0.01, 0.01)),
+                         static_cast<float>(random.number(-0.01, 0.01))};
       }
       if (i % 3 == 0) {
         for (HalfPlane& cut : rectangle.cuts) {

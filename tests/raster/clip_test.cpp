@@ -1,4 +1,5 @@
 #include "raster/clip.hpp"
+
 #include "raster/triangle.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -38,10 +39,10 @@ TEST(Clip, neighbours_get_the_same_points_on_the_edge_that_they_share) {
       for (const ClippedPolygon* polygon : {&one, &other}) {
         if (polygon->count == 0) continue;
         const auto end = polygon->corners.begin() + static_cast<std::ptrdiff_t>(polygon->count);
-        EXPECT_TRUE(std::any_of(polygon->corners.begin(), end, [&](const WindowVertex& corner) {
-          return same_place(corner, edge.corners[k]);
-        })) << "round "
-            << i;
+        EXPECT_TRUE(
+            std::any_of(polygon->corners.begin(), end,
+                        [&](const WindowVertex& corner) { return same_place(corner, edge.corners[k]); }))
+            << "round " << i;
         ++shared;
       }
     }
@@ -59,8 +60,8 @@ TEST(Clip, keeps_what_lies_behind_the_near_plane_and_within_the_guard_band) {
     cut += polygon.count > 3;
     for (size_t k = 0; k < polygon.count; ++k) {
       const WindowVertex& corner = polygon.corners[k];
-      EXPECT_LE(std::abs(corner.x - width * subpixels / 2), guard_band + subpixels);
-      EXPECT_LE(std::abs(corner.y - height * subpixels / 2), guard_band + subpixels);
+      EXPECT_LE(std::abs(corner.x - width * subpixels / 2), guard_band + guard_band / 2 + 1);
+      EXPECT_LE(std::abs(corner.y - height * subpixels / 2), guard_band + guard_band / 2 + 1);
       EXPECT_GT(corner.depth, 0);
       EXPECT_LE(corner.depth, 1.00001f);
     }

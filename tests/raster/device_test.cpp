@@ -1,8 +1,7 @@
 // The device as a whole: the same picture whatever the order, the batches, the threads, the surroundings.
-#include "raster/raster_device.hpp"
-
 #include "base/threads.hpp"
 #include "lod/cut.hpp"
+#include "raster/raster_device.hpp"
 #include "residency/load_on_demand.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -50,7 +49,9 @@ class RasterDevice : public testing::TestWithParam<std::string> {
     }
     return result;
   }
-  static void at_once(FrameTarget& target, const std::vector<DrawableId>& drawables) { target.draw(drawables); }
+  static void at_once(FrameTarget& target, const std::vector<DrawableId>& drawables) {
+    target.draw(drawables);
+  }
 
   const Pack& pack;
   Hierarchy hierarchy;
@@ -67,7 +68,8 @@ TEST_P(RasterDevice, draws_the_same_whatever_the_order_and_the_batches) {
             }));
   Random random(1);
   EXPECT_EQ(expected, pictures([&](FrameTarget& target, std::vector<DrawableId> drawables) {
-              for (size_t i = drawables.size(); i > 1; --i) std::swap(drawables[i - 1], drawables[random.index(i)]);
+              for (size_t i = drawables.size(); i > 1; --i)
+                std::swap(drawables[i - 1], drawables[random.index(i)]);
               for (size_t first = 0; first < drawables.size();) {
                 const size_t count = std::min(drawables.size() - first, size_t{1} + random.index(5));
                 target.draw(std::span(drawables).subspan(first, count));

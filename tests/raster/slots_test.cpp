@@ -6,7 +6,8 @@
 namespace triptych {
 namespace {
 
-DrawnRange range(uint64_t distance, DrawableId id, uint32_t triangles, uint32_t part = 0, uint32_t first = 0) {
+DrawnRange range(uint64_t distance, DrawableId id, uint32_t triangles, uint32_t part = 0,
+                 uint32_t first = 0) {
   return {.rank = {distance, id}, .part = part, .first_triangle = first, .triangle_count = triangles};
 }
 

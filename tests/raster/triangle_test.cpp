@@ -21,7 +21,8 @@ WindowVertex vertex(Random& random, double reach) {
   return {x, y, static_cast<float>(random.number(0.01, 1))};
 }
 
-/// Whether the edge from a to b, counter-clockwise, holds the point: a left or a top one holds its own points.
+/// Whether the edge from a to b, counter-clockwise, holds the point: a left or a top one holds its own
+/// points.
 bool holds(const WindowVertex& a, const WindowVertex& b, int64_t x, int64_t y) {
   const int64_t side = int64_t{b.x - a.x} * (y - a.y) - int64_t{b.y - a.y} * (x - a.x);
   const bool left = b.y < a.y, top = b.y == a.y && b.x < a.x;
@@ -52,7 +53,7 @@ struct Counting {
 std::vector<Counting::Word> filled(const std::vector<std::array<WindowVertex, 3>>& triangles) {
   std::vector<Counting::Word> words(static_cast<size_t>(width * height));
   for (const auto& corners : triangles) {
-    Triangle triangle;
+    WindowTriangle triangle;
     if (set_up(corners, limits, triangle))
       fill(triangle, 0, height - 1, PixelBuffer<Counting::Word>{words.data(), width}, Counting{});
   }
@@ -107,7 +108,7 @@ TEST(RasterTriangle, neighbours_share_their_pixels_without_gap_or_overlap) {
     std::vector<WindowVertex> corners;
     for (int y = 0; y <= cells; ++y) {
       for (int x = 0; x <= cells; ++x) {
-        const double shake = x > 0 && x < cells && y > 0 && y < cells ? 0.45 : 0;
+        const double shake = x > 0 && x < cells && y > 0 && y < cells ? 0.24 : 0;
         const auto at = [&](int cell, int size) {
           return static_cast<int32_t>((cell + random.number(-shake, shake)) * size * subpixels / cells);
         };
@@ -133,11 +134,11 @@ TEST(RasterTriangle, depth_is_as_near_to_the_exact_plane_as_it_says_and_within_i
   for (int i = 0; i < 4000; ++i) {
     const auto corners = random_triangle(random, i);
     const auto& [a, b, c] = corners;
-    Triangle triangle;
+    WindowTriangle triangle;
     if (!set_up(corners, limits, triangle)) continue;
     const auto words = filled({corners});
-    const long double area = static_cast<long double>(b.x - a.x) * (c.y - a.y) -
-                             static_cast<long double>(c.x - a.x) * (b.y - a.y);
+    const long double area =
+        static_cast<long double>(b.x - a.x) * (c.y - a.y) - static_cast<long double>(c.x - a.x) * (b.y - a.y);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         const Counting::Word& word = words[static_cast<size_t>(y * width + x)];
@@ -173,7 +174,7 @@ TEST(RasterTriangle, a_bound_that_corners_keep_by_more_than_the_error_is_kept_at
       const float room = slack(bound, corner) + corner.depth;
       corner.depth = std::max(0.001f, room * (1 - static_cast<float>(random.number(0, 1e-4))));
     }
-    Triangle triangle;
+    WindowTriangle triangle;
     if (!set_up(corners, limits, triangle)) continue;
     const float least =
         std::min({slack(bound, corners[0]), slack(bound, corners[1]), slack(bound, corners[2])});
@@ -196,7 +197,7 @@ TEST(RasterTriangle, a_bound_that_corners_keep_by_more_than_the_error_is_kept_at
 }
 
 TEST(RasterTriangle, without_area_or_between_centres_covers_nothing) {
-  Triangle triangle;
+  WindowTriangle triangle;
   const auto at = [](int32_t x, int32_t y) { return WindowVertex{x, y, 0.5f}; };
   EXPECT_FALSE(set_up({at(0, 0), at(256, 256), at(512, 512)}, limits, triangle));
   EXPECT_FALSE(set_up({at(140, 140), at(370, 140), at(140, 370)}, limits, triangle));

@@ -8,8 +8,8 @@
 
 namespace triptych::test {
 
-/// As the environment's TRIPTYCH_TEST_DEVICE says: cpu (which it is without it), egl or osmesa, whose boxes are
-/// tested by the other of the two ways. Made once in a process.
+/// As the environment's TRIPTYCH_TEST_DEVICE says: cpu (which it is without it), egl or osmesa, whose boxes
+/// are tested by the other of the two ways. Made once in a process.
 inline const ChosenDevice& test_device() {
   static const ChosenDevice device = [] {
     const char* value = std::getenv("TRIPTYCH_TEST_DEVICE");
