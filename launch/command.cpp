@@ -54,6 +54,7 @@ void add_device_flags(CLI::App& command, DeviceOptions& device) {
   const CLI::Option* const kind =
       add_choice_flag(command, "--device", device.kind, kinds,
                       "What draws: OpenGL, or the program itself; auto is gl where there is a graphics card")
+          ->envname("TRIPTYCH_DEVICE")
           ->default_str("auto");
   const std::map<std::string, ContextKind> names{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}};
   add_choice_flag(command, "--context", device.context, names,

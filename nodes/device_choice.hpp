@@ -22,6 +22,7 @@ struct DeviceOptions {
   DeviceKind kind = DeviceKind::cpu;
   ContextKind context = ContextKind::egl;  ///< of `gl`
   TestKind test = TestKind::storage;       ///< of `gl`
+  bool operator==(const DeviceOptions&) const = default;
 };
 
 struct ChosenDevice {

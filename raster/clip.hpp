@@ -15,8 +15,17 @@ struct ClippedPolygon {
   size_t count = 0;  ///< 0: nothing is left
 };
 
+/// A corner in clip space. `rounded` is what triangles that are not clipped are drawn with: it says on which
+/// side of a plane the corner lies, and where, so that neighbours meet. `exact` is the same before it was
+/// rounded: points on cut edges are computed from it, since what is far away rounds by more than what is near
+/// can bear.
+struct ClipCorner {
+  glm::vec4 rounded;
+  glm::dvec4 exact;
+};
+
 /// Sutherland and Hodgman, Reentrant polygon clipping, 1974, in clip space. Where an edge is cut, the point
 /// is computed from its inner end, so that both triangles at the edge get the same one.
-ClippedPolygon clip_triangle(const std::array<glm::vec4, 3>& corners, const WindowTransform& window);
+ClippedPolygon clip_triangle(const std::array<ClipCorner, 3>& corners, const WindowTransform& window);
 
 }  // namespace triptych

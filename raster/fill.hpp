@@ -53,11 +53,10 @@ void fill(const WindowTriangle& triangle, int32_t first_row, int32_t last_row,
   const int32_t top = triangle.top < last_row ? triangle.top : last_row;
   for (int32_t y = bottom; y <= top; ++y) {
     const RowSpan span = row_span(triangle, y - triangle.bottom);
-    const float row = triangle.row_depth(y);
     typename Writer::Word* words = buffer.row(y);
     for (int64_t i = span.first; i <= span.last; ++i) {
       const int32_t x = triangle.left + static_cast<int32_t>(i);
-      float depth = triangle.depth_at(row, x);
+      float depth = triangle.depth_at(x, y);
       if (triangle.bound != nullptr) {
         const float bound = bound_at(*triangle.bound, x, y);
         depth = bound < depth ? bound : depth;

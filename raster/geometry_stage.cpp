@@ -14,6 +14,12 @@ struct StageVertex {
   bool is_inside;  ///< of the planes that triangles are clipped at; elsewhere the others hold nothing
 };
 
+/// Of corners that are so far behind the bound, at least. Where all of them are behind each plane by more
+/// than the depth may be off, so is what lies between them.
+void hold_to(const PixelDepthBound& bound, float least_slack, WindowTriangle& triangle) {
+  if (!(least_slack >= triangle.error)) triangle.bound = &bound;
+}
+
 void add(const WindowTriangle& triangle, StretchTriangles& result) {
   if (result.triangles.empty()) {
     result.bottom = triangle.bottom;
@@ -24,15 +30,17 @@ void add(const WindowTriangle& triangle, StretchTriangles& result) {
   result.triangles.push_back(triangle);
 }
 
-void add_clipped(const GeometryTerms& terms, const std::array<glm::vec4, 3>& corners, uint32_t slot,
+void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& corners, uint32_t slot,
                  const PixelDepthBound& bound, StretchTriangles& result) {
   const ClippedPolygon polygon = clip_triangle(corners, terms.window);
   for (size_t i = 2; i < polygon.count; ++i) {
+    const std::array<WindowVertex, 3> window = {polygon.corners[0], polygon.corners[i - 1],
+                                                polygon.corners[i]};
     WindowTriangle triangle;
-    if (!set_up({polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]}, terms.limits, triangle))
-      continue;
+    if (!set_up(window, terms.limits, triangle)) continue;
     triangle.slot = slot;
-    triangle.bound = &bound;
+    hold_to(bound, std::min({slack(bound, window[0]), slack(bound, window[1]), slack(bound, window[2])}),
+            triangle);
     add(triangle, result);
   }
 }
@@ -46,14 +54,16 @@ GeometryTerms::GeometryTerms(const FrameView& view, const BoxProjector& of_view)
       window(view.view().width, view.view().height),
       limits{view.view().width, view.view().height} {}
 
-glm::vec4 GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const {
+template <typename Position>
+Position GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const {
+  using Number = typename Position::value_type;
   // Integers are added exactly and converted once: shared vertices come out bit-equal whichever chunk brings
   // them.
-  const auto x = static_cast<float>(chunk.x[vertex] + placed.cell.x),
-             y = static_cast<float>(chunk.y[vertex] + placed.cell.y),
-             z = static_cast<float>(chunk.z[vertex] + placed.cell.z);
+  const auto x = static_cast<Number>(chunk.x[vertex] + placed.cell.x),
+             y = static_cast<Number>(chunk.y[vertex] + placed.cell.y),
+             z = static_cast<Number>(chunk.z[vertex] + placed.cell.z);
   const auto along = [&](const glm::vec4& row) { return ((row.x * x + row.y * y) + row.z * z) + row.w; };
-  const float eye_x = along(placed.rows[0]), eye_y = along(placed.rows[1]), eye_z = along(placed.rows[2]);
+  const Number eye_x = along(placed.rows[0]), eye_y = along(placed.rows[1]), eye_z = along(placed.rows[2]);
   if (orthographic) {
     return {clip.frustum.x * eye_x + clip.frustum.z, clip.frustum.y * eye_y + clip.frustum.w,
             clip.depth.x * eye_z + clip.depth.y, 1};
@@ -73,7 +83,7 @@ glm::vec4 GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk&
   static thread_local std::vector<StageVertex> vertices;
   vertices.resize(chunk.x.size());
   for (size_t i = 0; i < chunk.x.size(); ++i) {
-    const glm::vec4 position = terms.to_clip(range.placed, chunk, i);
+    const glm::vec4 position = terms.to_clip<glm::vec4>(range.placed, chunk, i);
     StageVertex& vertex = vertices[i];
     vertex.is_inside = terms.window.is_inside(position);
     if (!vertex.is_inside) continue;
@@ -85,16 +95,19 @@ glm::vec4 GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk&
     const StageVertex &a = vertices[corners[0]], &b = vertices[corners[1]], &c = vertices[corners[2]];
     const PixelDepthBound& bound = result.bounds[chunk.piece[corners[0]]];
     if (!(a.is_inside && b.is_inside && c.is_inside)) {
-      std::array<glm::vec4, 3> positions;
-      for (size_t k = 0; k < 3; ++k) positions[k] = terms.to_clip(range.placed, chunk, corners[k]);
+      std::array<ClipCorner, 3> positions;
+      for (size_t k = 0; k < 3; ++k) {
+        positions[k] = {terms.to_clip<glm::vec4>(range.placed, chunk, corners[k]),
+                        terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k])};
+      }
       add_clipped(terms, positions, range.first_slot + i, bound, result);
       continue;
     }
+    const std::array<WindowVertex, 3> window = {a.window, b.window, c.window};
     WindowTriangle triangle;
-    if (!set_up({a.window, b.window, c.window}, terms.limits, triangle)) continue;
+    if (!set_up(window, terms.limits, triangle)) continue;
     triangle.slot = range.first_slot + i;
-    // All three corners are behind each plane by more than the depth may be off, and so is what lies between.
-    if (!(std::min({a.slack, b.slack, c.slack}) >= triangle.error)) triangle.bound = &bound;
+    hold_to(bound, std::min({a.slack, b.slack, c.slack}), triangle);
     add(triangle, result);
   }
 }

@@ -27,7 +27,9 @@ struct GeometryTerms {
   WindowTransform window;
   PictureLimits limits;
 
-  glm::vec4 to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
+  /// A vertex in clip space, computed in floats (glm::vec4) or, from the same terms, in doubles (glm::dvec4).
+  template <typename Position>
+  Position to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
 };
 
 /// range: numbered. pieces: boxes of the chunk's pieces, placed. Depths of `triangles` keep the bounds of

@@ -27,7 +27,8 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   terms_.emplace(*view_, *projector_);
 }
 
-[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables, VisibilityBuffer& buffer) {
+[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables,
+                                             VisibilityBuffer& buffer) {
   items_.clear();
   for (const DrawableId id : drawables) representation_.append(id, items_);
   geometry_.require(items_);

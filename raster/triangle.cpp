@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace triptych {
 
@@ -9,31 +10,42 @@ namespace {
 
 constexpr int32_t half = subpixels / 2;
 
-/// What one operation in floats is off by, of its result.
-constexpr float unit_roundoff = 0x1p-24f;
-
-float as_float(int64_t value) { return static_cast<float>(value); }
-
-/// The depth's slopes, and by how much it may be off. Set-up rounds a slope by five units of the sum of its
-/// terms, evaluation the products and sums by three more, and the first corner's depth by two; twice that is
-/// allowed, for terms of second order.
-void set_up_depth(const std::array<WindowVertex, 3>& corners, int64_t area, WindowTriangle& triangle) {
+/// Positive where the corners go round counter-clockwise.
+int64_t twice_area(const std::array<WindowVertex, 3>& corners) {
   const auto& [a, b, c] = corners;
-  const float dx1 = as_float(b.x - a.x), dx2 = as_float(c.x - a.x), dy1 = as_float(b.y - a.y),
-              dy2 = as_float(c.y - a.y);
-  const float dz1 = b.depth - a.depth, dz2 = c.depth - a.depth, whole = as_float(area);
-  triangle.first_x = a.x;
-  triangle.first_y = a.y;
-  triangle.z = a.depth;
-  triangle.slope_x = (dz1 * dy2 - dz2 * dy1) / whole;
-  triangle.slope_y = (dz2 * dx1 - dz1 * dx2) / whole;
-  triangle.low = std::min({a.depth, b.depth, c.depth});
-  triangle.high = std::max({a.depth, b.depth, c.depth});
-  const float terms_x = (std::abs(dz1 * dy2) + std::abs(dz2 * dy1)) / std::abs(whole),
-              terms_y = (std::abs(dz2 * dx1) + std::abs(dz1 * dx2)) / std::abs(whole);
-  const float reach_x = std::max(std::abs(dx1), std::abs(dx2)),
-              reach_y = std::max(std::abs(dy1), std::abs(dy2));
-  triangle.error = 2 * unit_roundoff * (8 * (terms_x * reach_x + terms_y * reach_y) + 2 * triangle.high);
+  return int64_t{b.x - a.x} * int64_t{c.y - a.y} - int64_t{c.x - a.x} * int64_t{b.y - a.y};
+}
+
+/// Where floats may be off by more, of the depth, depths are computed in doubles: half of what bounds allow.
+constexpr float max_float_error = static_cast<float>(share_of_depth / 2);
+
+/// What one operation is off by, of its result.
+template <typename Number>
+constexpr Number unit_roundoff = std::numeric_limits<Number>::epsilon() / 2;
+
+template <typename Number>
+struct DepthPlaneOf {
+  Number slope_x, slope_y;
+  Number error;  ///< what computing a depth from them may be off by
+};
+
+/// Set-up rounds a slope by five units of the sum of its terms, evaluation the products and sums by three
+/// more, and the first corner's depth by two; twice that is allowed, for terms of second order.
+template <typename Number>
+DepthPlaneOf<Number> depth_plane(const std::array<WindowVertex, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const auto number = [](auto value) { return static_cast<Number>(value); };
+  const Number dx1 = number(b.x - a.x), dx2 = number(c.x - a.x), dy1 = number(b.y - a.y),
+               dy2 = number(c.y - a.y);
+  const Number dz1 = number(b.depth) - number(a.depth), dz2 = number(c.depth) - number(a.depth),
+               area = number(twice_area(corners));
+  const Number terms_x = (std::abs(dz1 * dy2) + std::abs(dz2 * dy1)) / std::abs(area),
+               terms_y = (std::abs(dz2 * dx1) + std::abs(dz1 * dx2)) / std::abs(area);
+  const Number reach_x = std::max(std::abs(dx1), std::abs(dx2)),
+               reach_y = std::max(std::abs(dy1), std::abs(dy2));
+  const Number high = number(std::max({a.depth, b.depth, c.depth}));
+  return {(dz1 * dy2 - dz2 * dy1) / area, (dz2 * dx1 - dz1 * dx2) / area,
+          2 * unit_roundoff<Number> * (8 * (terms_x * reach_x + terms_y * reach_y) + 2 * high)};
 }
 
 /// To the left of it the edge function is positive. Minus one where its own pixels are not its triangle's.
@@ -59,14 +71,29 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   triangle.bottom = std::max((std::min({a.y, b.y, c.y}) + half - 1) >> subpixel_bits, 0);
   triangle.top = std::min((std::max({a.y, b.y, c.y}) - half) >> subpixel_bits, limits.height - 1);
   if (triangle.bottom > triangle.top) return false;
-  const int64_t area = int64_t{b.x - a.x} * int64_t{c.y - a.y} - int64_t{c.x - a.x} * int64_t{b.y - a.y};
+  const int64_t area = twice_area(corners);
   if (area == 0) return false;
   // Both sides show; counter-clockwise, the edge functions are positive inside.
   const WindowVertex &second = area > 0 ? b : c, &third = area > 0 ? c : b;
   set_up_edge(a, second, 0, triangle);
   set_up_edge(second, third, 1, triangle);
   set_up_edge(third, a, 2, triangle);
-  set_up_depth(corners, area, triangle);
+  const DepthPlaneOf<float> plane = depth_plane<float>(corners);
+  triangle.precise.reset();
+  triangle.bound = nullptr;
+  triangle.first_x = a.x;
+  triangle.first_y = a.y;
+  triangle.z = a.depth;
+  triangle.slope_x = plane.slope_x;
+  triangle.slope_y = plane.slope_y;
+  triangle.error = plane.error;
+  triangle.low = std::min({a.depth, b.depth, c.depth});
+  triangle.high = std::max({a.depth, b.depth, c.depth});
+  if (!(triangle.error <= max_float_error * triangle.low)) {
+    const DepthPlaneOf<double> precise = depth_plane<double>(corners);
+    triangle.precise = {precise.slope_x, precise.slope_y};
+    triangle.error = static_cast<float>(precise.error) + 2 * unit_roundoff<float> * triangle.high;
+  }
   return true;
 }
 
@@ -75,8 +102,8 @@ float slack(const PixelDepthBound& bound, const WindowVertex& corner) {
   float least = bound.at.w - corner.depth;
   for (int i = 0; i < 3; ++i) {
     const float along_x = bound.x[i] * x, along_y = bound.y[i] * y;
-    const float rounding =
-        4 * unit_roundoff * (std::abs(along_x) + std::abs(along_y) + std::abs(bound.at[i]) + corner.depth);
+    const float rounding = 4 * unit_roundoff<float> *
+                           (std::abs(along_x) + std::abs(along_y) + std::abs(bound.at[i]) + corner.depth);
     const float behind = ((along_x + along_y) + bound.at[i]) - corner.depth - rounding;
     least = behind < least ? behind : least;
   }

@@ -41,7 +41,8 @@ class WindowTransform {
 
   /// How far inside a plane a position is, in no unit; negative outside, not a number where it has no place.
   enum class Plane { near, right, left, top, bottom };
-  float inside(const glm::vec4& clip, Plane plane) const {
+  template <typename Position>  // of floats or doubles
+  typename Position::value_type inside(const Position& clip, Plane plane) const {
     switch (plane) {
       case Plane::near:
         return clip.w - clip.z;

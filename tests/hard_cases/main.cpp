@@ -4,6 +4,7 @@
 #include "render/png_file.hpp"
 #include "tests/hard_cases/mutants.hpp"
 #include "tests/hard_cases/stress.hpp"
+#include "tests/support/test_device.hpp"
 
 #include <cstdlib>
 #include <fmt/core.h>
@@ -24,7 +25,7 @@ int run(const std::vector<std::string>& names) {
     if (!names.empty() && std::find(names.begin(), names.end(), entry.name) == names.end()) continue;
     const Trial trial = entry.make();
     Problems problems = build_problems(trial);
-    for (const Problems& more : {cut_problems(trial), picture_problems(trial, TestKind::storage)})
+    for (const Problems& more : {cut_problems(trial), picture_problems(trial, test::device())})
       problems.insert(problems.end(), more.begin(), more.end());
     for (const std::string& problem : problems) fmt::print("{}: {}\n", entry.name, problem);
     failed += !problems.empty();
@@ -43,7 +44,7 @@ int thumbnails(const std::filesystem::path& folder) {
     View view = trial.views[trial.views.size() / 2];
     view.width = width;
     view.height = height;
-    LocalPipeline pipeline(built.pack(), {.width = width, .height = height});
+    LocalPipeline pipeline(built.pack(), {.width = width, .height = height, .device = test::device()});
     pipeline.draw({0, {view, trial.pixel_error}});
     write_png(folder / (entry.name + ".png"), width, height, pipeline.target().read_colors());
   }
@@ -58,7 +59,6 @@ int main(int argc, char** argv) {
   const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
   try {
     if (command == "list") return list();
-    const auto context = make_context(ContextKind::egl);
     if (command == "run") return run(rest);
     if (command == "stress" && rest.size() == 2) {
       const auto seed = static_cast<uint32_t>(std::stoul(rest[1]));

@@ -1,6 +1,7 @@
 #include "tests/hard_cases/mutants.hpp"
 
 #include "base/inject.hpp"
+#include "tests/support/test_device.hpp"
 
 #include <fmt/core.h>
 #include <map>
@@ -33,7 +34,7 @@ Finding examine(const Trial& trial, const std::vector<std::string>& faults) {
   try {
     if (Finding found = finding("build", build_problems(trial)); !found.stage.empty()) return found;
     if (Finding found = finding("cut", cut_problems(trial)); !found.stage.empty()) return found;
-    if (Finding found = finding("pictures", picture_problems(trial, TestKind::storage)); !found.stage.empty())
+    if (Finding found = finding("pictures", picture_problems(trial, test::device())); !found.stage.empty())
       return found;
   } catch (const std::exception& error) {
     return {"error", error.what()};

@@ -10,23 +10,23 @@ namespace triptych::hard_cases {
 
 namespace {
 
-LocalPipelineOptions options(const Trial& trial, StrategyKind cull, TestKind test = TestKind::storage) {
-  return {.width = trial.views[0].width, .height = trial.views[0].height, .cull = cull, .device = {test}};
+LocalPipelineOptions options(const Trial& trial, StrategyKind cull, const DeviceOptions& device) {
+  return {.width = trial.views[0].width, .height = trial.views[0].height, .cull = cull, .device = device};
 }
 
 class PictureTrial {
  public:
-  PictureTrial(const Trial& trial, TestKind test)
+  PictureTrial(const Trial& trial, const DeviceOptions& device)
       : trial_(trial),
         built_(trial),
-        culled_(built_.pack(), options(trial, StrategyKind::occlusion, test)),
-        whole_(built_.pack(), options(trial, StrategyKind::frustum)),
-        everything_(built_.pack(), options(trial, StrategyKind::none)),
-        unbounded_(built_.pack(), without_fragment_bound(options(trial, StrategyKind::frustum))),
-        items_(built_.pack(), with_items(options(trial, StrategyKind::frustum))) {
+        culled_(built_.pack(), options(trial, StrategyKind::occlusion, device)),
+        whole_(built_.pack(), options(trial, StrategyKind::frustum, device)),
+        everything_(built_.pack(), options(trial, StrategyKind::none, device)),
+        unbounded_(built_.pack(), without_fragment_bound(options(trial, StrategyKind::frustum, device))),
+        items_(built_.pack(), with_items(options(trial, StrategyKind::frustum, device))) {
     if (!trial.twin) return;
     built_twin_.emplace(*trial.twin);
-    twin_.emplace(built_twin_->pack(), options(*trial.twin, StrategyKind::occlusion, test));
+    twin_.emplace(built_twin_->pack(), options(*trial.twin, StrategyKind::occlusion, device));
   }
 
   Problems run() {
@@ -99,8 +99,8 @@ class PictureTrial {
 
 }  // namespace
 
-Problems picture_problems(const Trial& trial, TestKind test) {
-  return trial.views.empty() ? Problems() : PictureTrial(trial, test).run();
+Problems picture_problems(const Trial& trial, const DeviceOptions& device) {
+  return trial.views.empty() ? Problems() : PictureTrial(trial, device).run();
 }
 
 }  // namespace triptych::hard_cases

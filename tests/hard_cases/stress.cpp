@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "tests/hard_cases/maker.hpp"
 #include "tests/hard_cases/trials.hpp"
+#include "tests/support/test_device.hpp"
 
 #include <array>
 #include <cmath>
@@ -138,9 +139,7 @@ int run_stress(double minutes, uint32_t first_seed) {
     Problems problems;
     try {
       problems = build_problems(trial);
-      for (const Problems& more :
-           {cut_problems(trial),
-            picture_problems(trial, seed % 2 == 0 ? TestKind::storage : TestKind::queries)})
+      for (const Problems& more : {cut_problems(trial), picture_problems(trial, test::device())})
         problems.insert(problems.end(), more.begin(), more.end());
     } catch (const std::exception& error) {
       problems.push_back(error.what());

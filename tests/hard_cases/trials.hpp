@@ -1,8 +1,7 @@
 // Puts a case to the test: every function returns what is wrong, in words; nothing where all is well.
 #pragma once
 
-#include "render/context.hpp"
-#include "render/gl_device.hpp"
+#include "nodes/device_choice.hpp"
 #include "scene/pack.hpp"
 #include "tests/hard_cases/hard_case.hpp"
 
@@ -37,8 +36,8 @@ Problems build_problems(const Trial& trial);
 /// screen than the pixel error, in long double and by sampling.
 Problems cut_problems(const Trial& trial);
 /// Pictures of every frame: culled, un-culled, of the whole model and of the twin are equal pixel for pixel;
-/// every drawable that owns a pixel is in the visible set. A context must be current.
-Problems picture_problems(const Trial& trial, TestKind test);
+/// every drawable that owns a pixel is in the visible set. device: a chosen one.
+Problems picture_problems(const Trial& trial, const DeviceOptions& device);
 /// The real program in three processes, in a folder of its own: `triptych measure session`, or, where paths
 /// must be refused, what it says to them.
 Problems session_problems(const Trial& trial, const std::vector<std::string>& faults = {});

@@ -2,8 +2,8 @@
 
 #include "base/hashing.hpp"
 #include "nodes/local_pipeline.hpp"
-#include "render/context.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/test_device.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct DrawnFrames {
 
 DrawnFrames draw_room(const Pack& pack) {
   DrawnFrames run;
-  LocalPipeline pipeline(pack, {.width = width, .height = height});
+  LocalPipeline pipeline(pack, {.width = width, .height = height, .device = test::device()});
   for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 7)) {
     run.requests.push_back({static_cast<uint32_t>(run.requests.size()), {view, 1}});
     run.records.push_back(pipeline.draw(run.requests.back()));
@@ -33,10 +33,9 @@ DrawnFrames draw_room(const Pack& pack) {
 }  // namespace
 
 TEST(Comparison, frames_drawn_with_culling_equal_the_unculled_ones_and_hold_what_is_visible) {
-  const auto context = make_context(ContextKind::egl);
   const Pack& pack = scenes::pack("room");
   const DrawnFrames run = draw_room(pack);
-  const Comparison comparison = compare(pack, run.requests, {&run.records}).front();
+  const Comparison comparison = compare(pack, test::device(), run.requests, {&run.records}).front();
   EXPECT_EQ(comparison.frames_compared, run.records.size());
   EXPECT_EQ(comparison.identical_frames, run.records.size());
   EXPECT_EQ(comparison.missing_drawables, 0u);
@@ -45,14 +44,14 @@ TEST(Comparison, frames_drawn_with_culling_equal_the_unculled_ones_and_hold_what
 }
 
 TEST(Comparison, a_wrong_picture_and_a_withheld_drawable_are_found_in_their_run_alone) {
-  const auto context = make_context(ContextKind::egl);
   const Pack& pack = scenes::pack("room");
   const DrawnFrames run = draw_room(pack);
   std::vector<FrameRecord> wrong = run.records;
   wrong[3].picture_hash ^= 1;
   for (FrameRecord& record : wrong) record.visible.clear();
   wrong.pop_back();
-  const std::vector<Comparison> comparisons = compare(pack, run.requests, {&run.records, &wrong});
+  const std::vector<Comparison> comparisons =
+      compare(pack, test::device(), run.requests, {&run.records, &wrong});
   EXPECT_TRUE(comparisons[0].different.empty());
   EXPECT_EQ(comparisons[1].different, std::vector<uint32_t>{3});
   EXPECT_EQ(comparisons[1].frames_compared, run.records.size() - 1);
@@ -60,9 +59,8 @@ TEST(Comparison, a_wrong_picture_and_a_withheld_drawable_are_found_in_their_run_
 }
 
 TEST(Comparison, pictures_and_items_of_one_pass_are_those_of_a_pass_each) {
-  const auto context = make_context(ContextKind::egl);
   const Pack& pack = scenes::pack("room");
-  PackDevice device(pack);
+  PackDevice device(pack, test::device());
   PictureStage both(device.device(), width, height, TargetKind::color_and_item),
       colors(device.device(), width, height), items(device.device(), width, height, TargetKind::item);
   for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 7)) {

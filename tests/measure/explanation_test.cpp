@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/inject.hpp"
-#include "render/context.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/test_device.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -22,15 +22,14 @@ class Explanation : public testing::Test {
   }
   ~Explanation() override { clear_injected(); }
 
-  const std::unique_ptr<Context> context = make_context(ContextKind::egl);
   const Pack& pack = scenes::pack("room");
   const Skeleton& skeleton = pack.skeleton();
   std::vector<FrameRequest> frames;
 };
 
 TEST_F(Explanation, of_every_drawable_agrees_with_what_the_frame_shows) {
-  Explainer explainer(pack, width, height, TestKind::storage);
-  LocalPipeline pipeline(pack, {.width = width, .height = height});
+  Explainer explainer(pack, width, height, test::device());
+  LocalPipeline pipeline(pack, {.width = width, .height = height, .device = test::device()});
   std::set<Fate> seen;
   for (size_t i = 0; i < 12; ++i) {
     explainer.draw(frames[i]);
@@ -79,9 +78,10 @@ TEST_F(Explanation, of_every_drawable_agrees_with_what_the_frame_shows) {
 }
 
 TEST_F(Explanation, names_what_owns_the_pixel_counted_from_the_top) {
-  Explainer explainer(pack, width, height, TestKind::queries);
+  Explainer explainer(pack, width, height, test::device());
   explainer.draw(frames[0]);
-  LocalPipeline items(pack, {.width = width, .height = height, .item_buffer = true});
+  LocalPipeline items(pack,
+                      {.width = width, .height = height, .device = test::device(), .item_buffer = true});
   items.draw(frames[0]);
   const std::vector<uint32_t> rows = items.target().read_items();
   for (int y = 0; y < height; y += 7) {
@@ -95,7 +95,7 @@ TEST_F(Explanation, names_what_owns_the_pixel_counted_from_the_top) {
 
 TEST_F(Explanation, tells_a_drawable_that_culling_withheld) {
   inject("withheld-id");
-  Explainer explainer(pack, width, height, TestKind::storage);
+  Explainer explainer(pack, width, height, test::device());
   explainer.draw(frames[0]);
   size_t withheld = 0;
   for (DrawableId id = 0; id < skeleton.drawables.size(); ++id) {
@@ -105,7 +105,7 @@ TEST_F(Explanation, tells_a_drawable_that_culling_withheld) {
 }
 
 TEST_F(Explanation, of_what_is_not_there_is_an_error) {
-  Explainer explainer(pack, width, height, TestKind::storage);
+  Explainer explainer(pack, width, height, test::device());
   explainer.draw(frames[0]);
   EXPECT_THROW(explainer.at(width, 0), Error);
   EXPECT_THROW(explainer.at(0, -1), Error);

@@ -1,22 +1,20 @@
 #include "measure/side_by_side.hpp"
 
-#include "render/context.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/test_device.hpp"
 
 #include <gtest/gtest.h>
 
 namespace triptych {
 
 TEST(SideBySide, packs_in_turn_give_the_same_frames_as_each_alone_in_every_round) {
-  const auto context = make_context(ContextKind::egl);
   const Pack& room = scenes::pack("room");
   const Pack& other = scenes::pack("coplanar");
   std::vector<FrameRequest> requests;
   for (const View& view : scenes::random_views(room.skeleton(), 64, 48, 5, 3))
     requests.push_back({static_cast<uint32_t>(requests.size()), {view, 1}});
-  const auto both =
-      run_side_by_side(std::array<const Pack*, 2>{&room, &other}, requests, TestKind::storage, 2);
-  const auto alone = run_side_by_side(std::array<const Pack*, 1>{&room}, requests, TestKind::storage, 1);
+  const auto both = run_side_by_side(std::array<const Pack*, 2>{&room, &other}, requests, test::device(), 2);
+  const auto alone = run_side_by_side(std::array<const Pack*, 1>{&room}, requests, test::device(), 1);
   ASSERT_EQ(both.size(), 2u);
   for (const SideBySideRun& run : both) {
     ASSERT_EQ(run.frames.size(), 10u);

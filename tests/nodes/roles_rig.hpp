@@ -8,9 +8,9 @@
 #include "nodes/switch_node.hpp"
 #include "protocol/connect.hpp"
 #include "protocol/memory_network.hpp"
-#include "render/context.hpp"
 #include "tests/protocol/sample_messages.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/test_device.hpp"
 
 #include <array>
 #include <atomic>
@@ -25,16 +25,14 @@
 
 namespace triptych::test {
 
-/// Runs jobs, one after the other, in a thread that has a context.
+/// Runs jobs, one after the other, in a thread that has a context where the device needs one.
 class ContextThread {
  public:
   ContextThread() {
     std::promise<void> made;
     auto ready = made.get_future();
     thread_ = std::thread([this, &made] {
-      const char* kind = std::getenv("TRIPTYCH_TEST_CONTEXT");
-      const auto context =
-          make_context(kind && std::string(kind) == "osmesa" ? ContextKind::osmesa : ContextKind::egl);
+      const ChosenDevice device = choose_device(test::wanted_device());
       made.set_value();
       work();
     });
@@ -168,7 +166,8 @@ class Roles : public testing::Test {
   }
   static std::vector<uint64_t> whole_cuts() {
     std::vector<uint64_t> hashes;
-    LocalPipeline pipeline(pack(), {.width = side, .height = side, .cull = StrategyKind::frustum});
+    LocalPipeline pipeline(
+        pack(), {.width = side, .height = side, .cull = StrategyKind::frustum, .device = wanted_device()});
     for (uint32_t i = 0; i < views().size(); ++i) {
       pipeline.draw({i, {views()[i], 1}});
       const auto colors = pipeline.target().read_colors();
@@ -198,6 +197,7 @@ class Roles : public testing::Test {
       const auto stop = [this, role] { return stopped(role) || over; };
       EpochSink sink;
       SwitchNodeOptions options;
+      options.device = wanted_device();
       options.cull.packet_ids = 4;
       options.connect = [&](bool) { return connect(own, stop); };
       options.session_rules = rules[static_cast<size_t>(role)];
@@ -212,6 +212,7 @@ class Roles : public testing::Test {
       Frames frames(views(), first, count);
       RenderNodeOptions options;
       options.timeout = timeout;
+      options.device = wanted_device();
       options.cull.packet_ids = 4;
       options.connect = [&](const std::function<bool()>& give_up) {
         return connect(hello(Role::render), give_up);

@@ -20,6 +20,12 @@ glm::vec4 perspective(Random& random, double reach) {
   return {x, y, near, number()};
 }
 
+ClippedPolygon clip(const std::array<glm::vec4, 3>& corners, const WindowTransform& window) {
+  std::array<ClipCorner, 3> with_exact;
+  for (size_t i = 0; i < 3; ++i) with_exact[i] = {corners[i], glm::dvec4(corners[i])};
+  return clip_triangle(with_exact, window);
+}
+
 bool same_place(const WindowVertex& a, const WindowVertex& b) {
   return a.x == b.x && a.y == b.y && a.depth == b.depth;
 }
@@ -31,10 +37,10 @@ TEST(Clip, neighbours_get_the_same_points_on_the_edge_that_they_share) {
   for (int i = 0; i < 3000; ++i) {
     const double reach = i % 2 == 0 ? 1 : 100;
     const glm::vec4 a = perspective(random, reach), b = perspective(random, reach);
-    const ClippedPolygon one = clip_triangle({a, b, perspective(random, reach)}, window),
-                         other = clip_triangle({b, a, perspective(random, reach)}, window);
+    const ClippedPolygon one = clip({a, b, perspective(random, reach)}, window),
+                         other = clip({b, a, perspective(random, reach)}, window);
     // Whatever stands on the edge's line in one of them does in the other: ends, or cut ends.
-    const ClippedPolygon edge = clip_triangle({a, b, b}, window);
+    const ClippedPolygon edge = clip({a, b, b}, window);
     for (size_t k = 0; k < edge.count; ++k) {
       for (const ClippedPolygon* polygon : {&one, &other}) {
         if (polygon->count == 0) continue;
@@ -55,8 +61,8 @@ TEST(Clip, keeps_what_lies_behind_the_near_plane_and_within_the_guard_band) {
   Random random(2);
   size_t cut = 0;
   for (int i = 0; i < 3000; ++i) {
-    const ClippedPolygon polygon = clip_triangle(
-        {perspective(random, 1000), perspective(random, 1000), perspective(random, 1000)}, window);
+    const ClippedPolygon polygon =
+        clip({perspective(random, 1000), perspective(random, 1000), perspective(random, 1000)}, window);
     cut += polygon.count > 3;
     for (size_t k = 0; k < polygon.count; ++k) {
       const WindowVertex& corner = polygon.corners[k];
@@ -73,11 +79,11 @@ TEST(Clip, drops_what_lies_before_the_near_plane_or_is_no_number) {
   const WindowTransform window(width, height);
   const float nothing = std::numeric_limits<float>::quiet_NaN(), infinite = HUGE_VALF;
   const glm::vec4 before{0, 0, near, 0.1f}, behind{0, 0, near, -3};
-  EXPECT_EQ(clip_triangle({before, behind, before}, window).count, 0u);
-  EXPECT_EQ(clip_triangle({glm::vec4(nothing), glm::vec4(nothing), glm::vec4(nothing)}, window).count, 0u);
+  EXPECT_EQ(clip({before, behind, before}, window).count, 0u);
+  EXPECT_EQ(clip({glm::vec4(nothing), glm::vec4(nothing), glm::vec4(nothing)}, window).count, 0u);
   const glm::vec4 fine{0, 0, near, 1};
   for (const float bad : {nothing, infinite, -infinite}) {
-    const ClippedPolygon polygon = clip_triangle({fine, {bad, 0, near, 1}, {0, bad, near, 1}}, window);
+    const ClippedPolygon polygon = clip({fine, {bad, 0, near, 1}, {0, bad, near, 1}}, window);
     for (size_t k = 0; k < polygon.count; ++k) EXPECT_LE(std::abs(polygon.corners[k].x), 2 * guard_band);
   }
 }

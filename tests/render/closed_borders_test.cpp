@@ -60,8 +60,11 @@ View inside(double turn, int width, int height) {
 /// Pixels of the background in pictures of random mixes, seen from inside.
 size_t holes_of_random_mixes(const Pack& pack, int mixes, const Affine& placed = Affine(1)) {
   constexpr int width = 320, height = 240;
-  LocalPipeline pipeline(
-      pack, {.width = width, .height = height, .cull = StrategyKind::frustum, .item_buffer = true});
+  LocalPipeline pipeline(pack, {.width = width,
+                                .height = height,
+                                .cull = StrategyKind::frustum,
+                                .device = test::device(),
+                                .item_buffer = true});
   std::mt19937 random(21);
   size_t holes = 0;
   for (int i = 0; i < mixes; ++i) {
@@ -78,7 +81,7 @@ size_t holes_of_random_mixes(const Pack& pack, int mixes, const Affine& placed =
 
 class ClosedBorders : public testing::Test {
  protected:
-  ClosedBorders() : context(test_context()), pack(pack_of(awkward::model_of({awkward::wavy_sphere(120)}))) {}
+  ClosedBorders() : pack(pack_of(awkward::model_of({awkward::wavy_sphere(120)}))) {}
 
   /// Drawables of how many levels of the hierarchy the cut mixes.
   size_t mixed_levels(const Cut& cut) const {
@@ -91,13 +94,15 @@ class ClosedBorders : public testing::Test {
     return levels.size();
   }
 
-  Context& context;
   std::unique_ptr<Pack> pack;
 };
 
 TEST_F(ClosedBorders, no_pixel_shows_what_is_behind_a_closed_surface_at_any_mix_of_levels) {
-  LocalPipeline pipeline(*pack,
-                         {.width = 320, .height = 240, .cull = StrategyKind::frustum, .item_buffer = true});
+  LocalPipeline pipeline(*pack, {.width = 320,
+                                 .height = 240,
+                                 .cull = StrategyKind::frustum,
+                                 .device = test::device(),
+                                 .item_buffer = true});
   size_t holes = 0, mixed = 0, frames = 0;
   for (const double pixel_error : {0.5, 2.0, 8.0, 24.0}) {
     for (int i = 0; i < 24; ++i) {
@@ -140,7 +145,6 @@ TEST_F(ClosedBorders, random_mixes_of_levels_have_no_open_edge) {
 }
 
 TEST(ClosedBorder, is_closed_at_any_mix_whoever_simplified_it) {
-  test_context();
   for (const Simplifier simplifier : {Simplifier::openmesh, Simplifier::meshopt}) {
     const auto pack = pack_of(awkward::model_of({awkward::wavy_sphere(80)}), simplifier);
     EXPECT_EQ(holes_of_random_mixes(*pack, 40), 0u)
@@ -149,7 +153,6 @@ TEST(ClosedBorder, is_closed_at_any_mix_whoever_simplified_it) {
 }
 
 TEST(ClosedBorder, of_placed_meshes_stays_closed_between_their_own_levels_and_those_of_whole_subtrees) {
-  test_context();
   Model model = awkward::model_of({awkward::wavy_sphere(80)});
   const double turn = 0.83;
   Affine placed = awkward::translation({31.7, -2.3, 8.9});
@@ -163,9 +166,8 @@ TEST(ClosedBorder, of_placed_meshes_stays_closed_between_their_own_levels_and_th
 }
 
 TEST(ClosedBorder, without_a_part_shows_holes) {
-  test_context();
   const auto pack = pack_of(awkward::model_of({awkward::wavy_sphere(80)}));
-  LocalPipeline pipeline(*pack, {.width = 320, .height = 240, .item_buffer = true});
+  LocalPipeline pipeline(*pack, {.width = 320, .height = 240, .device = test::device(), .item_buffer = true});
   size_t holes = 0;
   for (int i = 0; i < 40; ++i) {
     std::mt19937 random(21);

@@ -19,17 +19,23 @@ class CulledPictures : public testing::TestWithParam<std::tuple<std::string, Siz
 };
 
 TEST_P(CulledPictures, equal_the_un_culled_ones_in_every_pixel) {
-  Rig storage(pack, size.width, size.height), queries(pack, size.width, size.height, TestKind::queries);
-  LocalPipeline items(
-      pack, {.width = size.width, .height = size.height, .cull = StrategyKind::frustum, .item_buffer = true});
+  // Of OpenGL both ways to test boxes.
+  DeviceOptions other_way = test::device();
+  other_way.test = other_way.test == TestKind::storage ? TestKind::queries : TestKind::storage;
+  Rig rig(pack, size.width, size.height), other(pack, size.width, size.height, other_way);
+  LocalPipeline items(pack, {.width = size.width,
+                             .height = size.height,
+                             .cull = StrategyKind::frustum,
+                             .device = test::device(),
+                             .item_buffer = true});
   const std::vector<View> views = scenes::path(pack.skeleton(), size.width, size.height);
   uint64_t seen = 0, drawn = 0, cut = 0;
   for (size_t i = 0; i < views.size(); ++i) {
     SCOPED_TRACE(testing::Message() << "frame " << i);
     const FrameRequest request{static_cast<uint32_t>(i), {views[i], scenes::pixel_error(i)}};
-    const Rig::Frame frame = storage.draw(request);
+    const Rig::Frame frame = rig.draw(request);
     EXPECT_EQ(frame.differing_pixels, 0u);
-    EXPECT_EQ(queries.draw(request).record.visible, frame.record.visible)
+    EXPECT_EQ(other.draw(request).record.visible, frame.record.visible)
         << "queries and the storage test disagree";
     items.draw(request);
     const VisibleSet truth = owners(items.target().read_items());
@@ -61,7 +67,7 @@ TEST_P(CulledInBatches, of_any_size_pictures_equal_the_un_culled_ones) {
   const Pack& pack = scenes::pack(GetParam());
   for (const size_t batch : {size_t{1}, size_t{7}, size_t{100000}}) {
     const CullOptions batches{.batch = batch, .min_batch = batch};
-    Rig rig(pack, 160, 120, TestKind::storage, batches);
+    Rig rig(pack, 160, 120, test::device(), batches);
     const std::vector<View> views = scenes::random_views(pack.skeleton(), 160, 120, 12, 5);
     for (size_t i = 0; i < views.size(); ++i) {
       EXPECT_EQ(rig.draw({static_cast<uint32_t>(i), {views[i], scenes::pixel_error(i)}}).differing_pixels, 0u)
@@ -75,8 +81,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CulledInBatches, testing::ValuesIn(scenes::name
 
 TEST(CulledPicture, of_the_first_frame_and_after_forgetting_is_the_un_culled_one_too) {
   const Pack& pack = scenes::pack("room");
-  test_context();
-  LocalPipeline culled(pack, {}), whole(pack, {.cull = StrategyKind::frustum});
+  LocalPipeline culled(pack, {.device = test::device()}),
+      whole(pack, {.cull = StrategyKind::frustum, .device = test::device()});
   for (const View& view : scenes::random_views(pack.skeleton(), 512, 512, 6, 9)) {
     culled.forget();
     const FrameRecord record = culled.draw({0, view, 1});
@@ -88,8 +94,8 @@ TEST(CulledPicture, of_the_first_frame_and_after_forgetting_is_the_un_culled_one
 
 TEST(CulledPicture, shows_what_the_picture_of_the_whole_model_shows) {
   const Pack& pack = scenes::pack("world");
-  test_context();
-  LocalPipeline frustum(pack, {.cull = StrategyKind::frustum}), all(pack, {.cull = StrategyKind::none});
+  LocalPipeline frustum(pack, {.cull = StrategyKind::frustum, .device = test::device()}),
+      all(pack, {.cull = StrategyKind::none, .device = test::device()});
   for (const View& view : scenes::random_views(pack.skeleton(), 512, 512, 8, 3)) {
     const FrameRecord cut = frustum.draw({0, view, 1});
     EXPECT_GE(all.draw({0, view, 1}).visible.size(), cut.visible.size());

@@ -136,10 +136,9 @@ struct Verdict {
 
 /// Sends a ray through the centre of every pixel of every frame of the scene's path.
 Verdict judge(const std::string& scene_name) {
-  test_context();
   const Pack& pack = scenes::pack(scene_name);
   constexpr int width = 192, height = 144;
-  LocalPipeline pipeline(pack, {.width = width, .height = height});
+  LocalPipeline pipeline(pack, {.width = width, .height = height, .device = test::device()});
   std::vector<View> views = scenes::path(pack.skeleton(), width, height, 2);
   std::erase_if(views, [](const View& view) { return view.camera.orthographic(); });  // rays from one point
   Verdict verdict;

@@ -24,9 +24,10 @@ size_t wrong_frames(const std::string& scene) {
   return wrong;
 }
 
-/// Squares smaller than a pixel, each a drawable of its own, whose right edges pass a pixel's centre by half
-/// a step of the rasterizer (1/256 pixel) and next to nothing: whether one shows, and whether its box does,
-/// hangs on the last bits of their roundings.
+/// Squares smaller than a pixel, each a drawable of its own. Right edges of some pass a pixel's centre by
+/// half a step of the rasterizer (1/256 pixel) and next to nothing: whether one shows, and whether its box
+/// does, hangs on the last bits of their roundings. Left edges of the others miss it by less than half a
+/// step: they are snapped to it, and their boxes are not.
 class Specks {
  public:
   Specks() : pack_(write()) {}
@@ -59,8 +60,9 @@ class Specks {
       const glm::dvec3 center =
           eye + pixel * glm::dvec3(12.0 * (i % rows) - 119.5, 12.0 * (i / rows) - 119.5, -side);
       const double past = 0.5 / 256 + (i % 41) * 0x1p-20;
-      const glm::ivec3 lo = skeleton.lattice().nearest(center - pixel * glm::dvec3(0.3, 0.3, 0));
-      const glm::ivec3 hi = skeleton.lattice().nearest(center + pixel * glm::dvec3(past, 0.3, 0));
+      const double left = i % 2 == 0 ? -0.3 : past / 2, right = i % 2 == 0 ? past : 0.3;
+      const glm::ivec3 lo = skeleton.lattice().nearest(center + pixel * glm::dvec3(left, -0.3, 0));
+      const glm::ivec3 hi = skeleton.lattice().nearest(center + pixel * glm::dvec3(right, 0.3, 0));
       Chunk chunk;
       chunk.vertices = {{lo, 0}, {{hi.x, lo.y, lo.z}, 0}, {hi, 0}, {{lo.x, hi.y, lo.z}, 0}};
       chunk.indices = {0, 1, 2, 0, 2, 3};

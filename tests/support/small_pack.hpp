@@ -96,15 +96,15 @@ inline SmallPack small_pack() {
   return pack;
 }
 
-/// Writes a pack under the running test's own name; tests that run in two OpenGL contexts side by side have
-/// two.
+/// Writes a pack under the running test's own name; tests that run on several devices side by side
+/// have one each.
 inline std::filesystem::path write_pack(const std::vector<Chunk>& chunks,
                                         const std::vector<uint32_t>& chunk_lattices,
                                         const StoredSkeleton& skeleton) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const char* context = std::getenv("TRIPTYCH_TEST_CONTEXT");
+  const char* device = std::getenv("TRIPTYCH_TEST_DEVICE");
   const auto file =
-      std::filesystem::path(testing::TempDir()) / (std::string("triptych_") + (context ? context : "") +
+      std::filesystem::path(testing::TempDir()) / (std::string("triptych_") + (device ? device : "") +
                                                    test->test_suite_name() + "_" + test->name() + ".tpk");
   PackWriter writer(file);
   for (size_t i = 0; i < chunks.size(); ++i) writer.add_chunk(chunks[i], chunk_lattices[i]);
