@@ -60,7 +60,7 @@ class Replayer {
                        {"visible", frame.visible.size()},
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},
-                       {"alone", frame.alone},
+                       {"alone", frame.fallback},
                        {"picture_hash", hash}});
   }
   const nlohmann::json& frames() const { return frames_; }

@@ -15,7 +15,7 @@ struct DeviceOptions {
   TestKind test = TestKind::storage;  ///< of `gl`
 };
 
-/// What every process that draws makes of a pack, which must outlive it. A context must be current.
+/// What every process that draws builds from a pack, which must outlive it. A context must be current.
 class PackDevice {
  public:
   explicit PackDevice(const Pack& pack, const DeviceOptions& options = {})

@@ -15,7 +15,7 @@ RenderSink::RenderSink(const RoleCommand& command, const SessionConnector& conne
 }
 
 void RenderSink::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
-  if (record.fallback) connector_.record_alone(frame);
+  if (record.fallback) connector_.record_fallback(frame);
   if (window_) window_->show(frame, record, stages);
 }
 

@@ -116,7 +116,8 @@ int run_render(const RoleCommand& command) {
          .session_rules = injected_rules(Role::render)});
   }
   RoleRecord record = sink.finish();
-  notice("render node: {} frames, {} of them alone, {} epochs", done.frames, done.alone, done.epochs);
+  notice("render node: {} frames, {} of them by itself, {} epochs", done.frames, done.fallback_frames,
+         done.epochs);
   record.gl = gl;
   record.raster = raster_verdict();
   record.timeline = own_timeline(role_name(Role::render));

@@ -84,7 +84,7 @@ std::unique_ptr<Mailbox> SessionConnector::connect(const std::function<bool()>& 
   return equip(mailbox_or_error(attempt(stop)));
 }
 
-void SessionConnector::record_alone(const FrameRequest& frame) const {
+void SessionConnector::record_fallback(const FrameRequest& frame) const {
   if (!recording_) return;
   recording_->add({.time_ms = steady_milliseconds(),
                    .sent = true,

@@ -34,7 +34,7 @@ class SessionConnector {
   std::unique_ptr<Mailbox> connect_again(const std::function<bool()>& stop) const;
 
   /// Takes down a frame that the render node drew alone: a camera that it sent to itself.
-  void record_alone(const FrameRequest& frame) const;
+  void record_fallback(const FrameRequest& frame) const;
 
  private:
   ConnectOutcome attempt(const std::function<bool()>& stop) const;
