@@ -14,7 +14,7 @@ namespace triptych {
 
 using asio::ip::tcp;
 
-/// Callers that wait in the kernel; strangers shall not be more.
+/// The most callers that wait in the kernel, strangers included.
 constexpr int most_waiting = 64;
 
 Address parse_address(const std::string& text) {

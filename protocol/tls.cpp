@@ -26,7 +26,7 @@ int key_index() {
   return index;
 }
 
-/// The session that both sides would have had, had they met before.
+/// A TLS session made from the key, as if both sides had met before.
 SSL_SESSION* session_of(SSL* connection) {
   const auto* key =
       static_cast<const SharedKey*>(SSL_CTX_get_ex_data(SSL_get_SSL_CTX(connection), key_index()));
