@@ -9,9 +9,9 @@ constexpr uint32_t smallest_range = 1u << 24;
 void BitModel::learn(bool bit) {
   seen_ = std::min(seen_ + 1, slowest);
   if (bit) {
-    zero_ -= (zero_ - least) / seen_;
+    zero_ -= (zero_ - min_zero) / seen_;
   } else {
-    zero_ += (most - zero_) / seen_;
+    zero_ += (max_zero - zero_) / seen_;
   }
 }
 

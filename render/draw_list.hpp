@@ -1,5 +1,5 @@
-// Drawables as OpenGL draws them: one indirect command and one record a placement, in the order
-// given, and the bounds of its pieces.
+// Drawables as OpenGL draws them: one indirect command and one record per placement, in the order given, and
+// the bounds of its pieces.
 #pragma once
 
 #include "base/epoch_marks.hpp"
@@ -13,24 +13,24 @@
 
 namespace triptych {
 
-/// Where a chunk lies in the device's buffers; nowhere where it is not there.
+/// Where a chunk lies in the device's buffers; empty if it is not loaded.
 struct ChunkRange {
   uint32_t first_index = 0, index_count = 0, base_vertex = 0;
   bool loaded() const { return index_count > 0; }
 };
 
-/// What the vertex stage reads for one placement; laid out as the shader has it.
+/// What the vertex stage reads for one placement; the same layout as in the shader.
 struct DrawRecord {
   glm::vec4 rows[3];
   glm::ivec3 cell;
   uint32_t item;
-  uint32_t first_bound;  ///< of the chunk's pieces, which follow each other
+  uint32_t first_bound;  ///< of the chunk's first piece; those of the others follow
   uint32_t unused[3];
 };
 static_assert(sizeof(DrawRecord) == 80);
 
-/// DepthBound of a piece in window coordinates (pixels): for each of the planes its slopes and what there is
-/// at (0, 0), which the vertex stage passes on as they are. Last, `nearest`.
+/// DepthBound of a piece in window coordinates (pixels): the slopes of each plane and its depth at (0, 0),
+/// which the vertex stage passes on unchanged. Last, `nearest`.
 struct BoundRecord {
   glm::vec4 x, y, at;
 };
@@ -48,19 +48,19 @@ struct DrawList {
   std::vector<DrawCommand> commands;
   uint64_t triangles = 0;
 
-  /// Empties it and keeps its room.
+  /// Empties it and keeps its memory.
   void clear();
 };
 
 /// Places chunks under one frame view at a time. Positions are taken relative to the cell of the eye
 /// (ClipSpace::reference) on the chunk's own lattice, in integers, so that precision does not depend on where
-/// the model stands. Keeps its room from frame to frame.
+/// the model stands. Reuses its memory from frame to frame.
 class DrawListBuilder {
  public:
   explicit DrawListBuilder(const Skeleton& skeleton);
 
   void begin(const FrameView& view);
-  /// ranges: of each chunk where it lies in device memory; those that are not loaded are left out.
+  /// ranges: for each chunk where it lies in device memory; chunks that are not loaded are left out.
   void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, DrawList& list);
 
  private:
@@ -76,7 +76,7 @@ class DrawListBuilder {
   std::optional<FrameView> view_;
   std::optional<BoxProjector> projector_;
   EpochMarks is_placed_;               ///< transforms
-  std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice that it was last asked with
+  std::vector<PlacedLattice> placed_;  ///< by transform, for the lattice that it was last used with
 };
 
 }  // namespace triptych

@@ -47,7 +47,7 @@ void Renderer::set_projection(const Pass& pass) const {
   const double shift_x = (camera.right + camera.left) / width,
                shift_y = (camera.top + camera.bottom) / height;
   const double scale = clip.orthographic ? 2 * clip.unit : 2;  // sides are tangents, or model units
-  const double side = clip.orthographic ? -1 : 1;              // shifts go with −z, or with 1
+  const double side = clip.orthographic ? -1 : 1;              // shifts are multiplied by −z, or by 1
   glUniform4f(pass.frustum, static_cast<float>(scale / width), static_cast<float>(scale / height),
               static_cast<float>(side * shift_x), static_cast<float>(side * shift_y));
   if (clip.orthographic) {

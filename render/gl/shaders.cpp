@@ -13,7 +13,7 @@ struct DrawRecord {
   uint item;
   uint first_bound, unused0, unused1, unused2;
 };
-// No fragment of a piece is nearer than any of three planes, over pixels, nor than at.w.
+// No fragment of a piece is nearer than any of three planes over pixel coordinates, nor than at.w.
 struct BoundRecord { vec4 x, y, at; };
 layout(std430, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
 layout(std430, binding = 4) readonly buffer Bounds { BoundRecord bounds[]; };
@@ -30,7 +30,7 @@ void bound_fragment() {
 }
 )";
 
-// The shaded colour of a fragment, the same text for every pass that draws colours.
+// The shaded colour of a fragment, the same source text for every pass that draws colours.
 const std::string shaded = R"(
 in vec3 eye_position;
 flat in vec4 base_color;
@@ -40,7 +40,7 @@ void shade_fragment() {
   vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
   float length_squared = dot(normal, normal);
   normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
-  // Both sides are lit: CAD models do not agree on which side is out.
+  // Both sides are lit: CAD models do not agree on which side is the outside.
   color = vec4(base_color.rgb * (0.42 + 0.38 * abs(dot(normal, light)) + 0.20 * abs(normal.z)), 1.0);
 }
 )";
@@ -136,12 +136,12 @@ void main() {
   float x = r.sides[(gl_VertexID & 1) == 0 ? 0 : 2], y = r.sides[(gl_VertexID & 2) == 0 ? 1 : 3];
   vec3 plane = vec3(r.planes[own * 3], r.planes[own * 3 + 1], r.planes[own * 3 + 2]);
   gl_Position = vec4(x, y, dot(plane, vec3(x, y, 1.0)), 1.0);
-  gl_ClipDistance[own] = gl_Position.z;  // beyond, there is nothing of the box
+  gl_ClipDistance[own] = gl_Position.z;  // the box does not reach where it is negative
   for (uint i = 0u; i < 4u; ++i) {
     gl_ClipDistance[4u + i] = dot(vec3(r.cuts[i * 3], r.cuts[i * 3 + 1], r.cuts[i * 3 + 2]), vec3(x, y, 1.0));
     if (i == own) continue;
     vec3 other = vec3(r.planes[i * 3], r.planes[i * 3 + 1], r.planes[i * 3 + 2]);
-    // Pieces overlap, lest snapping part them.
+    // Pieces overlap, so that snapping leaves no gap between them.
     vec2 slope = abs(other.xy - plane.xy);
     float rounding = 1e-6 * (dot(abs(other), vec3(1.0)) + dot(abs(plane), vec3(1.0)));
     gl_ClipDistance[i] = dot(other, vec3(x, y, 1.0)) - gl_Position.z + dot(slope, overlap) + rounding;
