@@ -31,7 +31,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
   for (const RestartedRole& role : outcome.restarted)
     restarted.push_back({{"role", role.role}, {"pid", role.pid}, {"reason", role.reason}});
   for (size_t i = 0; i < all_roles.size(); ++i) {
-    const Backlog& most = outcome.records.at(i).most_waiting;
+    const Backlog& most = outcome.records.at(i).max_backlog;
     waiting[role_name(all_roles[i])] = {{"messages", most.messages}, {"bytes", most.bytes}};
   }
   nlohmann::json report = {

@@ -99,12 +99,12 @@ json to_json(const RoleRecord& record) {
           {"raster", record.raster},
           {"timeline", record.timeline},
           {"clocks", record.clocks},
-          {"most_waiting", record.most_waiting}};
+          {"most_waiting", record.max_backlog}};
 }
 
 void add_record(RoleRecord& sum, const RoleRecord& record) {
   add_sockets(sum.sockets, record.sockets);
-  add_backlog(sum.most_waiting, record.most_waiting);
+  add_backlog(sum.max_backlog, record.max_backlog);
   sum.gl = record.gl;
   sum.raster = record.raster;
   sum.timeline.process = record.timeline.process;

@@ -47,7 +47,7 @@ struct RoleRecord {
   std::string raster;  ///< verdict of the role's raster certificate
   ProcessTimeline timeline;
   std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own
-  Backlog most_waiting{};         ///< the most that had come to it and was not used yet
+  Backlog max_backlog{};          ///< the most that had arrived and was not used yet
 };
 
 /// What this process kept so far.

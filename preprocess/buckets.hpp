@@ -52,19 +52,19 @@ class Buckets {
   Bucket load(size_t bucket) const;
 
  private:
-  struct Cut {
+  struct Split {
     int axis = -1;                   ///< -1: a bucket
     int at = 0;                      ///< points below it are on the first side
-    uint32_t first = 0, second = 0;  ///< cuts; of a bucket: its number, and nothing
+    uint32_t first = 0, second = 0;  ///< indices of splits; of a bucket: its number, unused
   };
 
-  uint32_t cut(std::span<glm::ivec3> sample, uint64_t limit);
+  uint32_t split(std::span<glm::ivec3> sample, uint64_t limit);
   uint32_t bucket_of(const glm::ivec3& point) const;
   /// Of a point that several buckets have.
   uint32_t number_of(const glm::ivec3& point) const;
   void distribute(const Read& read);
 
-  std::vector<Cut> cuts_;  ///< a tree; 0 is its root
+  std::vector<Split> splits_;  ///< a tree; 0 is its root
   SpoolFile& spool_;
   std::vector<std::vector<SpoolPlace>> places_;   ///< for each bucket where its triangles lie
   std::vector<std::vector<glm::ivec3>> foreign_;  ///< for each bucket the points of its place that others use

@@ -10,7 +10,7 @@ struct BuildRules {
   bool bounds_are_stretched = true;  ///< bounds of placed geometry grow with it
   bool mirrors_flip_winding = true;  ///< triangles under a transform that mirrors are turned round
   /// Meshes are shared only under transforms of at most this condition, which floats place exactly enough.
-  double largest_condition = 8;
+  double max_condition = 8;
 };
 
 }  // namespace triptych

@@ -62,7 +62,7 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify;
   limits.triangles = coarsest_triangles;
-  limits.largest_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
+  limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
 
   UnitResult result;

@@ -46,7 +46,7 @@ class GroupPlacer {
   }
 
   bool usable(const Affine& transform) const {
-    return is_finite(transform) && well_conditioned(transform, options_.rules.largest_condition);
+    return is_finite(transform) && well_conditioned(transform, options_.rules.max_condition);
   }
 
   /// Whether all that is in it can be placed under the transform.

@@ -28,7 +28,7 @@ struct HierarchyPlacements {
 /// Sub-hierarchies before those that they are in, and last the model's own. The model must outlive them.
 ///
 /// A group's placement is an instance of a sub-hierarchy if all that is in it can be placed exactly enough
-/// (BuildRules::largest_condition), and is placed in at least two places as one. Otherwise what is in it is
+/// (BuildRules::max_condition), and is placed in at least two places as one. Otherwise what is in it is
 /// placed one by one.
 std::vector<HierarchyPlacements> place_groups(const Model& model, const BuildOptions& options);
 

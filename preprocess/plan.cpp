@@ -22,7 +22,7 @@ constexpr int hierarchy_bits = 26, mesh_bits = 21;
 
 bool finite(const Box& box) {
   const glm::dvec3 furthest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  return std::max({furthest.x, furthest.y, furthest.z}) < largest_coordinate;
+  return std::max({furthest.x, furthest.y, furthest.z}) < max_coordinate;
 }
 
 void extend(Box& box, const Affine& transform, const Box& placed) {
@@ -61,7 +61,7 @@ void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
 }
 
 bool is_shareable(const Affine& transform, const BuildOptions& options) {
-  return options.share_instances && well_conditioned(transform, options.rules.largest_condition);
+  return options.share_instances && well_conditioned(transform, options.rules.max_condition);
 }
 
 /// For each mesh in how many places it is told of that it could be shared by.

@@ -15,7 +15,7 @@ namespace triptych {
 using asio::ip::tcp;
 
 /// The most callers that wait in the kernel, strangers included.
-constexpr int most_waiting = 64;
+constexpr int max_waiting = 64;
 
 Address parse_address(const std::string& text) {
   const size_t colon = text.rfind(':');
@@ -60,7 +60,7 @@ Listener::Listener(const Address& address) {
   acceptor.open(endpoint.protocol(), error);
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
-  if (!error) acceptor.listen(most_waiting, error);
+  if (!error) acceptor.listen(max_waiting, error);
   if (error) fail(place, "cannot listen: {}", error.message());
   descriptor_ = acceptor.release(error);
   if (error) fail(place, "cannot listen: {}", error.message());

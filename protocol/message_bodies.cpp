@@ -18,7 +18,7 @@ namespace triptych {
 namespace {
 
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
-constexpr uint32_t largest_side = 1 << 15;
+constexpr uint32_t max_side = 1 << 15;
 // The marks of a camera.
 constexpr uint8_t last_mark = 1, warm_up_mark = 2, orthographic_mark = 4, symmetric_mark = 8;
 
@@ -213,7 +213,7 @@ void describe(Body& body, M& message) {
     message.last = (marks & last_mark) != 0;
     message.warm_up = (marks & warm_up_mark) != 0;
     if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
-    if (width < 1 || width > largest_side || height < 1 || height > largest_side)
+    if (width < 1 || width > max_side || height < 1 || height > max_side)
       fail(body.place(), "a viewport of {}x{}", width, height);
     view.width = static_cast<int>(width);
     view.height = static_cast<int>(height);

@@ -15,7 +15,7 @@ inline void expect_known_keys(const nlohmann::json& object, const std::vector<st
                               const std::string& place) {
   for (const auto& [key, value] : object.items()) {
     if (key != "comment" && std::find(known.begin(), known.end(), key) == known.end())
-      fail(place, "\"{}\" is not a key that is known here; check its spelling", key);
+      fail(place, "\"{}\" is not known here; check its spelling", key);
   }
 }
 

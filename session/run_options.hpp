@@ -1,4 +1,4 @@
-// What every process that draws a pack along a path is told.
+// Options of every process that draws a pack along a path.
 #pragma once
 
 #include "render/context.hpp"
@@ -14,7 +14,7 @@
 
 namespace triptych {
 
-/// The most frames, or rounds over a path, that a command counts.
+/// The most frames, or repetitions of a path, of a command.
 constexpr uint64_t max_frames = std::numeric_limits<uint32_t>::max();
 
 /// Pixels.
@@ -28,7 +28,7 @@ struct RunOptions {
   std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
   ContextKind context = ContextKind::egl;
   TestKind test = TestKind::storage;
-  size_t frames = 0;  ///< the first so many; 0 is all
+  size_t frames = 0;  ///< only the first ones; 0: all
   double pixel_error() const { return pixel_errors.front(); }
 };
 

@@ -16,7 +16,7 @@ namespace triptych {
 
 namespace {
 
-/// Without a key a session stays on its machine, unless somebody insists.
+/// Without a key a session must stay on this machine, unless --insecure is given.
 void check_without_key(const Address& address, bool insecure) {
   if (is_loopback(address)) return;
   if (!insecure) fail(to_text(address), "is beyond this machine: give --key-file FILE, or --insecure");

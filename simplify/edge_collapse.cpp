@@ -95,9 +95,9 @@ void EdgeCollapse::changed(uint32_t point, double error, double cost) {
   }
 }
 
-bool EdgeCollapse::reduce_to(size_t triangles, double largest_bound) {
+bool EdgeCollapse::reduce_to(size_t triangles, double max_bound) {
   std::vector<Waiting> too_far;
-  const double beyond = largest_bound + longest_;
+  const double beyond = max_bound + longest_;
   while (triangle_count() > triangles) {
     // Costs are bounds, and a little more for long edges: others may still be within the limit.
     const auto at_end = [&] { return waiting_.empty() || waiting_.front().cost > beyond; };
@@ -122,7 +122,7 @@ bool EdgeCollapse::reduce_to(size_t triangles, double largest_bound) {
     }
     // What was cheap when it came into the queue may have become dear.
     const bool is_next = waiting_.empty() || static_cast<float>(collapse->cost) <= waiting_.front().cost;
-    if (!is_next || collapse->bound > largest_bound) {
+    if (!is_next || collapse->bound > max_bound) {
       set_cost(next.point, *collapse);
       queued_[next.point] = costs_[next.point];
       if (!is_next) {

@@ -27,8 +27,8 @@ class EdgeCollapse {
   /// steps; never shrinks.
   double bound() const { return bound_; }
   /// Collapses until at most so many triangles are left, or no collapse is possible, or the next one's bound
-  /// would be larger than `largest_bound`; false in the second case.
-  bool reduce_to(size_t triangles, double largest_bound);
+  /// would be larger than `max_bound`; false in the second case.
+  bool reduce_to(size_t triangles, double max_bound);
   /// Triangles beyond the second at an edge of the surface that this began with (but for edges of which one
   /// end has more triangles than a star can order).
   size_t crowded_triangles() const { return crowded_triangles_; }

@@ -26,8 +26,8 @@ class Reducer {
  public:
   virtual ~Reducer() = default;
   /// At most so many triangles, or as few as it gets to; of those that know their bound, without going beyond
-  /// `largest_bound`. Goals fall from call to call.
-  virtual Reduced reduce_to(size_t triangles, double largest_bound) = 0;
+  /// `max_bound`. Goals fall from call to call.
+  virtual Reduced reduce_to(size_t triangles, double max_bound) = 0;
   /// Triangles of the surface that meet the others in a way that half-edges cannot express.
   virtual size_t detached_triangles() const { return 0; }
 };

@@ -102,7 +102,7 @@ class ChainMaker {
   /// The reducer's next surface, with its fast bound.
   Stage reduce(size_t goal) {
     // The tight bound may be that much smaller.
-    const double largest = limits_.largest_bound * (limits_.bound == Bound::tight ? 4 : 1);
+    const double largest = limits_.max_bound * (limits_.bound == Bound::tight ? 4 : 1);
     Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
     reduced_further_ = reduced.further;
     Stage level{std::move(reduced.piece), 0, std::move(reduced.errors)};
@@ -171,7 +171,7 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
   while (maker.triangles() > enough) {
     auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
-    if (!level || level->bound > limits.largest_bound) break;
+    if (!level || level->bound > limits.max_bound) break;
     chain.levels.push_back(std::move(*level));
   }
   chain.detached_triangles = maker.detached_triangles();

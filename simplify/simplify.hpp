@@ -31,7 +31,7 @@ struct SimplifyLimits {
   /// with one, but what goes below two is paid for with many times the error, and what is made of it pays
   /// again.
   size_t triangles = 32;
-  double largest_bound = 1e300;  ///< and before a level whose bound is larger; lattice steps
+  double max_bound = 1e300;      ///< and before a level whose bound is larger; lattice steps
   Colors colors = Colors::keep;  ///< what the bounds hold for
   Simplifier simplifier = Simplifier::collapse;
   Bound bound = Bound::fast;

@@ -47,7 +47,7 @@ Affine local_transform(const tinygltf::Node& node, const std::string& place) {
 bool is_finite(const Affine& transform) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
-      if (!(std::abs(transform[column][row]) <= largest_coordinate)) return false;
+      if (!(std::abs(transform[column][row]) <= max_import_coordinate)) return false;
     }
   }
   return true;

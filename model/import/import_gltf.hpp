@@ -54,7 +54,7 @@ class GltfAccessor {
   bool holds_indices() const;
 
   /// Whether all elements stand in the file as they are, so that they can stay there.
-  bool can_stream() const { return !sparse_ && stride_ <= PositionTable::longest_stride; }
+  bool can_stream() const { return !sparse_ && stride_ <= PositionTable::max_stride; }
   PositionTable positions() const;  ///< of three components
   IndexTable indices() const;
 

@@ -10,7 +10,7 @@ namespace triptych {
 namespace {
 
 /// Parsers recurse into nested values; a file nested as deeply as this is no model.
-constexpr int deepest_nesting = 200;
+constexpr int max_nesting = 200;
 
 /// A member of the outermost object: its name and where its value stands.
 struct Member {
@@ -31,8 +31,7 @@ std::vector<Member> outermost_members(std::string_view json, const std::string& 
       for (++i; i < json.size() && json[i] != '"'; ++i) i += json[i] == '\\';
       if (depth == 1 && !in_value) text = json.substr(begin, std::min(i, json.size()) - begin);
     } else if (letter == '[' || letter == '{') {
-      if (++depth > deepest_nesting)
-        fail(place, "byte {}: JSON nested deeper than {} levels", i, deepest_nesting);
+      if (++depth > max_nesting) fail(place, "byte {}: JSON nested deeper than {} levels", i, max_nesting);
     } else if (letter == ':' && depth == 1 && !in_value) {
       members.push_back({text, i + 1, json.size()});
       in_value = true;

@@ -10,12 +10,12 @@ namespace triptych {
 inline constexpr const char* not_finite_warning = "triangles were dropped: their coordinates are not finite";
 
 /// Coordinates beyond this are treated as not finite: products of three of them would overflow a double.
-inline constexpr double largest_coordinate = 1e75;
+inline constexpr double max_import_coordinate = 1e75;
 
 /// Written so that NaN is not usable.
 inline bool is_usable(const glm::dvec3& position) {
-  return std::abs(position.x) <= largest_coordinate && std::abs(position.y) <= largest_coordinate &&
-         std::abs(position.z) <= largest_coordinate;
+  return std::abs(position.x) <= max_import_coordinate && std::abs(position.y) <= max_import_coordinate &&
+         std::abs(position.z) <= max_import_coordinate;
 }
 
 }  // namespace triptych

@@ -172,7 +172,7 @@ class ObjImport {
       const auto number = to_number(word);
       if (i == 0 && (word == "xyz" || word == "spectral"))
         return target_.warn("colours in a space other than RGB are not drawn");
-      if (!number || !(std::abs(*number) <= largest_coordinate))
+      if (!number || !(std::abs(*number) <= max_import_coordinate))
         fail(library.line_place(), "a colour wants three numbers");
       color[i] = std::clamp(*number, 0.0, 1.0);
     }

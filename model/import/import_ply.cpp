@@ -173,7 +173,7 @@ bool can_stream(const PlyHeader& header) {
   bool offset_known = true, faces = false;
   for (const PlyElement& element : header.elements) {
     const auto record = element.record_bytes();
-    if (element.name == "vertex" && (!record || !offset_known || *record > PositionTable::longest_stride))
+    if (element.name == "vertex" && (!record || !offset_known || *record > PositionTable::max_stride))
       return false;
     if (element.name == "face" && !offset_known) return false;
     faces = faces || element.name == "face";

@@ -14,7 +14,7 @@ namespace triptych {
 
 namespace {
 constexpr size_t block_bytes = size_t{1} << 18;
-constexpr size_t longest_line = size_t{64} << 20;
+constexpr size_t max_line_bytes = size_t{64} << 20;
 
 bool is_blank(char letter) {
   return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
@@ -49,7 +49,7 @@ bool ImportReader::next_line(std::string_view& line) {
     const void* found =
         searched < available ? std::memchr(first + searched, '\n', available - searched) : nullptr;
     const size_t length = found ? static_cast<size_t>(static_cast<const char*>(found) - first) : available;
-    if (length > longest_line) fail(fmt::format("{}: line {}", name_, line_ + 1), "is longer than 64 MiB");
+    if (length > max_line_bytes) fail(fmt::format("{}: line {}", name_, line_ + 1), "is longer than 64 MiB");
     if (!found) {
       searched = available;
       if (refill()) continue;

@@ -30,7 +30,7 @@ struct PositionTable {
     ScalarType type;
   };
   /// Records longer than this do not stream.
-  static constexpr size_t longest_stride = 8192;
+  static constexpr size_t max_stride = 8192;
 
   std::shared_ptr<const StreamSource> source;
   uint64_t offset = 0, count = 0;
