@@ -13,8 +13,8 @@ namespace triptych {
 struct Comparison {
   uint64_t frames_compared = 0;
   uint64_t identical_frames = 0;
-  uint64_t visible_drawables =
-      0;  ///< Σ over frames of drawables that own at least one pixel of the un-culled picture
+  /// Σ over frames of drawables that own at least one pixel of the un-culled picture.
+  uint64_t visible_drawables = 0;
   uint64_t drawn_drawables = 0;    ///< Σ |V(i)|
   uint64_t missing_drawables = 0;  ///< Σ of visible drawables that are not in V(i); none, or culling is wrong
   std::vector<uint32_t> different;  ///< the numbers of frames that are not identical

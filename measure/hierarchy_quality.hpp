@@ -19,8 +19,8 @@ struct HierarchyLevel {
 
 struct HierarchyQuality {
   Distribution depth;  ///< of leaves, in scene nodes from the root, which has depth 1
-  Distribution
-      balance;  ///< of inner nodes: the leaves below the lightest child over those below the heaviest
+  /// Of inner nodes: the leaves below the lightest child over those below the heaviest.
+  Distribution balance;
   Distribution overlap;  ///< of inner nodes: volume that pairs of children share, over the node's own
   std::vector<HierarchyLevel> levels;  ///< the root's first
 };

@@ -13,12 +13,12 @@ namespace triptych {
 struct IntakeResult {
   VisibleSet visible;  ///< V(i)
   Sentinel sentinel;
-  bool digest_mismatch =
-      false;  ///< what came in packets was not V(i); `visible` is the full set, which HC sent again
+  /// What came in packets was not V(i); `visible` is the full set, which HC sent again.
+  bool digest_mismatch = false;
   double waiting_ms = 0;  ///< for HC's messages
   double sent_ms = 0;     ///< when HC sent the sentinel, by this process's steady clock
-  double network_ms =
-      0;  ///< the part of waiting_ms while the sentinel was on its way; 0 if it had arrived already
+  /// The part of waiting_ms while the sentinel was on its way; 0 if it had arrived already.
+  double network_ms = 0;
 };
 
 /// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i)

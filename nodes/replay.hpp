@@ -17,8 +17,8 @@ struct ReplayedFrame {
   FrameRequest request;
   VisibleSet visible;            ///< V(i)
   bool digest_mismatch = false;  ///< what came in packets was not V(i), and the full set was sent
-  bool alone =
-      false;  ///< drawn without switch nodes; then `visible` is the whole cut, which gives the same picture
+  /// Drawn without switch nodes; then `visible` is the whole cut, which gives the same picture.
+  bool fallback = false;
 };
 
 /// Takes the render node's messages in their order, and gives each frame as soon as its set is complete and

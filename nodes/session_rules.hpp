@@ -10,8 +10,8 @@ namespace triptych {
 /// picture.
 struct SessionRules {
   bool compares_digests = true;  ///< a receiver asks for the full set where its digest differs
-  bool withholds_added =
-      false;  ///< HC leaves the last added id out of each packet after computing the digest
+  /// HC leaves the last added id out of each packet after computing the digest.
+  bool withholds_added = false;
   std::chrono::milliseconds slowed_by{0};  ///< the delay before each packet and each frame
 
   void slow_down() const {

@@ -78,8 +78,9 @@ uint32_t Buckets::bucket_of(const glm::ivec3& point) const {
   return split->first;
 }
 
-/// Each triangle goes to the bucket of its centre. A point belongs to the bucket of its place; where another
-/// bucket uses it, both know: that one by the point's place, this one by a note.
+/// Each triangle goes to the bucket of its centre. A point belongs to the bucket that its place is in. Where
+/// another bucket uses it, both know that it is shared: the other one by the point's place, its own one by an
+/// entry in foreign_.
 void Buckets::distribute(const Read& read) {
   std::vector<std::vector<LatticeTriangle>> waiting(places_.size());
   foreign_.resize(places_.size());

@@ -36,7 +36,8 @@ double largest_stretch(const Affine& transform) {
 }
 
 bool well_conditioned(const Affine& transform, double max_condition) {
-  // Far beyond all units there are, the mesh as it was made may be too small or too large to be measured.
+  // Beyond this, which no change of units reaches, the untransformed mesh may be too small or too large to be
+  // measured.
   constexpr double max_change = 1e20;
   const double stretch = largest_stretch(transform);
   if (!(stretch > 1 / max_change && stretch < max_change)) return false;

@@ -5,13 +5,13 @@
 
 namespace triptych {
 
-/// Between them products of six lengths are finite and, down to a lattice step, do not vanish.
+/// Between these, products of six lengths are finite and, down to a lattice step, do not underflow.
 inline constexpr double max_coordinate = 1e50, min_extent = 1e-40;
 
-/// Whether all entries are numbers below the largest coordinate.
+/// Whether all entries are numbers below max_coordinate.
 bool is_finite(const Affine& transform);
 
-/// The factor by which the transform stretches lengths at most.
+/// The largest factor by which the transform stretches a length.
 double largest_stretch(const Affine& transform);
 
 /// Whether floats can place a mesh under it to within a small multiple of their own precision: the product of

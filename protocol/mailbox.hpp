@@ -124,8 +124,8 @@ class Mailbox {
   void drop(Role peer);
 
   asio::io_context context_;
-  asio::executor_work_guard<asio::io_context::executor_type>
-      work_;  ///< so that waiting works without links, too
+  /// So that waiting works without links, too.
+  asio::executor_work_guard<asio::io_context::executor_type> work_;
   std::map<Key, std::shared_ptr<Link>> links_;
   std::map<Role, Hello> hellos_;
   std::set<Role> left_;  ///< said Bye, or was reported as lost

@@ -11,8 +11,8 @@ namespace triptych {
 struct ImportReport {
   uint64_t dropped_triangles = 0;  ///< non-finite, or of no area after welding
   uint64_t welded_vertices = 0;
-  uint64_t repaired_edges =
-      0;  ///< faces that half-edges cannot represent (non-manifold), which took the other route
+  /// Faces that half-edges cannot represent (non-manifold), which took the other route.
+  uint64_t repaired_edges = 0;
   uint64_t stuck_groups = 0;  ///< drawables that no simplifier made coarser
   std::vector<std::string> warnings;
 };

@@ -82,8 +82,8 @@ struct Skeleton {
   std::vector<SceneNode> scene_nodes;
   std::vector<Drawable> drawables;
   std::vector<Placement> placements;
-  std::vector<Affine>
-      transforms;  ///< lattice space of a chunk (as positions) to model space; 0 is the identity
+  /// Lattice space of a chunk (as positions) to model space; 0 is the identity.
+  std::vector<Affine> transforms;
   std::vector<Lattice> lattices;  ///< 0 is the model's
   std::vector<ChunkInfo> chunks;
   std::vector<LatticeBox> pieces;  ///< of chunks in several pieces: boxes of their vertices, piece by piece

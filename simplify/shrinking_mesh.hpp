@@ -59,8 +59,8 @@ class ShrinkingMesh {
 
   std::vector<glm::ivec3> points_;
   std::vector<Face> faces_;
-  std::vector<Slot>
-      slots_;  ///< for each point its triangles in places_, the first `count`, gone ones among them
+  /// For each point its triangles in places_, the first `count`, gone ones among them.
+  std::vector<Slot> slots_;
   std::vector<uint32_t> places_;
   size_t alive_ = 0, packed_size_ = 0;
 };

@@ -39,13 +39,13 @@ struct SimplifyLimits {
 
 struct Level {
   Piece piece;  ///< sources: indices into the points of the surface that the chain began with
-  double bound =
-      0;  ///< of the two-sided distance to that surface, lattice steps; never shrinks along the chain
+  /// Of the two-sided distance to that surface, lattice steps; never shrinks along the chain.
+  double bound = 0;
 };
 
 struct Chain {
-  std::vector<Level>
-      levels;  ///< finest first, each with at most three quarters of the one before; the input is none
+  /// Finest first, each with at most three quarters of the one before; the input is none.
+  std::vector<Level> levels;
   size_t detached_triangles = 0;  ///< of the input: meet the others in a way that half-edges cannot express
   bool stuck = false;             ///< ended before because nothing made it coarser
 };

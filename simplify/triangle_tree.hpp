@@ -41,8 +41,8 @@ class TriangleTree {
  private:
   struct Node {
     Box box;
-    uint32_t first = 0,
-             count = 0;  ///< of a leaf: triangles in order_; of an inner node: count 0 and its right child
+    /// Of a leaf: triangles in order_; of an inner node: count 0 and its right child.
+    uint32_t first = 0, count = 0;
   };
 
   void build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& centers);

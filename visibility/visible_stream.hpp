@@ -29,8 +29,8 @@ class VisibleStream {
   const Skeleton& skeleton_;
   glm::ivec3 cell_;
   VisibleSet visible_;
-  std::vector<DrawRank>
-      undecided_;  ///< of visible_, ascending; those below the watermark have been given out
+  /// Of visible_, ascending; those below the watermark have been given out.
+  std::vector<DrawRank> undecided_;
   uint64_t faults_ = 0;
 };
 

@@ -68,7 +68,7 @@ struct Search {
   const Placing* placing;
   glm::dvec3 point;  ///< less the translation
   double best, floor, margin;
-  double unit;  ///< of the floats that are searched
+  double unit;  ///< of the tree's floats
 };
 
 bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
@@ -184,7 +184,7 @@ std::shared_ptr<const ChunkTree> PackSurfaces::tree(uint32_t chunk) const {
     }
   }
   // Built without the lock: Embree's own tasks must not wait for it. Two threads may build the same tree; one
-  // stays.
+  // is kept.
   const ChunkInfo& info = skeleton().chunks[chunk];
   auto made =
       std::make_shared<const ChunkTree>(device_, pack_.read_chunk(chunk), skeleton().lattices[info.lattice]);
