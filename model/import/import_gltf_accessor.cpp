@@ -7,8 +7,8 @@ namespace triptych {
 
 namespace {
 
-/// What a sparse accessor without a base may hold: its zeros take memory that no byte of the file vouches
-/// for.
+/// The most elements of a sparse accessor without a base: its zeros take memory although no byte of the file
+/// holds them.
 constexpr size_t max_implied_count = size_t{1} << 24;
 
 size_t component_bytes(int type, const std::string& place) {

@@ -9,16 +9,16 @@ namespace triptych {
 
 namespace {
 
-/// Parsers recurse into nested values; a file nested as deeply as this is no model.
+/// Parsers recurse into nested values; no model is nested as deeply as this.
 constexpr int max_nesting = 200;
 
-/// A member of the outermost object: its name and where its value stands.
+/// A member of the outermost object: its name and where its value is.
 struct Member {
   std::string_view name;
   size_t begin, end;
 };
 
-/// Finds members without parsing their values. Text that is no JSON gives some members or none.
+/// Finds members without parsing their values. Text that is not JSON gives some members or none.
 std::vector<Member> outermost_members(std::string_view json, const std::string& place) {
   std::vector<Member> members;
   std::string_view text;  // the last at the first level

@@ -125,7 +125,7 @@ void GltfMeshes::read_indices(const tinygltf::Primitive& primitive, const std::s
   if (!accessor.holds_indices()) fail(place, "accessor {} does not hold indices", primitive.indices);
   part.triangles.indices = accessor.indices();
   if (accessor.can_stream()) return;
-  // Sparse numbers are put together in memory, and read from there.
+  // Sparse indices are assembled in memory, and read from there.
   accessor.load();
   part.triangles.indices->source = std::make_shared<StreamSource>(place, accessor.take_elements());
   part.triangles.indices->offset = 0;
@@ -151,7 +151,7 @@ GltfMeshes::Positions& GltfMeshes::positions(int accessor, const std::string& pl
   return *last_positions_;
 }
 
-/// The mesh takes those vertices of the accessor that it uses.
+/// Reads the triangles, and those vertices of the accessor that they use.
 void GltfMeshes::read_triangles(const Part& part, Mesh& mesh) {
   Positions& source = positions(part.positions, part.triangles.place);
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -163,7 +163,7 @@ void GltfMeshes::read_triangles(const Part& part, Mesh& mesh) {
     highest = std::max({highest, corners[0], corners[1], corners[2]});
   }
   if (triangles.empty()) return;
-  // Numbers close to each other are renamed by a table, scattered ones by a map.
+  // Vertex numbers are mapped by a table if they are close to each other, otherwise by a hash map.
   const bool close = highest - lowest < 16 * triangles.size() + 65536;
   if (close) renamed_.assign(size_t{highest - lowest} + 1, unnamed);
   std::unordered_map<uint32_t, uint32_t> scattered;

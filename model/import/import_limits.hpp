@@ -1,4 +1,4 @@
-// What every importer goes by: which coordinates can be used, and what is said of others.
+// Rules of all importers: which coordinates can be used, and the warning for others.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace triptych {
 
-/// What is said of triangles whose coordinates cannot be used.
+/// The warning for triangles whose coordinates cannot be used.
 inline constexpr const char* not_finite_warning = "triangles were dropped: their coordinates are not finite";
 
 /// Coordinates beyond this are treated as not finite: products of three of them would overflow a double.

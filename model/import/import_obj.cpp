@@ -18,7 +18,7 @@ std::filesystem::path beside(const std::filesystem::path& file, std::string_view
   return file.parent_path() / portable;
 }
 
-/// What a statement names: one file with blanks in its name, or several.
+/// The files that a statement names: one with blanks in its name, or several.
 std::vector<std::string_view> names_in(std::string_view names, const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(beside(file, names), error)) return {names};
@@ -36,7 +36,7 @@ class ObjImport {
     std::string_view line;
     std::string joined;
     while (reader_.next_line(line)) {
-      if (line.ends_with('\\')) {  // goes on in the next line
+      if (line.ends_with('\\')) {  // continues in the next line
         joined.assign(line);
         while (joined.ends_with('\\') && reader_.next_line(line))
           joined.replace(joined.size() - 1, 1, " ").append(line);
@@ -105,7 +105,7 @@ class ObjImport {
       fail(reader_.line_place(), "names vertex {} of {}", *number, known);
     }
     const auto vertex = static_cast<uint32_t>(index);
-    if (vertex >= vertices_named_) {  // it may follow later in the file; checked at its end
+    if (vertex >= vertices_named_) {  // it may be defined later in the file; checked at the end
       vertices_named_ = uint64_t{vertex} + 1;
       furthest_line_ = reader_.line();
     }
@@ -185,7 +185,7 @@ class ObjImport {
   std::unordered_map<std::string, uint32_t> materials_;
   std::vector<uint32_t> corners_;
   uint32_t material_ = 0;
-  uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest number that a face names, and where
+  uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest vertex number of a face, and its line
 };
 
 }  // namespace
@@ -193,7 +193,7 @@ class ObjImport {
 void import_obj(FileImport& target) { ObjImport(target).run(); }
 
 namespace {
-/// Adds the files of the statements whose first word is wanted.
+/// Adds the files named by statements whose first word is `wanted`.
 void add_named(const std::filesystem::path& file, bool (*wanted)(std::string_view),
                std::vector<std::filesystem::path>& files) {
   ImportReader reader(file);

@@ -55,7 +55,7 @@ PlyEncoding read_encoding(std::string_view line, const ImportReader& reader) {
   fail(reader.line_place(), "format \"{}\" is not known", encoding.substr(0, 40));
 }
 
-/// The least that one record of the element can take, in bytes.
+/// The least size of one record of the element, bytes.
 uint64_t min_record_bytes(const PlyElement& element, PlyEncoding encoding) {
   uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
@@ -66,7 +66,7 @@ uint64_t min_record_bytes(const PlyElement& element, PlyEncoding encoding) {
 
 void check_promises(const PlyHeader& header, const ImportReader& reader) {
   uint64_t left =
-      reader.left() + (header.encoding == PlyEncoding::ascii ? 1 : 0);  // the last line may lack its end
+      reader.left() + (header.encoding == PlyEncoding::ascii ? 1 : 0);  // the last line may have no line end
   for (const PlyElement& element : header.elements) {
     const uint64_t record = min_record_bytes(element, header.encoding);
     if (element.count == 0) continue;

@@ -100,8 +100,8 @@ std::optional<double> to_number(std::string_view word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || end != word.data() + word.size()) return std::nullopt;
-  // from_chars does not say whether the number was too large or too small; strtod does. A program around us
-  // may speak a language with a decimal comma.
+  // from_chars does not say whether the number was too large or too small; strtod does. The locale of the
+  // program may have a decimal comma.
   if (error == std::errc::result_out_of_range) {
     static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
     return ::strtod_l(std::string(word).c_str(), nullptr, plain);

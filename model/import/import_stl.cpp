@@ -1,4 +1,4 @@
-// STL, binary and ASCII. Vertices stay unshared as the file has them; welding comes with the build.
+// STL, binary and ASCII. Vertices stay unshared as in the file; the build welds them.
 #include "base/error.hpp"
 #include "model/import/import_file.hpp"
 #include "model/import/import_reader.hpp"
@@ -91,7 +91,7 @@ void import_ascii(FileImport& target, ImportReader& reader) {
 }  // namespace
 
 void import_stl(FileImport& target) {
-  // The size tells binary from ASCII: many binary files begin with "solid" too.
+  // The size distinguishes binary from ASCII: many binary files begin with "solid" too.
   ImportReader reader(target.file());
   if (reader.size() >= header_bytes) {
     const auto header = reader.read(header_bytes);
