@@ -15,9 +15,9 @@ uint64_t peak_resident_bytes() {
 void release_freed_memory() { ::malloc_trim(0); }
 
 void keep_freed_memory_below(uint64_t bytes) {
-  constexpr uint64_t most = 32u << 20;  // that the allocator takes for a threshold
-  ::mallopt(M_TRIM_THRESHOLD, static_cast<int>(std::min(bytes, 2 * most)));
-  ::mallopt(M_MMAP_THRESHOLD, static_cast<int>(std::min(bytes / 8, most)));
+  constexpr uint64_t max_threshold = 32u << 20;  // the allocator accepts no more
+  ::mallopt(M_TRIM_THRESHOLD, static_cast<int>(std::min(bytes, 2 * max_threshold)));
+  ::mallopt(M_MMAP_THRESHOLD, static_cast<int>(std::min(bytes / 8, max_threshold)));
 }
 
 }  // namespace triptych

@@ -96,7 +96,7 @@ Layout lay_out(const aiScene& scene, ConversionNotes& notes) {
       continue;
     }
     if (mesh.HasVertexColors(0)) ++notes["meshes with vertex colours, which are not drawn yet"];
-    if (mesh.HasBones()) ++notes["meshes with a skin, drawn as they stand in the file"];
+    if (mesh.HasBones()) ++notes["meshes with a skin, drawn as stored in the file"];
     const auto positions = add(uint64_t{mesh.mNumVertices} * 12, mesh.mNumVertices, 5126, "VEC3");
     const auto numbers = add(triangles * 12, triangles * 3, 5125, "SCALAR");
     json primitive = {{"attributes", {{"POSITION", positions}}}, {"indices", numbers}};

@@ -145,7 +145,7 @@ int main(int count, char** arguments) {
     uint64_t bytes = 0;
     const std::string_view limit = arguments[2];
     if (std::from_chars(limit.data(), limit.data() + limit.size(), bytes).ec != std::errc())
-      fail("--memory", "\"{}\" is no number of bytes", limit);
+      fail("--memory", "\"{}\" is not a number of bytes", limit);
     limit_memory(bytes);
     convert(arguments[3]);
     std::fflush(nullptr);

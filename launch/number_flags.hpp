@@ -19,8 +19,9 @@ inline CLI::Validator positive_number() {
       [](std::string& text) {
         double value = 0;
         const bool number = CLI::detail::lexical_cast(text, value);
-        return number && value > 0 && std::isfinite(value) ? std::string()
-                                                           : fmt::format("\"{}\" is no number above 0", text);
+        return number && value > 0 && std::isfinite(value)
+                   ? std::string()
+                   : fmt::format("\"{}\" is not a number above 0", text);
       },
       "NUMBER>0");
 }
@@ -33,7 +34,7 @@ inline CLI::Validator number_between(double least, double most) {
         const bool number = CLI::detail::lexical_cast(text, value);
         return number && value >= least && value <= most
                    ? std::string()
-                   : fmt::format("\"{}\" is no number from {} to {}", text, least, most);
+                   : fmt::format("\"{}\" is not a number from {} to {}", text, least, most);
       },
       "NUMBER");
 }
@@ -48,7 +49,7 @@ inline CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_
         const bool number = read.ec == std::errc() && read.ptr == end && (text.front() != '0' || value == 0);
         return number && value >= least && value <= most
                    ? std::string()
-                   : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
+                   : fmt::format("\"{}\" is not a whole number from {} to {}", text, least, most);
       },
       "");
 }
@@ -69,7 +70,8 @@ inline CLI::Validator bytes_from(uint64_t least, const std::string& min_text) {
         const bool number = read.ec == std::errc() && suffix.size() <= 1 && power != std::string::npos &&
                             value <= std::numeric_limits<uint64_t>::max() >> shift;
         if (!number || value << shift < least)
-          return fmt::format("\"{}\" is no number of bytes from {} on, such as 512M or 2G", text, min_text);
+          return fmt::format("\"{}\" is not a number of bytes from {} on, such as 512M or 2G", text,
+                             min_text);
         text = std::to_string(value << shift);
         return std::string();
       },

@@ -286,7 +286,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
     ++hierarchy.instances;
     ++placed_instances;
   }
-  if (placed_instances == 0) fail(model.name(), "holds no triangle that has an area");
+  if (placed_instances == 0) fail(model.name(), "holds no triangle with an area");
   parts.parts = std::move(maker.infos);
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);

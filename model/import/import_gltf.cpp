@@ -19,7 +19,7 @@ Affine compose(const Affine& outer, const Affine& inner) { return outer * glm::d
 Affine from_parts(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale,
                   const std::string& place) {
   const double length = glm::length(rotation);
-  if (!(length > 0) || !std::isfinite(length)) fail(place, "a rotation that is no rotation");
+  if (!(length > 0) || !std::isfinite(length)) fail(place, "the rotation has no length or is not finite");
   const glm::dmat3 turn = glm::mat3_cast(rotation / length);
   return Affine(turn[0] * scale.x, turn[1] * scale.y, turn[2] * scale.z, translation);
 }

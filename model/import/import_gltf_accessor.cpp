@@ -41,7 +41,7 @@ int component_count(int type, const std::string& place) {
     case TINYGLTF_TYPE_VEC4:
       return 4;
     default:
-      fail(place, "a matrix where a scalar or a vector is wanted");
+      fail(place, "a matrix where a scalar or a vector is expected");
   }
 }
 

@@ -124,7 +124,7 @@ std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string&
   std::vector<GltfBuffer> buffers;
   if (json.empty()) return buffers;
   const auto list = nlohmann::json::parse(json);
-  if (!list.is_array()) fail(file_place, "\"buffers\" is no list");
+  if (!list.is_array()) fail(file_place, "\"buffers\" is not a list");
   for (const auto& entry : list) {
     const std::string place = fmt::format("{}: buffer {}", file_place, buffers.size());
     const auto length = entry.is_object() ? entry.find("byteLength") : entry.end();
@@ -132,7 +132,7 @@ std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string&
       fail(place, "has no length");
     const auto size = length->get<uint64_t>();
     const auto uri = entry.find("uri");
-    if (uri != entry.end() && !uri->is_string()) fail(place, "its URI is no text");
+    if (uri != entry.end() && !uri->is_string()) fail(place, "its URI is not a text");
     if (uri == entry.end()) {
       if (!binary || !buffers.empty()) fail(place, "has neither an URI nor a chunk of its own");
       if (size > binary->size) fail(place, "is longer than its chunk of {} bytes", binary->size);

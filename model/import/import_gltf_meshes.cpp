@@ -15,9 +15,8 @@ void warn_of_attributes(const tinygltf::Primitive& primitive, FileImport& target
   if (primitive.attributes.count("COLOR_0"))
     target.warn("primitives with vertex colours, which are not drawn yet");
   if (primitive.attributes.count("JOINTS_0"))
-    target.warn("primitives with a skin, drawn as they stand in the file");
-  if (!primitive.targets.empty())
-    target.warn("primitives with morph targets, drawn as they stand in the file");
+    target.warn("primitives with a skin, drawn as stored in the file");
+  if (!primitive.targets.empty()) target.warn("primitives with morph targets, drawn as stored in the file");
 }
 
 }  // namespace

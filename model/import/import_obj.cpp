@@ -78,7 +78,7 @@ class ObjImport {
     glm::dvec3 position;
     for (int i = 0; i < 3; ++i) {
       const auto number = to_number(take_word(line));
-      if (!number) fail(reader_.line_place(), "a vertex wants three numbers");
+      if (!number) fail(reader_.line_place(), "a vertex needs three numbers");
       position[i] = *number;
     }
     int further = 0;
@@ -98,7 +98,7 @@ class ObjImport {
   /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0.
   uint32_t vertex_index(std::string_view word) {
     const auto number = to_integer(word.substr(0, word.find('/')));
-    if (!number) fail(reader_.line_place(), "\"{}\" is no corner of a face", word.substr(0, 40));
+    if (!number) fail(reader_.line_place(), "\"{}\" is not a corner of a face", word.substr(0, 40));
     const auto known = static_cast<int64_t>(spool_.vertex_count());
     const int64_t index = *number < 0 ? known + *number : *number - 1;
     if (*number == 0 || index < 0 || index >= std::numeric_limits<uint32_t>::max()) {
@@ -173,7 +173,7 @@ class ObjImport {
       if (i == 0 && (word == "xyz" || word == "spectral"))
         return target_.warn("colours in a space other than RGB are not drawn");
       if (!number || !(std::abs(*number) <= max_import_coordinate))
-        fail(library.line_place(), "a colour wants three numbers");
+        fail(library.line_place(), "a colour needs three numbers");
       color[i] = std::clamp(*number, 0.0, 1.0);
     }
     for (int i = 0; i < 3; ++i) material.base_color[i] = static_cast<float>(color[static_cast<size_t>(i)]);

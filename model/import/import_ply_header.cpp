@@ -17,7 +17,7 @@ PlyType read_type(std::string_view word, const ImportReader& reader) {
   for (size_t i = 0; i < names.size(); ++i) {
     if (word == names[i] || word == sized[i]) return static_cast<PlyType>(i);
   }
-  fail(reader.line_place(), "\"{}\" is no type of a property", word.substr(0, 40));
+  fail(reader.line_place(), "\"{}\" is not a type of properties", word.substr(0, 40));
 }
 
 PlyProperty read_property(std::string_view line, const ImportReader& reader) {
@@ -40,7 +40,7 @@ PlyElement read_element(std::string_view line, const ImportReader& reader) {
   element.name = std::string(take_word(line));
   const auto count = to_integer(take_word(line));
   if (element.name.empty() || !count || *count < 0)
-    fail(reader.line_place(), "an element wants a name and a count");
+    fail(reader.line_place(), "an element needs a name and a count");
   element.count = static_cast<uint64_t>(*count);
   return element;
 }
@@ -100,7 +100,7 @@ std::optional<uint64_t> PlyElement::record_bytes() const {
 PlyHeader read_ply_header(ImportReader& reader) {
   std::string_view line;
   if (!reader.next_line(line) || trimmed(line) != "ply")
-    fail(fmt::format("{}", reader.line_place()), "is no PLY file: it does not begin with \"ply\"");
+    fail(fmt::format("{}", reader.line_place()), "is not a PLY file: it does not begin with \"ply\"");
   PlyHeader header;
   bool formatted = false;
   while (reader.next_line(line)) {
@@ -119,7 +119,7 @@ PlyHeader read_ply_header(ImportReader& reader) {
       check_promises(header, reader);
       return header;
     } else {
-      fail(reader.line_place(), "\"{}\" is no statement of a PLY header", word.substr(0, 40));
+      fail(reader.line_place(), "\"{}\" is not a statement of a PLY header", word.substr(0, 40));
     }
   }
   fail(reader.line_place(), "the file ends within its header");

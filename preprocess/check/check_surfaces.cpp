@@ -155,7 +155,7 @@ double ChunkTree::distance(const Placing& placing, const glm::dvec3& point, doub
 
 PackSurfaces::PackSurfaces(const Pack& pack) : pack_(pack), device_(rtcNewDevice(nullptr)) {
   if (!device_)
-    fail(pack.name(), "Embree gives no device (error {})", static_cast<int>(rtcGetDeviceError(nullptr)));
+    fail(pack.name(), "Embree cannot make a device (error {})", static_cast<int>(rtcGetDeviceError(nullptr)));
   const Skeleton& known = pack.skeleton();
   for (const Affine& transform : known.transforms) placings_.emplace_back(transform);
   for (const SceneNode& node : known.scene_nodes) node_boxes_.push_back(known.lattice().box(node.box));

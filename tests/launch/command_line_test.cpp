@@ -52,7 +52,7 @@ TEST(CommandLine, counts_are_whole_numbers_in_decimal_digits) {
         app.parse("session pack.tpk --path walk.json " + flag + " " + value, false);
         ADD_FAILURE() << flag << " " << value;
       } catch (const CLI::ValidationError& error) {
-        EXPECT_NE(std::string(error.what()).find("is no whole number from"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("is not a whole number from"), std::string::npos);
         EXPECT_LT(std::string(error.what()).size(), 100u);
       }
     }
@@ -91,7 +91,7 @@ TEST(CommandLine, bytes_are_whole_numbers_with_a_suffix_that_do_not_overflow) {
     try {
       app.parse(std::vector<std::string>{value, "--memory", "x.tpk", "-o", "x.obj", "build"});
     } catch (const CLI::ValidationError& error) {
-      EXPECT_NE(std::string(error.what()).find("is no number of bytes from 128M on"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("is not a number of bytes from 128M on"), std::string::npos);
       return true;
     }
     return false;
