@@ -22,7 +22,7 @@ PictureSize parse_size(const std::string& text) {
   constexpr int limit = 16384;
   if (!separated || height.ec != std::errc() || height.ptr != end || size.width < 1 || size.height < 1 ||
       size.width > limit || size.height > limit) {
-    throw CLI::ValidationError("--size", fmt::format("\"{}\" is not WxH with sides of 1 to {}", text, limit));
+    throw CLI::ValidationError("--size", fmt::format("\"{}\" is no WxH with sides of 1 to {}", text, limit));
   }
   return size;
 }

@@ -69,7 +69,7 @@ json material_of(const aiMaterial& material, ConversionNotes& notes) {
   return {{"pbrMetallicRoughness", {{"baseColorFactor", factor}}}};
 }
 
-/// The meshes with triangles and where their bytes go: positions, then numbers.
+/// The meshes with triangles and where their bytes go: positions, then indices.
 struct Layout {
   json meshes = json::array(), views = json::array(), accessors = json::array();
   std::vector<int> mesh_of;  ///< the scene's mesh to the file's; −1 without triangles
@@ -121,7 +121,7 @@ json matrix_of(const aiMatrix4x4& m, const std::string& place) {
   return matrix;
 }
 
-/// A node holds one mesh in glTF: further ones become children.
+/// In glTF a node holds one mesh: further ones become children.
 json nodes_of(const aiScene& scene, const Layout& layout, double metres, bool z_up,
               const std::string& place) {
   json nodes = json::array();

@@ -22,7 +22,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
     mismatches += frame.digest_mismatch;
     fallback_frames += frame.fallback;
   }
-  // A role that was killed and given up did not say what it had.
+  // A role that was killed and not started again has left no record.
   const bool same_gl =
       std::all_of(outcome.records.begin(), outcome.records.end(), [&](const RoleRecord& role) {
         return role.gl.vendor.empty() || role.gl == outcome.records.front().gl;

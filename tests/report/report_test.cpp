@@ -210,7 +210,7 @@ TEST_F(ReportFiles, the_page_shows_traffic_by_socket_and_latency_by_stage) {
   EXPECT_TRUE(holds(page, "camera to image"));
   EXPECT_TRUE(holds(page, "1.25&nbsp;% of it"));  // half a millisecond of 40 is left over
   EXPECT_TRUE(holds(page, "<td>77</td>") || holds(page, ">77<"));
-  EXPECT_TRUE(holds(page, "Faults seen and mended"));
+  EXPECT_TRUE(holds(page, "Faults and recovery"));
 }
 
 TEST_F(ReportFiles, the_page_tells_each_fault_and_when_it_was_mended) {
