@@ -13,7 +13,7 @@
 namespace triptych {
 
 struct FurnitureMesh {
-  std::vector<MeshPart> parts;  ///< one a material, in the order of first use; none is empty
+  std::vector<MeshPart> parts;  ///< one per material, in the order of first use; none is empty
   uint64_t triangles = 0;
   uint64_t collapsed_triangles = 0;  ///< dropped: two corners at one place
   /// Textures that are missing or unreadable: the material's own colour stands.
