@@ -14,7 +14,7 @@ namespace {
 constexpr int side = 256;  // small enough that pixels and 1/4096 of them are exact in floats
 
 /// Random numbers, the same on every machine.
-class Numbers {
+class RandomNumbers {
  public:
   float number(double lo, double hi) {
     return static_cast<float>(lo + (hi - lo) * (static_cast<double>(generator_()) * 0x1p-32));
@@ -53,7 +53,7 @@ double snapping() {
 /// Draws a grid of triangles with random inner corners: how many pixels inside it are not drawn exactly once.
 double fill_rule() {
   constexpr int cells = 24;
-  Numbers numbers;
+  RandomNumbers numbers;
   std::vector<ProbeVertex> corners;
   for (int y = 0; y <= cells; ++y) {
     for (int x = 0; x <= cells; ++x) {
@@ -77,7 +77,7 @@ double fill_rule() {
 
 /// Draws planes at all slants, in perspective: the relative error of the depth buffer at pixel centres.
 double depth_rounding() {
-  Numbers numbers;
+  RandomNumbers numbers;
   RasterProbe probe(side, side);
   double worst = 0;
   for (int round = 0; round < 12; ++round) {
@@ -107,7 +107,7 @@ struct TestTruth {
 /// Tests rectangles on pixel borders against depths that are read back: how many are called hidden although
 /// they are somewhere in front of the depth or at exactly the depth.
 TestTruth tests_against_readback() {
-  Numbers numbers;
+  RandomNumbers numbers;
   RasterProbe probe(side, side);
   std::vector<ProbeVertex> scene;
   for (int i = 0; i < 300; ++i) {

@@ -9,7 +9,8 @@ namespace triptych {
 
 namespace {
 
-/// Of many pieces so many are tested first, the largest on the screen: if any shows, it is often one of them.
+/// Of many pieces only this number is tested first, the largest on the screen: if any shows, it is often one
+/// of them.
 constexpr size_t largest_pieces = 2;
 
 /// Keeps the `count` largest of the rectangles from `first` on.
@@ -113,7 +114,7 @@ bool HardwareCull::may_show(SceneNodeId node) const {
   return represented_.marked(cut_->choice(node)) || found_.empty() || found_.size() < options_.max_found;
 }
 
-/// Takes scene nodes in rank order until `batch_` of them want a test.
+/// Takes scene nodes in rank order until `batch_` of them need a test.
 void HardwareCull::fill_batch() {
   tested_.clear();
   rectangles_.clear();

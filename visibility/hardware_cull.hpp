@@ -29,7 +29,7 @@ struct CullOptions {
   /// `min_batch` where the representation is empty or holds less than half as many drawables as were
   /// visible one frame ago.
   size_t batch = 512, min_batch = 8, max_found = 2;
-  /// A packet is emitted once it holds so many added and removed ids, and at the end of the frame. Smaller
+  /// A packet is emitted once it holds this many added and removed ids, and at the end of the frame. Smaller
   /// packets let receivers begin earlier and cost more bytes; docs/protocol.md has figures.
   size_t packet_ids = 32;
   /// Is told of every test; may be null.

@@ -43,8 +43,8 @@ struct BuildingDesign {
   std::vector<FurnitureMesh> meshes;  ///< by piece; empty where the piece was not read
   FloorPlan plan;                     ///< of the different storeys, one above the other
   Furnishing furnishing;              ///< theirs
-  std::vector<int>
-      storeys;  ///< for a building that repeats storeys: which of the different ones each storey is
+  /// For a building that repeats storeys: which of the different ones each storey is.
+  std::vector<int> storeys;
   CameraFrames walk, fly, spin, jump;
   std::map<std::string, size_t> skipped_models;
 };
