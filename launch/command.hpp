@@ -28,7 +28,7 @@ void add_timeline_flag(CLI::App& command, std::filesystem::path& file);
 void add_context_flags(CLI::App& command, RunOptions& options);
 /// The pack and add_context_flags: what every process that draws needs.
 void add_drawing_flags(CLI::App& command, RunOptions& options);
-/// --path, --size, --pixel-error, --frames.
+/// --path, --size, --pixel-error, --frames. The last --size and the last --frames count.
 void add_path_flags(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);

@@ -114,6 +114,16 @@ TEST(CommandLine, flags_may_stand_before_what_they_are_about) {
   }
 }
 
+TEST(CommandLine, of_sizes_and_counts_of_frames_the_last_one_counts) {
+  CLI::App app;
+  RunOptions options;
+  add_run_flags(app, options);
+  app.parse("pack.tpk --path walk.json --size 512x512 --frames 60 --size 64x48 --frames 90", false);
+  EXPECT_EQ(options.size.width, 64);
+  EXPECT_EQ(options.size.height, 48);
+  EXPECT_EQ(options.frames, 90u);
+}
+
 TEST(CommandLine, a_list_is_refused_where_one_value_is_used) {
   for (const std::string line :
        {"render pack.tpk --path walk.json -o pictures --pixel-error 1,2",
