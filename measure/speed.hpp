@@ -28,8 +28,8 @@ struct SpeedSeries {
 };
 
 struct SpeedOptions {
-  std::vector<std::string> methods;  ///< those to measure; all where it is empty
-  size_t warm_up = 3;                ///< so many frames of the path are drawn and left out; one is left
+  std::vector<std::string> methods{};  ///< those to measure; all where it is empty
+  size_t warm_up = 3;                  ///< so many frames of the path are drawn and left out; one is left
   uint64_t max_memory_bytes = std::numeric_limits<uint64_t>::max();  ///< for the whole model and its tree
 };
 
