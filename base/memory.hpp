@@ -8,6 +8,9 @@ namespace triptych {
 /// The largest resident size of this process so far, in bytes (VmHWM).
 uint64_t peak_resident_bytes();
 
+/// What this process may still take without swapping or running into its control group's limit, in bytes.
+uint64_t available_memory_bytes();
+
 /// Returns freed memory to the system, which the allocator would otherwise keep for later.
 void release_freed_memory();
 

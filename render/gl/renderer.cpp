@@ -2,13 +2,9 @@
 
 #include "render/gl/shaders.hpp"
 
-#include <glm/geometric.hpp>
-
 namespace triptych {
 
 namespace {
-const glm::dvec3 light_in_model = glm::normalize(glm::dvec3(0.35, 0.85, 0.40));
-
 GlProgram make_pass(TargetKind kind, Projection projection) {
   const std::string vertex = geometry_vertex_shader(projection);
   switch (kind) {
@@ -33,29 +29,8 @@ Renderer::Pass& Renderer::pass(TargetKind kind) {
   const Projection projection = view_->view().camera.projection;
   std::optional<Pass>& pass = passes_[static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
-  pass.emplace(Pass{make_pass(kind, projection)});
-  pass->frustum = glGetUniformLocation(pass->program, "frustum");
-  pass->depth = glGetUniformLocation(pass->program, "depth");
-  pass->light = glGetUniformLocation(pass->program, "light");
+  pass.emplace(make_pass(kind, projection));
   return *pass;
-}
-
-void Renderer::set_projection(const Pass& pass) const {
-  const Camera& camera = view_->view().camera;
-  const ClipSpace& clip = view_->clip;
-  const double width = camera.right - camera.left, height = camera.top - camera.bottom;
-  const double shift_x = (camera.right + camera.left) / width,
-               shift_y = (camera.top + camera.bottom) / height;
-  const double scale = clip.orthographic ? 2 * clip.unit : 2;  // sides are tangents, or model units
-  const double side = clip.orthographic ? -1 : 1;              // shifts are multiplied by −z, or by 1
-  glUniform4f(pass.frustum, static_cast<float>(scale / width), static_cast<float>(scale / height),
-              static_cast<float>(side * shift_x), static_cast<float>(side * shift_y));
-  if (clip.orthographic) {
-    glUniform2f(pass.depth, static_cast<float>(clip.unit / clip.range),
-                static_cast<float>(clip.depth(clip.reference_depth)));
-  } else {
-    glUniform2f(pass.depth, static_cast<float>(clip.near / clip.unit), 0);
-  }
 }
 
 void Renderer::set_view(const FrameView& view) {
@@ -79,11 +54,7 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
 
   const Pass& used = pass(framebuffer.kind());
   glUseProgram(used.program);
-  set_projection(used);
-  if (used.light >= 0) {
-    const glm::vec3 light(view_->rotation * light_in_model);
-    glUniform3f(used.light, light.x, light.y, light.z);
-  }
+  used.uniforms.set(*view_);
   framebuffer.bind();
   geometry_.bind();
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, draws_binding, records_);

@@ -4,9 +4,11 @@
 #include "render/draw_list.hpp"
 #include "render/gl/framebuffer.hpp"
 #include "render/gl/geometry.hpp"
+#include "render/gl/view_uniforms.hpp"
 
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace triptych {
 
@@ -24,11 +26,11 @@ class Renderer {
 
  private:
   struct Pass {
+    explicit Pass(GlProgram made) : program(std::move(made)), uniforms(program) {}
     GlProgram program;
-    GLint frustum = -1, depth = -1, light = -1;
+    ViewUniforms uniforms;
   };
   Pass& pass(TargetKind kind);
-  void set_projection(const Pass& pass) const;
 
   Geometry geometry_;
   std::optional<Pass> passes_[2][4];  ///< by projection and kind; made when first used

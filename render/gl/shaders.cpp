@@ -45,15 +45,30 @@ void shade_fragment() {
 }
 )";
 
+// From eye space to clip space; what ViewUniforms sets goes in.
+const std::string frustum_uniforms = R"(
+uniform vec4 frustum;  // x scale, y scale, x shift, y shift
+uniform vec2 depth;    // perspective: the near plane; orthographic: scale and shift
+)";
+std::string project(Projection projection) {
+  return projection == Projection::perspective ? R"(
+  gl_Position = vec4(frustum.x * eye_position.x + frustum.z * eye_position.z,
+                     frustum.y * eye_position.y + frustum.w * eye_position.z, depth.x, -eye_position.z);
+)"
+                                               : R"(
+  gl_Position = vec4(frustum.x * eye_position.x + frustum.z, frustum.y * eye_position.y + frustum.w,
+                     depth.x * eye_position.z + depth.y, 1.0);
+)";
+}
+
 }  // namespace
 
 std::string geometry_vertex_shader(Projection projection) {
-  return version + "#extension GL_ARB_shader_draw_parameters : require\n" + draw_record + R"(
+  return version + "#extension GL_ARB_shader_draw_parameters : require\n" + draw_record + frustum_uniforms +
+         R"(
 layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
-uniform vec4 frustum;  // x scale, y scale, x shift, y shift
-uniform vec2 depth;    // perspective: the near plane; orthographic: scale and shift
 invariant gl_Position;
 out vec3 eye_position;
 flat out vec4 base_color;
@@ -66,15 +81,7 @@ void main() {
   vec3 p = vec3(point + draw.cell);
   eye_position = vec3(dot(draw.rows[0].xyz, p) + draw.rows[0].w, dot(draw.rows[1].xyz, p) + draw.rows[1].w,
                       dot(draw.rows[2].xyz, p) + draw.rows[2].w);
-)" +
-         (projection == Projection::perspective ? R"(
-  gl_Position = vec4(frustum.x * eye_position.x + frustum.z * eye_position.z,
-                     frustum.y * eye_position.y + frustum.w * eye_position.z, depth.x, -eye_position.z);
-)"
-                                                : R"(
-  gl_Position = vec4(frustum.x * eye_position.x + frustum.z, frustum.y * eye_position.y + frustum.w,
-                     depth.x * eye_position.z + depth.y, 1.0);
-)") +
+)" + project(projection) +
          R"(  base_color = palette[color_and_piece & 0xffffffu];
   BoundRecord bound = bounds[draw.first_bound + (color_and_piece >> 24)];
   bound_x = bound.x.xyz;
@@ -118,6 +125,24 @@ void main() {
 }
 )";
 }
+
+std::string flat_model_vertex_shader(Projection projection) {
+  return version + frustum_uniforms + R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 vertex_color;
+uniform mat3 to_eye;
+uniform vec3 shift;
+out vec3 eye_position;
+flat out vec4 base_color;
+void main() {
+  eye_position = to_eye * position + shift;
+)" + project(projection) +
+         R"(  base_color = vertex_color;
+}
+)";
+}
+
+std::string flat_model_fragment_shader() { return version + shaded + "void main() { shade_fragment(); }\n"; }
 
 std::string rectangle_vertex_shader() {
   return version + "#extension GL_ARB_shader_draw_parameters : require\n" + R"(

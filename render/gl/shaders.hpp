@@ -24,6 +24,10 @@ std::string item_fragment_shader();
 /// Colours and ids in one pass, at locations 0 and 1.
 std::string color_and_item_fragment_shader();
 
+/// Of a whole model in floats (FlatVertex), one transform for all of it; the same shading and no bounds.
+std::string flat_model_vertex_shader(Projection projection);
+std::string flat_model_fragment_shader();
+
 std::string rectangle_vertex_shader();
 std::string query_fragment_shader();
 std::string storage_fragment_shader();
