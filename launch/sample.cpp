@@ -156,7 +156,7 @@ void add_sample(CLI::App& app, Action& action) {
   services->add_option("-o,--output", command->output, "Folder for scene.gltf and the paths")
       ->required()
       ->type_name("DIR");
-  services->add_option("--storeys", command->services.storeys, "Storeys, of about 7,500 objects each")
+  services->add_option("--storeys", command->services.storeys, "Storeys, of about 10,000 objects each")
       ->check(whole_number(1, max_services_storeys))
       ->capture_default_str();
   services->add_option("--seed", command->services.seed, "Decides everything that is random")

@@ -84,7 +84,7 @@ void add_racks(const Placer& placer, double z) {
     placer.put(
         "trapeze", [] { return trapeze(length, slab_underside - below); }, placed({x, below, z}, 0));
   for (size_t i = 0; i < systems.size(); ++i)
-    for (double x = 12; x < width; x += 24) {
+    for (double x = 9; x < width; x += 18) {
       const double d = systems[i].diameter;
       const glm::dvec3 at(x + 0.3 + 0.2 * static_cast<double>(i), rack, z + rack_offset(i));
       placer.put(
@@ -122,13 +122,6 @@ void add_ceiling_row(const Placer& placer, double z) {
   }
 }
 
-void add_on_walls(const Placer& placer, double z) {
-  // Where there is no door is not known here: what juts out hangs above them or is small.
-  for (double x = 3; x < width; x += 12)
-    placer.put(
-        "emergency light", [] { return emergency_light(); }, placed({x, 2.55, z - corridor / 2 + 0.15}, 0));
-}
-
 }  // namespace
 
 void add_corridor_services(ObjectScene& scene, int storey, int number) {
@@ -139,7 +132,6 @@ void add_corridor_services(ObjectScene& scene, int storey, int number) {
       add_main(placer, *system, from + end_gap, to - end_gap, z + main_duct_offset(*system));
   add_racks(placer, z);
   add_ceiling_row(placer, z);
-  add_on_walls(placer, z);
 }
 
 void add_shaft_services(ObjectScene& scene, const HospitalRoom& shaft) {

@@ -144,6 +144,8 @@ class RoomFurnisher {
     put_along(chair(kind), Wall::east, 2.5);
     put_along(chair(kind), Wall::east, 4.5);
     put_along(armchair(variant()), Wall::east, 5.0);
+    put_along(stool(variant()), Wall::east, 3.0);
+    put_along(trolley(variant()), Wall::west, 2.0);
     put_along(trolley(variant()), Wall::east, 3.5);
     put_along(waste_bin(variant()), Wall::corridor, 0);
   }
@@ -170,6 +172,19 @@ class RoomFurnisher {
     put_along(shelf(variant()), Wall::west, 1.8);
     put_along(chair(variant()), Wall::east, 3);
     put_along(waste_bin(variant()), Wall::west, 2);
+    put_meeting();
+  }
+
+  /// A table in the middle with chairs at its long sides.
+  void put_meeting() {
+    const glm::dvec2 middle(area_.x0 + area_.width() / 2, room_.at(0, 0, room_.depth() * 0.62).z);
+    const int kind = variant();
+    if (!put_at(table(2), middle, Wall::far)) return;
+    const double away = room_.inward * 0.72;
+    for (const double x : {-0.35, 0.35}) {
+      put_at(chair(kind), {middle.x + x, middle.y + away}, Wall::far);
+      put_at(chair(kind), {middle.x + x, middle.y - away}, Wall::corridor);
+    }
   }
 
   void furnish_treatment() {

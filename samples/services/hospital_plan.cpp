@@ -53,7 +53,7 @@ class Planner {
       }
       for (const auto& [from, to] : blocks) {
         add(strip, {RoomUse::shaft, 1, shaft_width, shaft_width}, from, from + shaft_width);
-        const bool stairs = (from == 0) == (strip.corridor == 1) && from != blocks[1][0];
+        const bool stairs = (from == 0) == (strip.corridor == 1);
         constexpr double stairs_width = 3.4;
         fill(strip, from + shaft_width, stairs ? to - stairs_width : to);
         if (stairs) add(strip, {RoomUse::stairs, 1, 0, 0}, to - stairs_width, to);

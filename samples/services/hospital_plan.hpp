@@ -1,5 +1,5 @@
-// The plan of a hospital: on every storey two long corridors with rooms on both sides, joined by two cross
-// corridors; shafts and stairs stand above each other, everything else differs.
+// The plan of a hospital: on every storey two long corridors with rooms on both sides, joined by a cross
+// corridor; shafts and stairs stand above each other, everything else differs.
 #pragma once
 
 #include "samples/random.hpp"
@@ -14,14 +14,14 @@ namespace triptych {
 
 /// The measures that everything in the hospital shares; metres, heights above the floor.
 namespace hospital {
-inline constexpr double width = 72, depth = 38, storey = 4.5, slab = 0.3, slab_underside = storey - slab;
+inline constexpr double width = 46.4, depth = 38, storey = 4.5, slab = 0.3, slab_underside = storey - slab;
 inline constexpr double ceiling = 2.7, partition_top = 2.95, partition = 0.12, facade = 0.3, corridor = 2.4;
 inline constexpr double door_width = 1.2, door_height = 2.15, door_jamb = 0.06;
 inline constexpr double window_width = 1.3, window_sill = 0.9, window_top = 2.4;
 /// The middles of the two long corridors.
 inline constexpr double corridor_z[2] = {9.2, 28.8};
-/// Between the cross corridors.
-inline constexpr double blocks[3][2] = {{0, 23.2}, {25.6, 46.4}, {48.8, 72}};
+/// West and east of the cross corridor.
+inline constexpr double blocks[2][2] = {{0, 22}, {24.4, 46.4}};
 /// From its block's western end.
 inline constexpr double shaft_width = 2.6;
 }  // namespace hospital

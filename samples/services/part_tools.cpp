@@ -75,6 +75,6 @@ void add_hanger_rod(MeshPart& part, const glm::dvec3& foot, double length) {
   add_rod(part, foot + glm::dvec3(0, 0.012, 0), foot + glm::dvec3(0, 0.024, 0), nut, 6);
 }
 
-size_t sides_of(double diameter) { return diameter < 0.03 ? 8 : diameter < 0.09 ? 12 : 16; }
+size_t sides_of(double diameter) { return diameter < 0.018 ? 8 : diameter < 0.035 ? 12 : 16; }
 
 }  // namespace triptych

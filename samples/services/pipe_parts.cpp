@@ -28,8 +28,8 @@ double pipe_elbow_radius(double diameter) { return 1.5 * diameter; }
 MeshParts pipe_elbow(const glm::dvec3& colour, double diameter) {
   MeshPart part = part_of(colour);
   const size_t sides = sides_of(diameter);
-  add_hollow(part, bend_frames(pipe_elbow_radius(diameter), sides == 16 ? 6 : 5),
-             circle_profile(diameter / 2, sides), circle_profile(diameter / 2 - wall_of(diameter), sides));
+  add_hollow(part, bend_frames(pipe_elbow_radius(diameter), 6), circle_profile(diameter / 2, sides),
+             circle_profile(diameter / 2 - wall_of(diameter), sides));
   return {part};
 }
 
@@ -46,7 +46,23 @@ MeshParts pipe_joint(const glm::dvec3& colour, double diameter) {
   MeshPart part = part_of(colour);
   const size_t sides = sides_of(diameter);
   if (diameter < 0.08) {
-    add_tube(part, -0.8 * diameter, 0.8 * diameter, diameter * 0.57, diameter / 2, sides);
+    // A press fitting: its ends bulge over their seals.
+    std::vector<Outline> outlines;
+    const auto add_ring = [&](double along, double radius) {
+      SweepFrame frame;
+      frame.centre.x = along * diameter;
+      outlines.push_back(placed_outline(frame, circle_profile(radius * diameter, sides)));
+    };
+    for (const auto& [along, radius] : {std::pair{-0.9, 0.56},
+                                        {-0.75, 0.63},
+                                        {-0.6, 0.56},
+                                        {0.6, 0.56},
+                                        {0.75, 0.63},
+                                        {0.9, 0.56},
+                                        {0.9, 0.5},
+                                        {-0.9, 0.5}})
+      add_ring(along, radius);
+    add_looped(part, outlines);
     return {part};
   }
   MeshPart bolts = part_of(steel);

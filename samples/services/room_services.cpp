@@ -48,6 +48,8 @@ class RoomServices {
   double offset_t(double offset) const {
     return (corridor_z[room_.corridor] + offset - room_.corridor_wall) * room_.inward;
   }
+  /// Nobody builds two rooms alike: places differ by a few centimetres, and with them lengths.
+  double about(double place, double by = 0.06) { return place + random_.between(-by, by); }
   double x_at(double share) const { return area_.x0 + share * area_.width(); }
 
   /// A boot below the main and a level duct into the room as far as t; returns where it ends.
@@ -69,7 +71,7 @@ class RoomServices {
 
   void add_supply() {
     constexpr double wide = 0.3, trunk = 0.25, twig = 0.17, box_length = 0.9;
-    const double x = x_at(0.5) - 0.2, box_at = 1.0;
+    const double x = about(x_at(0.5) - 0.2), box_at = about(1.05, 0.05);
     add_branch(supply_air, x, box_at, wide);
     placer_.put(
         "volume box", [] { return volume_box(supply_air.colour, wide, branch_height, trunk); },
@@ -106,7 +108,7 @@ class RoomServices {
   /// A twig from the trunk's tee to a diffuser in the ceiling: duct, bend, a flexible end.
   void add_diffuser(const glm::dvec3& tee, const glm::dvec3& out, double room_left, double trunk,
                     double twig) {
-    const double reach = std::max(0.45, room_left * 0.55);
+    const double reach = about(std::max(0.5, room_left * 0.55));
     const glm::dvec3 above = tee + out * reach, start = tee + out * (trunk / 2 + 0.1);
     constexpr double collar = ceiling + 0.31, flexible = 0.12;
     lay_round_duct(placer_, supply_air, twig, {start, above, {above.x, collar + flexible - 0.01, above.z}});
@@ -119,7 +121,8 @@ class RoomServices {
 
   void add_return() {
     constexpr double wide = 0.25;
-    const double x = std::min(x_at(0.5) + 0.75, area_.x1 - 0.35), end = std::min(room_.depth() - 0.8, 4.6);
+    const double x = std::min(about(x_at(0.5) + 0.75), area_.x1 - 0.35),
+                 end = about(std::min(room_.depth() - 0.9, 4.6));
     add_branch(return_air, x, end, wide);
     placer_.put(
         "return end cap 250", [] { return duct_end_cap(return_air.colour, wide, branch_height); },
@@ -135,7 +138,7 @@ class RoomServices {
     const PipeSystem line = thinner(sprinklers, 0.035), drop = thinner(sprinklers, 0.028);
     const int lines = area_.width() > 4.6 ? 2 : 1;
     for (int i = 0; i < lines; ++i) {
-      const double x = x_at((i + 0.5) / lines) + 0.42, end = room_.depth() - 0.8;
+      const double x = x_at((i + 0.5) / lines) + 0.42, end = about(room_.depth() - 0.8);
       lay_pipe(placer_, line, {room_.at(x, level, offset_t(0)), room_.at(x, level, end)}, Hanging{1.8});
       for (double t = 1.3; t < end; t += 2.6) {
         placer_.put(
@@ -153,10 +156,10 @@ class RoomServices {
               rows = std::max(1, static_cast<int>(room_.depth() / 2.4));
     const bool small = room_.use == RoomUse::lavatory || room_.use == RoomUse::store;
     const double tray = offset_t(tray_offsets[0]);
-    const double spine = x_at(0.5) + 0.12;
+    const double spine = about(x_at(0.5) + 0.12, 0.03);
     const PipeSystem& pipe_system = conduit;
     lay_pipe(placer_, pipe_system,
-             {room_.at(spine, rack + 0.06, tray), room_.at(spine, rack + 0.06, room_.depth() - 0.7)},
+             {room_.at(spine, rack + 0.06, tray), room_.at(spine, rack + 0.06, about(room_.depth() - 0.7))},
              Hanging{1.6});
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column) {
@@ -231,7 +234,7 @@ class RoomServices {
   }
 
   void add_fan_coil() {
-    const double x = x_at(0.28), t = room_.depth() - 1.6;
+    const double x = about(x_at(0.28)), t = about(room_.depth() - 1.6);
     add_pair(thinner(cooling_flow, 0.028), 2, thinner(cooling_return, 0.028), 3, x, t - 0.4,
              room_pipes - 0.12);
     placer_.put(
@@ -279,7 +282,7 @@ class RoomServices {
       const double from = offset_t(rack_offset(6 + i)),
                    level = room_pipes - 0.14 + 0.03 * static_cast<double>(i),
                    at = x + 0.03 * static_cast<double>(i),
-                   end = room_.depth() * 0.45 + 0.12 * static_cast<double>(i);
+                   end = about(room_.depth() * 0.45 + 0.12 * static_cast<double>(i), 0.02);
       lay_pipe(placer_, system,
                {room_.at(at, rack + 0.02, from), room_.at(at, level, from), room_.at(at, level, end),
                 room_.at(at, 1.65, end)},

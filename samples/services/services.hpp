@@ -10,7 +10,7 @@ namespace triptych {
 inline constexpr int max_services_storeys = 100;
 
 struct ServicesOptions {
-  int storeys = 4;    ///< 1 to max_services_storeys; each has about 7,500 objects
+  int storeys = 3;    ///< 1 to max_services_storeys; each has about 10,000 objects
   uint64_t seed = 1;  ///< decides everything: equal options give equal files
 };
 

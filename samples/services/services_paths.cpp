@@ -19,7 +19,11 @@ using namespace hospital;
 constexpr size_t walk_frames = 600, fly_frames = 300, spin_frames = 120, jump_frames = 60;
 constexpr Rect storey_area{0, 0, width, depth};
 
-int middle_of(size_t storeys) { return static_cast<int>(storeys / 2); }
+/// The storey next to the middle, from there downwards, that has no ceilings.
+int storey_of_walk(size_t storeys) {
+  const int middle = static_cast<int>(storeys / 2);
+  return has_ceiling(middle, 0) ? std::max(middle - 1, 0) : middle;
+}
 
 bool worth_seeing(RoomUse use) {
   return use != RoomUse::shaft && use != RoomUse::stairs && use != RoomUse::store && use != RoomUse::lavatory;
@@ -40,7 +44,7 @@ std::vector<Stop> stops_on(const WalkableStorey& storey, const FreeSpace& space)
 }  // namespace
 
 CameraFrames services_walk(const std::vector<WalkableStorey>& storeys, const Random& random) {
-  const int middle = middle_of(storeys.size());
+  const int middle = storey_of_walk(storeys.size());
   const WalkableStorey& storey = storeys[static_cast<size_t>(middle)];
   const FreeSpace space(storey_area, storey.obstacles, walking_clearance + 0.01);
   return walk_through(stops_on(storey, space), space, walk_frames, hospital_level(middle) + eye_height,
@@ -48,25 +52,32 @@ CameraFrames services_walk(const std::vector<WalkableStorey>& storeys, const Ran
 }
 
 CameraFrames services_fly(int storeys) {
-  const double eye = hospital_level(middle_of(static_cast<size_t>(storeys))) + eye_height,
+  const double eye = hospital_level(storey_of_walk(static_cast<size_t>(storeys))) + eye_height,
                roof = hospital_level(storeys);
   const double north = corridor_z[0], south = corridor_z[1];
   const std::vector<glm::dvec3> corners{
-      {-30, roof + 6, -20},     {-22, eye + 5, -4},   {-12, eye, north},     {0, eye, north},
-      {24, eye, north},         {48, eye, north},     {72, eye, north},      {84, eye, north + 4},
-      {88, eye + 1, depth / 2}, {84, eye, south - 4}, {72, eye, south},      {48, eye, south},
-      {24, eye, south},         {0, eye, south},      {-14, eye + 1, south}, {-22, eye + 4, 44},
-      {-6, roof + 2, 56},       {20, roof + 6, 50},   {44, roof + 7, 30},    {66, roof + 8, 12}};
+      {-40, roof + 8, -30}, {-24, eye + 5, -6},   {-12, eye, north},     {0, eye, north},
+      {16, eye, north},     {32, eye, north},     {width, eye, north},   {60, eye, north + 2},
+      {66, eye + 1, 19},    {60, eye, south - 2}, {width, eye, south},   {32, eye, south},
+      {16, eye, south},     {0, eye, south},      {-14, eye + 1, south}, {-26, eye + 4, 46},
+      {-10, roof + 2, 64},  {20, roof + 8, 68},   {48, roof + 12, 58},   {64, roof + 10, 36},
+      {58, roof + 8, 14},   {38, roof + 6, 12},   {16, roof + 6, 20}};
   const auto spline = spline_through(corners);
   constexpr size_t ahead = 6;
   const auto line = resampled(spline, length_of(spline) / (fly_frames + ahead + 0.5), fly_frames + ahead);
+  // Ahead inside; from outside, the farther away the more towards the building.
+  const glm::dvec3 low(0), high(width, roof, depth);
   CameraFrames frames;
-  for (size_t i = 0; i < fly_frames; ++i) frames.push_back({line[i], line[i + ahead]});
+  for (size_t i = 0; i < fly_frames; ++i) {
+    const glm::dvec3 &at = line[i], forward = glm::normalize(line[i + ahead] - at);
+    const double share = 0.85 * glm::smoothstep(2.0, 12.0, glm::distance(at, glm::clamp(at, low, high)));
+    frames.push_back({at, at + glm::mix(forward, glm::normalize(0.5 * (low + high) - at), share)});
+  }
   return frames;
 }
 
 CameraFrames services_spin(const std::vector<WalkableStorey>& storeys) {
-  const int middle = middle_of(storeys.size());
+  const int middle = storey_of_walk(storeys.size());
   const WalkableStorey& storey = storeys[static_cast<size_t>(middle)];
   const FreeSpace space(storey_area, storey.obstacles, walking_clearance);
   const auto stops = stops_on(storey, space);
@@ -114,8 +125,8 @@ CameraFrames services_jump(const std::vector<WalkableStorey>& storeys, Random ra
 CameraFrames services_orbit(int storeys) {
   OrbitOptions options;
   options.centre = {width / 2, hospital_level(storeys) / 2, depth / 2};
-  options.radius = 85;
-  options.closest = 50;  // the corners are 41 m from the axis
+  options.radius = 65;
+  options.closest = 38;  // the corners are 31 m from the axis
   options.low = 3;
   options.high = hospital_level(storeys) + 25;
   return orbit_walk(options);

@@ -51,7 +51,7 @@ class Structure {
     for (size_t i = 0; i < rooms_.size(); ++i)
       add_room(rooms_[i], i + 1 < rooms_.size() ? &rooms_[i + 1] : nullptr);
     for (int i = 0; i < 2; ++i) add_corridor(i);
-    for (int i = 0; i + 1 < 3; ++i) add_cross_corridor(blocks[i][1], blocks[i + 1][0]);
+    add_cross_corridor(blocks[0][1], blocks[1][0]);
     add_ends();
   }
 
@@ -185,7 +185,7 @@ class Structure {
 
   void add_corridor(int number) {
     const double z0 = corridor_z[number] - corridor / 2;
-    constexpr int bays = 12;
+    constexpr int bays = 8;
     for (int i = 0; i < bays; ++i) {
       const double length = width / bays, x = length * i;
       const Placer here = placer(fmt::format("{}.corridor {} bay {}", storey_, number + 1, i + 1));
@@ -217,7 +217,7 @@ class Structure {
     }
   }
 
-  /// The outer walls in the west and east; a wide window at each corridor's end, down to the floor.
+  /// The outer walls in the west and east; a wide opening at each corridor's end, down to the floor.
   void add_ends() {
     for (const double x : {-facade / 2, width + facade / 2}) {
       const std::string place = fmt::format("{}.{} end", storey_, x < 0 ? "west" : "east");
@@ -251,7 +251,7 @@ void add_structure(ObjectScene& scene, const std::vector<HospitalRoom>& rooms, i
 
 void add_roof_and_ground(ObjectScene& scene, int storeys, Random random) {
   const Placer roof{scene, storeys - 1, "roof"}, ground{scene, 0, "ground"};
-  constexpr int bays = 6;
+  constexpr int bays = 4;
   constexpr double length = width / bays;
   for (int i = 0; i < bays; ++i)
     for (int k = 0; k < 2; ++k) {
@@ -277,8 +277,8 @@ void add_roof_and_ground(ObjectScene& scene, int storeys, Random random) {
   ground.put(
       "ground",
       [] {
-        return MeshParts{pierced_box({-60, -0.5, -60}, {width + 60, -slab, depth + 60}, 1,
-                                     {{0, 0, width, depth}}, {0.13, 0.22, 0.06})};
+        return MeshParts{pierced_box({-60, -0.5, -60}, {width + 60, 0, depth + 60}, 1,
+                                     {Rect{0, 0, width, depth}.grown(facade)}, {0.13, 0.22, 0.06})};
       },
       glm::dmat4(1));
 }

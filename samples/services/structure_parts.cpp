@@ -22,6 +22,7 @@ MeshParts wall(double length, double height, double thickness, const std::vector
   const double half = thickness / 2;
   const MeshPart body =
       pierced_box({0, 0, -half}, {length, height, half}, 2, holes, facade ? bricks : plaster);
+  if (facade) return {body};
   MeshPart skirting = part_of(skirting_colour);
   std::vector<double> stops{0};
   std::vector<Rect> doors;
@@ -99,7 +100,7 @@ MeshParts window_frame() {
   MeshPart sills = part_of(white);
   add_box(sills, {-half, window_sill - 0.01, -facade / 2 - 0.06}, {half, window_sill + 0.02, -0.05});
   add_box(sills, {-half, window_sill - 0.01, 0.05}, {half, window_sill + 0.02, facade / 2 + 0.06});
-  add_rod(sills, {-half / 2, 1.6, 0.05}, {-half / 2, 1.6, 0.09}, 0.012, 6);
+  add_rod(sills, {0, 1.5, 0.05}, {0, 1.5, 0.09}, 0.012, 6);
   return {frame, sills};
 }
 

@@ -7,7 +7,7 @@
 
 namespace triptych {
 
-/// Holes in x and height; skirtings on both sides between those that reach the floor.
+/// Holes in x and height; inside, skirtings on both sides between those that reach the floor.
 MeshParts wall(double length, double height, double thickness, const std::vector<Rect>& holes, bool facade);
 /// Slab and floor covering, from the origin to x and z.
 MeshParts floor_slab(double width, double depth, const glm::dvec3& covering);
