@@ -5,13 +5,11 @@
 #include "samples/building/furnisher.hpp"
 #include "samples/camera_paths.hpp"
 #include "samples/random.hpp"
+#include "samples/walking.hpp"
 
 #include <vector>
 
 namespace triptych {
-
-/// The least distance between a walking person and everything else, metres.
-inline constexpr double walking_clearance = 0.3;
 
 /// 300 frames of a person who walks at 1.25 m a second, 30 frames a second: from room to room by open doors,
 /// at least 0.3 m from everything, turning at most 0.8 degrees a frame. Error if the building is so full that
