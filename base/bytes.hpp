@@ -25,7 +25,7 @@ class ByteWriter {
     write_all(std::span(&value, 1));
   }
 
-  /// The values alone, without a count.
+  /// Only the values, without a count.
   template <typename Value>
   void write_all(std::span<const Value> values) {
     append(std::as_bytes(values));
@@ -54,7 +54,7 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads plain values; an Error with the place and the byte offset where they end too soon.
+/// Reads plain values; Error with the place and the byte offset if they end too soon.
 class ByteReader {
  public:
   ByteReader(std::span<const std::byte> bytes, std::string place) : bytes_(bytes), place_(std::move(place)) {}
@@ -71,7 +71,7 @@ class ByteReader {
   template <typename Value>
   std::vector<Value> read_all(uint64_t count) {
     if (count > left() / sizeof(Value))
-      fail(place_, "byte {}: {} values promised, {} bytes left", offset_, count, left());
+      fail(place_, "byte {}: {} values declared, {} bytes left", offset_, count, left());
     std::vector<Value> values(static_cast<size_t>(count));
     const auto bytes = take(values.size() * sizeof(Value));
     if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
@@ -105,7 +105,7 @@ class ByteReader {
 
  private:
   std::span<const std::byte> take(size_t count) {
-    if (count > left()) fail(place_, "byte {}: ends too soon, {} more bytes wanted", offset_, count - left());
+    if (count > left()) fail(place_, "byte {}: ends too soon, {} more bytes needed", offset_, count - left());
     const auto taken = bytes_.subspan(offset_, count);
     offset_ += count;
     return taken;

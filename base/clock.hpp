@@ -1,4 +1,5 @@
-// Wall-clock time. OpenGL's timer queries lie on software renderers, so stages are timed around glFinish.
+// Wall-clock time. OpenGL's timer queries are wrong on software renderers, so stages are timed around
+// glFinish.
 #pragma once
 
 #include <chrono>
@@ -6,7 +7,7 @@
 
 namespace triptych {
 
-/// This machine's steady clock: the same for all its processes, and of no meaning on another machine.
+/// This machine's steady clock: the same for all its processes, and without meaning on another machine.
 inline double steady_milliseconds() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
       .count();

@@ -1,4 +1,4 @@
-// Open files: who closes them, and whole reads and writes, whatever the system does at a time.
+// Open files: their ownership, and complete reads and writes, however many calls they take.
 #pragma once
 
 #include <cstddef>
@@ -25,14 +25,14 @@ class Descriptor {
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }  ///< -1 where nothing is open
   void close();
-  /// Leaves the closing to the caller.
+  /// Gives up ownership: the caller closes it.
   [[nodiscard]] int release() { return std::exchange(number_, -1); }
 
  private:
   int number_ = -1;
 };
 
-/// How many bytes the file has. Error (place) if that cannot be said.
+/// How many bytes the file has. Error (place) if that cannot be found out.
 uint64_t size_of(int descriptor, const std::string& place);
 
 /// Fills `into` from the file's offset on. Error (place, byte) if it cannot be read or ends before.
@@ -42,7 +42,7 @@ void read_at(int descriptor, uint64_t offset, std::span<std::byte> into, const s
 void read_in_stretches(int descriptor, uint64_t size, const std::string& place,
                        const std::function<void(std::span<const std::byte>)>& take);
 
-/// Writes all bytes where the file stands. Error (place) if the disk is full.
+/// Writes all bytes at the file's current offset. Error (place) if that fails.
 void write_all(int descriptor, std::span<const std::byte> bytes, const std::string& place);
 
 }  // namespace triptych

@@ -1,4 +1,4 @@
-// What hangs together: sets of numbers that are joined two by two (union-find).
+// Connected components: sets of numbers that are joined two by two (union-find).
 #pragma once
 
 #include <algorithm>

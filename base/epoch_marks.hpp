@@ -1,4 +1,4 @@
-// Marks on numbered things that are all taken away at once, in no time.
+// Marks on numbered things, all of which can be cleared at once in constant time.
 #pragma once
 
 #include <algorithm>
@@ -8,20 +8,20 @@
 
 namespace triptych {
 
-/// One mark for each of `count` things. clear() does not touch them, so that a frame pays for what it marks
-/// and not for what there is.
+/// One mark for each of `count` things. clear() does not touch them, so that the cost of a frame depends on
+/// what it marks, not on how many there are.
 class EpochMarks {
  public:
   explicit EpochMarks(size_t count) : stamps_(count, 0) {}
 
   void clear() {
     if (++epoch_ != 0) return;
-    std::fill(stamps_.begin(), stamps_.end(), 0);  // once in four thousand million times
+    std::fill(stamps_.begin(), stamps_.end(), 0);  // once in 2³² calls
     epoch_ = 1;
   }
   void mark(size_t i) { stamps_[i] = epoch_; }
   bool marked(size_t i) const { return stamps_[i] == epoch_; }
-  /// Marks it; whether it was not marked before.
+  /// Marks it; returns whether it was not marked before.
   bool mark_first(size_t i) {
     if (marked(i)) return false;
     mark(i);

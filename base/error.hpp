@@ -1,5 +1,5 @@
-// Errors that a user, a file or a peer can cause. Each says where; the program's outermost layer prints it,
-// once.
+// Errors that a user, a file or a peer can cause. Each names its place; the program's outermost layer prints
+// it, once.
 #pragma once
 
 #include <fmt/core.h>

@@ -31,8 +31,8 @@ Container read_whole(const std::filesystem::path& path) {
   return contents;
 }
 
-/// Names of files that nobody wants if the process ends now. What is taken out by a signal's handler is not
-/// freed.
+/// Names of files to remove if a signal ends the process now. Names that a signal handler has taken out are
+/// not freed.
 std::array<std::atomic<char*>, 256> unwanted;
 
 size_t note_unwanted(const std::string& name) {
@@ -42,7 +42,7 @@ size_t note_unwanted(const std::string& name) {
     if (unwanted[i].compare_exchange_strong(empty, copy)) return i;
   }
   std::free(copy);
-  return unwanted.size();  // so many at once stay behind when a signal comes
+  return unwanted.size();  // with so many at once, this one is left behind when a signal comes
 }
 void forget_unwanted(size_t& noted) {
   if (noted < unwanted.size()) std::free(unwanted[noted].exchange(nullptr));
@@ -57,13 +57,13 @@ void end_by_signal(int signal) {
   std::raise(signal);
 }
 
-/// A file is put in place of what has its name: where that is a device or a pipe, it would be gone.
+/// A file replaces what has its name; a device or a pipe must not be lost so.
 void check_replaceable(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (std::filesystem::is_directory(status)) fail(path.string(), "is a folder, not a file");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    fail(path.string(), "is no regular file, and nothing is put in its place");
+    fail(path.string(), "is not a regular file, and is not replaced");
 }
 }  // namespace
 
@@ -117,7 +117,7 @@ KeptBytes AtomicFile::flush() {
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
-  if (bytes.empty()) return;  // there may be no address
+  if (bytes.empty()) return;  // data() may be null
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
     fail(path_.string(), "cannot be written: {}", std::strerror(errno));
   }

@@ -42,7 +42,7 @@ Descriptor open_to_read(const std::filesystem::path& file) {
   if (type == file_type::not_found) fail(file.string(), "cannot be opened: {}", std::strerror(ENOENT));
   if (type == file_type::none) fail(file.string(), "cannot be opened: {}", error.message());
   if (type != file_type::regular) fail(file.string(), "is {}, not a file", name_of(type));
-  // Should a pipe take its place just now, this does not wait for whoever writes.
+  // O_NONBLOCK: if a pipe has taken its place meanwhile, this does not wait for a writer.
   Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!descriptor.is_open()) fail(file.string(), "cannot be opened: {}", std::strerror(errno));
   return descriptor;
@@ -61,7 +61,7 @@ void check_folder_there(const std::filesystem::path& folder) {
 void check_writable(const std::filesystem::path& file) { const AtomicFile never_committed(file); }
 
 void check_folder_writable(const std::filesystem::path& folder) {
-  // What would be made is made in the nearest folder that is there.
+  // Folders would be made in the nearest one that exists.
   std::filesystem::path nearest = std::filesystem::absolute(folder);
   std::error_code error;
   std::filesystem::file_status status;

@@ -17,7 +17,7 @@ uint64_t hash_values(std::span<const Value> values, uint64_t seed = 0) {
   return hash_bytes(std::as_bytes(values), seed);
 }
 
-/// The checksum of bytes that come a stretch at a time: the same as hash_bytes() of all of them, seed 0.
+/// The checksum of bytes that come piece by piece: the same as hash_bytes() of all of them, seed 0.
 class StreamHash {
  public:
   StreamHash();

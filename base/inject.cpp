@@ -1,8 +1,6 @@
 #include "base/inject.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 
 namespace triptych {
 
@@ -43,10 +41,6 @@ std::vector<std::string> injected_names() {
     if (injected(static_cast<Fault>(i))) active.push_back(fault_names()[i]);
   }
   return active;
-}
-
-void dawdle(Fault fault) {
-  if (injected(fault)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 void clear_injected() { active_faults() = 0; }

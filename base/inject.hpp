@@ -15,27 +15,27 @@ enum class Fault {
   no_dilation,             ///< boxes are tested without their margin
   wrong_ancestor,          ///< the visible set is mapped to drawables that are not in the cut
   stale_camera,            ///< culling uses the previous frame's camera
-  flipped_byte,            ///< one byte of a message is flipped on its way
+  flipped_byte,            ///< one bit of a message is flipped in transit
   carried_hidden,          ///< what was hidden one frame ago stays hidden
   no_near_rule,            ///< boxes cut by the near plane are tested by the corners before it
   no_fragment_bound,       ///< fragments may be nearer than their drawable's box
   float_bounds,            ///< boxes are projected from single-precision coordinates
   float_positions,         ///< geometry is placed by single-precision coordinates
-  fixed_units,             ///< eye space on the card is in model units, whatever they are
+  fixed_units,             ///< eye space on the graphics card is in model units, whatever they are
   euclidean_depth,         ///< the pixel error divides by the distance to a box instead of its least depth
-  dropped_stretch,         ///< the pixel error forgets that oblique views stretch
-  perspective_rule,        ///< orthographic views are selected for as if they were perspective
+  dropped_stretch,         ///< the pixel error ignores the stretching of oblique views
+  perspective_rule,        ///< levels are selected for orthographic views as if they were perspective
   dropped_singular_value,  ///< bounds of placed geometry are not scaled with it
   uncounted_lattice,       ///< rounding to the lattice does not count as an error
   shrinking_bounds,        ///< an HLOD's error leaves out its children's
   unflipped_mirror,        ///< mirrored placements keep their winding
   shared_shears,           ///< meshes are shared under transforms that floats cannot place exactly
   exact_frustum,           ///< the cut leaves out what is behind the frustum's planes by less than rounding
-  slow_render_node,        ///< the render node dawdles with each packet and frame: no picture may change
-  slow_switch_node,        ///< switch node 1 does: no picture may change
+  slow_render_node,        ///< the render node is slow with each packet and frame: no picture may change
+  slow_switch_node,        ///< the same for switch node 1
 };
 
-/// Turns a fault on for this process. Returns false for a name that is no fault ("withheld-id" names
+/// Turns a fault on for this process. Returns false for an unknown name ("withheld-id" names
 /// withheld_id).
 bool inject(std::string_view name);
 bool injected(Fault fault);
@@ -43,8 +43,6 @@ bool injected(Fault fault);
 const std::vector<std::string>& fault_names();
 /// The names that were injected, for child processes.
 std::vector<std::string> injected_names();
-/// Sleeps for 20 ms where the fault is one of slowness and was injected.
-void dawdle(Fault fault);
 /// Forgets every injected fault; for tests.
 void clear_injected();
 

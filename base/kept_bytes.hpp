@@ -1,4 +1,4 @@
-// What an earlier process wrote to a file, for a later one that goes on behind it.
+// What an earlier process wrote to a file, for a later one that continues it.
 #pragma once
 
 #include "base/hashing.hpp"
@@ -13,8 +13,8 @@ struct KeptBytes {
   uint64_t size = 0, checksum = 0;
 };
 
-/// Cuts the file to what was kept, whose bytes are added to `hash`, a new one; writing goes on at its end.
-/// Error (place) if that fails, or if the file holds something else.
+/// Truncates the file to what was kept, adds those bytes to `hash`, a new one, and sets the file's offset to
+/// its end. Error (place) if that fails, or if the file holds something else.
 void go_on_behind(const KeptBytes& kept, int descriptor, StreamHash& hash, const std::string& place);
 
 }  // namespace triptych

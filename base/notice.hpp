@@ -1,4 +1,4 @@
-// Lines on standard error that tell what goes on.
+// Lines on standard error about what the program is doing.
 #pragma once
 
 #include "base/one_line.hpp"
@@ -9,13 +9,13 @@
 
 namespace triptych {
 
-/// Prints the text at once; whether anybody still reads it, or there is room for it, does not matter.
+/// Prints the text at once; ignores errors, such as a closed pipe or a full disk.
 inline void say(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
 
-/// The same of one line, whatever stands in the arguments.
+/// Prints one line, whatever the arguments contain.
 template <typename... Arguments>
 void notice(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   say(one_line(fmt::format(format, std::forward<Arguments>(arguments)...)) + "\n");

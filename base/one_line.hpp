@@ -1,4 +1,4 @@
-// Text that somebody else chose, in a line of our own.
+// Foreign text in one line.
 #pragma once
 
 #include <algorithm>
@@ -6,8 +6,7 @@
 
 namespace triptych {
 
-/// The text with blanks for line breaks and other control characters, which names of files and what is in
-/// them may hold.
+/// The text with blanks for line breaks and other control characters, which file names and files may contain.
 inline std::string one_line(std::string text) {
   constexpr char last_control = 0x1f, del = 0x7f;
   std::replace_if(

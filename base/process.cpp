@@ -13,8 +13,8 @@ namespace triptych {
 
 namespace {
 
-/// Keeps signals waiting while a child is made: one that comes before its program has begun is the child's
-/// own, and not lost on the handlers of its starter.
+/// Blocks signals while a child is made, so that one that comes before the child's program has begun is
+/// handled by that program, not by this program's handlers.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -50,10 +50,11 @@ pid_t start_program(const Program& program, const std::string& place) {
   const pid_t pid = ::fork();
   if (pid < 0) fail(place, "cannot be started: {}", std::strerror(errno));
   if (pid > 0) return pid;
-  // From here on only what is safe between fork and exec: other threads' locks stay as they were.
+  // From here on only calls that are safe between fork and exec: locks of other threads are never released
+  // here.
   ::prctl(PR_SET_PDEATHSIG, program.death_signal);
   if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
-  // All are moved out of the way first, so that none lands on another.
+  // All are duplicated to free numbers first, so that none overwrites another.
   for (size_t i = 0; i < copies.size(); ++i)
     copies[i] = ::fcntl(program.descriptors[i].ours, F_DUPFD_CLOEXEC, 10);
   for (size_t i = 0; i < copies.size(); ++i) ::dup2(copies[i], program.descriptors[i].theirs);

@@ -1,4 +1,4 @@
-// Other programs: how they are started, and the pipes to them.
+// Starts other programs, with pipes to them.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -13,24 +13,24 @@ namespace triptych {
 struct Pipe {
   Descriptor read, write;
 };
-/// Programs that are started inherit neither end. Error (place) if there is none to be had.
+/// Programs that are started inherit neither end. Error (place) if there are no pipes left.
 Pipe open_pipe(const std::string& place);
 
 struct Program {
   std::string file;
   std::vector<std::string> words;  ///< its arguments; the first is its name
-  /// An open file of this process that the program has under a number of its own.
+  /// An open file of this process, which the program gets under another number.
   struct Handed {
     int ours = -1, theirs = -1;
   };
   std::vector<Handed> descriptors;
-  int death_signal = SIGTERM;  ///< it gets when this process dies
-  /// What it does about these signals, whatever this process does.
+  int death_signal = SIGTERM;  ///< the signal that it gets when this process dies
+  /// Signals that it handles by default or ignores, whatever this process does.
   std::vector<int> default_signals, ignored_signals;
 };
 
 /// Starts the program; the caller waits for its end. One that cannot be executed ends with exit code 127.
-/// Error (place) if there can be no further process.
+/// Error (place) if no further process can be made.
 pid_t start_program(const Program& program, const std::string& place);
 
 }  // namespace triptych

@@ -1,4 +1,4 @@
-// Progress on standard error: one living line on a terminal, plain lines elsewhere.
+// Progress on standard error: one line that is updated on a terminal, plain lines elsewhere.
 #pragma once
 
 #include "base/clock.hpp"
@@ -12,7 +12,7 @@ namespace triptych {
 /// every few seconds elsewhere, and once at the end.
 class Progress {
  public:
-  /// total: how many steps there are; 0 where nobody knows.
+  /// total: how many steps there are; 0 if that is not known.
   explicit Progress(std::string stage, uint64_t total = 0);
   ~Progress();
   Progress(const Progress&) = delete;

@@ -16,7 +16,7 @@
 
 namespace triptych {
 
-/// The members of a struct in the order of its bytes. A struct without such a list is written as it stands in
+/// The members of a struct in the order of its bytes. A struct without such a list is written as it lies in
 /// memory.
 template <typename Value>
 inline constexpr auto record_members = nullptr;
@@ -91,7 +91,7 @@ std::vector<std::byte> record_bytes(const Value& value) {
   return std::move(writer.bytes());
 }
 
-/// The record that all of the bytes are. Error (place) if they are more or fewer.
+/// The record that the bytes hold. Error (place) if they are more or fewer than that.
 template <typename Value>
 Value record_of(std::span<const std::byte> bytes, const std::string& place) {
   ByteReader reader(bytes, place);

@@ -1,13 +1,13 @@
-// Arithmetic rounds to nearest here, whatever the program around us has set.
+// Arithmetic that rounds to nearest, whatever rounding mode the program has set.
 #pragma once
 
 #include <cfenv>
 
 namespace triptych {
 
-/// Sets the rounding mode to nearest while it lives, and puts back what was. What is to be computed under it
-/// belongs into a function of another file or one that is not inlined: compilers move arithmetic over it
-/// otherwise.
+/// Sets the rounding mode to nearest while it lives, and restores the previous one. Computations under it
+/// belong in a function of another file or one that is not inlined: otherwise compilers may move arithmetic
+/// across it.
 class NearestRounding {
  public:
   NearestRounding() : before_(std::fegetround()) {
@@ -28,7 +28,7 @@ template <typename Body>
   return body();
 }
 
-/// What the body returns, computed under it.
+/// The result of the body, computed under NearestRounding.
 template <typename Body>
 auto round_to_nearest(const Body& body) {
   const NearestRounding rounding;

@@ -17,8 +17,8 @@ bool install_handlers() {
   for (const int signal : {SIGTERM, SIGINT}) sigaction(signal, &action, nullptr);
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup, otherwise
-  // Whoever read what we say may be gone.
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // ignored under nohup
+  // The reader of our output may be gone.
   std::signal(SIGPIPE, SIG_IGN);
   return true;
 }

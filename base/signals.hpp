@@ -1,4 +1,4 @@
-// Signals that ask this process to end: one place that hears them.
+// Signals that ask this process to end.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace triptych {
 /// Whether SIGTERM, SIGINT or SIGHUP (unless that is ignored, as by nohup) asked this process to end; the
 /// first call installs the handlers.
 bool stop_requested();
-/// Error (place) where that was asked: for work between two things that can be left as they are.
+/// Error (place) if a signal asked this process to end: called where work can be interrupted safely.
 void end_if_asked(const std::string& place);
 
 }  // namespace triptych

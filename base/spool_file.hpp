@@ -1,4 +1,4 @@
-// A file for work in progress that does not fit in memory: append, and read anywhere.
+// A file for data that does not fit in memory: bytes are appended, and read at any place.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -21,11 +21,11 @@ struct SpoolPlace {
   bool operator==(const SpoolPlace&) const = default;
 };
 
-/// Unbuffered: what append() returned from survives the end of the process, however it ends. Several threads
-/// may read while one appends.
+/// Unbuffered: bytes for which append() has returned survive the end of the process, however it ends. Several
+/// threads may read while one appends.
 class SpoolFile {
  public:
-  /// Opens or makes the file and cuts it to what was kept. Error (path) if that fails, or if it holds
+  /// Opens or makes the file and truncates it to what was kept. Error (path) if that fails, or if it holds
   /// something else.
   explicit SpoolFile(std::filesystem::path path, const KeptBytes& kept = {});
   /// Takes over a new file; `name` is for errors.
@@ -35,10 +35,10 @@ class SpoolFile {
   SpoolPlace append(std::span<const std::byte> bytes);
   /// Error (path, byte) where the file ends before.
   std::vector<std::byte> read(const SpoolPlace& place) const;
-  /// Hands out all of it, a stretch at a time.
+  /// Hands out the whole content piece by piece.
   void read_all(const std::function<void(std::span<const std::byte>)>& take) const;
   uint64_t size() const { return size_; }
-  /// All of it, for a later process.
+  /// Size and checksum of the content, for a later process.
   KeptBytes kept() const { return {size_, hash_.checksum()}; }
   const std::filesystem::path& path() const { return path_; }
 

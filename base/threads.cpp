@@ -29,14 +29,14 @@ void set_thread_count(unsigned count) {
 }
 
 void parallel_for(size_t count, const std::function<void(size_t)>& body) {
-  // Exceptions stay out of TBB: it would cancel what runs within the bodies, too, such as an Embree tree that
-  // is being built, which its user then takes for whole.
+  // Exceptions must not reach TBB: it would also cancel nested work in the bodies, such as the build of an
+  // Embree tree, which would then seem to be complete.
   std::atomic<bool> failed = false;
   std::mutex mutex;
   std::exception_ptr first;
   tbb::parallel_for(size_t{0}, count, [&](size_t i) {
     if (failed) return;
-    const NearestRounding rounding;  // threads have the mode of whoever woke them first
+    const NearestRounding rounding;  // threads have the mode of the thread that first woke them
     try {
       body(i);
     } catch (...) {

@@ -1,4 +1,4 @@
-// Work over all cores. Results never depend on the number of threads: each index writes its own place.
+// Work over all cores. Results never depend on the number of threads: each index only writes its own result.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// When each stage of each frame ran in this process. Off by default, and then it costs a test of a flag.
+// Records when each stage of each frame ran in this process. Off by default; then it only costs the test of a
+// flag.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +9,19 @@ namespace triptych {
 
 /// A stage of a frame. Times are of the process's steady clock, milliseconds.
 struct TimelineSpan {
-  const char* stage = "";  ///< lives as long as the thread
+  const char* stage = "";  ///< valid as long as the thread
   uint32_t frame = 0;
   double begin_ms = 0, end_ms = 0;
 };
 
-/// Spans are kept from here on; at most a million, further ones are counted.
+/// Records spans from now on: at most a million; further ones are only counted.
 void start_timeline();
 bool timeline_started();
-/// What was kept so far, in the order of their ends.
+/// The spans recorded so far, in the order of their ends.
 const std::vector<TimelineSpan>& timeline_spans();
 uint64_t timeline_spans_lost();
 
-/// A span from its construction to its end. For the thread that started the timeline; others leave nothing.
+/// A span from its construction to its end. Only recorded in the thread that started the timeline.
 class TimelineScope {
  public:
   TimelineScope(const char* stage, uint32_t frame);

@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// Opens a new file in the folder, to read and write, and takes its name away; empty: TMPDIR or /tmp.
+/// Opens a new file in the folder, for reading and writing, and unlinks it; empty: TMPDIR or /tmp.
 /// Programs that are started do not inherit it. Error (folder) if that fails.
 Descriptor open_unnamed_file(const std::filesystem::path& folder);
 std::shared_ptr<SpoolFile> open_unnamed_spool(const std::filesystem::path& folder);

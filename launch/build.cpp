@@ -78,7 +78,8 @@ int run(const BuildCommand& command) {
 
 void add_build(CLI::App& app, Action& action) {
   auto command = std::make_shared<BuildCommand>();
-  CLI::App* sub = app.add_subcommand("build", "Model files to a pack: glTF, GLB, OBJ, PLY, STL and more");
+  CLI::App* sub =
+      app.add_subcommand("build", "Build a pack from model files: glTF, GLB, OBJ, PLY, STL and more");
   sub->footer(format_help() + "\nExample: triptych build scene.gltf -o scene.tpk");
   add_common_flags(*sub, command->json);
   add_build_flags(*sub, command->flags);

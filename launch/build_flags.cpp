@@ -77,7 +77,7 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
   add_import_flags(command, flags.import);
   const BuildOptions options = flags.options();
   add_choice_flag(command, "--simplifier", flags.simplifier, simplifiers(),
-                  "Who makes levels of detail coarser")
+                  "The simplifier that makes levels of detail")
       ->default_str(name_of(options.simplify.simplifier));
   add_choice_flag(command, "--bound", flags.bound, bounds(),
                   "Where error bounds come from: the construction (fast), or a measurement (tight)")
@@ -89,10 +89,10 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
       ->type_name("BYTES")
       ->default_str("1G");
   command.add_flag("--bake-instances", flags.bake_instances,
-                   "Make every placement geometry of its own, instead of sharing meshes");
+                   "Store the geometry of every placement, instead of sharing meshes");
   command.add_flag(
       "--flat", [&flags](int64_t) { flags.import.find_groups = false; },
-      "Build groups that repeat in a scene as often as they are placed, instead of once");
+      "Store groups that repeat in a scene once for each placement, instead of once in all");
   command
       .add_option("--part-triangles", flags.defaults.part_triangles, "Triangles of a part of a mesh, at most")
       ->check(whole_number(min_triangles, max_triangles))
@@ -120,7 +120,8 @@ void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& output : outputs) {
     std::error_code error;
-    if (!std::filesystem::exists(output, error)) continue;  // nothing to lose, and no model to look through
+    if (!std::filesystem::exists(output, error))
+      continue;  // nothing can be overwritten, so models need not be read
     if (files.empty()) files = files_of_models(models);
     check_is_none_of(output, files, "a file of the model");
   }
@@ -145,8 +146,8 @@ std::vector<std::string> build_arguments(const BuildFlags& flags) {
 std::string build_fingerprint(const BuildFlags& flags, const std::vector<std::filesystem::path>& files) {
   std::string fingerprint = "program " + identity("/proc/self/exe");
   for (const auto& file : files) fingerprint += "input " + identity(file);
-  // Inputs stand among the arguments too: the same files in another order are another model. The memory is no
-  // part of the result.
+  // The arguments name the inputs too: the same files in another order are another model. The memory limit
+  // does not change the result.
   BuildFlags deciding = flags;
   deciding.defaults.memory = BuildOptions().memory;
   for (const std::string& argument : build_arguments(deciding)) fingerprint += argument + "\n";

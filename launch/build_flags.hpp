@@ -12,13 +12,13 @@
 
 namespace triptych {
 
-/// What to build, and how, as the command line says it.
+/// What to build, and how, by the command line.
 struct BuildFlags {
   std::vector<std::filesystem::path> inputs;
   ImportOptions import;
   std::optional<Simplifier> simplifier;
   std::optional<Bound> bound;
-  BuildOptions defaults;  ///< the other options; simplifier and bound where none is given
+  BuildOptions defaults;  ///< the other options, and the defaults of simplifier and bound
   bool bake_instances = false;
 
   BuildOptions options() const;
@@ -30,7 +30,7 @@ void add_build_flags(CLI::App& command, BuildFlags& flags);
 /// --hierarchy.
 void add_hierarchy_flag(CLI::App& command, BuildFlags& flags);
 
-/// Error (output) where it is a file of a model that is to be read: one that the model names itself, too.
+/// Error (output) if it is a file of a model that is to be read, including files that the model refers to.
 void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
                             const std::vector<std::filesystem::path>& models);
 

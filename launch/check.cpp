@@ -36,7 +36,7 @@ int run(const std::filesystem::path& file, const std::filesystem::path& json) {
 void add_check(CLI::App& app, Action& action) {
   auto file = std::make_shared<std::filesystem::path>();
   auto json = std::make_shared<std::filesystem::path>();
-  CLI::App* sub = app.add_subcommand("check", "Whether a pack is sound");
+  CLI::App* sub = app.add_subcommand("check", "Check whether a pack is sound");
   sub->footer("Example: triptych check scene.tpk");
   add_common_flags(*sub, *json);
   sub->add_option("pack", *file, "The pack")->required()->type_name("FILE.tpk");

@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// A check that admits these words alone; the error lists them, the help text does not.
+/// A check that accepts only these words; the error lists them, the help text does not.
 inline CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::Validator(CLI::IsMember(words)).description("");
 }

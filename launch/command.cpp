@@ -94,6 +94,7 @@ void add_drawing_flags(CLI::App& command, RunOptions& options) {
   add_device_and_test_flags(command, options.device);
 }
 
+// Scripts add to a line that they were given: of sizes and counts of frames the last one counts.
 void add_path_flags(CLI::App& command, RunOptions& options) {
   command.add_option("--path", options.path, "The camera path")->required()->type_name("FILE");
   command
@@ -101,13 +102,15 @@ void add_path_flags(CLI::App& command, RunOptions& options) {
           "--size", [&options](const std::string& text) { options.size = parse_size(text); },
           "Width and height of the picture in pixels")
       ->type_name("WxH")
-      ->default_str("512x512");
+      ->default_str("512x512")
+      ->take_last();
   take_one(
       command.add_option("--pixel-error", options.pixel_errors, "How far surfaces may deviate, in pixels"))
       ->check(positive_number())
       ->default_str("1");
   command.add_option("--frames", options.frames, "Only the first frames of the path")
-      ->check(whole_number(1, max_frames));
+      ->check(whole_number(1, max_frames))
+      ->take_last();
 }
 
 void add_run_flags(CLI::App& command, RunOptions& options) {

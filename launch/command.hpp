@@ -1,4 +1,5 @@
-// What the subcommands share: flags that mean the same everywhere, and how each enters the program.
+// What the subcommands share: flags that mean the same everywhere, and the functions that add each
+// subcommand.
 #pragma once
 
 #include "session/run_options.hpp"
@@ -11,14 +12,14 @@
 
 namespace triptych {
 
-/// What the chosen subcommand does once the command line was read; returns the exit code.
+/// Runs the chosen subcommand once the command line was parsed; returns the exit code.
 using Action = std::function<int()>;
 
 /// --json, --inject and --threads, which every subcommand takes.
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
 /// --device and --context.
 void add_device_flags(CLI::App& command, DeviceOptions& device);
-/// --window; --path is then not needed, which require_path() sees to once the command line was read.
+/// --window; then --path is not needed: require_path() checks that once the command line was parsed.
 void add_window_flag(CLI::App& command, bool& window);
 void require_path(const RunOptions& options, bool window);
 /// --timeline.
@@ -27,12 +28,12 @@ void add_timeline_flag(CLI::App& command, std::filesystem::path& file);
 void add_device_and_test_flags(CLI::App& command, DeviceOptions& device);
 /// The pack and add_device_and_test_flags: what every process that draws needs.
 void add_drawing_flags(CLI::App& command, RunOptions& options);
-/// --path, --size, --pixel-error, --frames.
+/// --path, --size, --pixel-error, --frames. The last --size and the last --frames count.
 void add_path_flags(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
 
-/// --batch: ids a packet of a delta; one, or a list where a command sweeps.
+/// --batch: ids per packet of a delta; one, or a list where a command sweeps.
 void add_batch_flag(CLI::App& command, size_t& packet_ids);
 void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
 

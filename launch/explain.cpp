@@ -17,7 +17,7 @@ namespace {
 struct ExplainCommand {
   RunOptions run;
   uint32_t frame = 0;
-  std::vector<int> pixel;  ///< x, y; none where empty
+  std::vector<int> pixel;  ///< x, y; empty: none was given
   std::optional<DrawableId> drawable;
 };
 
@@ -36,7 +36,7 @@ const std::string& name_of(Fate fate) {
   return names[static_cast<size_t>(fate)];
 }
 
-/// Why cut selection took it.
+/// Why cut selection chose it.
 std::string selection_text(const DrawableExplanation& explanation, double pixel_error) {
   const DrawableFacts& facts = explanation.facts;
   std::string text;
@@ -55,7 +55,7 @@ std::string selection_text(const DrawableExplanation& explanation, double pixel_
   return text;
 }
 
-/// Lines, one for each of the first few that decided.
+/// One line for each of the first few drawables that decided.
 std::string by_text(const DrawableExplanation& explanation, const char* unit) {
   constexpr size_t shown = 5;
   std::string text;
@@ -172,7 +172,7 @@ int run(const ExplainCommand& command) {
 void add_explain(CLI::App& app, Action& action) {
   auto command = std::make_shared<ExplainCommand>();
   CLI::App* sub =
-      app.add_subcommand("explain", "Why a pixel shows what it shows, and why something is not there");
+      app.add_subcommand("explain", "Explain why a pixel shows what it shows, and why something is missing");
   sub->footer("Example: triptych explain scene.tpk --path walk.json --frame 17 --pixel 250,300");
   add_run_flags(*sub, command->run);
   sub->add_option("--frame", command->frame, "The frame of the path")

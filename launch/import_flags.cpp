@@ -27,10 +27,10 @@ const std::map<std::string, LengthUnit>& units() {
 
 void add_import_flags(CLI::App& command, ImportOptions& options) {
   add_choice_flag(command, "--up", options.up, axes(),
-                  "The axis that is up, for files that do not say it (OBJ, PLY, STL, OFF ...)")
+                  "The axis that points up, for files that do not define it (OBJ, PLY, STL, OFF ...)")
       ->default_str("y");
   add_choice_flag(command, "--unit", options.unit, units(),
-                  "The unit of length, for files that do not say it")
+                  "The unit of length, for files that do not define it")
       ->default_str("m");
 }
 

@@ -69,7 +69,7 @@ json material_of(const aiMaterial& material, ConversionNotes& notes) {
   return {{"pbrMetallicRoughness", {{"baseColorFactor", factor}}}};
 }
 
-/// The meshes with triangles and where their bytes go: positions, then numbers.
+/// The meshes with triangles and where their bytes go: positions, then indices.
 struct Layout {
   json meshes = json::array(), views = json::array(), accessors = json::array();
   std::vector<int> mesh_of;  ///< the scene's mesh to the file's; −1 without triangles
@@ -96,7 +96,7 @@ Layout lay_out(const aiScene& scene, ConversionNotes& notes) {
       continue;
     }
     if (mesh.HasVertexColors(0)) ++notes["meshes with vertex colours, which are not drawn yet"];
-    if (mesh.HasBones()) ++notes["meshes with a skin, drawn as they stand in the file"];
+    if (mesh.HasBones()) ++notes["meshes with a skin, drawn as stored in the file"];
     const auto positions = add(uint64_t{mesh.mNumVertices} * 12, mesh.mNumVertices, 5126, "VEC3");
     const auto numbers = add(triangles * 12, triangles * 3, 5125, "SCALAR");
     json primitive = {{"attributes", {{"POSITION", positions}}}, {"indices", numbers}};
@@ -121,7 +121,7 @@ json matrix_of(const aiMatrix4x4& m, const std::string& place) {
   return matrix;
 }
 
-/// A node holds one mesh in glTF: further ones become children.
+/// In glTF a node holds one mesh: further ones become children.
 json nodes_of(const aiScene& scene, const Layout& layout, double metres, bool z_up,
               const std::string& place) {
   json nodes = json::array();

@@ -1,4 +1,4 @@
-// What Assimp read, as a binary glTF file: what the importer of triptych can check and read.
+// Writes what Assimp read as a binary glTF file, which the importer of triptych can check and read.
 #pragma once
 
 #include <assimp/scene.h>

@@ -1,6 +1,6 @@
 // triptych-import: reads one model file with Assimp and writes a .glb to descriptor 3. A process of its own,
-// as Assimp crashes on some hostile files; triptych starts it (scene/import/converter.hpp). Warnings and at
-// most one complaint go to standard error, a line each, as "warning: ..." and "triptych: ...".
+// since Assimp crashes on some hostile files; triptych starts it (model/import/converter.hpp). Warnings and
+// at most one error go to standard error, one line each, as "warning: ..." and "triptych: ...".
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "launch/import_glb.hpp"
@@ -27,7 +27,7 @@ namespace triptych {
 
 namespace {
 
-/// What Assimp warns of, each once.
+/// Prints Assimp's warnings, each once.
 class Warnings : public Assimp::LogStream {
  public:
   void write(const char* message) override {
@@ -70,7 +70,7 @@ std::string extension_of(const std::filesystem::path& file) {
   return extension;
 }
 
-/// What an FBX file says of its unit and axes, and Assimp leaves to its users.
+/// The unit and axes of an FBX file, which Assimp does not apply itself.
 struct FbxConvention {
   double metres = 1;
   bool z_up = false;
@@ -131,7 +131,7 @@ void print_formats() {
 
 int main(int count, char** arguments) {
   using namespace triptych;
-  std::locale::global(std::locale::classic());  // numbers have points
+  std::locale::global(std::locale::classic());  // numbers have a decimal point
   try {
     const std::string_view first = count > 1 ? arguments[1] : "";
     if (count == 2 && first == "--formats") {
@@ -145,11 +145,11 @@ int main(int count, char** arguments) {
     uint64_t bytes = 0;
     const std::string_view limit = arguments[2];
     if (std::from_chars(limit.data(), limit.data() + limit.size(), bytes).ec != std::errc())
-      fail("--memory", "\"{}\" is no number of bytes", limit);
+      fail("--memory", "\"{}\" is not a number of bytes", limit);
     limit_memory(bytes);
     convert(arguments[3]);
     std::fflush(nullptr);
-    ::_exit(0);  // taking a large scene apart takes time, and Assimp has its leaks
+    ::_exit(0);  // destroying a large scene takes time, and Assimp leaks memory
   } catch (const std::exception& error) {
     fmt::print(stderr, "triptych: {}\n", Warnings::short_line(error.what()));
     return 1;

@@ -67,7 +67,7 @@ void print_hierarchy(const Skeleton& skeleton) {
       100 * quality.overlap.p95);
 }
 
-/// A value as a person reads it: no quotes, no brackets.
+/// A value for people: without quotes and brackets.
 std::string in_words(const nlohmann::json& value) {
   if (value.is_string()) return one_line(value.get<std::string>());
   if (value.is_number_unsigned()) return in_threes(value.get<double>());
@@ -99,7 +99,7 @@ int run(const std::filesystem::path& file, const std::filesystem::path& json) {
 void add_info(CLI::App& app, Action& action) {
   auto file = std::make_shared<std::filesystem::path>();
   auto json = std::make_shared<std::filesystem::path>();
-  CLI::App* sub = app.add_subcommand("info", "What is in a pack");
+  CLI::App* sub = app.add_subcommand("info", "Print what is in a pack");
   sub->footer("Example: triptych info scene.tpk");
   add_common_flags(*sub, *json);
   sub->add_option("pack", *file, "The pack")->required()->type_name("FILE.tpk");

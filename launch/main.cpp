@@ -1,4 +1,4 @@
-// The program `triptych`: one file a subcommand; errors end here, in one line.
+// The program `triptych`: one file per subcommand; errors are printed here, on one line.
 #include "base/file.hpp"
 #include "base/notice.hpp"
 #include "launch/command.hpp"
@@ -16,7 +16,7 @@
 
 namespace {
 
-/// A stream that was closed for this program would be the next file that it opens, and get what is said.
+/// Opens standard streams that were closed: otherwise the next file that is opened would get their output.
 void open_standard_streams() {
   while (true) {
     const int descriptor = ::open("/dev/null", O_RDWR);
@@ -25,13 +25,13 @@ void open_standard_streams() {
   }
 }
 
-/// Prints the line that ends a run; where standard error is full or gone, the exit code says it alone.
+/// Prints the line that ends a run; where standard error cannot be written, the exit code must do.
 int end_with(const std::string& line) {
   triptych::notice("triptych: {}", line);
   return 1;
 }
 
-/// The program and the subcommands that were named, as one types them.
+/// The program and the subcommands of the command line, as typed.
 std::string command_name(const CLI::App& app) {
   std::string name = "triptych";
   for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
@@ -41,7 +41,7 @@ std::string command_name(const CLI::App& app) {
   return name;
 }
 
-/// The first word where a subcommand should stand and none of that name is; null if there is none.
+/// The first word that should be a subcommand but is not one; null if there is none.
 const char* unknown_subcommand(CLI::App& app, int argc, char** argv) {
   CLI::App* at = &app;
   for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
@@ -60,8 +60,8 @@ int main(int argc, char** argv) {
   open_standard_streams();
   triptych::remove_partial_files_on_signals();
   std::signal(SIGXFSZ,
-              SIG_IGN);  // a file that grows beyond what a user may have is an error where it is written
-  // Numbers have points here, whatever libraries asked for before we came.
+              SIG_IGN);  // a file beyond the size limit gives a write error instead
+  // Numbers have a decimal point, whatever libraries have set before.
   std::locale::global(std::locale::classic());
   CLI::App app{"Triptych: walk through models that are too big to draw"};
   app.require_subcommand(1);

@@ -3,7 +3,7 @@
 namespace triptych {
 
 void add_measure(CLI::App& app, Action& action) {
-  CLI::App* measure = app.add_subcommand("measure", "What a run costs and how right it is");
+  CLI::App* measure = app.add_subcommand("measure", "Measure what a run costs and how correct it is");
   measure->require_subcommand(1);
   measure->footer("Example: triptych measure session scene.tpk --path walk.json --json session.json");
   add_measure_session(*measure, action);
@@ -12,6 +12,7 @@ void add_measure(CLI::App& app, Action& action) {
   add_measure_hierarchy(*measure, action);
   add_measure_simplifiers(*measure, action);
   add_measure_frame(*measure, action);
+  add_measure_speed(*measure, action);
 }
 
 }  // namespace triptych

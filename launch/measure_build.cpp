@@ -32,19 +32,19 @@ void print(const nlohmann::json& report) {
     rows.push_back({stage["name"].get<std::string>(), in_threes(stage["seconds"].get<double>(), 1)});
   fmt::print("{}", text_table({"stage", "seconds"}, rows));
   const double yardstick = figure("yardstick_triangles_per_second");
-  fmt::print("{} triangles in {:.1f} s: {} a second, {:.2f} times meshopt_simplify's {} on one core\n",
+  fmt::print("{} triangles in {:.1f} s: {} per second, {:.2f} times meshopt_simplify's {} on one core\n",
              in_threes(figure("stored_source_triangles")), figure("seconds"),
              in_threes(figure("triangles_per_second")),
              yardstick > 0 ? figure("triangles_per_second") / yardstick : 0, in_threes(yardstick));
-  fmt::print("peak {} MiB, pack {} bytes, {:.1f} bytes a source triangle as stored\n",
+  fmt::print("peak {} MiB, pack {} bytes, {:.1f} bytes per source triangle as stored\n",
              in_threes(figure("peak_rss_bytes") / (1 << 20)), in_threes(figure("pack_bytes")),
              figure("bytes_per_triangle"));
 }
 
 int run(const MeasureBuildCommand& command) {
   check_is_no_model_file({command.keep, command.json}, command.flags.inputs);
-  // Beside the pack that is kept, so that it can be renamed; built under a new name, so that nothing of an
-  // earlier build is resumed.
+  // Beside the pack to keep, so that it can be renamed; under a new name, so that no earlier build is
+  // resumed.
   const TemporaryFolder folder(command.keep.empty() ? std::filesystem::path()
                                                     : std::filesystem::absolute(command.keep).parent_path());
   const std::filesystem::path pack = folder.path() / "measured.tpk";
@@ -56,7 +56,7 @@ int run(const MeasureBuildCommand& command) {
   }
   const nlohmann::json yardstick =
       run_program("yardstick", yardstick_arguments(command.flags), folder.path());
-  // What stands in the pack: each mesh once, or each placement where they are not shared.
+  // Triangles in the pack: each mesh once, or each placement if meshes are not shared.
   const double stored =
       report[command.flags.bake_instances ? "placed_triangles" : "source_triangles"].get<double>();
   report["stored_source_triangles"] = static_cast<uint64_t>(stored);
@@ -86,7 +86,7 @@ int run(const YardstickCommand& command) {
   const Model model = import_model(command.inputs, command.import);
   Yardstick yardstick;
   size_t passes = 0;
-  // A small model is done so quickly that whatever else the machine does decides: several times, then.
+  // A small model takes so little time that other load on the machine dominates: so it is repeated.
   while (passes == 0 || (yardstick.seconds < min_yardstick_seconds && passes < max_yardstick_passes)) {
     const Yardstick pass = measure_yardstick(model);
     yardstick.triangles += pass.triangles;
@@ -97,7 +97,7 @@ int run(const YardstickCommand& command) {
   yardstick.triangles /= passes;
   yardstick.left /= passes;
   yardstick.seconds /= static_cast<double>(passes);
-  fmt::print("meshopt_simplify alone: {} triangles to {} in {:.2f} s, {} a second\n",
+  fmt::print("meshopt_simplify alone: {} triangles to {} in {:.2f} s, {} per second\n",
              in_threes(static_cast<double>(yardstick.triangles)),
              in_threes(static_cast<double>(yardstick.left)), yardstick.seconds,
              in_threes(yardstick.triangles_per_second()));

@@ -17,9 +17,9 @@ struct MeasureFrameCommand {
   size_t rounds = 5;
 };
 
-/// Steps of a frame; the reference selection is beside it. Coding of messages allocates: they are handed
-/// over.
+/// Whether the step is part of a frame; the reference selection is not.
 bool of_frame(size_t step) { return step != static_cast<size_t>(FrameStep::select_cut); }
+/// Whether the step codes messages, which allocates the bytes that it passes on.
 bool of_message(size_t step) {
   return step == static_cast<size_t>(FrameStep::encode_delta) ||
          step == static_cast<size_t>(FrameStep::receive_delta);
@@ -83,7 +83,7 @@ void add_measure_frame(CLI::App& measure, Action& action) {
       "frame", "The steps of a frame without drawing: microseconds and allocations of each");
   frame->footer("Example: triptych measure frame scene.tpk --path walk.json --json frame.json");
   add_run_flags(*frame, command->run);
-  frame->add_option("--rounds", command->rounds, "How often the path is played; medians count")
+  frame->add_option("--rounds", command->rounds, "How often the path is played; the medians are reported")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
   frame->callback([command, &action] { action = [command] { return run(*command); }; });

@@ -63,7 +63,7 @@ void print(const nlohmann::json& rows) {
 
 int run(const MeasureHierarchyCommand& command) {
   check_is_no_model_file({command.run.json}, command.flags.inputs);
-  load_path(command.run.path);  // what is wrong with it is said before anything is built
+  load_path(command.run.path);  // so that its errors are reported before anything is built
   const TemporaryFolder folder;
   constexpr std::array kinds = {HierarchyKind::partition_cluster_partition, HierarchyKind::median_split};
   std::vector<nlohmann::json> builds;

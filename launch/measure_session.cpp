@@ -15,7 +15,7 @@ namespace triptych {
 
 namespace {
 
-/// The frames of a session that plays the path so many times.
+/// The frames of a session that plays the path `times` times.
 std::vector<FrameRequest> played(const std::vector<FrameRequest>& path, size_t times) {
   std::vector<FrameRequest> frames;
   for (size_t i = 0; i < times * path.size(); ++i) {
@@ -47,7 +47,7 @@ std::vector<SessionOutcome> run_sessions(const SessionOptions& options) {
   for (const size_t batch : options.batches) {
     SessionOptions one = options;
     one.batches = {batch};
-    if (!outcomes.empty()) one.record = one.timeline = "";  // those of the first one are what was asked for
+    if (!outcomes.empty()) one.record = one.timeline = "";  // only those of the first one are wanted
     outcomes.push_back(run_session(one));
     end_if_asked("measure session");
     const std::vector<FrameRecord>& frames = outcomes.back().records.front().frames;
@@ -73,7 +73,8 @@ void print_batches(const nlohmann::json& rows) {
                      in_threes(row["frame_ms"]["p95"].get<double>(), 1)});
   }
   fmt::print(
-      "{}", text_table({"ids a packet", "bytes a frame", "packets", "latency ms", "frame ms", "p95"}, lines));
+      "{}",
+      text_table({"ids per packet", "bytes per frame", "packets", "latency ms", "frame ms", "p95"}, lines));
 }
 
 void print_latency_and_traffic(const nlohmann::json& report) {
@@ -85,7 +86,7 @@ void print_latency_and_traffic(const nlohmann::json& report) {
       mean("network"), mean("render"), mean("remainder"));
   const nlohmann::json& traffic = report["traffic"];
   fmt::print(
-      "{:.1f} bytes a frame: {:.1f} % of the paper's formula at 4 bytes for each visible id; delta bodies "
+      "{:.1f} bytes per frame: {:.1f} % of the paper's formula at 4 bytes for each visible id; delta bodies "
       "{:.1f} % of 4 bytes for each id that changed\n",
       traffic["bytes_per_frame"].get<double>(), 100 * traffic["share_of_formula_whole_sets"].get<double>(),
       100 * traffic["share_of_4_bytes_per_id"]["bodies"].get<double>());
@@ -125,7 +126,7 @@ int run(SessionOptions options) {
       report["one_process"]["frame_ms"]["p50"].get<double>(), measurement.session.identical_frames,
       measurement.session.frames_compared);
   fmt::print(
-      "drawn over visible {:.2f}; deltas save {:.1f} % of ids, {:.2f} bytes an id; {:.2f} Mbit/s (formula "
+      "drawn over visible {:.2f}; deltas save {:.1f} % of ids, {:.2f} bytes per id; {:.2f} Mbit/s (formula "
       "{:.2f})\n",
       measurement.session.culling_efficiency(), report["delta"]["saved_percent"].get<double>(),
       report["delta"]["body_bytes_per_id"].get<double>(), report["mbit_per_s"]["measured"].get<double>(),

@@ -44,7 +44,7 @@ std::vector<FrameRecord> draw(LocalPipeline& pipeline, const std::vector<FrameRe
   return records;
 }
 
-/// Whether what was measured keeps the pixel error.
+/// Whether the measured deviation keeps the pixel error.
 bool kept(const nlohmann::json& row) {
   return row["deviation_px_max"].get<double>() <= row["pixel_error"].get<double>() * 1.001 + 0.01;
 }
@@ -83,7 +83,7 @@ void measure(const MeasureSimplifiersCommand& command, const BuildFlags& flags, 
                     {"bound_over_measured", to_json(deviation.bound_over_measured)}});
     progress.advance();
   }
-  std::error_code ignored;  // the folder goes anyway; its disk may be small
+  std::error_code ignored;  // removed early, since the disk may be small
   std::filesystem::remove(file, ignored);
 }
 
@@ -106,7 +106,7 @@ void print(const nlohmann::json& rows) {
 
 int run(const MeasureSimplifiersCommand& command) {
   check_is_no_model_file({command.run.json}, command.flags.inputs);
-  load_path(command.run.path);  // what is wrong with it is said before anything is built
+  load_path(command.run.path);  // so that its errors are reported before anything is built
   std::vector<Simplifier> simplifiers = {Simplifier::collapse, Simplifier::openmesh, Simplifier::meshopt};
   std::vector<Bound> bounds = {Bound::fast, Bound::tight};
   if (command.flags.simplifier) simplifiers = {*command.flags.simplifier};

@@ -16,12 +16,12 @@ struct NamedFile {
   std::string flag;
   std::filesystem::path path;
   bool written, folder;
-  std::vector<std::string> puts;  ///< what is written into the folder
+  std::vector<std::string> puts;  ///< names of files that are written into the folder
 };
 
 std::string type_of(const CLI::Option& option) { return option.get_type_name(); }
 
-/// Where it may be either, a picture or a folder of them, --frames decides.
+/// An output may be a picture or a folder of pictures: then --frames decides.
 bool is_folder(const CLI::App& app, const CLI::Option& option) {
   const CLI::Option* frames = app.get_option_no_throw("--frames");
   return type_of(option) == "DIR" || (type_of(option) == "PATH" && frames && frames->count() > 0);
@@ -49,7 +49,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-/// Whether the file has a name that is given to what is put into the folder, by itself or where links lead.
+/// Whether the file has the name of a file that is written into the folder, directly or through links.
 bool is_put_into(const NamedFile& folder, const std::filesystem::path& file) {
   std::error_code error;
   for (const auto& name : {file, std::filesystem::weakly_canonical(file, error)}) {
@@ -61,7 +61,7 @@ bool is_put_into(const NamedFile& folder, const std::filesystem::path& file) {
   return false;
 }
 
-/// Whether the path goes through the folder, or would.
+/// Whether the path is, or would be, below the folder.
 bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder) {
   std::error_code error;
   for (auto above = std::filesystem::weakly_canonical(path, error); above.has_relative_path();) {
@@ -91,7 +91,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
   std::error_code error;
   if (std::filesystem::equivalent(a, b, error)) return true;
   const std::filesystem::path whole = std::filesystem::weakly_canonical(a, error);
-  if (error) return false;  // what cannot be looked at is refused by whoever opens it
+  if (error) return false;  // a file that cannot be examined is refused when it is opened
   return whole == std::filesystem::weakly_canonical(b, error) && !error;
 }
 
@@ -139,7 +139,7 @@ void check_files_can_be_used(const CLI::App& app) {
     if (file.path.empty()) fail(file.flag, "is given an empty name");
     if (!file.written) file.folder ? check_folder_there(file.path) : check_readable(file.path);
   }
-  // A file may go into a folder that the same command makes.
+  // A file may be written into a folder that the same command makes.
   const auto will_be_made = [&](const std::filesystem::path& folder) {
     return !std::filesystem::exists(folder) &&
            std::any_of(files.begin(), files.end(), [&](const NamedFile& made) {

@@ -1,5 +1,5 @@
-// Flags whose value is a number: what CLI11 itself would take for one (NaN, -1 as the largest of all, 010 as
-// 8) is a usage error here, or what a person means by it.
+// Flags whose value is a number: what CLI11 itself would accept (NaN, -1 as the largest number, 010 as 8) is
+// a usage error here, or means what people expect.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,19 +13,20 @@
 
 namespace triptych {
 
-/// Admits finite numbers above 0.
+/// Accepts finite numbers above 0.
 inline CLI::Validator positive_number() {
   return CLI::Validator(
       [](std::string& text) {
         double value = 0;
         const bool number = CLI::detail::lexical_cast(text, value);
-        return number && value > 0 && std::isfinite(value) ? std::string()
-                                                           : fmt::format("\"{}\" is no number above 0", text);
+        return number && value > 0 && std::isfinite(value)
+                   ? std::string()
+                   : fmt::format("\"{}\" is not a number above 0", text);
       },
       "NUMBER>0");
 }
 
-/// Admits numbers of a range: times and rates that clocks can count.
+/// Accepts numbers of a range.
 inline CLI::Validator number_between(double least, double most) {
   return CLI::Validator(
       [=](std::string& text) {
@@ -33,12 +34,12 @@ inline CLI::Validator number_between(double least, double most) {
         const bool number = CLI::detail::lexical_cast(text, value);
         return number && value >= least && value <= most
                    ? std::string()
-                   : fmt::format("\"{}\" is no number from {} to {}", text, least, most);
+                   : fmt::format("\"{}\" is not a number from {} to {}", text, least, most);
       },
       "NUMBER");
 }
 
-/// Admits whole numbers in decimal digits; a 0 before them would make them octal.
+/// Accepts whole numbers in decimal digits, and removes leading zeros, which CLI11 would take for octal.
 inline CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_limits<uint64_t>::max()) {
   return CLI::Validator(
       [=](std::string& text) {
@@ -48,12 +49,12 @@ inline CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_
         const bool number = read.ec == std::errc() && read.ptr == end && (text.front() != '0' || value == 0);
         return number && value >= least && value <= most
                    ? std::string()
-                   : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
+                   : fmt::format("\"{}\" is not a whole number from {} to {}", text, least, most);
       },
       "");
 }
 
-/// Admits bytes as whole numbers, with K, M, G or T behind them for powers of 1,024, and hands on the number.
+/// Accepts bytes as whole numbers, with suffixes K, M, G or T for powers of 1,024, and passes on the number.
 inline CLI::Validator bytes_from(uint64_t least, const std::string& min_text) {
   return CLI::Validator(
       [=](std::string& text) {
@@ -69,19 +70,20 @@ inline CLI::Validator bytes_from(uint64_t least, const std::string& min_text) {
         const bool number = read.ec == std::errc() && suffix.size() <= 1 && power != std::string::npos &&
                             value <= std::numeric_limits<uint64_t>::max() >> shift;
         if (!number || value << shift < least)
-          return fmt::format("\"{}\" is no number of bytes from {} on, such as 512M or 2G", text, min_text);
+          return fmt::format("\"{}\" is not a number of bytes from {} on, such as 512M or 2G", text,
+                             min_text);
         text = std::to_string(value << shift);
         return std::string();
       },
       "");
 }
 
-/// A day is more than anybody waits, and cameras that come at other rates than these are not meant.
+/// Limits of times (one day) and of rates, beyond which a value is certainly a mistake.
 constexpr double max_seconds = 86400, min_rate = 0.001, max_rate = 1e6;
 
-/// Of a flag for a vector: it takes one word, and what comes after that is not its own.
+/// Makes a flag for a vector take one word, and not the words after it.
 inline CLI::Option* take_one(CLI::Option* option) { return option->expected(1)->allow_extra_args(false); }
-/// The same, where the word may be a list of values with commas between them.
+/// The same, where the word may be a list of values separated by commas.
 inline CLI::Option* take_list(CLI::Option* option) {
   return option->expected(1, CLI::detail::expected_max_vector_size)->delimiter(',')->allow_extra_args(false);
 }

@@ -25,17 +25,18 @@ namespace {
 struct ReplayCommand {
   std::filesystem::path folder, pack, output, json;
   DeviceOptions device{.kind = DeviceKind::automatic};
-  std::optional<uint32_t> frame;  ///< none: all of them
+  std::optional<uint32_t> frame;  ///< nullopt: all of them
   bool partial = false;
 };
 
-/// Draws replayed frames; keeps what it needs from one to the next.
+/// Draws replayed frames; keeps state from one to the next.
 class Replayer {
  public:
   Replayer(const ReplayCommand& command, const Pack& pack, const DeviceOptions& device)
       : command_(command), pack_(pack), device_(pack, device) {}
 
-  /// A frame that a killed render node drew and its successor drew again is wanted once.
+  /// Whether to draw the frame; one that a killed render node drew and its successor drew again is drawn
+  /// once.
   bool wants(uint32_t frame) const {
     return (!command_.frame || *command_.frame == frame) && drawn_.count(frame) == 0;
   }
@@ -61,7 +62,7 @@ class Replayer {
                        {"visible", frame.visible.size()},
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},
-                       {"alone", frame.alone},
+                       {"alone", frame.fallback},
                        {"picture_hash", hash}});
   }
   const nlohmann::json& frames() const { return frames_; }
@@ -75,13 +76,13 @@ class Replayer {
   nlohmann::json frames_ = nlohmann::json::array();
 };
 
-/// Plays one file of the render node; returns where it was cut, if that is allowed and was so.
+/// Plays one file of the render node; returns where it was cut, if it was and that is allowed.
 std::string play(const ReplayCommand& command, const Pack& pack, RecordingReader& reader,
                  const std::filesystem::path& file, Replayer& replayer) {
   Replay replay(pack.skeleton(), reader.header().own.pack_hash, file.string());
   try {
     while (const auto recorded = reader.next()) {
-      if (replayer.done()) continue;  // the rest is read all the same: a damaged recording is not trusted
+      if (replayer.done()) continue;  // the rest is read nevertheless, to find damage
       for (const ReplayedFrame& frame : replay.take(*recorded)) {
         if (replayer.wants(frame.request.number)) replayer.draw(frame);
       }
@@ -153,17 +154,21 @@ void add_replay(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("replay", "Show frames of a recorded session again, in one process");
   sub->footer("Example: triptych replay recording --frame 17 -o frame-17.png");
   add_common_flags(*sub, command->json);
-  sub->add_option("folder", command->folder, "What session --record left")->required()->type_name("DIR");
+  sub->add_option("folder", command->folder, "The folder that session --record wrote")
+      ->required()
+      ->type_name("DIR");
   auto* frame = sub->add_option("--frame", command->frame, "The frame to show; -o is a PNG file")
                     ->check(whole_number(0, max_frames));
-  sub->add_option("--frames", "All of them; -o is a folder")
+  sub->add_option("--frames", "Show all frames; -o is a folder")
       ->check(one_of({"all"}))
       ->type_name("all")
       ->excludes(frame);
-  sub->add_option("-o,--output", command->output, "Where the picture goes")->required()->type_name("PATH");
-  sub->add_option("--pack", command->pack, "The pack, where it is not where it was")->type_name("FILE.tpk");
+  sub->add_option("-o,--output", command->output, "The picture, or with --frames the folder for pictures")
+      ->required()
+      ->type_name("PATH");
+  sub->add_option("--pack", command->pack, "The pack, if it was moved")->type_name("FILE.tpk");
   add_device_flags(*sub, command->device);
-  sub->add_flag("--partial", command->partial, "Show what a recording holds that ends too soon");
+  sub->add_flag("--partial", command->partial, "Accept a recording that ends too soon");
   sub->callback([command, sub, &action] {
     if (sub->count("--frame") + sub->count("--frames") == 0) throw CLI::RequiredError("--frame or --frames");
     action = [command] { return run(*command); };

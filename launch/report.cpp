@@ -17,7 +17,7 @@ struct ReportCommand {
 
 int run(const ReportCommand& command) {
   const Report report = load_report(command.manifest);
-  // Everything is made before anything is written: what lacks a figure leaves no page.
+  // Everything is made before anything is written: if a figure is missing, no page is left.
   const std::string page = report_page(report);
   const nlohmann::json merged = report_json(report);
   std::vector<std::filesystem::path> sources = {command.manifest};

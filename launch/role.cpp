@@ -7,22 +7,23 @@ namespace triptych {
 namespace {
 
 void add_connection_flags(CLI::App& role, RoleCommand& command) {
-  auto* listen =
-      role.add_option("--listen", command.listen, "Where this role waits for others")->type_name("HOST:PORT");
+  auto* listen = role.add_option("--listen", command.listen, "The address at which this role listens")
+                     ->type_name("HOST:PORT");
   role.add_option("--listen-descriptor", command.listen_descriptor,
                   "A listening socket that this process inherited")
       ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->excludes(listen);
-  role.add_flag("--timeline", command.timeline, "Take down in the JSON when each stage ran");
+  role.add_flag("--timeline", command.timeline, "Record in the JSON when each stage ran");
   role.add_option("--record", command.record, "Folder to keep every message in")->type_name("DIR");
-  role.add_option("--key-file", command.key_file,
-                  "Encrypt, and admit those alone who have this key (openssl rand -hex 32 > FILE; chmod 600)")
+  role.add_option(
+          "--key-file", command.key_file,
+          "Encrypt, and accept only peers that have this key (openssl rand -hex 32 > FILE; chmod 600)")
       ->type_name("FILE");
   role.add_flag("--end-with-stdin", command.end_with_stdin,
                 "End when standard input does: for roles that are started from another machine");
   role.add_flag(
       "--tell-record", command.tell_record,
-      "Say what the JSON would hold on standard error: for whoever started this role from another machine");
+      "Print the JSON on standard error, for the session that started this role from another machine");
   role.add_flag("--insecure", command.insecure,
                 "Allow other machines without a key: nothing is encrypted, anybody may take a role");
   role.add_option("--session", command.session, "A number that the roles of one session share")
@@ -35,7 +36,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
 }  // namespace
 
 void add_role(CLI::App& app, Action& action) {
-  CLI::App* role = app.add_subcommand("role", "One role of a session, for machines of one's own");
+  CLI::App* role = app.add_subcommand("role", "Run one role of a session, to place the roles by hand");
   role->require_subcommand(1);
   role->footer(
       "Example, three terminals:\n"
@@ -45,12 +46,14 @@ void add_role(CLI::App& app, Action& action) {
 
   auto switch_command = std::make_shared<RoleCommand>();
   CLI::App* switch_node =
-      role->add_subcommand("switch", "A switch node: occlusion representation and culling in turns");
+      role->add_subcommand("switch", "A switch node: occlusion representation and culling by turns");
   add_common_flags(*switch_node, switch_command->run.json);
   add_drawing_flags(*switch_node, switch_command->run);
   add_connection_flags(*switch_node, *switch_command);
   auto index = std::make_shared<int>(0);
-  switch_node->add_option("--index", *index, "Which of both it is")->required()->check(whole_number(0, 1));
+  switch_node->add_option("--index", *index, "Which switch node it is")
+      ->required()
+      ->check(whole_number(0, 1));
   switch_node->add_option("--render", switch_command->render_address, "The render node")
       ->required()
       ->type_name("HOST:PORT");
@@ -73,11 +76,11 @@ void add_role(CLI::App& app, Action& action) {
   render->add_option("-o,--output", render_command->output, "Folder for the PNG files")->type_name("DIR");
   render->add_option("--loop", render_command->loop, "How often the path is played")
       ->check(whole_number(1, max_frames));
-  render->add_option("--rate", render_command->rate, "Cameras released a second")
+  render->add_option("--rate", render_command->rate, "Cameras released per second")
       ->check(number_between(min_rate, max_rate));
   render
       ->add_option("--timeout", render_command->timeout_ms,
-                   "Milliseconds to wait for a frame's visible set before going on alone")
+                   "Milliseconds to wait for a frame's visible set before drawing by itself")
       ->check(number_between(1, 1000 * max_seconds))
       ->capture_default_str();
   render->add_option("--journal", render_command->journal, "Append each frame's record here, not to the JSON")
@@ -87,7 +90,7 @@ void add_role(CLI::App& app, Action& action) {
                    "First frame: an earlier render node drew those before it")
       ->check(whole_number(0, max_frames));
   add_window_flag(*render, render_command->window);
-  render->add_flag("--hash", render_command->hash, "Take down each picture's hash and visible set");
+  render->add_flag("--hash", render_command->hash, "Record each picture's hash and visible set");
   render->callback([render_command, &action] {
     if (render_command->listen.empty() && render_command->listen_descriptor < 0)
       throw CLI::RequiredError("--listen");

@@ -16,7 +16,7 @@ nlohmann::json run_program(const std::string& name, std::vector<std::string> arg
   if (const unsigned threads = thread_count_limit())
     arguments.insert(arguments.end(), {"--threads", std::to_string(threads)});
   for (const std::string& fault : injected_names()) arguments.insert(arguments.end(), {"--inject", fault});
-  stop_requested();  // from here on a signal ends the child first
+  stop_requested();  // installs the handlers: from here on a signal ends the child first
   ChildProcesses child;
   child.start(name, arguments, ChildProcesses::Output::as_error);
   if (!child.wait(stop_requested)) fail(name, "was told to end");

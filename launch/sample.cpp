@@ -4,6 +4,7 @@
 #include "measure/json.hpp"
 #include "samples/building/building.hpp"
 #include "samples/plant/plant.hpp"
+#include "samples/services/services.hpp"
 #include "samples/surfaces/isosurface.hpp"
 #include "samples/surfaces/statue.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 struct SampleCommand {
   BuildingOptions building;
   PlantOptions plant;
+  ServicesOptions services;
   SurfaceOptions surface;
   int furniture = 0, repeat_storeys = 0;
   std::filesystem::path output, json;
@@ -54,6 +56,36 @@ int run_plant(const SampleCommand& command) {
                             {"triangles", report.triangles},
                             {"smallest_object", report.smallest_object},
                             {"largest_object", report.largest_object}});
+  return 0;
+}
+
+nlohmann::json spread_json(const Spread& spread) {
+  return {{"mean", spread.mean},
+          {"p5", spread.p5},
+          {"p50", spread.p50},
+          {"p95", spread.p95},
+          {"max", spread.max}};
+}
+
+int run_services(const SampleCommand& command) {
+  const ServicesReport report = make_services(command.services, command.output);
+  fmt::print("{}: {} objects of {} meshes in {} rooms, {} unique and {} placed triangles\n",
+             (command.output / "scene.gltf").string(), report.objects, report.meshes, report.rooms,
+             report.unique_triangles, report.placed_triangles);
+  fmt::print("{:<22}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "", "mean", "p5", "median", "p95", "max");
+  for (const auto& [what, spread] : {std::pair{"triangles per object", report.triangles_per_object},
+                                     {"uses per mesh", report.uses_per_mesh}})
+    fmt::print("{:<22}{:>8.1f}{:>8}{:>8}{:>8}{:>8}\n", what, spread.mean, spread.p5, spread.p50, spread.p95,
+               spread.max);
+  fmt::print("{} meshes are used once\n", report.unshared_meshes);
+  write_json(command.json, {{"objects", report.objects},
+                            {"meshes", report.meshes},
+                            {"unshared_meshes", report.unshared_meshes},
+                            {"rooms", report.rooms},
+                            {"unique_triangles", report.unique_triangles},
+                            {"placed_triangles", report.placed_triangles},
+                            {"triangles_per_object", spread_json(report.triangles_per_object)},
+                            {"uses_per_mesh", spread_json(report.uses_per_mesh)}});
   return 0;
 }
 
@@ -116,6 +148,21 @@ void add_sample(CLI::App& app, Action& action) {
   plant->footer("Example: triptych sample plant -o plant --triangles 1000000");
   add_sample_flags(*plant, *command, command->plant, min_plant_triangles, max_plant_triangles);
   plant->callback([command, &action] { action = [command] { return run_plant(*command); }; });
+
+  CLI::App* services = sample->add_subcommand(
+      "services", "A hospital full of ducts and pipes: some 30,000 small objects of shared meshes");
+  services->footer("Example: triptych sample services -o services --storeys 2");
+  add_common_flags(*services, command->json);
+  services->add_option("-o,--output", command->output, "Folder for scene.gltf and the paths")
+      ->required()
+      ->type_name("DIR");
+  services->add_option("--storeys", command->services.storeys, "Storeys, of about 10,000 objects each")
+      ->check(whole_number(1, max_services_storeys))
+      ->capture_default_str();
+  services->add_option("--seed", command->services.seed, "Decides everything that is random")
+      ->check(whole_number(0))
+      ->capture_default_str();
+  services->callback([command, &action] { action = [command] { return run_services(*command); }; });
 
   const auto add_surface = [&](const char* name, const char* does, MakeSurface make) {
     CLI::App* surface = sample->add_subcommand(name, does);

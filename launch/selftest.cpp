@@ -1,4 +1,4 @@
-// Whether this machine's own OpenGL keeps the promises that culling rests on.
+// Checks whether this machine's OpenGL behaves as culling requires.
 #include "launch/command.hpp"
 #include "measure/json.hpp"
 #include "render/raster_certificate.hpp"
@@ -39,7 +39,8 @@ int run(const DeviceOptions& options, const std::filesystem::path& json) {
 
 void add_selftest(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* sub = app.add_subcommand("selftest", "Whether this machine's OpenGL draws as culling needs it");
+  CLI::App* sub =
+      app.add_subcommand("selftest", "Check whether this machine's OpenGL draws as culling requires");
   sub->footer("Example: triptych selftest --context osmesa");
   add_common_flags(*sub, options->json);
   add_device_flags(*sub, options->device);

@@ -22,7 +22,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
     mismatches += frame.digest_mismatch;
     fallback_frames += frame.fallback;
   }
-  // A role that was killed and given up did not say what it had.
+  // A role that was killed and not started again has left no record.
   const bool same_device =
       std::all_of(outcome.records.begin(), outcome.records.end(), [&](const RoleRecord& role) {
         return role.device.vendor.empty() || role.device == outcome.records.front().device;
@@ -31,7 +31,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
   for (const RestartedRole& role : outcome.restarted)
     restarted.push_back({{"role", role.role}, {"pid", role.pid}, {"reason", role.reason}});
   for (size_t i = 0; i < all_roles.size(); ++i) {
-    const Backlog& most = outcome.records.at(i).most_waiting;
+    const Backlog& most = outcome.records.at(i).max_backlog;
     waiting[role_name(all_roles[i])] = {{"messages", most.messages}, {"bytes", most.bytes}};
   }
   nlohmann::json report = {

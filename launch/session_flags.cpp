@@ -8,10 +8,10 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
   add_run_flags(command, options.run);
   command.add_option("--loop", options.loop, "How often the path is played")
       ->check(whole_number(1, max_frames));
-  command.add_option("--rate", options.rate, "Cameras released a second (default: as fast as frames come)")
+  command.add_option("--rate", options.rate, "Cameras released per second (default: as fast as frames come)")
       ->check(number_between(min_rate, max_rate));
   add_batch_flag(command, options.batches);
-  command.add_option("--hosts", options.hosts, "Play the switch nodes on the machines that this file names")
+  command.add_option("--hosts", options.hosts, "Run the switch nodes on the machines that this file names")
       ->type_name("HOSTS.toml");
   command.add_option("--key-file", options.key_file, "Encrypt between the roles of this machine, too")
       ->type_name("FILE")
@@ -20,7 +20,7 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
                    "Allow other machines without a key: nothing is encrypted, anybody may take a role");
   command
       .add_option("--timeout", options.timeout_ms,
-                  "Milliseconds to wait for a frame's visible set before the render node goes on alone")
+                  "Milliseconds to wait for a frame's visible set before the render node draws by itself")
       ->check(number_between(1, 1000 * max_seconds))
       ->capture_default_str();
   command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")

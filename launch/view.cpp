@@ -15,13 +15,13 @@ namespace {
 
 struct ViewCommand {
   RunOptions run;
-  std::optional<ContextKind> context;  ///< none: the display's own
+  std::optional<ContextKind> context;  ///< nullopt: the display's own
   bool play = false;
   std::filesystem::path pictures = ".";
 };
 
 int run(const ViewCommand& command) {
-  stop_requested();  // from here on a signal closes the window in good order
+  stop_requested();  // installs the handlers: from here on a signal closes the window properly
   const Pack pack(command.run.pack);
   ViewerOptions options = viewer_options(command.run);
   options.window.context = command.context;
@@ -45,7 +45,7 @@ int run(const ViewCommand& command) {
     pipeline.set_strategy(viewer.culling() ? StrategyKind::occlusion : StrategyKind::frustum);
     const FrameRecord record = pipeline.draw(frame);
     viewer.show(frame, record, pipeline.target(), pipeline.device());
-    // The figures of a day at the window do not fill the memory: sets are dropped.
+    // Visible sets are dropped, so that a day at the window does not fill the memory.
     records.push_back(record);
     records.back().visible = {};
   }

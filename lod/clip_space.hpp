@@ -20,11 +20,11 @@ struct ClipSpace {
   glm::dvec3 reference{0};
   /// How deep the reference lies behind the eye plane.
   double reference_depth = 0;
-  /// Model units of one unit of eye space on the card: a power of two near the model's size, so that floats
-  /// neither overflow nor vanish, whatever units the model is in.
+  /// Model units of one unit of eye space on the graphics card: a power of two near the model's size, so
+  /// that floats neither overflow nor vanish, whatever units the model is in.
   double unit = 1;
   double near = 1;   ///< where depth is 1, model units from the eye plane
-  double range = 0;  ///< orthographic: depth is 0 so much further
+  double range = 0;  ///< orthographic: the distance from there to where depth is 0
   bool orthographic = false;
 
   /// The depth of a point z model units from the eye plane.

@@ -33,7 +33,7 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
   return node.child_count == 0 ? node.first_drawable : Cut::inner;
 }
 
-/// Calls found(node, choice) for every scene node that the cut reaches.
+/// Calls found(node, choice) for every scene node that the cut reaches, from the root down.
 template <typename Found>
 void walk(const FrameView& view, FrustumCulling culling, std::vector<SceneNodeId>& open, const Found& found) {
   const NearestRounding rounding;

@@ -19,24 +19,24 @@ struct Cut {
   static constexpr DrawableId inner = no_id - 1;  ///< the scene node was refined: its children hold the cut
 
   std::vector<DrawableId> drawables;  ///< in draw rank order
-  /// For each scene node: its drawable in the cut, `inner`, or no_id where the cut is above it or the frustum
-  /// elsewhere.
+  /// For each scene node: its drawable in the cut, `inner`, or no_id where the cut is above it or it is
+  /// outside the frustum.
   std::vector<DrawableId> choice;
 };
 
-/// What the cut has at a scene node that it reaches: a drawable, Cut::inner, or no_id beyond the frustum. The
-/// one rule by which select_cut() and LazyCut choose.
+/// What the cut has at a scene node that it reaches: a drawable, Cut::inner, or no_id outside the frustum.
+/// The one rule by which select_cut() and LazyCut choose.
 DrawableId choose_level(const FrameView& view, SceneNodeId node, FrustumCulling culling = FrustumCulling::on);
 
 /// The whole cut at once: the reference that LazyCut must agree with. Pixel error 0 selects full detail:
 /// every leaf's finest drawable.
 Cut select_cut(const FrameView& view, FrustumCulling culling = FrustumCulling::on);
 
-/// The drawables of a cut alone, into the same list each time: walks what lies in the frustum, and touches
-/// nothing else.
+/// Only the drawables of a cut, without Cut::choice, into the same list each time: walks what lies in the
+/// frustum, and touches nothing else.
 class CutLister {
  public:
-  /// In draw rank order; good until the next call.
+  /// In draw rank order; valid until the next call.
   const std::vector<DrawableId>& list(const FrameView& view, FrustumCulling culling = FrustumCulling::on);
 
  private:

@@ -29,7 +29,7 @@ glm::ivec3 eye_cell(const Skeleton& skeleton, const View& view);
 uint64_t squared_distance(const glm::ivec3& cell, const LatticeBox& box);
 DrawRank draw_rank(const Skeleton& skeleton, const glm::ivec3& cell, DrawableId drawable);
 
-/// Sorts drawables of one view by their draw rank; keeps its room from one call to the next.
+/// Sorts drawables of one view by their draw rank; reuses its memory from one call to the next.
 class RankSorter {
  public:
   void sort(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<DrawableId>& drawables);
@@ -38,7 +38,7 @@ class RankSorter {
   std::vector<DrawRank> ranks_;
 };
 
-/// The same, once.
+/// The same for a single call.
 void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<DrawableId>& drawables);
 
 }  // namespace triptych

@@ -12,12 +12,12 @@
 namespace triptych {
 
 /// The vertex stage works in 32-bit floats relative to the eye: what it draws is off by less than this share
-/// of the distance. visibility/screen_bounds.cpp has the parts of it.
+/// of the distance. visibility/screen_bounds.cpp says what it is made of.
 inline constexpr double vertex_rounding = 0x1p-17;
 
 struct EyeBounds {
   double min_depth = 0;   ///< of the box along the view axis; negative behind the eye
-  bool outside = false;   ///< so far beyond one of the frustum's planes that no rounding draws any of it
+  bool outside = false;   ///< beyond one of the frustum's planes, by more than rounding can bring back
   double stretch = 1;     ///< √(1 + |t|²), t the largest tangent from the view axis within box and frustum
   bool parallel = false;  ///< orthographic: the picture does not depend on depth
 };

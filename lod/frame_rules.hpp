@@ -3,15 +3,15 @@
 
 namespace triptych {
 
-/// Each is a step without which something breaks somewhere: hard cases prove that taking one away is noticed
+/// Something breaks without any one of these: hard cases prove that taking one away is noticed
 /// (docs/hard-cases.md). Outside tests and `--inject` all of them hold.
 struct FrameRules {
   // Selection of levels
   bool orthographic_error = true;  ///< orthographic pixel errors do not divide by depth
   bool min_depth_error = true;     ///< pixel errors divide by a box's least depth, not by the distance to it
-  bool oblique_stretch = true;     ///< pixel errors count that oblique views stretch
-  bool frustum_margin = true;      ///< planes of the frustum leave room for what rounding may draw
-  bool model_units = true;         ///< eye space on the device has a unit near the model's size
+  bool oblique_stretch = true;     ///< pixel errors allow for the stretching of oblique views
+  bool frustum_margin = true;      ///< planes of the frustum have a margin for what rounding may draw
+  bool model_units = true;         ///< the unit of eye space on the device is near the model's size
   bool current_camera = true;      ///< culling is done under the frame's own camera, not the one before
   // Bounds on the screen
   bool near_plane_refines = true;  ///< a box that the near plane cuts may be anywhere on the screen
@@ -22,7 +22,7 @@ struct FrameRules {
   bool retest_hidden = true;   ///< what was hidden one frame ago is tested like everything else
   bool show_all_found = true;  ///< every drawable that is found visible is shown
   // The device
-  bool non_strict_test = true;   ///< a box at the very depth of the representation shows
+  bool non_strict_test = true;   ///< a box at exactly the representation's depth shows
   bool fragment_bound = true;    ///< fragments nearer than their piece's box are dropped
   bool double_positions = true;  ///< geometry is placed from double-precision coordinates
   bool operator==(const FrameRules&) const = default;

@@ -26,7 +26,7 @@ LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, cons
     const Affine& transform = skeleton.transforms[placement.transform];
     Box placed;
     for (int i = 0; i < 8; ++i) placed.extend(transform * glm::dvec4(of_mesh.corner(i), 1));
-    // The outer box's side stands where a transform leaves no number.
+    // Where the transform's result is not a number, the outer box's side is kept.
     placed = {glm::max(outer.lo, placed.lo), glm::min(outer.hi, placed.hi)};
     if (placed.empty()) return within;
     box = skeleton.lattice().enclosing(placed);
@@ -48,7 +48,7 @@ PlacedDrawable Hierarchy::placed(DrawableId id) const {
   return {wholes, std::span(boxes + placements.size(), pieces)};
 }
 
-/// The placements' boxes, and behind them, where there are more pieces than those, the pieces'.
+/// The boxes of the placements, followed by those of the pieces where there are more pieces than placements.
 const LatticeBox* Hierarchy::place(DrawableId id) const {
   const std::span<const Placement> placements = placements_of(id);
   const LatticeBox& node_box = scene_node_of(id).box;
@@ -61,7 +61,8 @@ const LatticeBox* Hierarchy::place(DrawableId id) const {
     boxes[i] = placed_box(skeleton_, placement, skeleton_.chunks[placement.chunk].box, node_box);
     if (!in_pieces) continue;
     const std::span<const LatticeBox> of_chunk = skeleton_.pieces_of(placement.chunk);
-    // Whatever rounding does, pieces stay in the box that stands for them where they are too many.
+    // Whatever rounding does, pieces stay in their placement's box, which replaces them where they are too
+    // many.
     for (const LatticeBox& piece : of_chunk) {
       *piece_box++ = of_chunk.size() == 1 ? boxes[i] : placed_box(skeleton_, placement, piece, boxes[i]);
     }

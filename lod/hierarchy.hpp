@@ -12,9 +12,9 @@ namespace triptych {
 
 /// Where a drawable's geometry may be, on the model's lattice.
 struct PlacedDrawable {
-  std::span<const LatticeBox> placements;  ///< one box a placement
-  /// Of each piece of each placement's chunk, placement by placement: as many as Skeleton::pieces_of() has.
-  /// The same boxes as `placements` where every chunk is in one piece.
+  std::span<const LatticeBox> placements;  ///< one box per placement
+  /// One box per piece of each placement's chunk, placement by placement, in the order of
+  /// Skeleton::pieces_of(). The same boxes as `placements` where every chunk is in one piece.
   std::span<const LatticeBox> pieces;
 };
 
@@ -40,14 +40,14 @@ class Hierarchy {
   LatticeBox* allocate(size_t count) const;
 
   const Skeleton& skeleton_;
-  mutable std::vector<const LatticeBox*> placed_;  ///< of each drawable its boxes; null until they are wanted
+  mutable std::vector<const LatticeBox*> placed_;  ///< for each drawable its boxes; null until asked for
   mutable std::vector<std::unique_ptr<LatticeBox[]>> blocks_;
   mutable LatticeBox* next_ = nullptr;
   mutable size_t left_ = 0;
 };
 
-/// On the model's lattice: holds what is in `local`, a box of the placement's chunk, and one step more on
-/// each side; within the box `within`, which holds all that the placement draws there.
+/// On the model's lattice: a box that holds what is in `local`, a box of the placement's chunk, plus one
+/// step on each side for rounding; clipped to `within`, which holds all that the placement draws.
 LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, const LatticeBox& local,
                       const LatticeBox& within);
 

@@ -7,7 +7,7 @@ thread_local uint64_t count = 0;
 }  // namespace
 
 void count_allocation() noexcept { ++count; }
-// Every thread that runs has allocated something, if anybody counts.
+// Every running thread has allocated something, so the count is above 0 if allocations are counted.
 bool allocations_are_counted() { return count > 0; }
 uint64_t allocation_count() { return count; }
 

@@ -5,14 +5,14 @@
 
 namespace triptych {
 
-/// Whether anybody counts: programs that link triptych_allocation_count do, which replaces the global
-/// operator new, but not under sanitizers.
+/// Whether allocations are counted: in programs that link triptych_allocation_count, which replaces the
+/// global operator new, but not under sanitizers.
 bool allocations_are_counted();
 
 /// Calls of operator new in this thread so far.
 uint64_t allocation_count();
 
-/// For the operator new that counts.
+/// Called by the counting operator new.
 void count_allocation() noexcept;
 
 }  // namespace triptych

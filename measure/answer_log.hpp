@@ -1,4 +1,4 @@
-// A target's answers, kept and given again: the same frames without the device that drew them.
+// Records a target's answers and plays them back: the same frames without the device that drew them.
 #pragma once
 
 #include "visibility/frame_target.hpp"
@@ -8,13 +8,13 @@
 
 namespace triptych {
 
-/// Answers of tests in their order, one a test.
+/// The answers of tests in their order, one per test.
 struct AnswerLog {
   std::vector<uint8_t> answers;
   DeviceMargins margins;  ///< of who gave them
 };
 
-/// Hands everything on to a target, and appends what it answers.
+/// Forwards everything to a target, and records its answers.
 class AnswerRecorder final : public FrameTarget {
  public:
   AnswerRecorder(FrameTarget& target, AnswerLog& log) : target_(target), log_(log) {
@@ -40,11 +40,11 @@ class AnswerRecorder final : public FrameTarget {
   AnswerLog& log_;
 };
 
-/// Draws nothing, and answers what was answered before. Error (place: answer log) where more is asked.
+/// Draws nothing, and gives the recorded answers. Error (place: answer log) if more are requested.
 class AnswerPlayer final : public FrameTarget {
  public:
   AnswerPlayer(const AnswerLog& log, int width, int height) : log_(log), width_(width), height_(height) {}
-  /// From the first answer again.
+  /// Starts again with the first answer.
   void rewind() { next_ = 0; }
   int width() const override { return width_; }
   int height() const override { return height_; }

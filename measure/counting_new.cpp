@@ -1,5 +1,5 @@
-// Replaces the global operator new by one that counts; for the program and for tests that ask, and in no
-// library. Sanitizers keep an allocator of their own: then nothing is counted.
+// Replaces the global operator new by one that counts; only for the program and for tests that use it, in no
+// library. Sanitizers have their own allocator: then nothing is counted.
 #if !defined(__SANITIZE_ADDRESS__)
 
 #include "measure/allocation_count.hpp"

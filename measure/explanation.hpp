@@ -1,4 +1,4 @@
-// Why a frame shows what it shows: which drawable owns a pixel, why it was chosen, and why another was not.
+// Explains a frame: which drawable owns a pixel, why it was chosen, and why another was not.
 #pragma once
 
 #include "nodes/local_pipeline.hpp"
@@ -18,18 +18,18 @@ struct DrawableFacts {
   uint32_t level = 0, levels = 1;  ///< among its scene node's drawables, 0 the finest
   uint32_t triangles = 0;
   double error = 0;   ///< δ, model units
-  double pixels = 0;  ///< δ projected in this view; infinite where the eye is too near for a bound
+  double pixels = 0;  ///< δ projected in this view; infinite if the eye is too near for a bound
 };
 
-/// What became of a drawable in a frame, and so by whom it was decided.
+/// What became of a drawable in a frame, and which stage decided it.
 enum class Fate {
   drawn,
-  coarser,          ///< cut selection: a coarser one that keeps the pixel error stands for it
-  finer,            ///< cut selection: it exceeds the pixel error, finer ones stand for it
+  coarser,          ///< cut selection: a coarser one that keeps the pixel error represents it
+  finer,            ///< cut selection: it exceeds the pixel error, finer ones represent it
   outside_frustum,  ///< cut selection: its scene node or one above lies beyond a plane of the frustum
   between_pixels,   ///< hardware cull: its box, or one above, covers no pixel's centre
   hidden,           ///< hardware cull: behind the occlusion representation
-  withheld,         ///< nothing hid it, and yet it is not in V(i): culling is broken
+  withheld,         ///< nothing hides it, but it is not in V(i): a fault in culling
 };
 
 struct DrawableExplanation {
@@ -43,7 +43,7 @@ struct DrawableExplanation {
   /// outside_frustum, between_pixels, hidden: the scene node, its own or one above, at which that was
   /// decided.
   SceneNodeId decided_at = no_id;
-  /// coarser, finer: the cut's drawables that stand for it. hidden: what owns pixels in the rectangle of
+  /// coarser, finer: the cut's drawables that represent it. hidden: what owns pixels in the rectangle of
   /// `decided_at`. Those with most pixels first.
   std::vector<DrawableFacts> by;
   std::vector<uint64_t> by_pixels;  ///< of each of `by`, pixels owned (hidden: within the rectangle)
@@ -54,7 +54,7 @@ class Explainer : private TestObserver {
  public:
   Explainer(const Pack& pack, int width, int height, const DeviceOptions& device);
 
-  /// Frames in order: what a frame shows does not depend on those before it, what it hides does.
+  /// Draw frames in order: the picture does not depend on earlier frames, but what is culled does.
   void draw(const FrameRequest& frame);
 
   /// The drawable at a pixel of the last frame, counted from its left and top; none where there is
@@ -83,7 +83,7 @@ class Explainer : private TestObserver {
   FrameRequest frame_;
   FrameRecord record_;
   std::map<SceneNodeId, bool> tests_;  ///< the last frame's answers
-  std::vector<uint32_t> items_;        ///< of the last frame; empty until wanted
+  std::vector<uint32_t> items_;        ///< of the last frame; empty until used
 };
 
 }  // namespace triptych

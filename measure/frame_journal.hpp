@@ -1,4 +1,4 @@
-// Frame records in a file while they come, so that none is lost with the process that writes them.
+// Frame records that are written to a file one by one, so that none is lost if the process ends.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -9,7 +9,7 @@
 
 namespace triptych {
 
-/// Appends records to a file, a JSON line each, in one write each.
+/// Appends records to a file, each as one line of JSON by one write.
 class FrameJournal {
  public:
   /// Error (place: the path) if it cannot be written.
@@ -21,10 +21,11 @@ class FrameJournal {
   Descriptor file_;
 };
 
-/// Cuts off what a killed writer left half written. How many whole records there are; 0 without a file.
+/// Removes a record that a killed writer left incomplete. Returns how many complete records there are; 0
+/// without a file.
 size_t mend_frame_journal(const std::filesystem::path& path);
 
-/// All records; none without a file. Error (path, line) for what is none.
+/// All records; none without a file. Error (path, line) for a line that is not a record.
 std::vector<FrameRecord> read_frame_journal(const std::filesystem::path& path);
 
 }  // namespace triptych

@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// {"frame_ms", "cut", "visible", "changed", "drawn_triangles"}: arrays with one value a frame, in order;
+/// {"frame_ms", "cut", "visible", "changed", "drawn_triangles"}: arrays with one value per frame, in order;
 /// times in milliseconds, rounded to microseconds; changed counts the ids that were added or removed.
 nlohmann::json frame_series(const std::vector<FrameRecord>& frames);
 

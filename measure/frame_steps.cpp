@@ -21,14 +21,14 @@ constexpr size_t step_count = frame_step_names.size();
 /// Times one step at a time.
 class StepClock {
  public:
-  /// Of one round of one frame.
+  /// The sums over one round of one frame.
   struct Sums {
     std::array<double, step_count> microseconds{};
     std::array<uint64_t, step_count> allocations{};
   };
 
   void begin_frame() { sums_ = {}; }
-  /// Runs the body as a part of the step; steps within it are not counted to it.
+  /// Runs the body as a part of the step; the time of steps within it is not counted.
   template <typename Body>
   auto run(FrameStep step, const Body& body) {
     const Sums before = sums_;
@@ -53,13 +53,13 @@ class StepClock {
   Sums sums_;
 };
 
-/// A packet as it crosses the network.
+/// A packet as it is sent over the network.
 struct EncodedPacket {
   DrawRank watermark;
   std::vector<std::byte> bytes;
 };
 
-/// One frame after the other, as the roles play them together.
+/// Runs frames one after the other, with the steps of all roles.
 class FramePlayer final : public CullSink {
  public:
   FramePlayer(const Pack& pack, const Hierarchy& hierarchy)

@@ -1,4 +1,4 @@
-// What each step of a frame costs without drawing.
+// Measures what each step of a frame costs without drawing.
 #pragma once
 
 #include "lod/hierarchy.hpp"
@@ -13,8 +13,8 @@
 
 namespace triptych {
 
-/// The steps of a frame in their order, as the three roles share them, and beside them the reference
-/// selection of the whole cut, which no frame does.
+/// The steps of a frame in their order, those of all three roles, and the reference selection of the whole
+/// cut, which is not part of a frame.
 enum class FrameStep {
   frame_view,
   representation,
@@ -38,7 +38,7 @@ struct FrameStepSample {
 /// Of one frame, by FrameStep.
 using FrameStepSamples = std::array<FrameStepSample, frame_step_names.size()>;
 
-/// Plays the frames once on the device, then `rounds` times on a record of its answers, without drawing. All
+/// Runs the frames once on the device, then `rounds` times with its recorded answers, without drawing. All
 /// frames have one size. Frame 0 of each round is incoherent.
 std::vector<FrameStepSamples> measure_frame_steps(const Pack& pack, const Hierarchy& hierarchy,
                                                   Device& device, const std::vector<FrameRequest>& frames,

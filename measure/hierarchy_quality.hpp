@@ -1,4 +1,4 @@
-// How good a hierarchy is, from its skeleton alone.
+// The quality of a hierarchy, computed from its skeleton.
 #pragma once
 
 #include "base/distribution.hpp"
@@ -19,9 +19,9 @@ struct HierarchyLevel {
 
 struct HierarchyQuality {
   Distribution depth;  ///< of leaves, in scene nodes from the root, which has depth 1
-  Distribution
-      balance;  ///< of inner nodes: the leaves below the lightest child over those below the heaviest
-  Distribution overlap;  ///< of inner nodes: volume that pairs of children share, over the node's own
+  /// Of inner nodes: the leaves below the lightest child over those below the heaviest.
+  Distribution balance;
+  Distribution overlap;  ///< of inner nodes: shared volume of pairs of children over the node's own volume
   std::vector<HierarchyLevel> levels;  ///< the root's first
 };
 

@@ -29,8 +29,8 @@ nlohmann::json distribution_json(const std::vector<Record>& records, Value value
   return to_json(distribution(values));
 }
 
-/// Its text, for whatever reads JSON: bytes that are no UTF-8, as names of files and of what is in them may
-/// hold, become U+FFFD. In one line where there is no indent.
+/// Its text as valid JSON: bytes that are not UTF-8, as file names may contain, become U+FFFD. On one line if
+/// there is no indent.
 std::string json_text(const nlohmann::json& value, int indent = -1);
 
 /// Writes one object, atomically. An empty path writes nothing.

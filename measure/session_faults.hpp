@@ -1,4 +1,4 @@
-// What went wrong in a session and how it was mended, as its frames tell it.
+// What went wrong in a session and when it had recovered, from its frame records.
 #pragma once
 
 #include "nodes/frame_record.hpp"
@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// The stretches of frames that the render node drew by itself, in order: [{"frame" (the first of them),
+/// The runs of frames that the render node drew by itself, in order: [{"frame" (the first of them),
 /// "second" (of the session, when it was due), "reason", "frames_alone", "alone_ms", "back_at_frame" (null
 /// where the switch nodes did not come back)}].
 nlohmann::json faults_json(const std::vector<FrameRecord>& frames);

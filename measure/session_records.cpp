@@ -85,7 +85,7 @@ FrameRecord frame_record_from_json(const json& document, const std::string& plac
   try {
     return document.get<FrameRecord>();
   } catch (const json::exception& error) {
-    fail(place, "is no frame's record: {}", error.what());
+    fail(place, "is not the record of a frame: {}", error.what());
   }
 }
 
@@ -99,12 +99,12 @@ json to_json(const RoleRecord& record) {
           {"raster", record.raster},
           {"timeline", record.timeline},
           {"clocks", record.clocks},
-          {"most_waiting", record.most_waiting}};
+          {"most_waiting", record.max_backlog}};
 }
 
 void add_record(RoleRecord& sum, const RoleRecord& record) {
   add_sockets(sum.sockets, record.sockets);
-  add_backlog(sum.most_waiting, record.most_waiting);
+  add_backlog(sum.max_backlog, record.max_backlog);
   sum.device = record.device;
   sum.raster = record.raster;
   sum.timeline.process = record.timeline.process;
@@ -115,12 +115,12 @@ void add_record(RoleRecord& sum, const RoleRecord& record) {
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
-  if (!document.is_object()) fail(place, "is no role's record");
-  // Those of the first builds did not say which they are.
+  if (!document.is_object()) fail(place, "is not the record of a role");
+  // Records of the first builds have no version.
   const json version = document.value("role_record", json(0));
   if (version != role_record_version) {
     fail(place,
-         "is the record of a role of another build of the program: its version is {}, and {} is wanted here",
+         "is the record of a role of another build of the program: its version is {}, this one needs {}",
          version.dump(), role_record_version);
   }
   try {
@@ -132,7 +132,7 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
             document.at("clocks").get<std::vector<PeerClock>>(),
             document.at("most_waiting").get<Backlog>()};
   } catch (const json::exception& error) {
-    fail(place, "is no role's record: {}", error.what());
+    fail(place, "is not the record of a role: {}", error.what());
   }
 }
 

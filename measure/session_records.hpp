@@ -1,4 +1,4 @@
-// What the three roles of a session hand to whoever started them: JSON files, one a role.
+// What the three roles of a session report to the process that started them: JSON files, one per role.
 #pragma once
 
 #include "nodes/frame_record.hpp"
@@ -18,7 +18,7 @@ struct SocketRecord {
   uint64_t bytes = 0, messages = 0;
   uint64_t deltas = 0, delta_body_bytes = 0, delta_ids = 0;
   uint64_t kernel_bytes = 0, retransmissions = 0;     ///< TcpFigures of what was sent
-  double round_trip_ms = 0, least_round_trip_ms = 0;  ///< of the last connection; the least of all
+  double round_trip_ms = 0, least_round_trip_ms = 0;  ///< of the last connection, and the least of all
 };
 
 std::string socket_name(Role from, Role to, Channel channel);
@@ -30,14 +30,14 @@ struct StageSpan {
   double begin_ms = 0, end_ms = 0;
 };
 
-/// What a process kept for the timeline; no spans where nobody asked for one.
+/// What a process recorded for the timeline; no spans if none was requested.
 struct ProcessTimeline {
   std::string process;  ///< "render node"
   std::vector<StageSpan> spans;
-  uint64_t lost = 0;  ///< spans that were too many
+  uint64_t lost = 0;  ///< spans beyond the limit
 };
 
-/// Of the JSON of a RoleRecord: a higher one whenever its keys change, or those of what it holds.
+/// Of the JSON of a RoleRecord: increased whenever its keys, or those of its parts, change.
 constexpr int role_record_version = 2;
 
 struct RoleRecord {
@@ -47,10 +47,10 @@ struct RoleRecord {
   std::string raster;  ///< verdict of the role's raster certificate
   ProcessTimeline timeline;
   std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own
-  Backlog most_waiting{};         ///< the most that had come to it and was not used yet
+  Backlog max_backlog{};          ///< the most that had arrived and was not used yet
 };
 
-/// What this process kept so far.
+/// What this process has recorded so far.
 ProcessTimeline own_timeline(const std::string& process);
 
 /// What the role has sent so far, socket by socket.
@@ -62,17 +62,17 @@ void add_sockets(std::vector<SocketRecord>& sum, const std::vector<SocketRecord>
 void add_backlog(Backlog& most, const Backlog& more);
 
 nlohmann::json to_json(const FrameRecord& record);
-/// Error (place) for JSON that is no frame's record.
+/// Error (place) for JSON that is not the record of a frame.
 FrameRecord frame_record_from_json(const nlohmann::json& json, const std::string& place);
 
 /// [{"peer", "ahead_ms", "uncertainty_ms"}].
 nlohmann::json clocks_json(const RoleRecord& record);
 
 nlohmann::json to_json(const RoleRecord& record);
-/// Adds what a later process of the same role recorded; its frames excepted.
+/// Adds what a later process of the same role recorded, except its frames.
 void add_record(RoleRecord& sum, const RoleRecord& record);
-/// Error (place) for JSON that is no role's record, or one of another version, as a program of another build
-/// writes it.
+/// Error (place) for JSON that is not the record of a role, or has another version, from another build of the
+/// program.
 RoleRecord role_record_from_json(const nlohmann::json& json, const std::string& place);
 
 }  // namespace triptych

@@ -41,8 +41,8 @@ json stages_json(const std::vector<FrameRecord>& frames) {
           {"waiting", distribution_json(frames, [](const auto& r) { return r.waiting_ms; })}};
 }
 
-/// camera_to_image_ms of the frames whose way is known, in parts that follow each other, and what is left of
-/// it when all parts are taken away: moments between them, and what clocks are off.
+/// camera_to_image_ms of the frames with known parts, as consecutive parts, and the remainder: time between
+/// the parts, and errors of the clocks.
 json latency_json(const std::vector<FrameRecord>& frames) {
   std::vector<FrameRecord> known;
   for (const FrameRecord& frame : frames) {
@@ -64,8 +64,8 @@ json latency_json(const std::vector<FrameRecord>& frames) {
 }
 
 /// A prediction, not a measurement: the stages of the one-process run were timed one at a time with all
-/// cores, as three machines would have them. The switch nodes take turns, so HC and OR of one frame are
-/// counted one after the other although OR starts while HC still streams; the render node works beside them.
+/// cores, as on three machines. The switch nodes take turns, so HC and OR of one frame are counted one after
+/// the other although OR starts while HC is still sending; the render node works in parallel.
 double predicted_fps(const std::vector<FrameRecord>& one_process) {
   std::vector<double> cycles;
   for (const FrameRecord& frame : one_process) {

@@ -18,14 +18,14 @@ struct SessionMeasurement {
 /// Every key that docs/using.md lists for `measure session`.
 nlohmann::json session_report(const Pack& pack, const SessionMeasurement& measurement);
 
-/// A row of `batches`: what packets of so many ids cost and how soon pictures stand.
+/// A row of `batches`: what packets of this many ids cost, and how soon pictures are ready.
 nlohmann::json batch_json(size_t packet_ids, const std::vector<RoleRecord>& roles);
 
-/// The key `delta`: what sending changes saves. roles[0] is the render node, whose frames count.
+/// The key `delta`: what sending changes saves. roles[0] is the render node, whose frames are used.
 nlohmann::json delta_json(const std::vector<RoleRecord>& roles);
 
-/// The paper's bandwidth for n node ids a frame at f frames a second, in bit/s: 8nf + nhf/b + 216f + 3hf
-/// bytes with headers of h = 50 bytes and b = 100 ids a packet (interactive-display-2003 §4.5).
+/// The paper's bandwidth for n node ids per frame at f frames per second, in bit/s: 8nf + nhf/b + 216f + 3hf
+/// bytes with headers of h = 50 bytes and b = 100 ids per packet (interactive-display-2003 §4.5).
 double formula_bits_per_second(double ids_per_frame, double frames_per_second);
 
 }  // namespace triptych

@@ -16,7 +16,7 @@ FormulaBytes::FormulaBytes(double ids_per_frame) {
 
 namespace {
 
-/// What the formula gives a socket: switch nodes are HC in every other frame.
+/// The bytes of a socket by the formula: switch nodes are HC in every other frame.
 double formula_of(Role from, Role to, Channel channel, const FormulaBytes& formula) {
   if (channel == Channel::nodes) return from == Role::render ? 0 : formula.ids_to_one_receiver / 2;
   return from == Role::render && to != Role::render ? formula.camera : 0;

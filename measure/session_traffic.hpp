@@ -8,8 +8,8 @@
 
 namespace triptych {
 
-/// The bytes of one frame by the paper's formula, 8n + nh/b + 3(72 + h) with headers of h = 50 bytes and
-/// b = 100 ids a packet (interactive-display-2003 §4.5), in its parts.
+/// The bytes of one frame by the paper's formula, 8n + nh/b + 3(72 + h) with headers of h = 50 bytes and b =
+/// 100 ids per packet (interactive-display-2003 §4.5), in its parts.
 struct FormulaBytes {
   explicit FormulaBytes(double ids_per_frame);
   double ids_to_one_receiver = 0;  ///< 4n + nh/2b, to OR and to the render node each
@@ -18,7 +18,7 @@ struct FormulaBytes {
 };
 
 /// The key `traffic` of `measure session`. roles: render node, switch node 0, switch node 1; the render
-/// node's frames count. Means of bytes a frame: ours are headers and bodies, handshakes and goodbyes
+/// node's frames are used. Means of bytes per frame: ours are headers and bodies, handshakes and Byes
 /// included; the kernel's are TCP's payload, retransmitted bytes included.
 nlohmann::json traffic_json(const std::vector<RoleRecord>& roles);
 

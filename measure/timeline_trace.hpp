@@ -8,9 +8,9 @@
 
 namespace triptych {
 
-/// Spans become complete events, one process a role, on the first process's clock; microseconds from the
+/// Spans become complete events, one process per role, on the first process's clock; microseconds from the
 /// first span on. clocks: of the other processes against the first, by their names; a process without one
-/// counts as having the same clock. How far each clock was moved, and how far that may be off, is in
+/// counts as having the same clock. By how much each clock was moved, and the uncertainty of that, is in
 /// "otherData".
 nlohmann::json chrome_trace(const std::vector<ProcessTimeline>& processes,
                             const std::vector<PeerClock>& clocks);

@@ -11,7 +11,7 @@ namespace triptych {
 
 namespace {
 
-/// Corners of triangles as they come; simplified when there are enough of them.
+/// Collects corners of triangles; simplifies them when there are enough.
 class Batch {
  public:
   void add(const CornerTriangle& triangle) {

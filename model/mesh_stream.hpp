@@ -1,5 +1,5 @@
-// Geometry that is too large to hold: it stays in its file and is read batch by batch, as often as it is
-// wanted.
+// Geometry that is too large for memory: it stays in its file and is read batch by batch, as often as it is
+// needed.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ class MeshStream {
  public:
   virtual ~MeshStream() = default;
 
-  /// After triangulation of n-gons, before anything is dropped: exact, or as the file promises it.
+  /// After triangulation of n-gons, before anything is dropped: exact, or as declared by the file.
   virtual uint64_t triangle_count() const = 0;
 
   /// Calls take with batches of some thousands of triangles in the file's order; the same triangles in the
@@ -39,10 +39,10 @@ class MeshStream {
   /// since it was opened. What take throws passes through.
   virtual uint64_t read(const TakeTriangles& take) const = 0;
 
-  /// The mesh with its vertices, if it was in memory once and was put away; null of other streams.
+  /// The mesh with its vertices, if it was once in memory and was stored; null for other streams.
   virtual std::shared_ptr<const Mesh> load() const { return nullptr; }
 
-  /// What else the last whole read found and left out, "<file>: <count> <what>" each; nothing before one.
+  /// What else the last complete read left out, "<file>: <count> <what>" each; empty before that.
   virtual std::vector<std::string> warnings() const { return {}; }
 };
 

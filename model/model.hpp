@@ -1,4 +1,4 @@
-// What the user gave us: meshes, instances of them, materials. Positions and transforms keep their doubles.
+// A model as the user gives it: meshes, instances of them, materials. Positions and transforms are in double.
 #pragma once
 
 #include "model/mesh_stream.hpp"
@@ -29,7 +29,7 @@ struct Triangle {
   bool operator==(const Triangle&) const = default;
 };
 
-/// Triangles in mesh space; any triangles: soups, non-manifold, degenerate. Coordinates are finite, indices
+/// Triangles in mesh space; of any kind: soups, non-manifold, degenerate. Coordinates are finite, indices
 /// in range. The geometry is in memory (positions and triangles), or in its file (stream, and both empty).
 struct Mesh {
   std::string name;
@@ -56,14 +56,14 @@ struct GroupInstance {
 /// Placements that repeat together, in a space of their own.
 struct Group {
   std::vector<Instance> instances;
-  std::vector<GroupInstance> groups;  ///< of groups before this one alone
+  std::vector<GroupInstance> groups;  ///< only of groups before this one
 };
 
 struct Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;  ///< at least one
-  std::vector<Instance> instances;  ///< what belongs to no group
-  /// What repeats, said once; empty for most models, which are lists of instances. See model/flatten.hpp.
+  std::vector<Instance> instances;  ///< those that belong to no group
+  /// What repeats, stored once; empty for most models, which are lists of instances. See model/flatten.hpp.
   std::vector<Group> groups;
   std::vector<GroupInstance> group_instances;
   /// What was or will be read: the model files, and the buffers and material libraries that they name. What

@@ -1,4 +1,4 @@
-// What ends an epoch, and what is awaited until it comes or something ends.
+// What ends an epoch, and values that are awaited until they arrive or the epoch ends.
 #pragma once
 
 #include "protocol/mailbox.hpp"
@@ -9,17 +9,17 @@
 
 namespace triptych {
 
-/// Why a role goes on no longer with its peers.
+/// Why a role stops working with its peers.
 struct Ending {
   enum class Cause {
-    peer_lost,     ///< gone, left alone, sent what makes no sense, or kept this role waiting too long
+    peer_lost,     ///< gone, left by itself, sent something invalid, or kept this role waiting too long
     session_over,  ///< a peer said so
     stopped,       ///< this process is to end
   };
   Cause cause = Cause::session_over;
-  Role peer = Role::render;  ///< that is lost
+  Role peer = Role::render;  ///< the one that is lost
   std::string reason = {};   ///< of its loss, one line: "switch node 0 lost: …"
-  bool too_late = false;     ///< it may be there, but was waited for too long
+  bool too_late = false;     ///< it may still be there, but did not answer in time
 };
 
 inline Ending ending_of(PeerLost lost) {

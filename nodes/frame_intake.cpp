@@ -11,8 +11,8 @@ namespace triptych {
 
 namespace {
 
-/// The packet's changes of V(i−1); none where they do not fit the set that we have, which the digest then
-/// tells.
+/// The packet's changes of V(i−1); none where they do not fit the set that this role has: then the digest
+/// will not match.
 VisibleDelta delta_of(const DeltaMessage& packet, const VisibleSet& previous) {
   try {
     return decode_delta(packet.encoded, previous, "delta");

@@ -1,4 +1,4 @@
-// Takes one frame's visible set in from HC: packet by packet, checked by the digest, asked for again where it
+// Receives one frame's visible set from HC: packet by packet, checked by the digest, requested again where it
 // differs.
 #pragma once
 
@@ -13,15 +13,17 @@ namespace triptych {
 struct IntakeResult {
   VisibleSet visible;  ///< V(i)
   Sentinel sentinel;
-  bool digest_mismatch = false;  ///< what came in packets was not V(i); `visible` is the full set, sent again
-  double waiting_ms = 0;         ///< for messages
-  double sent_ms = 0;            ///< when HC sent the sentinel, by this process's steady clock
-  double network_ms = 0;  ///< of the waiting, while the sentinel was on its way; 0 where it was there already
+  /// What came in packets was not V(i); `visible` is the full set, which HC sent again.
+  bool digest_mismatch = false;
+  double waiting_ms = 0;  ///< for HC's messages
+  double sent_ms = 0;     ///< when HC sent the sentinel, by this process's steady clock
+  /// The part of waiting_ms while the sentinel was on its way; 0 if it had arrived already.
+  double network_ms = 0;
 };
 
 /// Receives V(i) of the frame, whose predecessor V(i−1) is `previous`. decided: called with drawables of V(i)
-/// in draw rank order as they are decided. After a digest mismatch what was decided counts for nothing: draw
-/// `visible` anew. HC is lost if the full set does not match its digest either.
+/// in draw rank order as they are decided. After a digest mismatch what was decided is void: draw `visible`
+/// anew. HC is lost if the full set does not match its digest either.
 Awaited<IntakeResult> take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_t pack_hash,
                                  const FrameRequest& frame, const VisibleSet& previous,
                                  const std::function<void(const std::vector<DrawableId>&)>& decided,

@@ -1,4 +1,4 @@
-// What one frame was and cost, whoever drew it.
+// What one frame was and what it cost, drawn by a session or by one process.
 #pragma once
 
 #include "visibility/visible_set.hpp"
@@ -14,22 +14,22 @@ struct FrameRecord {
   double frame_ms = 0;  ///< fallback: the stages' sum; session: from the last picture to this one
   double occlusion_representation_ms = 0, hardware_cull_ms = 0, render_ms = 0;
   double network_ms = 0;  ///< the render node's wait while HC's sentinel was on its way (on one machine)
-  double waiting_ms = 0;  ///< the render node's other waiting for messages
+  double waiting_ms = 0;  ///< all other waiting of the render node for messages
   double camera_to_image_ms = 0;  ///< from the camera's release to its picture
-  /// Of a frame that all three roles played, and not as their first: camera_to_image_ms in its parts, one
-  /// after the other, besides R(i) and the hardware cull. Clocks of other machines are off by their
-  /// uncertainty.
+  /// Whether the parts below are known: of frames that all three roles took part in, except the first of an
+  /// epoch. With R(i) and the hardware cull they add up to camera_to_image_ms. Clocks of other machines are
+  /// off by their uncertainty.
   bool latency_known = false;
-  double latency_waiting_ms = 0;  ///< the camera for the switch node, that one for packets
-  double latency_network_ms = 0;  ///< the camera's way, and the sentinel's
-  double latency_render_ms = 0;   ///< from the sentinel's sending, without its way
+  double latency_waiting_ms = 0;  ///< of the camera for the switch node, and of that node for packets
+  double latency_network_ms = 0;  ///< transfer of the camera and of the sentinel
+  double latency_render_ms = 0;   ///< from when the sentinel was sent, without its transfer
   uint64_t cut_drawables = 0, drawn_triangles = 0, tests = 0;
   uint64_t added = 0, removed = 0;
   uint64_t level_changes = 0;  ///< of those, ids of scene nodes that stay visible at another level of detail
   uint64_t visible_count = 0;  ///< drawables of V(i)
   bool digest_mismatch = false;
-  bool fallback = false;      ///< drawn by the render node alone
-  std::string lost{};         ///< why it was from this frame on
+  bool fallback = false;      ///< drawn by the render node by itself
+  std::string lost{};         ///< on the first such frame: why
   VisibleSet visible{};       ///< V(i), where it is kept
   uint64_t picture_hash = 0;  ///< XXH3-64 of the picture's RGBA bytes, where it was read back
 };

@@ -11,8 +11,8 @@
 
 namespace triptych {
 
-/// What is to be drawn. A frame is asked for when its camera is released, once each and in order, and nobody
-/// knows it before.
+/// What is to be drawn. Each frame is requested once, in order, when its camera is released; nothing of it is
+/// known before.
 class FrameSource {
  public:
   /// Frames `first` to `count` − 1.
@@ -28,13 +28,13 @@ class FrameSource {
   virtual Numbers numbers() const = 0;
   /// The next frame, which has this number.
   virtual FrameRequest next(uint32_t number) = 0;
-  /// Whether there is a next one now; may wait a moment for it where `may_wait`.
+  /// Whether there is a next one now; may wait a moment for it if `may_wait`.
   virtual bool ready(bool /*may_wait*/) { return true; }
-  /// Whether no further one will come although `count` is not reached.
+  /// Whether the frames end here although `count` is not reached.
   virtual bool finished() { return false; }
 };
 
-/// What hears of the end of each epoch, whichever role it is.
+/// Is told of the end of each epoch, in any role.
 class EpochSink {
  public:
   EpochSink() = default;
@@ -49,12 +49,12 @@ class EpochSink {
 /// What takes a render node's frames.
 class FrameSink : public EpochSink {
  public:
-  /// Each frame as soon as its picture stands in stages.target(): to show it to somebody.
+  /// Called for each frame as soon as its picture is drawn: to put it on a screen.
   virtual void show(const FrameRequest& /*frame*/, const FrameRecord& /*record*/, LocalPipeline& /*stages*/) {
   }
-  /// Each frame after that, with its record and its picture, which stays until this returns.
+  /// Called for each frame after show(), with its record and its picture, which is valid until this returns.
   virtual void picture(FrameRecord record, const FrameTarget& target) = 0;
-  /// Both switch nodes' clocks, at the beginning of each epoch.
+  /// Called at the beginning of each epoch with both switch nodes' clocks.
   virtual void clocks(const std::vector<PeerClock>& /*clocks*/) {}
 };
 

@@ -20,7 +20,7 @@ std::optional<Ending> Inbox::send(Role peer, Channel channel, const Message& mes
 }
 
 std::optional<Ending> Inbox::receive(Role from) {
-  // Short slices: a signal does not wake the connections.
+  // In short slices, since a signal does not wake the connections.
   using std::chrono::milliseconds;
   milliseconds slice(100);
   if (limit_) {

@@ -1,4 +1,4 @@
-// A role's messages by what it waits for: a frame's camera, a frame's packets, the end.
+// A role's messages, sorted by what it waits for: a frame's camera, a frame's packets, the end.
 #pragma once
 
 #include "base/signals.hpp"
@@ -17,58 +17,58 @@ namespace triptych {
 /// A peer's steady clock against this process's.
 struct PeerClock {
   std::string peer;
-  double ahead_ms = 0;        ///< what the peer's clock shows more
-  double uncertainty_ms = 0;  ///< half of the shortest round trip: the truth lies within ± so much
+  double ahead_ms = 0;        ///< by how much the peer's clock is ahead
+  double uncertainty_ms = 0;  ///< half of the shortest round trip: the true value lies within ± this
 };
 
-/// An inbox keeps no more: at most two frames are in flight.
+/// The most that an inbox keeps. It needs little, since at most two frames are in flight.
 constexpr Backlog inbox_limit{4096, mailbox_limit.bytes};
 
 /// Waits for one kind of message at a time and keeps the others in order. Requests for a full set and for the
 /// time are answered whenever they come. Waiting ends where the session is over, where `stop` says so, and
-/// with the loss of a peer that is gone, leaves alone, sends what nobody waits for without end (inbox_limit),
-/// asks for a set that is long over, or keeps this role waiting beyond the time limit.
+/// with the loss of a peer: it is gone, leaves by itself, sends more than inbox_limit of messages that are
+/// not waited for, requests a set that is no longer kept, or keeps this role waiting beyond the time limit.
 class Inbox {
  public:
-  /// sets: what peers that ask for a full set are answered with; null for a role that nobody asks. stop:
+  /// sets: the answers to peers that request a full set; null for a role that is never asked. stop:
   /// asked several times a second.
   explicit Inbox(Mailbox& mailbox, const RecentSets* sets = nullptr,
                  std::function<bool()> stop = stop_requested)
       : mailbox_(mailbox), sets_(sets), stop_(std::move(stop)) {}
 
-  /// From now on all waiting together may take so long; nothing: for ever.
+  /// From now on all waiting together may take this long; nullopt: without limit.
   void limit_waiting(std::optional<std::chrono::milliseconds> limit);
 
-  /// The next camera that is a warm-up's, or the first of a frame.
+  /// The next camera, of a warm-up or of the epoch's first frame.
   Awaited<CameraMessage> first_camera();
   /// The camera of the frame.
   Awaited<CameraMessage> camera(uint32_t frame);
   /// The frame's next packet or its end, from HC.
   Awaited<std::variant<DeltaMessage, Sentinel>> packet(uint32_t frame);
-  /// V(frame), after it was asked for.
+  /// V(frame), after it was requested.
   Awaited<FullSet> full_set(uint32_t frame);
-  /// Asks a peer for its clock a few times and believes the quickest answer (Cristian, "Probabilistic clock
-  /// synchronization", 1989). The peer answers while it waits for whatever.
+  /// Asks a peer for its clock a few times and takes the quickest answer (Cristian, "Probabilistic clock
+  /// synchronization", 1989). The peer answers whatever it is waiting for.
   Awaited<PeerClock> clock_of(Role peer);
-  /// What the peer's clock shows more, as clock_of() last found; 0 before.
+  /// By how much the peer's clock is ahead, as clock_of() last found; 0 before.
   double ahead_ms(Role peer) const;
-  /// What a switch node reported of the frame, if that has come; forgets reports of this and earlier frames.
+  /// What a switch node reported of the frame, if that has come; drops reports of this and earlier frames.
   std::optional<SwitchReport> report(uint32_t frame);
   /// Answers requests until something ends.
   Ending wait_for_end();
 
-  /// Sends to a peer; what ends with it if it is gone.
+  /// Sends to a peer; returns the ending if the peer is gone.
   [[nodiscard]] std::optional<Ending> send(Role peer, Channel channel, const Message& message);
   Mailbox& mailbox() { return mailbox_; }
 
  private:
-  /// Takes the first message that `wanted` accepts, which `from` owes; waits for it.
+  /// Waits for the first message that `wanted` accepts; `from` is the peer that is expected to send it.
   Awaited<Message> wait(Role from, const std::function<bool(const Message&)>& wanted);
-  /// One message, or a moment without any.
+  /// Receives one message, or none within a short time.
   std::optional<Ending> receive(Role from);
   std::optional<Ending> answer(Role asking, uint32_t frame);
   std::optional<Ending> keep(Received received);
-  /// A kept message is used or dropped.
+  /// Counts a kept message as used or dropped.
   void release(const Received& received);
 
   Mailbox& mailbox_;

@@ -5,7 +5,7 @@
 
 namespace triptych {
 
-/// All rules but those that this process was told to break.
+/// All rules except those that the injected faults take away.
 FrameRules injected_frame_rules();
 
 }  // namespace triptych

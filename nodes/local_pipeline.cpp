@@ -74,7 +74,7 @@ const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
   visible_ = culled.visible;
 
   stage.restart();
-  // The one that culling had, unless that was told to use another camera.
+  // The view that culling had, unless a fault made it use another camera.
   std::optional<FrameView> own_view;
   if (!(occlusion_->view().state == frame.state))
     own_view.emplace(hierarchy_.skeleton(), frame.state, options_.rules);

@@ -30,13 +30,13 @@ struct LocalPipelineOptions {
 /// but what the device does. Of `gl` a context must be current.
 class LocalPipeline {
  public:
-  /// With a device and a strategy of the caller's; of the options the size, item_buffer and rules count.
+  /// With the caller's device and strategy; of the options only the size, item_buffer and rules are used.
   LocalPipeline(const Hierarchy& hierarchy, Device& device, Strategy& strategy,
                 const LocalPipelineOptions& options);
   /// With a device and strategies of its own.
   LocalPipeline(const Pack& pack, const LocalPipelineOptions& options);
 
-  /// Draws the frame; record and picture are good until the next one.
+  /// Draws the frame; record and picture are valid until the next one.
   const FrameRecord& draw(const FrameRequest& frame);
   FrameTarget& target() { return picture_->target(); }
   const FrameTarget& target() const { return picture_->target(); }
@@ -44,15 +44,15 @@ class LocalPipeline {
   const Hierarchy& hierarchy() const { return hierarchy_; }
   const FrameRules& rules() const { return options_.rules; }
 
-  /// Culls otherwise from the next frame on.
+  /// Culls with this strategy from the next frame on.
   void set_strategy(Strategy& strategy);
-  /// The same with one of its own; only where it has its own.
+  /// The same with a strategy of its own; only for a pipeline that owns its strategies.
   void set_strategy(StrategyKind kind);
   /// Draws in another size from the next frame on; geometry that was loaded stays.
   void resize(int width, int height);
-  /// Takes over from somebody else, who drew V(i−1).
+  /// Continues after a frame that was drawn elsewhere, whose V(i−1) is `previous`.
   void resume(const VisibleSet& previous) { visible_ = previous; }
-  /// For pictures of visible sets that come from elsewhere.
+  /// To draw visible sets that come from elsewhere.
   PictureStage& picture() { return *picture_; }
   /// Starts over, as if nothing had been drawn; the next frame is incoherent.
   void forget() { visible_.clear(); }
@@ -65,11 +65,11 @@ class LocalPipeline {
 
     PackDevice device;
     CullOptions cull;
-    std::array<std::unique_ptr<ExactStrategy>, 3> strategies;  ///< by kind, once wanted
+    std::array<std::unique_ptr<ExactStrategy>, 3> strategies;  ///< by kind, made when first used
   };
   LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options);
 
-  std::unique_ptr<Parts> parts_;  ///< its own; null where they are the caller's
+  std::unique_ptr<Parts> parts_;  ///< what the pipeline owns; null where device and strategy are the caller's
   LocalPipelineOptions options_;
   const Hierarchy& hierarchy_;
   Device& device_;

@@ -20,12 +20,12 @@ class OcclusionStage {
 
   /// OR, start: frame i. The viewport must be the target's size: Error (place: frame target) otherwise.
   void begin(const FrameRequest& frame);
-  /// OR: draws what of V(i−1) was decided, mapped to cut i. May be called as packets come.
+  /// OR: draws those drawables of V(i−1) that are decided, mapped to cut i. May be called as packets arrive.
   void represent(const VisibleSet& visible);
   /// Waits until everything is drawn, so that a wall clock can time it.
   void finish();
 
-  /// HC: chooses V(i). previous: V(i−1). The result is good until the next call.
+  /// HC: chooses V(i). previous: V(i−1). The result is valid until the next call.
   const CullResult& cull(const VisibleSet& previous, CullSink& sink);
 
   const FrameView& view() const { return *view_; }

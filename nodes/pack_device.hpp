@@ -11,7 +11,7 @@
 
 namespace triptych {
 
-/// What every process that draws makes of a pack, which must outlive it.
+/// What every process that draws builds from a pack, which must outlive it.
 class PackDevice {
  public:
   /// options: of a chosen device. Of `gl`, its context must be current here and wherever the device is used.

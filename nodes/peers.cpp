@@ -13,7 +13,7 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// Uploading a large model's geometry may take its time; nobody waits for it.
+/// Uploading a large model's geometry may take long; meanwhile the render node draws by itself.
 constexpr auto warm_up_limit = std::chrono::seconds(60);
 constexpr auto short_epoch = std::chrono::seconds(10);
 constexpr milliseconds first_pause(500), max_pause(10'000);
@@ -25,7 +25,7 @@ Peers::Peers(Connect connect, FrameSink& sink, std::function<bool()> stop)
   search(milliseconds(0));
 }
 
-Peers::~Peers() { leaving_ = true; }  // the future waits for its thread
+Peers::~Peers() { leaving_ = true; }  // the future's destructor waits for its thread
 
 void Peers::search(milliseconds pause) {
   search_ = std::async(std::launch::async, [this, pause]() -> std::unique_ptr<Mailbox> {
@@ -148,7 +148,7 @@ void Peers::leave(const std::string& reason) {
   if (!mailbox_ && search_.valid()) {
     try {
       mailbox_ = search_.get();
-    } catch (const Error&) {  // whoever could not be found need not be told
+    } catch (const Error&) {  // peers that were not found need not be told
     }
   }
   close(reason);

@@ -1,4 +1,4 @@
-// The render node's switch nodes: found in the background, got ready, lost, and found again.
+// The render node's switch nodes: found in the background, warmed up, lost, and found again.
 #pragma once
 
 #include "nodes/frame_source.hpp"
@@ -15,36 +15,34 @@
 namespace triptych {
 
 /// An epoch is a stretch of frames that all three roles draw together. Before it both switch nodes are
-/// connected, in a thread of its own, and warm up with the frame at hand; the render node draws by itself
-/// meanwhile. Whatever goes wrong with either of them ends the epoch for both, and the search begins anew.
-/// For one thread.
+/// connected, in a thread of its own, and warm up with the current frame; the render node draws by itself
+/// meanwhile. A failure of either of them ends the epoch for both, and the search begins anew. For one
+/// thread.
 class Peers {
  public:
   /// Connects both switch nodes; returns nothing once `stop`, asked several times a second, says so. Called
   /// in another thread.
   using Connect = std::function<std::unique_ptr<Mailbox>(const std::function<bool()>& stop)>;
 
-  /// sink: hears of clocks and of the end of each connection. stop: whether this process is to end.
+  /// sink: is told of clocks and of the end of each epoch. stop: whether this process is to end.
   Peers(Connect connect, FrameSink& sink, std::function<bool()> stop);
   ~Peers();
   Peers(const Peers&) = delete;
   Peers& operator=(const Peers&) = delete;
 
-  /// Looks after the search, without waiting. next: the frame at hand. True once an epoch may begin with it;
-  /// then inbox() is there, and nothing was sent of the epoch yet.
+  /// Checks on the search, without waiting. next: the frame to draw next. True once an epoch may begin with
+  /// it; then inbox() is not null, and nothing of the epoch has been sent yet.
   bool look(const FrameRequest& next);
-  /// Waits for the first epoch; false where this process is to end before. What connect throws is thrown
-  /// here.
+  /// Waits for the first epoch; false if this process is to end before that. Throws what Connect throws.
   [[nodiscard]] bool wait(const FrameRequest& first);
 
   /// The peers' messages, during an epoch; otherwise null.
   Inbox* inbox() { return inbox_ ? &*inbox_ : nullptr; }
   const Inbox* inbox() const { return inbox_ ? &*inbox_ : nullptr; }
 
-  /// Ends the epoch; the search begins anew, after a pause where peers that answer too late come again and
-  /// again.
+  /// Ends the epoch; the search begins anew, after a pause if peers were too late several times in a row.
   void lose(const std::string& reason, bool too_late);
-  /// Says goodbye to whoever is there. Empty: the session is over.
+  /// Sends a Bye to the connected peers. Empty: the session is over.
   void leave(const std::string& reason);
 
   uint64_t epochs() const { return epochs_; }
@@ -53,7 +51,7 @@ class Peers {
   void search(std::chrono::milliseconds pause);
   void take_up_search(const FrameRequest& next);
   std::optional<Ending> warm_up(const FrameRequest& frame);
-  /// Takes in what they say; true when both are ready.
+  /// Receives their messages; true when both are ready.
   Awaited<bool> both_ready();
   std::optional<Ending> compare_clocks();
   void close(const std::string& reason);
@@ -66,7 +64,7 @@ class Peers {
   std::unique_ptr<Mailbox> mailbox_;
   std::optional<Inbox> inbox_;
   std::set<Role> ready_;
-  bool patient_ = true;                          ///< what keeps the peers away may pass
+  bool patient_ = true;                          ///< whether another attempt to find the peers makes sense
   std::chrono::steady_clock::time_point since_;  ///< of the warm-up, or of the epoch
   uint32_t too_late_ = 0;                        ///< short epochs in a row that ended so
   uint64_t epochs_ = 0;

@@ -1,4 +1,4 @@
-// The visible sets that a peer may still ask for.
+// The visible sets that a peer may still request.
 #pragma once
 
 #include "visibility/visible_set.hpp"
@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// V(i) of the last frame that a switch node knows, and V(i−1). Both are empty before the first.
+/// V(i) of the last frame that a switch node knows, and V(i−1). Both are empty before the first frame.
 class RecentSets {
  public:
   void add(uint32_t frame, VisibleSet visible) {
@@ -16,7 +16,7 @@ class RecentSets {
     frame_ = frame;
   }
   const VisibleSet& latest() const { return latest_; }
-  /// Null for a frame that is neither of both.
+  /// Null for any other frame.
   const VisibleSet* of(uint32_t frame) const {
     if (frame == frame_) return &latest_;
     return frame + 1 == frame_ ? &previous_ : nullptr;

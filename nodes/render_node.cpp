@@ -42,7 +42,7 @@ class RenderNode {
                        .rules = options.frame_rules}),
         peers_(options.connect, sink, options.stop) {}
 
-  /// Until the last frame, or until this process is to end.
+  /// Runs until the last frame, or until this process is to end.
   void run() {
     first_ = source_.next(numbers_.first);
     if (options_.begin_alone) {
@@ -76,17 +76,17 @@ class RenderNode {
   struct Released {
     FrameRequest request;
     double at_ms;    ///< of the run's clock
-    double sent_ms;  ///< how much later switch nodes heard of it
+    double sent_ms;  ///< how much later it was sent to the switch nodes
   };
 
   bool ready() { return first_ || source_.ready(released_.empty()); }
 
-  /// The first frame was asked for before its release, for the warm-up.
+  /// The first frame was requested before its release, for the warm-up.
   FrameRequest next_frame(uint32_t number) {
     return first_ ? *std::exchange(first_, std::nullopt) : source_.next(number);
   }
 
-  /// Until the next camera is to be released; false where this process is to end before.
+  /// Waits until the next camera is to be released; false if this process is to end before that.
   [[nodiscard]] bool wait_until_due() const {
     if (options_.rate <= 0) return !options_.stop();
     const double due_ms = static_cast<double>(next_release_ - numbers_.first) * 1000 / options_.rate;
@@ -98,7 +98,7 @@ class RenderNode {
     }
   }
 
-  /// The next camera is due: the switch nodes hear of it.
+  /// The next camera is due: sends it to the switch nodes.
   void release() {
     const uint32_t number = next_release_++;
     released_.push_back({next_frame(number), 0, 0});
@@ -123,7 +123,7 @@ class RenderNode {
     peers_.lose(reason, too_late);
   }
 
-  /// False where this process is to end before the picture stands.
+  /// False if this process is to end before the picture is drawn.
   [[nodiscard]] bool draw(const Released& frame) {
     const VisibleSet before = visible_;
     std::optional<FrameRecord> drawn = draw_somehow(frame);
@@ -138,15 +138,15 @@ class RenderNode {
     record.level_changes = level_changes(pack_.skeleton(), before, record.visible);
     visible_ = record.visible;
     ++summary_.frames;
-    summary_.alone += record.fallback;
+    summary_.fallback_frames += record.fallback;
     sink_.show(frame.request, record, stages_);
     const TimelineScope scope("hand the picture over", frame.request.number);
     sink_.picture(std::move(record), stages_.target());
     return true;
   }
 
-  /// Together with the switch nodes where they are there, otherwise alone; nothing where this process is to
-  /// end.
+  /// Together with the switch nodes where they are connected, otherwise by itself; nothing if this process is
+  /// to end.
   std::optional<FrameRecord> draw_somehow(const Released& frame) {
     const uint32_t number = frame.request.number;
     const View& view = frame.request.state.view;
@@ -163,12 +163,12 @@ class RenderNode {
       const bool left = ending.cause == Ending::Cause::session_over;
       lose(number, left ? "a switch node left" : ending.reason, ending.too_late);
     }
-    return draw_alone(frame.request);
+    return draw_fallback(frame.request);
   }
 
-  /// The cameras that are out already are this epoch's first.
+  /// The cameras that were released already are this epoch's first.
   void begin_epoch(uint32_t number) {
-    if (summary_.alone > 0) notice("render node: frame {}: both switch nodes are back", number);
+    if (summary_.fallback_frames > 0) notice("render node: frame {}: both switch nodes are back", number);
     visible_.clear();
     for (Released& released : released_) {
       const auto ending = send(released);
@@ -176,7 +176,7 @@ class RenderNode {
     }
   }
 
-  FrameRecord draw_alone(const FrameRequest& frame) {
+  FrameRecord draw_fallback(const FrameRequest& frame) {
     stages_.resume(visible_);
     FrameRecord record = stages_.draw(frame);
     record.fallback = true;
@@ -236,8 +236,8 @@ class RenderNode {
     return clock_.milliseconds() - (steady_milliseconds() - steady_ms) - released.at_ms;
   }
 
-  /// The way of the camera to its picture: to the switch node that then draws R(i), culls, and sends the
-  /// sentinel; then here, until the picture stands.
+  /// The time from the camera to its picture: to the switch node, which then draws R(i), culls, and sends the
+  /// sentinel; then here, until the picture is drawn.
   void record_latency(FrameRecord& record, const Released& released, const SwitchReport& report,
                       const IntakeResult& intake) const {
     const double ahead_ms = peers_.inbox()->ahead_ms(hardware_cull_role(released.request.number));
@@ -259,10 +259,10 @@ class RenderNode {
   Peers peers_;
   Stopwatch clock_;
   uint32_t next_release_ = numbers_.first;
-  std::deque<Released> released_;      ///< cameras that are out, their pictures not yet
+  std::deque<Released> released_;      ///< cameras that were released, whose pictures are not drawn yet
   std::optional<FrameRequest> first_;  ///< until it is released
   double done_ms_ = 0, last_done_ms_ = 0;
-  std::string lost_;  ///< what the next record tells of the epoch's end
+  std::string lost_;  ///< why the epoch ended, for the next record
   VisibleSet visible_;
   RenderNodeSummary summary_;
 };

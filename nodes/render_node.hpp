@@ -1,4 +1,4 @@
-// The render node: sends cameras, takes visible sets in, draws the pictures; by itself where a switch node is
+// The render node: sends cameras, receives visible sets, draws the pictures; by itself where a switch node is
 // missing.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace triptych {
 
 struct RenderNodeOptions {
-  /// Cameras released a second; 0: as fast as frames come.
+  /// Cameras released per second; 0: as fast as frames come.
   double rate = 0;
   /// A visible set that takes longer ends the epoch.
   std::chrono::milliseconds timeout{500};
@@ -28,16 +28,17 @@ struct RenderNodeOptions {
 
 /// What a render node has done.
 struct RenderNodeSummary {
-  uint64_t frames = 0, alone = 0;  ///< of them, drawn by itself
+  uint64_t frames = 0;
+  uint64_t fallback_frames = 0;  ///< of those, drawn by the render node by itself
   uint64_t epochs = 0;
 };
 
 /// Draws every frame of the source, in order, and hands each to the sink. At most two are in flight: camera
-/// i+2 is sent when picture i stands. Where the visible set of a frame does not come in time, or a switch
-/// node is lost, this and the following frames are drawn by the fallback's stages in the same context, from
-/// the same cut, until both switch nodes are back; those records say so. A context must be current. Returns
-/// after the last frame, or earlier where `stop` says so, with a whole frame. Error where the first epoch
-/// does not come about.
+/// i+2 is sent when picture i is drawn. Where the visible set of a frame does not arrive in time, or a switch
+/// node is lost, this and the following frames are drawn by the local pipeline in the same context, from the
+/// same cut, until both switch nodes are back; those records say so. A context must be current. Returns after
+/// the last frame, or earlier, after a whole frame, where `stop` says so. Error if the first epoch never
+/// begins.
 RenderNodeSummary run_render_node(const Pack& pack, FrameSource& source, FrameSink& sink,
                                   const RenderNodeOptions& options);
 

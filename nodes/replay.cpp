@@ -21,7 +21,7 @@ void Replay::forget_epoch() {
   current_.reset();
 }
 
-ReplayedFrame Replay::draw_alone(const CameraMessage& camera) {
+ReplayedFrame Replay::draw_fallback(const CameraMessage& camera) {
   forget_epoch();
   ReplayedFrame frame{{camera.frame, camera.state}, {}, false, true};
   frame.visible = select_cut(FrameView(skeleton_, frame.request.state)).drawables;
@@ -38,7 +38,7 @@ void Replay::keep(const Message& message) {
 std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
   const Message& message = recorded.message;
   if (const auto* camera = std::get_if<CameraMessage>(&message)) {
-    if (recorded.peer == Role::render) return {draw_alone(*camera)};
+    if (recorded.peer == Role::render) return {draw_fallback(*camera)};
     if (camera->warm_up) {
       forget_epoch();
     } else {
@@ -81,7 +81,7 @@ bool Replay::feed(const Message& message) {
     try {
       changes = decode_delta(delta->encoded, previous_, frame_place);
     } catch (const Error&) {
-      // No change, as the render node took it; then the full set follows.
+      // Taken as no change, as the render node took it; the full set follows.
     }
     stream_->take({delta->watermark, changes});
     return false;

@@ -1,4 +1,4 @@
-// Frames of a session again, from the messages of its render node alone.
+// Replays frames of a session from the recorded messages of its render node.
 #pragma once
 
 #include "protocol/recording.hpp"
@@ -16,8 +16,9 @@ namespace triptych {
 struct ReplayedFrame {
   FrameRequest request;
   VisibleSet visible;            ///< V(i)
-  bool digest_mismatch = false;  ///< what came in packets was not V(i); it was sent again whole
-  bool alone = false;  ///< drawn without switch nodes; `visible` is the whole cut then, which looks the same
+  bool digest_mismatch = false;  ///< what came in packets was not V(i), and the full set was sent
+  /// Drawn without switch nodes; then `visible` is the whole cut, which gives the same picture.
+  bool fallback = false;
 };
 
 /// Takes the render node's messages in their order, and gives each frame as soon as its set is complete and
@@ -27,14 +28,14 @@ class Replay {
   /// place: the recording, for errors. pack_hash: of the pack that the session had.
   Replay(const Skeleton& skeleton, uint64_t pack_hash, std::string place);
 
-  /// The frames that this message completed. Error (place, frame) for messages that no session can have had:
-  /// a frame without its camera, a set that matches no digest.
+  /// The frames that this message completed. Error (place, frame) for messages that no session can have
+  /// produced: a frame without its camera, a set that does not match its digest.
   std::vector<ReplayedFrame> take(const RecordedMessage& recorded);
 
  private:
   void keep(const Message& message);
   void begin(const FrameRequest& frame);
-  ReplayedFrame draw_alone(const CameraMessage& camera);
+  ReplayedFrame draw_fallback(const CameraMessage& camera);
   void forget_epoch();
   /// Whether that completed the current frame.
   bool feed(const Message& message);

@@ -12,7 +12,7 @@ namespace triptych {
 
 namespace {
 
-/// What lasts longer than an epoch.
+/// What is kept from epoch to epoch.
 struct LastingState {
   LastingState(const Pack& of_pack, Role role, const SwitchNodeOptions& with)
       : pack(of_pack),
@@ -50,7 +50,7 @@ class Epoch {
       if (hardware_cull_role(frame) == node_.self) {
         if (const auto ending = cull(frame)) return *ending;
         if (camera_.last) return inbox_.wait_for_end();
-        // This node is OR in the next frame, whose camera it wants next.
+        // This node is OR in the next frame, and needs its camera next.
         const Awaited<CameraMessage> next = inbox_.camera(frame + 1);
         if (!next) return next.ending();
         camera_ = *next;
@@ -74,7 +74,7 @@ class Epoch {
     node_.stage->begin(request(camera));
   }
 
-  /// Does what the frame will want, so that its geometry and programs are on the graphics card.
+  /// Runs all stages of the frame once, so that its geometry and programs are on the graphics card.
   std::optional<Ending> warm_up() {
     begin(camera_);
     NoSink nobody;
@@ -96,7 +96,7 @@ class Epoch {
    public:
     PacketSender(Epoch& epoch, Sentinel& sentinel) : epoch_(epoch), sentinel_(sentinel) {}
     void take(const CullPacket& packet) override {
-      if (ending_) return;  // nobody hears the rest
+      if (ending_) return;  // the rest would not arrive
       sentinel_.added += static_cast<uint32_t>(packet.delta.added.size());
       sentinel_.removed += static_cast<uint32_t>(packet.delta.removed.size());
       const SessionRules& rules = epoch_.node_.options.session_rules;
@@ -106,7 +106,7 @@ class Epoch {
       ending_ = epoch_.send_to_both(
           DeltaMessage{sentinel_.frame, packet.watermark, encode_delta(delta, epoch_.sets_.latest())});
     }
-    /// What ended the epoch meanwhile.
+    /// What ended the epoch meanwhile, if anything did.
     const std::optional<Ending>& ending() const { return ending_; }
 
    private:
@@ -115,7 +115,7 @@ class Epoch {
     std::optional<Ending> ending_;
   };
 
-  /// HC in frame i: R(i) stands, V(i−1) is known.
+  /// HC in frame i: R(i) is drawn, V(i−1) is known.
   std::optional<Ending> cull(uint32_t frame) {
     const Stopwatch stopwatch;
     const VisibleSet& previous = sets_.latest();
@@ -177,7 +177,7 @@ class Epoch {
   RecentSets sets_;
   Inbox inbox_;
   Role peer_;
-  CameraMessage camera_;  ///< of the frame at hand; after represent(), of the next one
+  CameraMessage camera_;  ///< of the current frame; after represent(), of the next one
 };
 
 }  // namespace
@@ -201,7 +201,7 @@ SwitchNodeSummary run_switch_node(const Pack& pack, Role self, EpochSink& sink,
         mailbox->leave(ending.reason);
         sink.epoch_ended(*mailbox, ending.reason);
         break;
-      // The session is over for the peers too, unless it is this role alone that was told to end.
+      // The session is over for the peers too, unless only this role was told to end.
       case Ending::Cause::session_over:
         mailbox->leave("");
         sink.epoch_ended(*mailbox, "");

@@ -18,8 +18,8 @@ struct SwitchNodeOptions {
   DeviceOptions device = {};
   FrameRules frame_rules = injected_frame_rules();
   CullOptions cull = {};
-  /// Connects both peers: for the first epoch, or for another one after a loss. Nothing where the session is
-  /// over.
+  /// Connects both peers: for the first epoch, or for another one after a loss (`again`). Null where the
+  /// session is over.
   std::function<std::unique_ptr<Mailbox>(bool again)> connect = {};
   SessionRules session_rules = {};
   /// Whether this role is to end; asked several times a second.
@@ -33,9 +33,9 @@ struct SwitchNodeSummary {
 };
 
 /// Runs the role. An epoch ends when a peer is lost: then all links are closed, and connect is called again;
-/// it begins with an empty visible set, while geometry stays on the graphics card. sink: hears of the end of
-/// each epoch. Returns when the session is over or `stop` says so. A context must be current. Error from
-/// connect, and for what is this role's own trouble.
+/// it begins with an empty visible set, while geometry stays on the graphics card. sink: is told of the end
+/// of each epoch. Returns when the session is over or `stop` says so. A context must be current. Error from
+/// connect, and for failures of this role itself.
 SwitchNodeSummary run_switch_node(const Pack& pack, Role self, EpochSink& sink,
                                   const SwitchNodeOptions& options);
 

@@ -9,7 +9,7 @@ namespace triptych {
 
 namespace {
 
-constexpr uint64_t largest_sample = 1u << 20;
+constexpr uint64_t max_sample = 1u << 20;
 constexpr size_t buffered_triangles = 768;
 
 bool before(const glm::ivec3& a, const glm::ivec3& b) {
@@ -38,24 +38,24 @@ std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm
 }
 
 Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, SpoolFile& spool) : spool_(spool) {
-  const uint64_t every = total / largest_sample + 1;
+  const uint64_t every = total / max_sample + 1;
   std::vector<glm::ivec3> sample;
   read(every, [&](std::span<const LatticeTriangle> batch) {
     for (const LatticeTriangle& triangle : batch) sample.push_back(center_of(triangle));
   });
-  cut(sample, std::max<uint64_t>(limit / every, 1));
+  split(sample, std::max<uint64_t>(limit / every, 1));
   sample = {};
   distribute(read);
 }
 
-uint32_t Buckets::cut(std::span<glm::ivec3> sample, uint64_t limit) {
-  const auto index = static_cast<uint32_t>(cuts_.size());
-  cuts_.emplace_back();
+uint32_t Buckets::split(std::span<glm::ivec3> sample, uint64_t limit) {
+  const auto index = static_cast<uint32_t>(splits_.size());
+  splits_.emplace_back();
   LatticeBox box;
   for (const glm::ivec3& center : sample) box.extend(center);
   const int axis = sample.empty() ? 0 : box.longest_axis();
   if (sample.size() <= limit || box.lo[axis] == box.hi[axis]) {
-    cuts_[index].first = static_cast<uint32_t>(places_.size());
+    splits_[index].first = static_cast<uint32_t>(places_.size());
     places_.emplace_back();
     return index;
   }
@@ -66,20 +66,21 @@ uint32_t Buckets::cut(std::span<glm::ivec3> sample, uint64_t limit) {
   const auto above = std::partition(sample.begin(), sample.end(),
                                     [&](const glm::ivec3& center) { return center[axis] < at; });
   const auto below = static_cast<size_t>(above - sample.begin());
-  const uint32_t first = cut(sample.first(below), limit);
-  const uint32_t second = cut(sample.subspan(below), limit);
-  cuts_[index] = {axis, at, first, second};
+  const uint32_t first = split(sample.first(below), limit);
+  const uint32_t second = split(sample.subspan(below), limit);
+  splits_[index] = {axis, at, first, second};
   return index;
 }
 
 uint32_t Buckets::bucket_of(const glm::ivec3& point) const {
-  const Cut* cut = cuts_.data();
-  while (cut->axis >= 0) cut = &cuts_[point[cut->axis] < cut->at ? cut->first : cut->second];
-  return cut->first;
+  const Split* split = splits_.data();
+  while (split->axis >= 0) split = &splits_[point[split->axis] < split->at ? split->first : split->second];
+  return split->first;
 }
 
-/// Each triangle goes to the bucket of its centre. A point belongs to the bucket of its place; where another
-/// bucket uses it, both know: that one by the point's place, this one by a note.
+/// Each triangle goes to the bucket of its centre. A point belongs to the bucket that its place is in. Where
+/// another bucket uses it, both know that it is shared: the other one by the point's place, its own one by an
+/// entry in foreign_.
 void Buckets::distribute(const Read& read) {
   std::vector<std::vector<LatticeTriangle>> waiting(places_.size());
   foreign_.resize(places_.size());

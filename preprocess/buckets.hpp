@@ -15,28 +15,27 @@
 
 namespace triptych {
 
-/// A point that several buckets have, or may have.
+/// A point that is in several buckets, or may be.
 struct SharedPoint {
   glm::ivec3 point;
   uint32_t number;  ///< below Buckets::shared_points(), the same in every bucket
 };
 
-/// A bucket, read back: its triangles in the order in which they came, and which points it may share with
-/// others.
+/// A bucket, read back: its triangles in their original order, and which points it may share with others.
 struct Bucket {
   std::vector<LatticeTriangle> triangles;
-  std::vector<SharedPoint>
-      shared;  ///< sorted by place; every point that another bucket has too, and perhaps more
+  /// Sorted by place; every point that another bucket has too, and perhaps more.
+  std::vector<SharedPoint> shared;
 };
 
 /// The point's number, if it is one of the shared ones, which are sorted.
 std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm::ivec3& point);
 
-/// Space cut in half, and each half again, where the triangles are.
+/// Space split in half, and each half again, as the triangles are distributed.
 class Buckets {
  public:
   using Take = std::function<void(std::span<const LatticeTriangle>)>;
-  /// Gives the first triangle and each so many further ones, in batches, the same ones each time.
+  /// Reads every `every`-th triangle from the first on, in batches; the same ones each time.
   using Read = std::function<void(uint64_t every, const Take&)>;
 
   /// Reads twice (a sample, then all) and writes all triangles to the spool file, which must outlive this.
@@ -52,23 +51,24 @@ class Buckets {
   Bucket load(size_t bucket) const;
 
  private:
-  struct Cut {
+  struct Split {
     int axis = -1;                   ///< -1: a bucket
-    int at = 0;                      ///< points below it are on the first side
-    uint32_t first = 0, second = 0;  ///< cuts; of a bucket: its number, and nothing
+    int at = 0;                      ///< points with a smaller coordinate are on the first side
+    uint32_t first = 0, second = 0;  ///< indices of splits; of a bucket: its number, unused
   };
 
-  uint32_t cut(std::span<glm::ivec3> sample, uint64_t limit);
+  uint32_t split(std::span<glm::ivec3> sample, uint64_t limit);
   uint32_t bucket_of(const glm::ivec3& point) const;
-  /// Of a point that several buckets have.
+  /// The number of a point that several buckets have.
   uint32_t number_of(const glm::ivec3& point) const;
   void distribute(const Read& read);
 
-  std::vector<Cut> cuts_;  ///< a tree; 0 is its root
+  std::vector<Split> splits_;  ///< a tree; 0 is its root
   SpoolFile& spool_;
   std::vector<std::vector<SpoolPlace>> places_;   ///< for each bucket where its triangles lie
-  std::vector<std::vector<glm::ivec3>> foreign_;  ///< for each bucket the points of its place that others use
-  std::vector<uint32_t> first_number_;  ///< for each bucket that of the first of them; at the end their count
+  std::vector<std::vector<glm::ivec3>> foreign_;  ///< for each bucket the points in its space that others use
+  /// For each bucket the number of its first foreign point; last, their count.
+  std::vector<uint32_t> first_number_;
 };
 
 }  // namespace triptych

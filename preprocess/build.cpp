@@ -36,7 +36,7 @@ void add_nodes(Hierarchy& hierarchy, std::span<const HierarchyNode> nodes,
   }
 }
 
-/// All hierarchies of the model, as they are built: index as in Parts::hierarchies.
+/// All hierarchies of the model while they are built; indices as in Parts::hierarchies.
 struct Hierarchies {
   std::vector<Objects> objects;
   std::vector<std::vector<HierarchyNode>> nodes;
@@ -62,7 +62,7 @@ struct Hierarchies {
     }
   }
 
-  /// Instances among the nodes of one. `numbers`: for each hierarchy its number in the pack.
+  /// The instances among the nodes of one hierarchy. `numbers`: for each hierarchy its number in the pack.
   std::vector<HierarchyInstance> instances_in(size_t hierarchy, const PlacedParts& placed,
                                               std::span<const uint32_t> numbers) const {
     std::vector<HierarchyInstance> instances;
@@ -75,7 +75,7 @@ struct Hierarchies {
     return instances;
   }
 
-  /// Moves what the skeleton holds out of here and the parts.
+  /// Moves the skeleton's content from here and from the parts into it.
   void move_to(StoredSkeleton& skeleton, Parts& parts) {
     ObjectCounts& counts = skeleton.surrounding.objects;
     std::vector<uint32_t> numbers;
@@ -92,7 +92,7 @@ struct Hierarchies {
         skeleton.instances = std::move(instances);
         skeleton.surrounding.transforms = std::move(placed.transforms);
         add_nodes(skeleton.surrounding, nodes[i], std::move(drawables[i].contents));
-      } else if (!nodes[i].empty()) {  // one of which all was dropped stands nowhere
+      } else if (!nodes[i].empty()) {  // empty ones, all of whose triangles were dropped, are not stored
         SubHierarchy& added = skeleton.sub_hierarchies.emplace_back();
         added.lattice = placed.lattice;
         added.transforms = std::move(placed.transforms);
@@ -105,7 +105,7 @@ struct Hierarchies {
   }
 };
 
-/// The text with names of files without their folders: the same model gives the same pack wherever it lies.
+/// The text with file names without their folders, so that a model gives the same pack in every folder.
 std::string without_folders(std::string text, const std::vector<std::filesystem::path>& files) {
   for (const std::filesystem::path& file : files) {
     const std::string whole = file.string(), name = file.filename().string();
@@ -116,7 +116,7 @@ std::string without_folders(std::string text, const std::vector<std::filesystem:
   return text;
 }
 
-/// Of the tree that whoever opens the pack sees. Error (file) for one that nobody could open.
+/// Describes the expanded tree in the report. Error (file) if the pack could not be opened.
 void describe_tree(const StoredSkeleton& stored, const std::filesystem::path& file, BuildReport& report) {
   report.sub_hierarchies = stored.sub_hierarchies.size();
   const auto describe = [&](const Skeleton& skeleton) {
@@ -134,8 +134,7 @@ void describe_tree(const StoredSkeleton& stored, const std::filesystem::path& fi
 BuildReport build(Model model, const BuildOptions& options, const std::filesystem::path& file) {
   if (model.source_triangles() == 0 || (model.instances.empty() && model.group_instances.empty()))
     fail(model.name(), "holds no triangles");
-  // Units are as large as the memory lets them be: an earlier build's are the same only if they were as
-  // large.
+  // Units are as large as the memory allows: an earlier build's can only be reused if they were as large.
   BuildWork work(file, options.fingerprint.empty()
                            ? std::string()
                            : options.fingerprint + "\nunits of " + std::to_string(unit_triangles(options)));
@@ -145,7 +144,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   const auto stage = [&](const char* name, const auto& body) {
     const Stopwatch stopwatch;
     body();
-    release_freed_memory();  // the next stage wants pieces of other sizes
+    release_freed_memory();  // the next stage allocates pieces of other sizes
     report.stages.push_back({name, stopwatch.seconds()});
   };
 

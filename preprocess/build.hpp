@@ -21,24 +21,24 @@ struct BuildOptions {
   uint32_t part_triangles = 4096;
   /// Placed triangles of a leaf of the hierarchy, roughly.
   uint32_t leaf_triangles = 4096;
-  /// A mesh of more triangles is not held in memory: its triangles are sorted by place into files of about so
-  /// many.
+  /// A mesh of more triangles is not held in memory: its triangles are sorted by place into files of about
+  /// this many.
   uint32_t bucket_triangles = 1u << 18;
   /// Triangles of an inner scene node's coarsest drawable, roughly.
   uint32_t hlod_triangles = 32;
   HierarchyKind hierarchy = HierarchyKind::partition_cluster_partition;
-  /// Whether what is mostly air becomes several chunks with a box each; the plain median split has objects as
-  /// they are.
+  /// Whether chunks whose box is mostly air get several pieces with a box each; not with the plain median
+  /// split.
   bool in_pieces() const { return hierarchy == HierarchyKind::partition_cluster_partition; }
   /// Simplifier and kind of bound; the other limits are the build's own.
   SimplifyLimits simplify = {};
-  /// Off: every placement is geometry of its own.
+  /// Off: the geometry of a mesh is stored once for each placement.
   bool share_instances = true;
-  /// The resident size to aim at, bytes: it sets how much geometry is worked on at a time. What is known
-  /// about the parts grows with the model whatever it is. The result does not depend on it.
+  /// The resident size to aim at, bytes: it determines how much geometry is processed at a time. What is kept
+  /// about each part grows with the model, whatever the limit. The result does not depend on it.
   uint64_t memory = uint64_t{1} << 30;
-  /// Of the input and of all options that change the result: a build that was killed goes on where it was if
-  /// this is the same. Empty: it starts again.
+  /// Identifies the input and all options that change the result: a killed build is resumed if this is the
+  /// same. Empty: it starts again.
   std::string fingerprint = {};
   BuildRules rules = {};
 };
@@ -56,15 +56,16 @@ struct BuildStage {
 struct BuildReport {
   std::vector<BuildStage> stages;
   uint64_t source_triangles = 0, placed_triangles = 0, drawables = 0, pack_bytes = 0;
-  uint64_t sub_hierarchies = 0, instances = 0;  ///< groups that are stored once, and how often they stand
-  uint32_t levels = 0;                          ///< of the hierarchy: the longest way from its root to a leaf
-  uint64_t resumed_units = 0;  ///< batches of units of work that an earlier, killed build had done
+  /// Groups that are stored once, and how many places they have.
+  uint64_t sub_hierarchies = 0, instances = 0;
+  uint32_t levels = 0;         ///< of the hierarchy: the longest path from its root to a leaf
+  uint64_t resumed_units = 0;  ///< batches of units that an earlier, killed build had completed
   ImportReport import;
 };
 
-/// Builds the pack; it appears under its name only when it is whole. The same model gives the same bytes for
-/// any number of threads, and whether or not the build was killed and resumed. What does not fit in memory
-/// lies in the folder `FILE.work` while the build runs. Error for a model without a triangle.
+/// Builds the pack; it appears under its name only when it is complete. The same model gives the same bytes
+/// for any number of threads, and whether or not the build was killed and resumed. What does not fit in
+/// memory lies in the folder `FILE.work` while the build runs. Error for a model without a triangle.
 BuildReport build_pack(Model model, const BuildOptions& options, const std::filesystem::path& file);
 
 }  // namespace triptych

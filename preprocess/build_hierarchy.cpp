@@ -26,10 +26,10 @@ class Splitter {
     return {range.first(range.size() / 2), range.subspan(range.size() / 2)};
   }
 
-  /// At the median of the leaves along the axis, and where it is within an object on the side, where the
-  /// expected cost is least.
+  /// At the median of the leaves along the axis with the least expected cost; where the median is within an
+  /// object, on the side with the least cost.
   std::vector<Range> small_halves(Range range) const {
-    std::pair<int, size_t> best{0, range.size() / 2};  // axis, and how many come first
+    std::pair<int, size_t> best{0, range.size() / 2};  // axis, and size of the first half
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
       sort(range, axis);

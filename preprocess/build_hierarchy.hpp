@@ -13,7 +13,7 @@ namespace triptych {
 /// How objects become leaves, and leaves a tree.
 enum class HierarchyKind {
   partition_cluster_partition,
-  median_split,  ///< the original objects, cut at the median along the longest axis: for comparison
+  median_split,  ///< the original objects, split at the median along the longest axis: for comparison
 };
 
 struct HierarchyNode {
@@ -21,18 +21,17 @@ struct HierarchyNode {
   SceneNodeId first_child = 0;
   uint32_t child_count = 0;  ///< 0 for a leaf, 2 to 4 otherwise
   uint32_t object = no_id;   ///< of a leaf: the index of its object
-  /// The leaves below hold these places in the order of a depth-first walk: first_place up to, not including,
-  /// end_place.
+  /// The leaves below have these places in depth-first order: first_place up to, not including, end_place.
   uint32_t first_place = 0, end_place = 0;
 };
 
-/// Nodes breadth first: a parent before its children, the children of one parent side by side. Ranges are cut
-/// at the median of their boxes' centres, so that the tree is balanced whatever the boxes are, along the axis
-/// that gives the halves the least expected cost. Two levels of cuts make one of
-/// up to four children. With HierarchyKind::median_split each cut is along the longest axis and makes a
-/// level. At least one object must be given; one gives a root that is a leaf.
-/// `leaves`: how many leaves of the whole tree each object stands for, none if it is one each. An object that
-/// stands for a hierarchy of its own is as heavy as that, and so as near to the root as its size asks for.
+/// Nodes breadth first: a parent before its children, the children of one parent side by side. Ranges are
+/// split at the median of their boxes' centres, so that the tree is balanced whatever the boxes are, along
+/// the axis that gives the halves the least expected cost. Two levels of splits make one level of up to four
+/// children. With HierarchyKind::median_split each split is along the longest axis and makes one level. At
+/// least one object must be given; a single one gives a root that is a leaf. `leaves`: how many leaves of the
+/// whole tree each object stands for; empty if each is one. An object that stands for a sub-hierarchy counts
+/// with all its leaves, and so is as near to the root as its size requires.
 std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects,
                                            HierarchyKind kind = HierarchyKind::partition_cluster_partition,
                                            std::span<const uint64_t> leaves = {});

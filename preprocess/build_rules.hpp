@@ -7,10 +7,11 @@ namespace triptych {
 struct BuildRules {
   bool bounds_hold_children = true;  ///< the error of an HLOD is at least those of its children
   bool bounds_hold_rounding = true;  ///< rounding to the lattice counts as an error
-  bool bounds_are_stretched = true;  ///< bounds of placed geometry grow with it
-  bool mirrors_flip_winding = true;  ///< triangles under a transform that mirrors are turned round
-  /// Meshes are shared only under transforms of at most this condition, which floats place exactly enough.
-  double largest_condition = 8;
+  bool bounds_are_stretched = true;  ///< bounds of placed geometry grow with the transform's stretch
+  bool mirrors_flip_winding = true;  ///< triangles under a mirroring transform get the opposite winding
+  /// Meshes are shared only under transforms of at most this condition number, for which floats are precise
+  /// enough.
+  double max_condition = 8;
 };
 
 }  // namespace triptych

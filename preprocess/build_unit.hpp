@@ -1,12 +1,12 @@
 // The seam between what a build does and where it is done: units of work.
 //
-// A unit is a function from (kind, index) to bytes. It reads the model, the options, and what units that were
-// taken before gave; of these alone, not of threads, processes, clocks or the order in which units run, its
-// bytes are a function. It writes to no file of the build and gives nothing a number. Those who take what
-// units gave (BuildWork) do that, in the order of the indices: they append chunks to the pack and geometry to
-// spool files, which is where indices and places come from. So units of one batch may run anywhere: today
-// they run on threads of this process; other processes that hold the same model and can read the same folder
-// could run them as well, and send the bytes.
+// A unit is a function from (kind, index) to bytes. It reads the model, the options, and the results of units
+// that were stored before; its bytes are a function of these only, not of threads, processes, clocks or the
+// order in which units run. It writes to no file of the build and assigns no numbers. BuildWork does that
+// when it stores the results, in the order of the indices: it appends chunks to the pack and geometry to
+// spool files, which gives them their indices and places. So units of one batch may run anywhere: today they
+// run on threads of this process; other processes that hold the same model and can read the same folder could
+// run them as well, and send the bytes.
 #pragma once
 
 #include "base/progress.hpp"
@@ -21,7 +21,7 @@
 
 namespace triptych {
 
-/// What is worked on; the index counts within the kind.
+/// What a unit processes; the index counts within the kind.
 enum class UnitKind : uint32_t {
   sorted_mesh,     ///< a mesh that is too large for memory, index as in BuildPlan::meshes
   divided_mesh,    ///< any other mesh, index as in BuildPlan::meshes
@@ -39,12 +39,11 @@ struct UnitChunk {
 template <>
 inline constexpr auto record_members<UnitChunk> = std::tuple(&UnitChunk::chunk, &UnitChunk::lattice);
 
-/// What a unit gives. Its bytes are record_bytes() of this.
+/// The result of a unit. Its bytes are record_bytes() of this.
 struct UnitResult {
-  std::vector<UnitChunk> chunks;  ///< for the pack
-  std::vector<std::vector<std::byte>>
-      geometry;                    ///< records that units after it read: they go to a spool file
-  std::vector<std::byte> figures;  ///< a record, for those who take it
+  std::vector<UnitChunk> chunks;                 ///< for the pack
+  std::vector<std::vector<std::byte>> geometry;  ///< records for later units, kept in a spool file
+  std::vector<std::byte> figures;                ///< a record for the function that takes the result
 };
 template <>
 inline constexpr auto record_members<UnitResult> = std::tuple(&UnitResult::chunks, &UnitResult::geometry,
@@ -53,8 +52,8 @@ inline constexpr auto record_members<UnitResult> = std::tuple(&UnitResult::chunk
 /// The unit of a known kind with this index, as the bytes of its UnitResult. Safe on several threads.
 using UnitFunction = std::function<std::vector<std::byte>(uint32_t index)>;
 
-/// Runs units side by side on the threads of this process. Returns what they gave, in the order of the
-/// indices; the progress advances by one for each that is done. An exception of one is thrown again here.
+/// Runs units side by side on the threads of this process. Returns their results in the order of the indices;
+/// the progress advances by one for each that is done. An exception of a unit is thrown again here.
 std::vector<std::vector<std::byte>> run_units(std::span<const uint32_t> indices, const UnitFunction& unit,
                                               Progress* progress = nullptr);
 

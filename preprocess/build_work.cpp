@@ -6,7 +6,7 @@ namespace triptych {
 
 namespace {
 
-/// What batches write; the last one belongs to the pack.
+/// The files that batches write; the last one belongs to the pack.
 constexpr std::array file_names = {"parts", "surfaces", "pack", "pack.pieces"};
 
 /// A record of the journal.

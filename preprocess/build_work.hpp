@@ -1,4 +1,5 @@
-// A build's files and its journal together: units are worked on once, whoever is killed in between.
+// A build's files together with its journal: each unit is processed once, even if the build is killed in
+// between.
 #pragma once
 
 #include "preprocess/build_unit.hpp"
@@ -9,8 +10,8 @@
 
 namespace triptych {
 
-/// The end of the group of items that begins with `first`: as many of them as come to `most` together, and
-/// one at least.
+/// The end of the group of items that begins with `first`: as many as fit into `most` together, and at least
+/// one.
 template <typename SizeOf>
 size_t end_of_group(size_t first, size_t count, uint64_t most, const SizeOf& size_of) {
   uint64_t sum = 0;
@@ -22,12 +23,12 @@ size_t end_of_group(size_t first, size_t count, uint64_t most, const SizeOf& siz
   return end;
 }
 
-/// What a unit gave, numbered and stored.
+/// A unit's result, numbered and stored.
 struct StoredUnit {
   uint32_t first_chunk = 0;          ///< index in the pack of the first of its chunks; the others follow
-  std::vector<ChunkInfo> chunks;     ///< as the pack knows them
+  std::vector<ChunkInfo> chunks;     ///< as in the pack
   std::vector<SpoolPlace> geometry;  ///< where each of its records lies, in BuildWork::geometry() of its kind
-  std::vector<std::byte> figures;    ///< as it gave them
+  std::vector<std::byte> figures;    ///< as the unit returned them
 
   template <typename Figures>
   Figures figures_as() const {
@@ -45,15 +46,15 @@ class BuildWork {
   /// See WorkFolder.
   BuildWork(const std::filesystem::path& pack, const std::string& fingerprint);
 
-  /// Runs the units of a kind that have these indices, which ascend, stores what they gave in that order, and
-  /// has it taken in that order; or, if an earlier run did this batch, has taken what they gave then. The
-  /// batch is one record of the journal: batches come in the same order in every run.
+  /// Runs the units of a kind with these ascending indices, stores their results and passes them to `take`,
+  /// both in that order; if an earlier run did this batch, passes on the results of that run. The batch is
+  /// one record of the journal: batches come in the same order in every run.
   void run(UnitKind kind, std::span<const uint32_t> indices, const UnitFunction& unit, const Take& take,
            Progress* progress = nullptr);
-  /// How many of the next batches an earlier run did.
+  /// How many of the next batches an earlier run has done.
   uint64_t left_to_replay() const { return left_to_replay_; }
 
-  /// Geometry of units of this kind: parts of meshes, as they were divided, or what HLODs begin with.
+  /// The geometry of units of this kind: parts of meshes, or what HLODs begin with.
   SpoolFile& geometry(UnitKind kind);
   SpoolFile& parts() { return geometry(UnitKind::divided_mesh); }
   SpoolFile& surfaces() { return geometry(UnitKind::hlod); }

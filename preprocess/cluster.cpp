@@ -19,7 +19,7 @@ struct Edge {
   }
 };
 
-/// Disjoint sets of objects, each with what the criterion wants to know.
+/// Disjoint sets of objects, each with what the criterion needs.
 class Forest {
  public:
   Forest(std::span<const ObjectExtent> objects, const ClusterLimits& limits)

@@ -17,9 +17,9 @@ struct ClusterLimits {
   /// w <= min(Int(C1) + k / |C1|, Int(C2) + k / |C2|); |C| counts triangles in shares of `triangles`, at
   /// least 1/64.
   double scale = 1;
-  /// Clusters merge only where their box costs at most so many times what theirs do (expected_cost), and has
-  /// at most so many times the volume that theirs have: what a box of air holds is drawn where nothing of it
-  /// is seen.
+  /// Clusters merge only where their common box has at most `cost` times their expected_cost() and at most
+  /// `volume` times their volume: the content of a box that is mostly air would often be drawn without being
+  /// seen.
   double cost = 1, volume = 1.5;
   uint32_t neighbours = 12;  ///< edges of each object, to those with the nearest centres
 };

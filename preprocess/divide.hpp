@@ -12,13 +12,13 @@ namespace triptych {
 
 struct Division {
   std::vector<Part> parts;
-  /// Border points that only these parts have: their numbers begin with first_own.
+  /// How many border points only these parts have, and the first of their numbers.
   uint32_t own_borders = 0, first_own = 0;
 };
 
-/// Splits the surface until every part is within the limits. `shared`, sorted: points that surfaces beyond
-/// this one may have too; they are border points, and have numbers already, those below `first_own`. So are
-/// points that several of the parts have: they get the numbers from there on.
+/// Splits the surface until every part is within the limits. `shared`, sorted: points that other surfaces may
+/// have too. They are border points and have numbers already, below `first_own`. Points that several of the
+/// parts have are border points as well, and get the numbers from there on.
 Division divide(const Surface& surface, const PartitionLimits& limits, std::span<const SharedPoint> shared,
                 uint32_t first_own);
 

@@ -8,13 +8,13 @@ namespace triptych {
 
 namespace {
 
-/// Of vertices. Cards hold more or fewer; what matters here is that indices which were just used come again.
+/// In vertices. Graphics cards hold more or fewer; what matters is that recently used indices come again.
 constexpr unsigned cache_size = 16;
 
 }  // namespace
 
 std::vector<std::byte> encode_chunk(const Chunk& chunk) {
-  // Vertex cache order, then vertices in the order of their first use: both codecs count on it.
+  // Vertex cache order, then vertices in the order of their first use: both codecs compress better so.
   std::vector<uint32_t> indices(chunk.indices.size());
   meshopt_optimizeVertexCacheFifo(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size(),
                                   cache_size);

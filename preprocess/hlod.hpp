@@ -19,8 +19,8 @@
 namespace triptych {
 
 /// Places of the leaves that a point of a border belongs to: the first and the last; empty for a point that
-/// is on no border. Objects that only touch are no borders of each other: they may part, as far as the bound
-/// lets them.
+/// is on no border. Objects that only touch have no border with each other: they may move apart, as far as
+/// the bound allows.
 struct LeafSpan {
   uint32_t first = 0xffffffffu, last = 0;
   void extend(const LeafSpan& other) {
@@ -39,17 +39,19 @@ struct Baked {
 template <>
 inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked::spans, &Baked::error);
 
-/// Collects surfaces into one: equal points meet, equal triangles are one.
+/// Collects surfaces into one: equal points and equal triangles are merged.
 class Baker {
  public:
   Baker(const Lattice& lattice, const BuildRules& rules) : lattice_(lattice), rules_(rules) {}
-  /// Geometry that is on the model's lattice already.
+  /// Adds geometry that is on the model's lattice already.
   void add(const Surface& surface, std::span<const LeafSpan> spans);
-  /// Geometry on the lattice of its mesh, under a transform: each position is rounded to the model's lattice.
-  /// Where that leaves a triangle without area, its corners move by one more step: nothing is lost.
+  /// Adds geometry on the lattice of its mesh, under a transform: each position is rounded to the model's
+  /// lattice. Where that leaves a triangle without area, its corners move by one more step, so that no
+  /// triangle is lost.
   void add(const Surface& surface, const Lattice& from, const Affine& transform,
            std::span<const LeafSpan> spans);
-  /// What was collected. `error`: the bound of what was added; how far it moved is added to it.
+  /// What was collected. `error`: the bound of what was added; the result's bound also has how far it was
+  /// moved.
   Baked finish(double error);
 
  private:
@@ -72,12 +74,13 @@ struct HlodDrawable {
 struct Hlod {
   std::vector<HlodDrawable> drawables;  ///< finest first
   Baked coarsest;
-  bool stuck = false;  ///< still as many triangles as its children have, and more than wanted
+  bool stuck = false;  ///< the simplifier could not reduce the children's triangles to as few as wanted
 };
 
 /// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.
-/// `how`: simplifier and kind of bound. `in_pieces`: what is mostly air has boxes for its pieces. Points of
-/// borders towards other subtrees stay, so that surfaces that go on there stay closed at any mix of levels.
+/// `how`: simplifier and kind of bound. `in_pieces`: chunks whose box is mostly air get several pieces.
+/// Points on borders to other subtrees stay, so that surfaces that continue there stay closed at any mix of
+/// levels.
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
                uint32_t triangles, const SimplifyLimits& how, bool in_pieces);
 

@@ -5,7 +5,7 @@
 
 namespace triptych {
 
-/// The rules of a build in this process: those that base/inject.hpp names are broken.
+/// The rules of a build in this process: the faults of `--inject` take some away.
 BuildRules injected_build_rules();
 
 }  // namespace triptych

@@ -12,7 +12,7 @@ namespace triptych {
 
 namespace {
 
-/// What is known of a part's levels, besides their chunks and their geometry.
+/// What is known of a part's levels, beside their chunks and their geometry.
 struct LevelFigures {
   std::vector<double> bounds;  ///< PartLevel::bound
   uint64_t detached_triangles = 0;
@@ -62,7 +62,7 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify;
   limits.triangles = coarsest_triangles;
-  limits.largest_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
+  limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
 
   UnitResult result;
@@ -158,8 +158,8 @@ std::vector<LeafDrawable> leaf_drawables(const PlacedParts& parts, std::span<con
     const double next = *std::upper_bound(errors.begin(), errors.end(), threshold);
     threshold = std::min(std::max(2 * threshold, next), errors.back());
   }
-  // HLODs begin with the last one: it has few triangles, or every member at its coarsest. Others were not
-  // kept.
+  // HLODs begin with the last one: it has few triangles, or has every member at its coarsest level. The
+  // geometry of other levels was not kept.
   if (drawables.back().triangles > exit_triangles && !errors.empty()) {
     LeafDrawable coarsest = select(errors.back());
     if (coarsest.levels != drawables.back().levels) drawables.push_back(std::move(coarsest));

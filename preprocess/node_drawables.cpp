@@ -13,7 +13,7 @@ namespace {
 /// Inner nodes of a batch, at most.
 constexpr size_t batch_nodes = 256;
 
-/// What is known of an inner node's drawables, besides their chunks.
+/// What is known of an inner node's drawables, beside their chunks.
 struct HlodFigures {
   std::vector<double> errors;  ///< of each drawable
   double coarsest_error = 0;   ///< of the geometry that its parent begins with
@@ -97,7 +97,7 @@ class NodeDrawables {
     }
   }
 
-  /// What stands for the whole of it elsewhere; after run().
+  /// What replaces the whole hierarchy where it is placed; after run().
   HierarchyRoot root() {
     const Coarsest& coarsest = coarsest_[0];
     HierarchyRoot root{contents[0].box, coarsest.error, coarsest.triangles, coarsest.baked};
@@ -127,8 +127,7 @@ class NodeDrawables {
     return nodes_[node].child_count == 0 && stands_for(node) == no_id;
   }
 
-  /// Where the points of borders are: the span of leaves that share each of them, into a file, placed part by
-  /// placed part.
+  /// Writes for each border point the span of leaves that share it to a file, placed part by placed part.
   void span_borders() {
     std::vector<size_t> first;  // for each instance
     size_t count = 0;
@@ -161,7 +160,7 @@ class NodeDrawables {
     }
   }
 
-  /// Of a placed part's border points.
+  /// Loads the spans of a placed part's border points.
   std::vector<LeafSpan> load_spans(uint32_t member) const {
     const uint32_t count = parts_.parts[placed_.placed[member].part].borders;
     if (count == 0) return {};
@@ -189,7 +188,7 @@ class NodeDrawables {
     coarsest_[node] = {last.error, last.triangles, std::move(leaf_levels.back().levels), {}};
   }
 
-  /// A leaf that stands for a sub-hierarchy: what is drawn of it is the sub-hierarchy's own.
+  /// A leaf that stands for a sub-hierarchy: it draws the sub-hierarchy's own drawables.
   void make_instance(size_t node) {
     const PlannedSubHierarchy& placed = placed_.sub_hierarchies[stands_for(node)];
     const HierarchyRoot& root = roots_[placed.hierarchy];
@@ -255,8 +254,7 @@ class NodeDrawables {
     return baker.finish(error);
   }
 
-  /// Collects the coarsest geometry of a node. What stands for a sub-hierarchy only touches what is around
-  /// it: it has no borders to it.
+  /// Collects the coarsest geometry of a node. A placed sub-hierarchy has no borders with what is around it.
   void bake(size_t node, Baker& baker) const {
     if (is_leaf_of_parts(node)) return bake_leaf(node, baker);
     const auto baked = load<Baked>(work_.surfaces(), coarsest_[node].baked);
@@ -309,8 +307,8 @@ class NodeDrawables {
       children = std::max(children, coarsest_[child].error);
       coarsest_[child] = {};
     }
-    // All that the node ever was lies in its box, and so do its drawables. But bounds never shrink, and that
-    // of a sub-hierarchy that was stretched may be larger.
+    // The source and all drawables lie in the node's box, so no distance is larger than its diagonal. But
+    // bounds must not shrink, and that of a stretched sub-hierarchy may be larger.
     const double furthest = std::max(diagonal(lattice_.box(content.box)) * (1 + 1e-9), children);
     for (Drawable& drawable : content.drawables) drawable.error = std::min(drawable.error, furthest);
     coarsest_[node].error = std::min(coarsest_[node].error, furthest);
@@ -328,7 +326,7 @@ class NodeDrawables {
   BuildWork& work_;
   std::vector<Coarsest> coarsest_;
   SpoolFile span_file_;
-  std::vector<uint64_t> spans_;  ///< for each placed part where those of its border points begin
+  std::vector<uint64_t> spans_;  ///< for each placed part where the spans of its border points begin
 };
 
 }  // namespace

@@ -12,19 +12,19 @@
 
 namespace triptych {
 
-/// What a scene node holds before the skeleton is put together.
+/// What a scene node holds before the skeleton is assembled.
 struct NodeContent {
   LatticeBox box;
   std::vector<Drawable> drawables;    ///< first_placement: in `placements`
   std::vector<Placement> placements;  ///< of all drawables
 };
 
-/// What stands for a hierarchy in those that it is placed in.
+/// What a hierarchy looks like from those that it is placed in.
 struct HierarchyRoot {
   LatticeBox box;          ///< of all of it, on its lattice
   double error = 0;        ///< of its coarsest geometry, in its own units
-  uint32_t triangles = 0;  ///< of that, roughly
-  SpoolPlace baked;        ///< where that lies, a Baked on its lattice
+  uint32_t triangles = 0;  ///< of that geometry, roughly
+  SpoolPlace baked;        ///< where that geometry lies: a Baked on its lattice
 };
 
 struct HierarchyDrawables {
@@ -36,15 +36,16 @@ struct HierarchyDrawables {
 /// leaf of parts and for an inner node.
 uint32_t sub_hierarchy_of(const HierarchyNode& node, const Objects& objects);
 
-/// Of one hierarchy, an index into Parts::hierarchies; `roots` of those before it. HLODs are units of `work`.
-/// The progress advances by one a node.
+/// The drawables of one hierarchy, an index into Parts::hierarchies; `roots`: of those before it. HLODs are
+/// units of `work`. The progress advances by one per node.
 HierarchyDrawables make_node_drawables(const Parts& parts, uint32_t hierarchy, const Objects& objects,
                                        std::span<const HierarchyNode> nodes,
                                        std::span<const PartLevels> levels,
                                        std::span<const HierarchyRoot> roots, const BuildOptions& options,
                                        BuildWork& work, Progress& progress, ImportReport& report);
 
-/// Drawables of fewer triangles than this cost more to handle than to draw: a leaf has none beyond its first.
+/// Drawables of fewer triangles than this cost more to handle than to draw: a leaf has at most one such
+/// drawable.
 size_t exit_triangles(const BuildOptions& options);
 
 }  // namespace triptych

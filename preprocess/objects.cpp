@@ -12,7 +12,7 @@ namespace triptych {
 
 namespace {
 
-/// The middle of the values, each weighed by its triangles.
+/// The median of the values, each weighted by its triangles.
 double weighted_median(std::vector<std::pair<double, uint64_t>> values) {
   std::sort(values.begin(), values.end());
   uint64_t total = 0, below = 0;
@@ -24,9 +24,9 @@ double weighted_median(std::vector<std::pair<double, uint64_t>> values) {
   return 0;
 }
 
-/// How large a place is that holds `leaf_triangles`, as a rule: by splitting all parts evenly, whatever their
-/// extent. A few vast objects, such as the ground that a building stands on, do not change it; the model's
-/// box would.
+/// The typical size of a region with `leaf_triangles`, found by splitting all parts evenly, whatever their
+/// extent. A few very large objects, such as the ground that a building stands on, do not change it, unlike
+/// the size of the model's box.
 double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triangles) {
   std::vector<uint32_t> all(extents.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -61,7 +61,7 @@ Objects original_objects(const PlacedParts& parts, std::span<const ObjectExtent>
   return objects;
 }
 
-/// Of parts that lie in one hierarchy.
+/// Clusters the parts of one hierarchy.
 Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>& extents,
                       const BuildOptions& options) {
   if (extents.empty()) return {};
@@ -76,7 +76,7 @@ Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>&
       clusters.push_back({i});
     }
   }
-  // Clusters may grow beyond a leaf's size, as their shapes ask; the second partition evens them out.
+  // Clusters may grow beyond a leaf's size where their shapes fit; the second partition evens them out.
   ClusterLimits limits;
   limits.triangles = uint64_t{options.leaf_triangles} * 2;
   limits.scale = even_diagonal(extents, options.leaf_triangles) / 16;
@@ -102,7 +102,7 @@ Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>&
   return objects;
 }
 
-/// Placed sub-hierarchies that hold anything.
+/// Adds the placed sub-hierarchies that are not empty.
 void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> before, Objects& objects) {
   objects.leaves.assign(objects.extents.size(), 1);
   for (uint32_t i = 0; i < parts.sub_hierarchies.size(); ++i) {

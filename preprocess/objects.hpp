@@ -14,9 +14,10 @@ struct Objects {
   std::vector<std::vector<uint32_t>> members;  ///< of each object the indices of its placed parts, ascending
   /// Of each object, and behind them of each placed sub-hierarchy that holds any; in the hierarchy's space.
   std::vector<ObjectExtent> extents;
-  std::vector<uint64_t> leaves;           ///< for each extent how many it is of the whole tree
-  std::vector<uint32_t> sub_hierarchies;  ///< which those are: indices into PlacedParts::sub_hierarchies
-  ObjectCounts counts;                    ///< without those of sub-hierarchies
+  std::vector<uint64_t> leaves;  ///< for each extent how many leaves of the whole tree it stands for
+  /// The placed ones among the extents: indices into PlacedParts::sub_hierarchies.
+  std::vector<uint32_t> sub_hierarchies;
+  ObjectCounts counts;  ///< without those of sub-hierarchies
 };
 
 /// For each hierarchy. Only parts that are small, by triangles and by extent, are grouped; a wall or a slab

@@ -19,8 +19,8 @@ void write_unfinished_header(AtomicFile& file) {
   file.write(std::as_bytes(std::span(&unfinished, 1)));
 }
 
-/// Takes back what a process wrote that was killed before its pack had its name. Where that fails the file
-/// cannot be gone on with either, and whoever tries says so.
+/// Turns the unfinished pack of a killed process back into one that can be continued. If that fails, opening
+/// the file reports the error.
 const std::filesystem::path& without_header(const std::filesystem::path& partial, uint64_t kept) {
   const PackHeader unfinished{.signature = {}};
   if (kept >= sizeof(PackHeader)) {

@@ -29,37 +29,36 @@ inline constexpr auto record_members<EncodedChunk> = std::tuple(&EncodedChunk::b
                                                                 &EncodedChunk::triangles, &EncodedChunk::box,
                                                                 &EncodedChunk::pieces);
 
-/// Writes chunks as they come, then the skeleton; the file appears under its name with finish() and not
-/// before.
+/// Writes chunks as they come, then the skeleton; the file does not appear under its name before finish().
 class PackWriter {
  public:
   explicit PackWriter(const std::filesystem::path& file);
-  /// What an earlier process had written when it was last sure of it; nothing for new files.
+  /// What an earlier process had written at its last flush(); 0 for new files.
   struct Kept {
     KeptBytes pack, pieces;
   };
   /// Writes under the name `partial` until then, and boxes of pieces to a file `partial`.pieces, which the
-  /// caller removes. Chunks that are kept are taken over with adopt().
+  /// caller removes. Register chunks that are kept with adopt().
   PackWriter(const std::filesystem::path& file, const std::filesystem::path& partial, Kept kept);
-  /// Encodes and appends the chunk; returns its index for Placement::chunk. The chunk's box and counts are
-  /// taken down.
+  /// Encodes and appends the chunk; returns its index for Placement::chunk. Records the chunk's box and
+  /// counts.
   uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
   /// Appends a chunk that was encoded already; for builds on many threads.
   uint32_t add_chunk(const EncodedChunk& chunk, uint32_t lattice);
-  /// Takes over the chunks that come next.
+  /// Registers the next of the chunks that are kept.
   void adopt(std::span<const ChunkInfo> chunks);
   const std::vector<ChunkInfo>& chunks() const { return chunks_; }
-  /// What was added survives the end of the process. Returns what another one can keep.
+  /// Makes sure that what was added survives the end of the process. Returns what another process can keep.
   Kept flush();
   /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place. Without
-  /// instances the pack is of the format that has none.
+  /// instances the pack has the format version without sub-hierarchies.
   void finish(StoredSkeleton skeleton);
   void finish(Skeleton skeleton) { finish(StoredSkeleton{std::move(skeleton), {}, {}}); }
 
  private:
   AtomicFile file_;
   std::vector<ChunkInfo> chunks_;
-  SpoolFile pieces_;  ///< LatticeBoxes: of large models too many to be held
+  SpoolFile pieces_;  ///< LatticeBoxes: large models have too many to hold them in memory
 };
 
 }  // namespace triptych

@@ -7,19 +7,19 @@ namespace triptych {
 
 namespace {
 
-/// One of several items that are split apart: where it is, and its index.
+/// One of the items to split: its position and its index.
 struct Item {
   glm::dvec3 center;
   uint32_t index;
 };
 
-/// Moves the items of the lower half to the front and says how many they are; at least one on each side.
+/// Moves the items of the lower half to the front and returns how many they are; at least one on each side.
 size_t split(std::span<Item> items) {
   Box centers;
   for (const Item& item : items) centers.extend(item.center);
   const int axis = centers.longest_axis();
   const double middle = (centers.lo[axis] + centers.hi[axis]) / 2;
-  // The middle keeps parts compact; it is taken where neither side gets less than a quarter.
+  // A split at the middle keeps parts compact; it is used if neither side gets less than a quarter.
   const auto above = std::stable_partition(items.begin(), items.end(),
                                            [&](const Item& item) { return item.center[axis] < middle; });
   const auto below = static_cast<size_t>(above - items.begin());

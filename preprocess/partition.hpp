@@ -21,7 +21,7 @@ struct PartitionLimits {
 };
 
 /// Splits at the middle of the longest axis of the triangles' centres, or at their median where the middle
-/// would be lopsided. Every triangle is in exactly one part; the parts, and the triangles in them, are in a
+/// would be too uneven. Every triangle is in exactly one part; the parts, and the triangles in them, are in a
 /// fixed order.
 std::vector<std::vector<uint32_t>> partition_triangles(const Surface& surface, const PartitionLimits& limits);
 

@@ -20,10 +20,10 @@ struct PartFigures {
   std::vector<LatticeBox> boxes;  ///< in each of the mesh's instances
 };
 
-/// What is known of a mesh, or of a bucket of one, besides the geometry of its parts.
+/// What is known of a mesh, or of a bucket of one, beside the geometry of its parts.
 struct DivisionFigures {
   uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0;
-  bool enlarged = false;                    ///< points were moved by a step, so that nothing vanishes
+  bool enlarged = false;  ///< whether points were moved by a step, so that no triangle vanishes
   uint32_t own_borders = 0, first_own = 0;  ///< Division's
   std::vector<PartFigures> parts;
 };
@@ -64,7 +64,7 @@ class PartMaker {
         work_(work),
         progress_("partitioning", triangles_of(plan)) {
     // Borders between parts stay as they are in all levels, and that costs triangles: a mesh that is small in
-    // the model, such as a piece of furniture, is parted only if it has a great many.
+    // the model, such as a piece of furniture, is only divided if it has very many.
     const double whole = diagonal(plan.box());
     small_ = whole / 32;
     large_ = whole / 6;
@@ -286,7 +286,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
     ++hierarchy.instances;
     ++placed_instances;
   }
-  if (placed_instances == 0) fail(model.name(), "holds no triangle that has an area");
+  if (placed_instances == 0) fail(model.name(), "holds no triangle with an area");
   parts.parts = std::move(maker.infos);
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);

@@ -1,5 +1,5 @@
-// From the model to its parts: welded, on their lattices, partitioned once a mesh, placed as often as the
-// mesh is. The geometry lies in a spool file; what is here fits in memory.
+// From the model to its parts: welded, on their lattices, partitioned once per mesh, placed as often as the
+// mesh. The geometry lies in a spool file; what is here fits in memory.
 #pragma once
 
 #include "model/model.hpp"
@@ -19,13 +19,13 @@ struct PartInfo {
   SpoolPlace place;
   uint32_t lattice = 0, triangles = 0;
   uint32_t borders = 0;  ///< how many border points it has
-  uint32_t moved = 0;    ///< steps by which points of it may have been moved, so that nothing vanishes
-  /// Border points with these numbers and above belong to its bucket alone: in the mesh they come so many
-  /// further behind.
+  uint32_t moved = 0;    ///< steps by which its points may have been moved, so that no triangle vanishes
+  /// Border points with these numbers and above belong only to its bucket: their numbers in the mesh are
+  /// larger by own_borders_behind.
   uint32_t own_borders_from = 0, own_borders_behind = 0;
 };
 
-/// The part's border points alone, with the numbers that they have in the mesh.
+/// Only the part's border points, with their numbers in the mesh.
 std::vector<BorderPoint> load_borders(const SpoolFile& file, const PartInfo& part);
 
 /// A part under one of its mesh's placements.
@@ -45,18 +45,19 @@ struct PlacedParts {
   std::vector<PlannedSubHierarchy> sub_hierarchies;
   uint32_t lattice = 0;    ///< index into Parts::lattices
   uint64_t instances = 0;  ///< that were placed
-  uint64_t uses = 1;       ///< how often the hierarchy stands in the model
+  uint64_t uses = 1;       ///< how many places the hierarchy has in the model
 };
 
 struct Parts {
-  std::vector<PartInfo> parts;           ///< of all hierarchies
-  std::vector<PlacedParts> hierarchies;  ///< sub-hierarchies before those that they are in; the model's last
-  std::vector<Lattice> lattices;         ///< 0: the model's
+  std::vector<PartInfo> parts;  ///< of all hierarchies
+  /// Sub-hierarchies before those that they are in; the model's own last.
+  std::vector<PlacedParts> hierarchies;
+  std::vector<Lattice> lattices;  ///< 0: the model's
   std::vector<std::array<uint8_t, 4>> palette;
 };
 
 /// Divides all meshes: a mesh, or a bucket of one, is a unit. What is dropped is added to the report. Error
-/// for a model of which nothing is left.
+/// for a model of which no triangle is left.
 Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options, BuildWork& work,
                  ImportReport& report);
 

@@ -13,11 +13,12 @@ namespace triptych {
 
 namespace {
 
-/// What the test of one more box costs, in triangles.
+/// The cost of testing one more box, in triangles.
 constexpr double box_cost = 4;
-/// A surface is taken apart into about so many bundles before the search for pairs, which takes the square.
+/// A surface is divided into about this many bundles before the search for pairs, whose cost grows with their
+/// square.
 constexpr uint64_t bundles = 64;
-/// What is connected is not cut into less.
+/// Connected components are not cut into smaller bundles.
 constexpr uint64_t min_triangles = 8;
 
 /// Joins boxes pair by pair.
@@ -37,7 +38,7 @@ class Joiner {
     for (const uint32_t i : alive_) find_best(i);
   }
 
-  /// While there are more than `most`, or two whose area rises by less than `rise`.
+  /// Joins while there are more than `most` boxes, or two whose join raises the area by less than `rise`.
   void run(size_t most, double rise) {
     while (alive_.size() > 1) {
       const uint32_t first = *std::min_element(alive_.begin(), alive_.end(), [&](uint32_t a, uint32_t b) {
@@ -48,7 +49,7 @@ class Joiner {
     }
   }
 
-  /// For each of the boxes that were given, the first of those that it was joined with.
+  /// For each of the original boxes the first of those that it was joined with.
   uint32_t group(uint32_t box) const {
     while (joined_[box] != box) box = joined_[box];
     return box;
@@ -61,7 +62,7 @@ class Joiner {
     uint32_t other = 0;
   };
   double& rise(uint32_t a, uint32_t b) { return rises_[a * boxes_.size() + b]; }
-  /// By how much the area rises where one box takes the place of both; what both hold counts once.
+  /// Stores by how much the area rises when one box replaces both; triangles in both count once.
   void set_rise(uint32_t a, uint32_t b) {
     const Box &first = boxes_[a], &second = boxes_[b];
     const Box joint{glm::min(first.lo, second.lo), glm::max(first.hi, second.hi)},
@@ -92,7 +93,7 @@ class Joiner {
   std::vector<Box> boxes_;
   std::vector<uint32_t> joined_, alive_;
   std::vector<double> areas_;
-  std::vector<double> rises_;  ///< for each box, for each other
+  std::vector<double> rises_;  ///< for each pair of boxes
   std::vector<Best> best_;
 };
 

@@ -16,7 +16,7 @@ class GroupPlacer {
   GroupPlacer(const Model& model, const BuildOptions& options) : model_(model), options_(options) {
     for (const Group& group : model.groups) {
       hierarchies_.push_back({group.instances, {}, {}});
-      if (!shares()) continue;  // nobody asks for it
+      if (!shares()) continue;  // not needed
       for (const GroupInstance& placed : group.groups) place(placed, hierarchies_.back());
     }
     hierarchies_.push_back({model.instances, {}, {}});
@@ -31,7 +31,7 @@ class GroupPlacer {
   }
 
  private:
-  /// Groups before the one that is placed are done.
+  /// The groups within the placed one have been handled before.
   void place(const GroupInstance& placed, HierarchyPlacements& hierarchy) const {
     if (shares() && fits(hierarchies_[placed.group], placed.transform)) {
       hierarchy.groups.push_back(placed);
@@ -40,13 +40,13 @@ class GroupPlacer {
     }
   }
 
-  /// The plain median split has objects as they are, and what shares no meshes shares no groups.
+  /// Groups are shared only where meshes are, and not with the plain median split.
   bool shares() const {
     return options_.share_instances && options_.hierarchy == HierarchyKind::partition_cluster_partition;
   }
 
   bool usable(const Affine& transform) const {
-    return is_finite(transform) && well_conditioned(transform, options_.rules.largest_condition);
+    return is_finite(transform) && well_conditioned(transform, options_.rules.max_condition);
   }
 
   /// Whether all that is in it can be placed under the transform.
@@ -54,7 +54,7 @@ class GroupPlacer {
     if (!usable(transform)) return false;
     bool all = true;
     hierarchy.each_instance([&](const Instance& instance) {
-      // What is baked where it stands in the group is placed by the group's transform alone.
+      // Geometry that is baked into the group's space is placed by the group's transform only.
       all = all && (!usable(instance.transform) || usable(compose(transform, instance.transform)));
     });
     return all &&
@@ -63,7 +63,7 @@ class GroupPlacer {
            });
   }
 
-  /// As the model has the group: what of it can be placed by itself may still be an instance.
+  /// Places the group's content one by one; parts of it may still become instances.
   void inline_group(const GroupInstance& placed, HierarchyPlacements& into) const {
     const Group& group = model_.groups[placed.group];
     for (const Instance& instance : group.instances)
@@ -72,13 +72,13 @@ class GroupPlacer {
       place({inner.group, compose(placed.transform, inner.transform)}, into);
   }
 
-  /// From the outermost down: what stands in one place alone becomes part of what it is in.
+  /// From the outermost down: a group with a single place becomes part of what it is in.
   void inline_single_ones() {
     std::vector<uint64_t> places(hierarchies_.size(), 0);
     std::vector<size_t> users(hierarchies_.size(), 0);
     places.back() = 1;
     for (size_t i = hierarchies_.size(); i-- > 0;) {
-      if (places[i] == 0) continue;  // nothing of it is placed
+      if (places[i] == 0) continue;  // it is not placed
       if (places[i] == 1 && i + 1 < hierarchies_.size()) {
         inline_in(static_cast<uint32_t>(i), hierarchies_[users[i]]);
         for (const GroupInstance& inner : hierarchies_[i].groups) {

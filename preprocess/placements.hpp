@@ -1,4 +1,5 @@
-// What is placed in each hierarchy of a pack: groups that become sub-hierarchies, and all else one by one.
+// What is placed in each hierarchy of a pack: groups that become sub-hierarchies, and everything else one by
+// one.
 #pragma once
 
 #include "model/model.hpp"
@@ -10,13 +11,13 @@
 
 namespace triptych {
 
-/// Of one hierarchy, in its own space.
+/// The placements in one hierarchy, in its own space.
 struct HierarchyPlacements {
   std::span<const Instance> instances;  ///< as the model has them
-  std::vector<Instance> inlined;        ///< of groups that are no sub-hierarchies here
+  std::vector<Instance> inlined;        ///< of groups that do not become sub-hierarchies
   std::vector<GroupInstance> groups;    ///< GroupInstance::group: index of a hierarchy before this one
-  uint64_t uses = 1;                    ///< how often it stands in the model
-  double stretch = 1;                   ///< of its placements in the model the largest
+  uint64_t uses = 1;                    ///< how many places it has in the model
+  double stretch = 1;                   ///< the largest of its placements in the model
 
   template <typename Take>
   void each_instance(const Take& take) const {
@@ -27,9 +28,9 @@ struct HierarchyPlacements {
 
 /// Sub-hierarchies before those that they are in, and last the model's own. The model must outlive them.
 ///
-/// A group's placement is an instance of a sub-hierarchy if all that is in it can be placed exactly enough
-/// (BuildRules::largest_condition), and is placed in at least two places as one. Otherwise what is in it is
-/// placed one by one.
+/// A group's placement becomes an instance of a sub-hierarchy if all of its content can be placed precisely
+/// enough (BuildRules::max_condition), and if the group has at least two such placements. Otherwise its
+/// content is placed one by one.
 std::vector<HierarchyPlacements> place_groups(const Model& model, const BuildOptions& options);
 
 }  // namespace triptych

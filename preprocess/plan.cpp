@@ -17,12 +17,12 @@ namespace triptych {
 
 namespace {
 
-/// Of lattices that hierarchies are on, and of those of meshes that are placed more than once.
+/// The resolution of the lattices of hierarchies, and of meshes that are placed more than once.
 constexpr int hierarchy_bits = 26, mesh_bits = 21;
 
 bool finite(const Box& box) {
   const glm::dvec3 furthest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  return std::max({furthest.x, furthest.y, furthest.z}) < largest_coordinate;
+  return std::max({furthest.x, furthest.y, furthest.z}) < max_coordinate;
 }
 
 void extend(Box& box, const Affine& transform, const Box& placed) {
@@ -61,10 +61,10 @@ void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
 }
 
 bool is_shareable(const Affine& transform, const BuildOptions& options) {
-  return options.share_instances && well_conditioned(transform, options.rules.largest_condition);
+  return options.share_instances && well_conditioned(transform, options.rules.max_condition);
 }
 
-/// For each mesh in how many places it is told of that it could be shared by.
+/// For each mesh the number of places that could share it.
 std::vector<uint32_t> count_uses(const Model& model, std::span<const HierarchyPlacements> hierarchies,
                                  const BuildOptions& options) {
   std::vector<uint32_t> uses(model.meshes.size(), 0);
@@ -153,7 +153,7 @@ void make_lattices(BuildPlan& plan) {
       mesh.box = {};
     }
     if (mesh.box.empty()) {
-      mesh.triangles = 0;  // its placements stay in the plan, and place nothing
+      mesh.triangles = 0;  // its placements stay in the plan, but are empty
       continue;
     }
     for (const uint32_t index : mesh.instances) {

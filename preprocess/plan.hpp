@@ -26,7 +26,7 @@ struct PlannedMesh {
   uint64_t triangles = 0;
 };
 
-/// A placement that counts.
+/// A placement of a planned mesh.
 struct PlannedInstance {
   uint32_t mesh = 0;       ///< index into BuildPlan::meshes
   uint32_t transform = 0;  ///< index into the transforms of its hierarchy
@@ -44,8 +44,8 @@ struct PlannedHierarchy {
   std::vector<double> stretches;   ///< for each transform its largest singular value
   std::vector<PlannedSubHierarchy> sub_hierarchies;
   uint32_t lattice = 0;  ///< index into BuildPlan::lattices
-  uint64_t uses = 1;     ///< how often it stands in the model
-  double stretch = 1;    ///< of its placements in the model the largest
+  uint64_t uses = 1;     ///< how many places it has in the model
+  double stretch = 1;    ///< the largest of its placements in the model
   Box box;               ///< in its own space
 };
 
@@ -56,9 +56,9 @@ struct BuildPlan {
   std::vector<Lattice> lattices;              ///< 0: the model's
   std::vector<std::array<uint8_t, 4>> palette;
   std::vector<uint32_t> colors;       ///< for each material its palette index
-  uint64_t dropped_triangles = 0;     ///< of meshes that have no other ones
+  uint64_t dropped_triangles = 0;     ///< of meshes that have no valid triangle
   std::vector<std::string> warnings;  ///< what streams found when they were read
-  uint64_t left_out = 0;              ///< placements with a transform that is beyond all bounds
+  uint64_t left_out = 0;              ///< placements whose transform is not usable
 
   const Box& box() const { return hierarchies.back().box; }  ///< of the model
 };

@@ -9,7 +9,7 @@ SortedMesh::SortedMesh(const Mesh& mesh, const ToLattice& to_lattice, uint32_t b
     : mesh_(mesh), to_lattice_(to_lattice), bucket_triangles_(bucket_triangles), spool_(file) {}
 
 SortedMesh::~SortedMesh() {
-  std::error_code ignored;  // at the latest it goes with its folder
+  std::error_code ignored;  // otherwise it is removed with its folder
   std::filesystem::remove(spool_.path(), ignored);
 }
 
@@ -18,7 +18,7 @@ const Buckets& SortedMesh::buckets() {
     std::vector<LatticeTriangle> batch;
     buckets_.emplace(
         [&](uint64_t every, const Buckets::Take& take) {
-          uint64_t next = 0;  // index in the batch of the next one that is wanted
+          uint64_t next = 0;  // index in the batch of the next triangle to keep
           not_finite_ = read_mesh(mesh_, [&](std::span<const CornerTriangle> triangles) {
             batch.clear();
             for (; next < triangles.size(); next += every) batch.push_back(to_lattice_(triangles[next]));

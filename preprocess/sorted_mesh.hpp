@@ -14,8 +14,8 @@
 namespace triptych {
 
 struct SortFigures {
-  uint64_t not_finite = 0;     ///< triangles that are in no bucket: they have a corner that is not finite
-  uint32_t shared_points = 0;  ///< Buckets::shared_points()
+  uint64_t not_finite = 0;                 ///< triangles in no bucket, since a corner is not finite
+  uint32_t shared_points = 0;              ///< Buckets::shared_points()
   std::vector<uint64_t> bucket_triangles;  ///< for each bucket
 };
 template <>
@@ -23,8 +23,8 @@ inline constexpr auto record_members<SortFigures> = std::tuple(&SortFigures::not
                                                                &SortFigures::shared_points,
                                                                &SortFigures::bucket_triangles);
 
-/// The mesh is read and sorted when its buckets are first asked for, which they are not where an earlier run
-/// divided all of them. The file that they lie in is this object's own and goes with it.
+/// The mesh is read and sorted when its buckets are first used; never, if an earlier run divided all of them.
+/// This object owns the file that they lie in and removes it.
 class SortedMesh {
  public:
   /// `file` is written; the mesh and the colours of `to_lattice` must outlive this.

@@ -20,7 +20,7 @@ struct LatticeTriangle {
   bool operator==(const LatticeTriangle&) const = default;
 };
 
-/// How triangles come to a lattice: transformed, rounded, turned round where the transform mirrors.
+/// Puts triangles on a lattice: transformed, rounded, with the opposite winding if the transform mirrors.
 class ToLattice {
  public:
   /// `colors` gives the palette index of each material; it must outlive this.

@@ -9,7 +9,7 @@ namespace triptych {
 bool is_finite(const Affine& transform) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
-      if (!(std::abs(transform[column][row]) < largest_coordinate)) return false;
+      if (!(std::abs(transform[column][row]) < max_coordinate)) return false;
     }
   }
   return true;
@@ -35,11 +35,12 @@ double largest_stretch(const Affine& transform) {
   return std::sqrt(std::max({gram[0][0], gram[1][1], gram[2][2], 0.0})) * (1 + 1e-12);
 }
 
-bool well_conditioned(const Affine& transform, double largest_condition) {
-  // Far beyond all units there are, the mesh as it was made may be too small or too large to be measured.
-  constexpr double largest_change = 1e20;
+bool well_conditioned(const Affine& transform, double max_condition) {
+  // Beyond this, which no change of units reaches, the untransformed mesh may be too small or too large to be
+  // measured.
+  constexpr double max_change = 1e20;
   const double stretch = largest_stretch(transform);
-  if (!(stretch > 1 / largest_change && stretch < largest_change)) return false;
+  if (!(stretch > 1 / max_change && stretch < max_change)) return false;
   const glm::dmat3 matrix(transform), inverse = glm::inverse(matrix);
   double sum = 0;
   for (int column = 0; column < 3; ++column) {
@@ -50,7 +51,7 @@ bool well_conditioned(const Affine& transform, double largest_condition) {
     }
   }
   // Written so that NaN is not well-conditioned. The identity's is √3.
-  return sum <= largest_condition * largest_condition;
+  return sum <= max_condition * max_condition;
 }
 
 }  // namespace triptych

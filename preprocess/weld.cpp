@@ -38,15 +38,15 @@ class Welder {
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places_;
 };
 
-/// For each triangle whether the same one came before, turned the same way. Only those of one least corner
-/// are compared.
+/// For each triangle whether the same one, with the same winding, came before. Only triangles with the same
+/// least corner are compared.
 std::vector<uint8_t> repeated_triangles(const Surface& surface) {
   struct Turned {
     uint32_t second, third, index;
     auto operator<=>(const Turned&) const = default;
   };
   const size_t count = surface.triangles.size();
-  std::vector<uint32_t> ends(surface.points.size() + 1, 0);  // of each corner's triangles, from behind
+  std::vector<uint32_t> ends(surface.points.size() + 1, 0);  // where each corner's triangles end
   const auto least = [&](size_t i) {
     const auto& vertices = surface.triangles[i].vertices;
     return static_cast<size_t>(std::min_element(vertices.begin(), vertices.end()) - vertices.begin());
@@ -126,7 +126,7 @@ Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
   if (!mesh.stream) {
     std::vector<uint8_t> used(mesh.positions.size(), 0);
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-      // A triangle without area leaves no points behind, and that is no welding.
+      // The points of a dropped triangle do not count as welded.
       const bool dropped = not_finite == 0 && degenerate(triangles[i].corners[0], triangles[i].corners[1],
                                                          triangles[i].corners[2]);
       if (dropped) continue;

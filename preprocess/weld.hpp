@@ -1,4 +1,4 @@
-// From triangles on a lattice to a surface: equal points merge, triangles without area go.
+// From triangles on a lattice to a surface: equal points are merged, triangles without area dropped.
 #pragma once
 
 #include "preprocess/to_lattice.hpp"
@@ -12,16 +12,16 @@ namespace triptych {
 struct Welded {
   Surface surface;
   uint64_t dropped_triangles = 0;   ///< degenerate on the lattice, or the same triangle a second time
-  uint64_t welded_vertices = 0;     ///< vertices that took the place of another one
-  uint64_t enlarged_triangles = 0;  ///< a corner or more would have vanished
-  uint64_t lone_triangles = 0;      ///< of those: nothing would have been left where they are
+  uint64_t welded_vertices = 0;     ///< vertices that were merged with another one
+  uint64_t enlarged_triangles = 0;  ///< triangles that would have lost a corner or more
+  uint64_t lone_triangles = 0;      ///< of those: triangles that would have left nothing at all
 };
 
-/// Corners at the same point become one point. Two triangles with the same corners in the same turn are one,
-/// whatever their colour: the first stays. What has an area where it comes from and none on the lattice is
-/// dropped where its corners belong to other triangles, and otherwise enlarged: two of its corners are moved
-/// by a step at most (with_area()). So nothing is further from what is left of it. Deterministic. Welded
-/// vertices are not counted: corners are not the file's vertices.
+/// Corners at the same point become one point. Of triangles with the same corners and winding the first
+/// stays, whatever their colour. A triangle that has an area in its mesh and none on the lattice is dropped
+/// if its corners belong to other triangles, and otherwise enlarged: two of its corners are moved by at most
+/// a step (with_area()). So no triangle is further than that from what is left of it. Deterministic. Welded
+/// vertices are not counted here: corners are not the file's vertices.
 Welded weld(std::span<const LatticeTriangle> triangles);
 
 /// A whole mesh, transformed and rounded to the lattice. `colors` gives the palette index of each material.

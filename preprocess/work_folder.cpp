@@ -35,17 +35,17 @@ WorkFolder::WorkFolder(const std::filesystem::path& pack, const std::string& fin
   std::error_code error;
   std::filesystem::create_directory(folder_, error);
   if (error) fail(pack.string(), "cannot be written: {}", error.message());
-  // A build leaves nothing without its lock: this is somebody else's.
+  // Every build leaves its lock: a folder without one is not a build's.
   if (!std::filesystem::exists(file("lock"), error) && !std::filesystem::is_empty(folder_, error))
     fail(folder_.string(), "the build would work in this folder, which holds other files");
   lock_ = Descriptor(::open(file("lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (!lock_.is_open()) {
     const int problem = errno;
-    std::filesystem::remove(folder_, error);  // unless there is something in it
+    std::filesystem::remove(folder_, error);  // fails if it is not empty
     fail(folder_.string(), "cannot be written: {}", std::strerror(problem));
   }
   struct stat locked {};
-  // One that was removed in between was the lock of a build that has just ended.
+  // If it was removed in between, it was the lock of a build that has just ended.
   if (::flock(lock_.number(), LOCK_EX | LOCK_NB) != 0 || ::fstat(lock_.number(), &locked) != 0 ||
       locked.st_nlink == 0)
     fail(pack.string(), "another process is building it");
@@ -77,7 +77,7 @@ void WorkFolder::take_over(const std::string& fingerprint, std::span<const char*
 }
 
 void WorkFolder::leave() {
-  // The lock goes last: whatever is left if this is interrupted is still known to be a build's.
+  // The lock is removed last: if this is interrupted, the folder is still known to be a build's.
   if (remove_work()) {
     std::error_code error;
     std::filesystem::remove(file("lock"), error);
@@ -88,21 +88,21 @@ void WorkFolder::leave() {
 
 bool WorkFolder::remove_work() {
   std::error_code error;
-  // Without its journal it is no work to go on with, whatever else is still there.
+  // Without its journal the work cannot be resumed, whatever else is still there.
   std::filesystem::remove(file(journal_name), error);
   bool all = true;
   std::error_code walk;
   auto entry = std::filesystem::directory_iterator(folder_, walk);
   for (; !walk && entry != std::filesystem::directory_iterator(); entry.increment(walk)) {
     if (entry->path() == file("lock")) continue;
-    // Files as such, which takes no descriptor.
+    // Plain files are removed without opening a descriptor.
     if (!std::filesystem::remove(entry->path(), error)) std::filesystem::remove_all(entry->path(), error);
     all = all && !std::filesystem::exists(entry->path(), error);
   }
   return all && !walk;
 }
 
-// What comes next goes right behind the last whole record, or nobody would find it again.
+// New records go right behind the last whole one, or they could not be found again.
 BuildJournal::BuildJournal(const WorkFolder& folder)
     : file_(folder.file(journal_name), read_records(folder.file(journal_name))) {}
 

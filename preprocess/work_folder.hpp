@@ -1,5 +1,5 @@
-// Where a build keeps what does not fit in memory, and what it has done so far: a build that was killed goes
-// on where it was.
+// Where a build keeps what does not fit in memory, and what it has done so far, so that a killed build can be
+// resumed.
 #pragma once
 
 #include "base/spool_file.hpp"
@@ -14,13 +14,13 @@
 
 namespace triptych {
 
-/// The folder `FILE.work` beside the pack FILE. It is gone when the build ends, well or with an error; only a
-/// process that was killed leaves it behind.
+/// The folder `FILE.work` beside the pack FILE. It is removed when the build ends, with or without an error;
+/// only a killed process leaves it behind.
 class WorkFolder {
  public:
   /// Makes the folder. If an earlier build left one with the same fingerprint (of its input and options), its
-  /// journal is kept; anything else in it goes. An empty fingerprint keeps nothing. Error (path) if another
-  /// process is building the same pack, or if the folder is not one that a build left.
+  /// journal is kept; everything else in it is removed. An empty fingerprint keeps nothing. Error (path) if
+  /// another process is building the same pack, or if the folder is not one that a build left.
   /// An earlier build without one of the files that are needed to go on is dropped as well.
   WorkFolder(const std::filesystem::path& pack, const std::string& fingerprint,
              std::span<const char* const> needed);
@@ -31,29 +31,29 @@ class WorkFolder {
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
  private:
-  /// Keeps an earlier build's work, or begins anew.
+  /// Keeps an earlier build's work, or starts again.
   void take_over(const std::string& fingerprint, std::span<const char* const> needed);
-  /// Removes it all and gives up the lock.
+  /// Removes everything and releases the lock.
   void leave();
-  /// All but the lock. Whether nothing else is left.
+  /// Removes everything but the lock. Returns whether nothing else is left.
   bool remove_work();
 
   std::filesystem::path folder_;
   Descriptor lock_;
 };
 
-/// What a build has done, unit after unit. A unit's record stands in the journal when all that the unit wrote
-/// elsewhere is written; what those files held then stands beside it.
+/// What a build has done, batch after batch. A batch's record is written after everything that the batch
+/// wrote elsewhere, together with the sizes of those files.
 class BuildJournal {
  public:
-  /// Opens the journal and passes over a last record that was not written whole.
+  /// Opens the journal and drops a last record that was not written completely.
   explicit BuildJournal(const WorkFolder& folder);
 
   /// What the files held after the last whole record: the order is the caller's own; empty for a new build.
   const std::vector<KeptBytes>& kept() const { return kept_; }
-  /// Units that an earlier run did.
+  /// How many batches an earlier run has done.
   uint64_t replayable() const { return records_.size(); }
-  /// The next of them, or nothing when from here on the work has to be done.
+  /// The next of them; nullopt once there are no more, and the work has to be done.
   std::optional<std::vector<std::byte>> replay();
   void append(std::span<const std::byte> record, std::span<const KeptBytes> files);
 

@@ -6,7 +6,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto silence_limit = std::chrono::seconds(5);  ///< for the Hello of whoever called
+constexpr auto silence_limit = std::chrono::seconds(5);  ///< for a caller's Hello
 constexpr size_t max_waiting = 16;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Those who call a role that listens: let in, heard, and sent away where they stay silent.
+// Callers of a role that listens: accepted, their Hello read, and turned away where they stay silent.
 #pragma once
 
 #include "protocol/endpoint.hpp"
@@ -11,19 +11,19 @@
 
 namespace triptych {
 
-/// Accepts callers and reads the Hello of each. Few may wait at a time, and none for long: the oldest goes
-/// where there are too many. For one thread.
+/// Accepts callers and reads the Hello of each. Few may wait at a time, and none for long: the oldest is
+/// dropped where there are too many. For one thread.
 class Callers {
  public:
-  /// Within the io_context, with a caller and its Hello; null where it said something else, or nothing.
+  /// Called within the io_context, with a caller and its Hello; null if it sent something else, or nothing.
   using Heard = std::function<void(const std::shared_ptr<Link>&, const Hello*)>;
 
   Callers(Endpoint& endpoint, Heard heard) : endpoint_(endpoint), heard_(std::move(heard)) {}
 
-  /// From now on callers are let in.
+  /// From now on callers are accepted.
   void accept();
   void drop_silent();
-  /// Sends those away who were not heard yet. The endpoint is closed by whoever has it.
+  /// Turns away the callers whose Hello has not been read yet. Does not close the endpoint.
   void close();
 
  private:

@@ -11,29 +11,29 @@
 
 namespace triptych {
 
-/// Between two attempts to reach somebody.
+/// Between two attempts to reach a role.
 constexpr auto redial_pause = std::chrono::milliseconds(50);
 /// For sending a Hello.
 constexpr auto hello_timeout = std::chrono::milliseconds(500);
 
 /// Dials roles, says Hello, and hands over what they answer; the camera channel first, then the nodes
-/// channel. Whoever is not there, or goes, is dialled again. For one thread.
+/// channel. A role that does not answer, or that closes the connection, is dialled again. For one thread.
 class Calls {
  public:
-  /// Says who calls.
+  /// Makes the Hello for this role and channel.
   using Introduce = std::function<Hello(Role, Channel)>;
-  /// Within the io_context, with the first message of a callee. Returns why to try again, or nothing where
-  /// the link was taken over.
+  /// Called within the io_context, with the first message of a callee. Returns why to try again, or an empty
+  /// text if the link was taken over.
   using Answered = std::function<std::string(const std::shared_ptr<Link>&, Role, const Message&)>;
-  /// Within the io_context or call(): there is no use in calling this role.
+  /// Called within the io_context or call(): it is useless to try this role again.
   using Hopeless = std::function<void(Role, const std::string& why)>;
 
-  /// last_failure: where it is kept why each role is not there.
+  /// last_failure: receives why each role could not be reached.
   Calls(asio::io_context& context, Endpoint& endpoint, Introduce introduce, Answered answered,
         Hopeless hopeless, std::map<Role, std::string>& last_failure);
 
   void call(Role role) { dial(role, Channel::camera); }
-  /// Hangs up on those who have not answered yet.
+  /// Closes the connections that have not been answered yet.
   void close();
 
  private:

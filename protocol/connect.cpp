@@ -21,30 +21,30 @@ class Gathering {
  public:
   Gathering(const Hello& own, const MakeEndpoint& endpoint, milliseconds timeout,
             std::map<Role, std::string>& last_failure);
-  /// Nothing where a peer went before all had met: then all begin again.
+  /// Nullopt where a peer left before all had met: then all begin again.
   std::optional<ConnectOutcome> run(Clock::time_point deadline, const std::function<bool()>& stop);
 
  private:
   void look_after_links();
-  /// Those who called, and those who were called.
+  /// The first message of a caller, and that of a callee.
   void heard(const std::shared_ptr<Link>& caller, const Hello* hello);
   std::string answered(const std::shared_ptr<Link>& callee, Role role, const Message& message);
   static void refuse(const std::shared_ptr<Link>& caller, const std::string& reason);
 
   Hello hello_for(Role peer, Channel channel) const;
   void join(const std::shared_ptr<Link>& link, const Hello& hello);
-  /// The first end counts. Returns what Calls is told, which does not matter any more.
+  /// Only the first end counts. Returns a text for Calls, which no longer matters.
   std::string end(Kind kind, const std::string& place, const std::string& what);
   bool complete();
   bool has_all() const;
-  /// Who is still missing, and what is known of them.
+  /// Which roles are still missing, and what is known of them.
   ConnectOutcome missing() const;
-  /// Says why this role leaves, to those who had come and to those who had not been heard yet.
+  /// Tells the peers why this role leaves, also callers whose Hello has not been read yet.
   void leave(const std::string& reason);
 
   Hello own_;
-  milliseconds timeout_;                       ///< for what is said
-  std::map<Role, std::string>& last_failure_;  ///< why a role is not here, of this attempt and those before
+  milliseconds timeout_;                       ///< for error messages
+  std::map<Role, std::string>& last_failure_;  ///< why a role could not be reached, now or earlier
   std::unique_ptr<Mailbox> mailbox_ = std::make_unique<Mailbox>();
   std::unique_ptr<Endpoint> endpoint_;
   Callers callers_;
@@ -88,7 +88,7 @@ std::optional<ConnectOutcome> Gathering::run(Clock::time_point deadline, const s
     }
   }
   if (end_) {
-    // Whoever stops a session says so; whoever waited in vain says for whom.
+    // A role that ends the session says so; one that waited in vain says for which roles.
     leave(end_->kind == Kind::session_over ? "" : end_->place + ": " + end_->what);
     return std::move(end_);
   }
@@ -113,7 +113,7 @@ std::string Gathering::end(Kind kind, const std::string& place, const std::strin
 
 void Gathering::look_after_links() {
   callers_.drop_silent();
-  // A caller that died may come again; whom we called, and who says why, has ended the session.
+  // A caller that died may come again; a callee that leaves with a reason has ended the session.
   for (const Role role : all_roles) {
     for (const Channel channel : all_channels) {
       if (role > own_.role) mailbox_->forget_if_broken(role, channel);
@@ -136,13 +136,13 @@ void Gathering::heard(const std::shared_ptr<Link>& caller, const Hello* said) {
   const std::string problem = meant ? difference_between(own_, hello) : "this is the " + role_name(own_.role);
   const Message reply = hello_for(hello.role, hello.channel);
   if (!problem.empty()) {
-    // Our hello shows the caller the difference; whether it takes it does not matter.
+    // Our Hello shows the caller the difference; whether it arrives does not matter.
     const std::string ignored = caller->write(reply, encode(reply), milliseconds(0));
     last_failure_[hello.role] = problem;
     return refuse(caller, problem);
   }
   if (mailbox_->has(hello.role, hello.channel)) {
-    // Is the other one dead, and this its successor?
+    // Perhaps the other one is dead, and this is its successor.
     mailbox_->context().poll();
     mailbox_->forget_if_broken(hello.role, hello.channel);
   }
@@ -177,7 +177,7 @@ std::string Gathering::answered(const std::shared_ptr<Link>& callee, Role role, 
 
 void Gathering::refuse(const std::shared_ptr<Link>& caller, const std::string& reason) {
   const Message bye = Bye{reason};
-  // Whether a stranger takes it does not matter.
+  // Whether it arrives at a stranger does not matter.
   const std::string ignored = caller->write(bye, encode(bye), milliseconds(0));
   caller->close();
 }
@@ -196,7 +196,7 @@ void Gathering::join(const std::shared_ptr<Link>& link, const Hello& hello) {
 
 bool Gathering::complete() {
   if (!has_all()) return false;
-  // Is one of them dead already? What its end told us is there to be read.
+  // One of them may be dead already; what its end sent is waiting to be read.
   mailbox_->context().poll();
   look_after_links();
   return has_all() && !end_ && !peer_went_;

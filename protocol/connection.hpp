@@ -36,17 +36,18 @@ class Connection {
 
   /// Sends all bytes. While the other end does not take them the io_context runs, so that two roles that send
   /// to each other do not block; where it takes them at once, nothing runs. It is a problem if they are not
-  /// taken within the timeout.
+  /// all taken within the timeout.
   virtual std::string write(std::span<const std::byte> bytes, std::chrono::milliseconds timeout) = 0;
 
   /// Ends both directions; what was written still arrives. A handshake or a read that is under way ends
-  /// without calling anybody.
+  /// without calling `done`.
   virtual void close() = 0;
 
   virtual asio::io_context& context() = 0;
   /// Where the other end is, for messages: "127.0.0.1:7001".
   virtual const std::string& place() const = 0;
-  /// What the kernel says of it; all zero where there is no kernel between. After close(): what it last said.
+  /// The kernel's figures of the connection; all zero where it does not go through the kernel. After close():
+  /// the last ones.
   virtual TcpFigures kernel_figures() const { return {}; }
 };
 

@@ -1,4 +1,4 @@
-// A connection as Asio wants one below its TLS.
+// A Connection as the stream that Asio's TLS needs below it.
 #pragma once
 
 #include "protocol/connection.hpp"
@@ -14,7 +14,7 @@
 namespace triptych {
 
 /// Asio's stream of bytes, over a Connection: asynchronous for a handshake and for reading, synchronous for
-/// writing. What goes wrong is asio::error::fault, or asio::error::eof at the end, and is kept in words.
+/// writing. A failure is asio::error::fault, or asio::error::eof at the end, and problem() says it in words.
 class ConnectionStream {
  public:
   using executor_type = asio::io_context::executor_type;
@@ -23,16 +23,16 @@ class ConnectionStream {
   explicit ConnectionStream(std::shared_ptr<Connection> below) : below_(std::move(below)) {}
 
   Connection& below() const { return *below_; }
-  /// What went wrong below, once it has.
+  /// What went wrong in the connection below; empty if nothing did.
   const std::string& problem() const { return problem_; }
-  /// How long each of the writes from now on may take.
+  /// Limits how long each write from now on may take.
   void limit_writing(std::chrono::milliseconds timeout) { timeout_ = timeout; }
 
   executor_type get_executor() { return below_->context().get_executor(); }
   lowest_layer_type& lowest_layer() { return *this; }
   const lowest_layer_type& lowest_layer() const { return *this; }
 
-  /// Asio wants it for a write that first has to read, which TLS 1.3 does not have after the handshake.
+  /// Asio requires it for writes that first have to read, which TLS 1.3 does not have after the handshake.
   template <typename Buffers>
   size_t read_some(const Buffers&, asio::error_code& error) {
     error = asio::error::operation_not_supported;
@@ -64,14 +64,14 @@ class ConnectionStream {
     return asio::async_initiate<Handler, void(asio::error_code, size_t)>(
         [this](auto&& done, const Buffers& into) {
           const asio::mutable_buffer bytes = first_of<asio::mutable_buffer>(into);
-          // Asio reads nothing where it only wants to be called back.
+          // Asio passes no buffer where it only wants to be called back.
           if (bytes.size() == 0) {
             asio::post(get_executor(), [done = std::forward<decltype(done)>(done)]() mutable {
               std::move(done)(asio::error_code(), size_t{0});
             });
             return;
           }
-          // A std::function is copied, a handler only moved.
+          // A std::function must be copyable, and the handler can only be moved.
           auto kept = std::make_shared<std::decay_t<decltype(done)>>(std::forward<decltype(done)>(done));
           below_->read_some({static_cast<std::byte*>(bytes.data()), bytes.size()},
                             [this, kept](size_t count, const std::string& problem) {

@@ -12,7 +12,7 @@ namespace triptych {
 
 namespace {
 
-// Writer and Reader walk through the same code; each bit is given to the one and comes from the other.
+// Writer and Reader run through the same code: the former is given each bit, the latter returns it.
 struct Writer {
   RangeEncoder coder;
   bool bit(BitModel& model, bool value) {
@@ -53,12 +53,12 @@ size_t code_count(Coder& coder, size_t count) {
   return size_t{1} << (width - 1) | coder.even(static_cast<uint32_t>(count), width - 1);
 }
 
-/// Which elements of `before` are removed: a bit each, up to the last that is. `removed` is read or appended
-/// to.
+/// Which elements of `before` are removed: one bit each, up to the last removed one. `removed` is read or
+/// appended to.
 template <typename Coder>
 void code_removed(Coder& coder, std::vector<DrawableId>& removed, size_t count, const VisibleSet& before) {
   const size_t kept = before.size() - count;
-  // What is likely after a kept element, and after a removed one: changes come in clusters.
+  // One model for the bit after a kept element, one for after a removed one, since changes come in clusters.
   std::array models = {BitModel(kept, before.size() + 1, 8),
                        BitModel(2 * kept + count, 3 * before.size() + 1, 2)};
   bool last = false;
@@ -70,7 +70,7 @@ void code_removed(Coder& coder, std::vector<DrawableId>& removed, size_t count, 
     if (!last) continue;
     if (done++ == removed.size()) removed.push_back(before[i]);
   }
-  // What is left must go, every element of it.
+  // All remaining elements must be removed ones.
   const size_t rest = count - done;
   if (done == removed.size())
     removed.insert(removed.end(), before.end() - static_cast<std::ptrdiff_t>(rest), before.end());
@@ -83,8 +83,8 @@ class GapModel {
   explicit GapModel(int expected) {
     std::array<uint32_t, 2 * leaves> weight{};
     for (int width = 0; width <= 32; ++width) {
-      // Gaps of ids that know nothing of each other lie around the expected width, seldom far above it;
-      // clusters add small ones.
+      // Gaps between independent ids are around the expected width, seldom far above it; clusters add small
+      // ones.
       static constexpr std::array<uint32_t, 4> above = {256, 192, 48, 4};
       const int over = width - expected;
       weight[leaves + leaf_of(width)] = over >= 0 ? above[static_cast<size_t>(std::min(over, 3))]
@@ -142,7 +142,7 @@ void code_added(Coder& coder, std::vector<DrawableId>& added, size_t count, cons
     coder.check("its last added id");
     if (!reading) continue;
     if (id > no_id || (gap == 0 && i > 0))
-      id = no_id;  // no delta; what was read is compared with its own encoding
+      id = no_id;  // not a valid delta: it fails the comparison with its own encoding
     added.push_back(static_cast<DrawableId>(id));
   }
 }

@@ -1,4 +1,4 @@
-// Deltas of visible sets as few bytes.
+// Deltas of visible sets in few bytes.
 #pragma once
 
 #include "visibility/visible_set.hpp"
@@ -19,17 +19,16 @@ struct DeltaCounts {
 };
 
 /// The delta as the change of a set that the receiver has as well: arithmetic coded, removed ids by their
-/// place in the set, added ones by their distances. Neighbours cost little, and an empty delta no byte.
-/// Deterministic. Error for lists that are not strictly ascending, removed ids that are not in the set, and
-/// more added ones than a message holds.
+/// place in the set, added ones by the gaps between them. Adjacent ids cost little, and an empty delta takes
+/// no byte. Deterministic. Error for lists that are not strictly ascending, removed ids that are not in the
+/// set, and more added ones than a message holds.
 std::vector<std::byte> encode_delta(const VisibleDelta& delta, const VisibleSet& before);
 
-/// Error (place) for bytes that encode_delta cannot have written for a set like this; gives up where they
-/// end.
+/// Error (place) for bytes that encode_delta cannot have written for this set; never reads beyond their end.
 VisibleDelta decode_delta(std::span<const std::byte> bytes, const VisibleSet& before,
                           const std::string& place);
 
-/// What the bytes promise, without the set. Any bytes have an answer.
+/// What the bytes claim, without the set. Never fails, whatever the bytes.
 DeltaCounts delta_counts(std::span<const std::byte> bytes);
 
 }  // namespace triptych

@@ -1,4 +1,4 @@
-// Whether two roles can play in one session.
+// Whether two roles can take part in one session.
 #pragma once
 
 #include "protocol/messages.hpp"
@@ -7,8 +7,8 @@
 
 namespace triptych {
 
-/// What keeps the two from one session, naming both: "pack differs: render node has …, switch node 0 has …".
-/// Empty if nothing does.
+/// Why the two cannot be in one session, naming both: "pack differs: render node has …, switch node 0 has …".
+/// Empty if they can.
 std::string difference_between(const Hello& own, const Hello& peer);
 
 }  // namespace triptych

@@ -30,7 +30,7 @@ void Link::open(std::function<void(const std::string&)> done) {
 void Link::read(uint32_t limit, std::function<void(Outcome)> done) {
   done_ = std::move(done);
   limit_ = limit;
-  // A message that is here already is told in its turn, not in the middle of what the caller does.
+  // A message that has arrived already is delivered by the io_context, not in the middle of this call.
   asio::post(connection_->context(), [self = shared_from_this()] {
     if (self->done_) self->go_on();
   });

@@ -18,7 +18,7 @@ namespace triptych {
 struct LinkFigures {
   uint64_t messages_sent = 0, messages_received = 0;
   uint64_t bytes_sent = 0, bytes_received = 0;  ///< headers and bodies
-  /// An estimate of what the network carried for them: each segment of 1448 bytes costs 66 more (Ethernet,
+  /// An estimate of what they took on the network: each segment of 1448 bytes costs 66 more (Ethernet,
   /// IPv4, TCP with timestamps); acknowledgements are not counted.
   uint64_t wire_bytes_sent = 0, wire_bytes_received = 0;
   /// Of delta messages alone: bodies (watermarks and encoded ids), and the ids in them.
@@ -38,8 +38,8 @@ class Link : public std::enable_shared_from_this<Link> {
   explicit Link(std::shared_ptr<Connection> connection)
       : connection_(std::move(connection)), place_(connection_->place()) {}
 
-  /// The connection's handshake, where it has one, before anything is read or written. done: called with why
-  /// it failed, or nothing.
+  /// The connection's handshake, where it has one; before anything is read or written. done: called with why
+  /// it failed, or an empty text.
   void open(std::function<void(const std::string&)> done);
 
   /// Waits in the background for one message of at most `limit` body bytes; `done` is called within the
@@ -51,10 +51,10 @@ class Link : public std::enable_shared_from_this<Link> {
   [[nodiscard]] std::string write(const Message& message, const std::vector<std::byte>& bytes,
                                   std::chrono::milliseconds timeout);
 
-  /// Reads that are under way end without calling anybody.
+  /// Reads that are under way end without calling `done`.
   void close();
 
-  /// From now on messages go over what `wrapper` makes of the connection.
+  /// From now on messages go over the connection that `wrapper` returns.
   void wrap(const std::function<std::shared_ptr<Connection>(std::shared_ptr<Connection>)>& wrapper) {
     connection_ = wrapper(std::move(connection_));
   }
@@ -62,7 +62,7 @@ class Link : public std::enable_shared_from_this<Link> {
   void set_place(std::string place) { place_ = std::move(place); }
   const std::string& place() const { return place_; }
   const LinkFigures& figures() const { return figures_; }
-  /// What the kernel says; after close(), what it last said.
+  /// The kernel's figures; after close(), the last ones.
   TcpFigures kernel_figures() const { return connection_->kernel_figures(); }
 
  private:

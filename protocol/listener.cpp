@@ -14,25 +14,25 @@ namespace triptych {
 
 using asio::ip::tcp;
 
-/// Callers that wait in the kernel; strangers shall not be more.
-constexpr int most_waiting = 64;
+/// The most callers that wait in the kernel, strangers included.
+constexpr int max_waiting = 64;
 
 Address parse_address(const std::string& text) {
   const size_t colon = text.rfind(':');
   if (colon == std::string::npos || colon == 0)
-    fail(text, "not an address; host:port is wanted, as in 127.0.0.1:7001");
+    fail(text, "not an address; give host:port, as in 127.0.0.1:7001");
   std::string host = text.substr(0, colon);
   const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
   if (bracketed) host = host.substr(1, host.size() - 2);
   const bool stray = host.find_first_of("[] \t\n/") != std::string::npos;
   if (stray || (!bracketed && host.find(':') != std::string::npos)) {
-    fail(text, "not a host; a name, 127.0.0.1 or [::1] is wanted before the port");
+    fail(text, "not a host; give a name, 127.0.0.1 or [::1] before the port");
   }
   Address address{host, 0};
   const char* begin = text.data() + colon + 1;
   const char* end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(begin, end, address.port);
-  if (problem != std::errc{} || stop != end) fail(text, "not a port; 0 to 65535 is wanted after the colon");
+  if (problem != std::errc{} || stop != end) fail(text, "not a port; give 0 to 65535 after the colon");
   return address;
 }
 
@@ -60,7 +60,7 @@ Listener::Listener(const Address& address) {
   acceptor.open(endpoint.protocol(), error);
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
-  if (!error) acceptor.listen(most_waiting, error);
+  if (!error) acceptor.listen(max_waiting, error);
   if (error) fail(place, "cannot listen: {}", error.message());
   descriptor_ = acceptor.release(error);
   if (error) fail(place, "cannot listen: {}", error.message());

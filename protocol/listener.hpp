@@ -16,7 +16,7 @@ struct Address {
 /// "127.0.0.1:7001", "render.local:7001", "[::1]:7001". Error (place: the text) for anything else.
 Address parse_address(const std::string& text);
 std::string to_text(const Address& address);
-/// 127.0.0.0/8, ::1 or localhost: nobody but this machine gets there.
+/// 127.0.0.0/8, ::1 or localhost: only reachable from this machine.
 bool is_loopback(const Address& address);
 
 /// A port that is bound from its construction on; connections wait there until connect_session takes them.
@@ -35,7 +35,7 @@ class Listener {
   const Address& address() const { return address_; }
   int descriptor() const { return descriptor_; }
   bool is_ipv6() const { return ipv6_; }
-  /// Child processes inherit it, or, as after construction, they do not.
+  /// Whether child processes inherit it; after construction they do not.
   void set_inherited(bool inherited);
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The timeline's name for it; stays as long as the thread.
+/// The timeline's name for sending it; valid as long as the thread.
 const char* sending_stage(const Message& message) {
   thread_local std::array<std::string, std::variant_size_v<Message>> names;
   std::string& name = names[message.index()];
@@ -123,7 +123,7 @@ std::optional<PeerLost> Mailbox::send(Role peer, Channel channel, const Message&
   // What the peer sent before it went, perhaps its Bye, may still be on its way from the kernel.
   context_.poll();
   if (waiting_from(peer)) {
-    // Told once, however much more is sent meanwhile.
+    // Reported once, however much more is sent meanwhile.
     const bool told = std::any_of(queue_.begin(), queue_.end(), [&](const Entry& entry) {
       return entry.peer == peer && std::holds_alternative<Link::Broken>(entry.outcome);
     });

@@ -18,8 +18,8 @@
 
 namespace triptych {
 
-/// A peer that closed its connection without a Bye, was reset, does not take what it is sent, or sent what is
-/// no message.
+/// A peer that closed its connection without a Bye, was reset, does not read what is sent to it, or sent
+/// something that is not a message.
 struct PeerLost {
   Role peer = Role::render;
   std::string reason;  ///< one line: "switch node 0 lost: …"
@@ -30,17 +30,17 @@ struct Received {
   Role peer;
   Channel channel;
   Message message;
-  size_t bytes = 0;  ///< of it, on the wire
+  size_t bytes = 0;  ///< of the message, on the wire
 };
 
 using Delivery = std::variant<Received, PeerLost>;
 
-/// What has arrived and is not used yet.
+/// How much has arrived and is not used yet.
 struct Backlog {
   uint64_t messages = 0, bytes = 0;
 };
 
-/// A mailbox that holds so much reads no more from its connections: whoever sends then waits.
+/// A mailbox that holds this much stops reading from its connections, so that senders wait.
 constexpr Backlog mailbox_limit{16'384, uint64_t{2} * body_limit};
 
 /// Reads all connections in the background of receive() and send(); for one thread. Every message that
@@ -52,24 +52,25 @@ class Mailbox {
   Mailbox(const Mailbox&) = delete;
   Mailbox& operator=(const Mailbox&) = delete;
 
-  /// Connections and links belong to this.
+  /// The io_context that connections and links must belong to.
   asio::io_context& context() { return context_; }
 
   void add(Role peer, Channel channel, const std::shared_ptr<Connection>& connection);
   void add(Role peer, Channel channel, const std::shared_ptr<Link>& link);
   bool has(Role peer, Channel channel) const { return links_.count({peer, channel}) != 0; }
 
-  /// What is sent on the channel from now on goes over what `wrapper` makes of each connection: for faults.
+  /// From now on the channel's messages go over the connections that `wrapper` returns: for faults.
   void wrap(Channel channel,
             const std::function<std::shared_ptr<Connection>(std::shared_ptr<Connection>)>& wrapper);
 
-  /// Sends at once. Returns the loss of the peer if it is gone, or nothing; where messages of a peer that is
-  /// gone wait to be received, receive() tells the loss after them instead. To a peer whose Bye was received,
-  /// or whose loss was told, nothing is sent. Error for a peer that was never connected.
+  /// Sends at once. Returns the loss of the peer if it is gone; but where messages of a lost peer wait to be
+  /// received, receive() reports the loss after them instead. Nothing is sent to a peer whose Bye was
+  /// received, or whose loss was reported. Error for a peer that was never connected.
   [[nodiscard]] std::optional<PeerLost> send(Role peer, Channel channel, const Message& message);
 
-  /// The next message in the order of arrival, or nothing within the timeout. A Bye is delivered, once a
-  /// peer, and what follows it is no loss. Each peer that is lost is told of once; the others go on.
+  /// The next message in the order of arrival, or nothing within the timeout. A Bye is delivered once per
+  /// peer, and the end of the connection after it is not a loss. Each lost peer is reported once; the others
+  /// stay connected.
   [[nodiscard]] std::optional<Delivery> receive(std::chrono::milliseconds timeout);
 
   /// Called with every message that is sent or handed out from now on: for recordings.
@@ -89,17 +90,18 @@ class Mailbox {
   /// Says Bye to every peer and closes all links; peers that are gone already are passed over.
   void leave(const std::string& reason);
 
-  /// The most that was there at one time: here, and kept by whoever receives, who says so.
+  /// The largest backlog so far: of messages in the mailbox and of those that the receiver keeps, which it
+  /// reports by note_kept().
   Backlog max_backlog() const { return max_backlog_; }
   void note_kept(Backlog kept);
 
-  /// All zero for a link that never was.
+  /// All zero for a link that never existed.
   LinkFigures figures(Role peer, Channel channel) const;
   TcpFigures kernel_figures(Role peer, Channel channel) const;
 
   void set_send_timeout(std::chrono::milliseconds timeout) { send_timeout_ = timeout; }
 
-  /// What the peer said of itself in its handshake; Error if there was none.
+  /// The peer's Hello in its handshake; Error if there was none.
   const Hello& peer_hello(Role peer) const;
   void set_peer_hello(const Hello& hello) { hellos_[hello.role] = hello; }
 
@@ -122,8 +124,8 @@ class Mailbox {
   void drop(Role peer);
 
   asio::io_context context_;
-  asio::executor_work_guard<asio::io_context::executor_type>
-      work_;  ///< so that waiting waits, without links too
+  /// So that waiting works without links, too.
+  asio::executor_work_guard<asio::io_context::executor_type> work_;
   std::map<Key, std::shared_ptr<Link>> links_;
   std::map<Role, Hello> hellos_;
   std::set<Role> left_;  ///< said Bye, or was reported as lost

@@ -12,20 +12,20 @@ namespace triptych {
 using Clock = std::chrono::steady_clock;
 
 /// What both ends share. Posts to an end's io_context happen under the lock and before that end is closed,
-/// and an end is closed before its io_context goes.
+/// and an end is closed before its io_context is destroyed.
 struct MemoryWire::State {
   struct Side {
     asio::io_context* context = nullptr;  ///< none: not taken yet, or closed
     bool closed = false;
     std::deque<std::byte> arrived;
     std::span<std::byte> into;
-    Connection::Read reading;     ///< none: nobody reads
-    bool wants_to_write = false;  ///< waits for room at the other side
+    Connection::Read reading;     ///< empty: no read is under way
+    bool wants_to_write = false;  ///< waits for space at the other side
   };
 
   explicit State(size_t with_capacity) : capacity(with_capacity) {}
 
-  /// With the lock held: the side's thread looks again.
+  /// With the lock held: makes the side's thread look again.
   static void wake(const std::shared_ptr<State>& state, size_t side) {
     if (state->sides[side].context == nullptr) return;
     asio::post(*state->sides[side].context, [state, side] { deliver(*state, side); });

@@ -10,14 +10,14 @@
 
 namespace triptych {
 
-/// Two ends that are not taken yet. Each end is made in the thread of its io_context, once.
+/// A connection whose two ends can be taken, each once, in the thread of its io_context.
 class MemoryWire {
  public:
   enum class End { caller, callee };
 
   /// capacity: bytes that an end holds for a reader before its writer has to wait.
   explicit MemoryWire(size_t capacity = size_t{1} << 16);
-  /// An end that is never taken is closed as soon as nobody holds the wire and the other end is closed.
+  /// An end that is never taken counts as closed once the wire is destroyed and the other end is closed.
   std::shared_ptr<Connection> take(End end, asio::io_context& context, std::string place) const;
 
  private:

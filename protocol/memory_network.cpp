@@ -11,7 +11,7 @@ namespace triptych {
 struct MemoryNetwork::State {
   struct Port {
     asio::io_context* context = nullptr;
-    std::function<void()> look;  ///< called in the context: somebody may be waiting
+    std::function<void()> look;  ///< called in the context: a caller may be waiting
     std::deque<std::pair<Role, MemoryWire>> callers;
   };
   Wrapper wrapper;

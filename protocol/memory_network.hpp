@@ -12,7 +12,7 @@ namespace triptych {
 /// of its own; it must outlive them.
 class MemoryNetwork {
  public:
-  /// What becomes of the caller's end of a connection: a test puts faults in here.
+  /// Wraps the caller's end of each connection: tests put faults in here.
   using Wrapper =
       std::function<std::shared_ptr<Connection>(Role caller, Role callee, std::shared_ptr<Connection>)>;
 
@@ -21,8 +21,8 @@ class MemoryNetwork {
   MemoryNetwork(const MemoryNetwork&) = delete;
   MemoryNetwork& operator=(const MemoryNetwork&) = delete;
 
-  /// Where the role listens from now on, until the endpoint is closed; callers who come before that are told
-  /// that nobody listens.
+  /// An endpoint at which the role listens from now on, until it is closed; earlier callers are told that
+  /// nobody listens.
   std::unique_ptr<Endpoint> endpoint(Role role, asio::io_context& context);
 
  private:

@@ -18,8 +18,8 @@ namespace triptych {
 namespace {
 
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
-constexpr uint32_t largest_side = 1 << 15;
-// Of a camera.
+constexpr uint32_t max_side = 1 << 15;
+// The marks of a camera.
 constexpr uint8_t last_mark = 1, warm_up_mark = 2, orthographic_mark = 4, symmetric_mark = 8;
 
 bool is_control(char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; }
@@ -45,8 +45,7 @@ void expect_not_negative(const ByteReader& in, double value, const char* what) {
   if (!std::isfinite(value) || value < 0) fail(in.place(), "{} is {}", what, value);
 }
 
-/// A floating-point number's bytes but for the zeros at its lower end: numbers that people choose, and
-/// rounded ones, have many.
+/// A floating-point number's bytes without the zero bytes at its lower end: round numbers have many.
 struct ShortNumber {
   uint64_t bits;
   uint32_t bytes;
@@ -77,7 +76,7 @@ void read_numbers(ByteReader& in, std::span<double* const> numbers) {
     lengths.push_back(pair & 15u);
     lengths.push_back(pair >> 4u);
   }
-  if (lengths.size() > numbers.size() && lengths.back() != 0) fail(in.place(), "a number that nobody wants");
+  if (lengths.size() > numbers.size() && lengths.back() != 0) fail(in.place(), "a number too many");
   for (size_t i = 0; i < numbers.size(); ++i) {
     if (lengths[i] > 8) fail(in.place(), "a number of {} bytes", lengths[i]);
     uint64_t bits = 0;
@@ -88,7 +87,7 @@ void read_numbers(ByteReader& in, std::span<double* const> numbers) {
   }
 }
 
-/// One place in the bytes of a message: a BodyWriter writes the fields that it is shown, a BodyReader reads
+/// A position in the bytes of a message: a BodyWriter writes the fields that it is given, a BodyReader reads
 /// them. So one description of a message serves both.
 class BodyWriter {
  public:
@@ -99,7 +98,7 @@ class BodyWriter {
   void plain(const Value& value) {
     out_.write(value);
   }
-  /// One byte; `largest` is the last that exists.
+  /// One byte; `largest` is the last valid value.
   template <typename Enum>
   void choice(const Enum& value, Enum /*largest*/, const char* /*what*/) {
     out_.write(static_cast<uint8_t>(value));
@@ -152,7 +151,7 @@ class BodyReader {
   ByteReader& in_;
 };
 
-// One description of each message; the frame is in the header.
+// One description of each message's body; the frame is in the header.
 
 /// A message to read, or a constant one to write.
 template <typename M, typename Type>
@@ -193,7 +192,7 @@ void describe(Body& body, M& message) {
   body.count(width);
   body.count(height);
   const bool symmetric = (marks & symmetric_mark) != 0;
-  // A symmetric frustum's left and bottom say it all.
+  // A symmetric frustum is determined by its left and bottom sides.
   const std::array numbers = {&camera.eye.x,
                               &camera.eye.y,
                               &camera.eye.z,
@@ -214,7 +213,7 @@ void describe(Body& body, M& message) {
     message.last = (marks & last_mark) != 0;
     message.warm_up = (marks & warm_up_mark) != 0;
     if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
-    if (width < 1 || width > largest_side || height < 1 || height > largest_side)
+    if (width < 1 || width > max_side || height < 1 || height > max_side)
       fail(body.place(), "a viewport of {}x{}", width, height);
     view.width = static_cast<int>(width);
     view.height = static_cast<int>(height);
@@ -228,7 +227,7 @@ void describe(Body& body, M& message) {
   }
 }
 
-/// Where everything is decided, the type says so, and the watermark is set already.
+/// Where everything is decided, the type says so, and the watermark is not in the body.
 template <typename Body, Either<DeltaMessage> M>
 void describe(Body& body, M& message) {
   if (message.watermark != everything_decided) {
@@ -281,12 +280,12 @@ void describe(Body& body, M& message) {
   body.times({&message.clock_ms});
 }
 
-/// The frame says it all.
+/// No body: the frame in the header is all.
 template <typename Body, typename M>
 requires Either<M, FullSetRequest> || Either<M, Ready> || Either<M, ClockRequest>
 void describe(Body&, M&) {}
 
-/// A message of this type with nothing in it.
+/// A default-constructed message of this type.
 template <size_t... types>
 Message empty_message(uint32_t type, std::index_sequence<types...>) {
   Message message;

@@ -1,4 +1,4 @@
-// What each message holds, byte by byte; docs/protocol.md has it in words.
+// What each message holds, byte by byte; docs/protocol.md describes it in words.
 #pragma once
 
 #include "base/bytes.hpp"
@@ -13,7 +13,7 @@ bool is_message_type(uint32_t type);
 
 void write_message_body(ByteWriter& out, const Message& message);
 
-/// Reads as much as the message takes. Error (place of the reader) for what makes no sense.
+/// Reads as much as the message takes. Error (place of the reader) for invalid contents.
 Message read_message_body(uint32_t type, uint32_t frame, ByteReader& in);
 
 }  // namespace triptych

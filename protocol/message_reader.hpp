@@ -1,4 +1,4 @@
-// Messages out of a stream of bytes, however it was cut on its way.
+// Messages from a stream of bytes, however it was split in transit.
 #pragma once
 
 #include "protocol/wire.hpp"
@@ -7,7 +7,7 @@
 
 namespace triptych {
 
-/// Holds what has come of a message that is not whole yet: never more than was really received.
+/// Holds the bytes of a message that is not complete yet: never more than were received.
 class MessageReader {
  public:
   struct Arrived {
@@ -17,15 +17,15 @@ class MessageReader {
 
   /// Bytes are appended here.
   std::vector<std::byte>& bytes() { return bytes_; }
-  /// The next message once it is whole. Error (place) for what is none, as soon as its header or its body
-  /// says so.
+  /// The next message once it is complete. Error (place) for bytes that are not a message, as soon as header
+  /// or body show it.
   std::optional<Arrived> next(uint32_t limit, const std::string& place);
-  /// What has come of a message that is not whole: "frame 12: 20 of 60 bytes". Empty between two messages.
+  /// Describes an incomplete message: "frame 12: 20 of 60 bytes". Empty between two messages.
   std::string half_message() const;
 
  private:
   std::vector<std::byte> bytes_;
-  size_t begin_ = 0;  ///< what is before it has been handed out
+  size_t begin_ = 0;  ///< bytes before it have been handed out
 };
 
 }  // namespace triptych

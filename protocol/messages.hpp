@@ -1,4 +1,4 @@
-// What the roles say to each other. Plain values; docs/protocol.md gives every byte.
+// The messages between the roles. Plain values; docs/protocol.md describes every byte.
 #pragma once
 
 #include "lod/draw_rank.hpp"
@@ -23,20 +23,20 @@ struct Hello {
   uint32_t version = protocol_version;
   Role role = Role::render;
   Channel channel = Channel::camera;
-  Role called = Role::render;  ///< whom the sender believes to be speaking to
-  uint64_t session = 0;  ///< a number that whoever starts the session chose: roles of two sessions do not mix
-  uint64_t pack_hash = 0;  ///< the content hash of the pack that the role has opened
+  Role called = Role::render;  ///< the role that the sender believes it is connected to
+  uint64_t session = 0;        ///< a number chosen when the session starts: roles of two sessions do not mix
+  uint64_t pack_hash = 0;      ///< the content hash of the pack that the role has opened
   DeviceNames device;
   std::string raster;  ///< the verdict of the sender's raster certificate: "exact" or "conservative"
   bool operator==(const Hello&) const = default;
 };
 
-/// From the render node to both switch nodes: frame i is to be seen so.
+/// From the render node to both switch nodes: the frame state of frame i.
 struct CameraMessage {
   uint32_t frame = 0;
   FrameState state;
   bool last = false;  ///< no frame follows
-  /// Not a frame, but what one will be like: switch nodes get their geometry ready and say so.
+  /// Not a frame of the session, but one to warm up with: switch nodes load its geometry and then send Ready.
   bool warm_up = false;
   bool operator==(const CameraMessage&) const = default;
 };
@@ -49,7 +49,7 @@ struct DeltaMessage {
   bool operator==(const DeltaMessage&) const = default;
 };
 
-/// What HC spent on the frame.
+/// What HC did for the frame, and how long it took.
 struct StageTimes {
   double hardware_cull_ms = 0;
   uint32_t queries = 0;   ///< boxes tested
@@ -81,10 +81,11 @@ struct FullSet {
   bool operator==(const FullSet&) const = default;
 };
 
-/// From OR to the render node: what R(i+1) cost. It comes before any message of frame i+1 from the same node.
+/// From OR to the render node: what R(i+1) cost. It is sent before any message of frame i+1 from the same
+/// node.
 struct SwitchReport {
   uint32_t frame = 0;      ///< i, the frame in which it was drawn
-  double began_at_ms = 0;  ///< the sender's steady clock, once camera i+1 was there
+  double began_at_ms = 0;  ///< the sender's steady clock, once camera i+1 had arrived
   double occlusion_representation_ms = 0;
   double camera_waiting_ms = 0;   ///< for camera i+1, before it began
   double packets_waiting_ms = 0;  ///< for V(i), meanwhile
@@ -93,8 +94,8 @@ struct SwitchReport {
   bool operator==(const SwitchReport&) const = default;
 };
 
-/// The sender leaves. An empty reason: the session is over, for everybody who hears it. Any other text says
-/// why the sender alone leaves, and can be shown.
+/// The sender leaves. An empty reason: the session is over for all roles. Any other text says why only the
+/// sender leaves, and can be shown to people.
 struct Bye {
   std::string reason;
   bool operator==(const Bye&) const = default;
@@ -106,13 +107,13 @@ struct Ready {
   bool operator==(const Ready&) const = default;
 };
 
-/// From the render node to a switch node: what time is it?
+/// From the render node to a switch node: asks for its clock.
 struct ClockRequest {
   uint32_t frame = 0;  ///< counts the requests
   bool operator==(const ClockRequest&) const = default;
 };
 
-/// The answer, at once.
+/// The answer, sent at once.
 struct ClockAnswer {
   uint32_t frame = 0;   ///< the request's
   double clock_ms = 0;  ///< the sender's steady clock

@@ -3,15 +3,15 @@
 namespace triptych {
 
 namespace {
-constexpr uint32_t smallest_range = 1u << 24;
+constexpr uint32_t min_range = 1u << 24;
 }
 
 void BitModel::learn(bool bit) {
   seen_ = std::min(seen_ + 1, slowest);
   if (bit) {
-    zero_ -= (zero_ - least) / seen_;
+    zero_ -= (zero_ - min_zero) / seen_;
   } else {
-    zero_ += (most - zero_) / seen_;
+    zero_ += (max_zero - zero_) / seen_;
   }
 }
 
@@ -38,7 +38,7 @@ void RangeEncoder::narrow(uint32_t skipped, uint32_t range) {
     for (; *byte == std::byte{0xff}; ++byte) *byte = std::byte{0};
     *byte = static_cast<std::byte>(std::to_integer<int>(*byte) + 1);
   }
-  for (; range_ < smallest_range; range_ <<= 8) {
+  for (; range_ < min_range; range_ <<= 8) {
     bytes_.push_back(static_cast<std::byte>(low_ >> 24));
     low_ <<= 8;
   }
@@ -47,9 +47,9 @@ void RangeEncoder::narrow(uint32_t skipped, uint32_t range) {
 std::vector<std::byte> RangeEncoder::finish() {
   // The number in [low, low + range) with the most zeros at its end; range ≥ 2²⁴, so one byte is always
   // enough.
-  constexpr uint32_t tail = smallest_range - 1;
+  constexpr uint32_t tail = min_range - 1;
   if (low_ != 0) {
-    narrow((tail - ((low_ - 1) & tail)), smallest_range);
+    narrow((tail - ((low_ - 1) & tail)), min_range);
     bytes_.push_back(static_cast<std::byte>(low_ >> 24));
   }
   return std::move(bytes_);
@@ -88,7 +88,7 @@ uint32_t RangeDecoder::decode_even(int count) {
 void RangeDecoder::narrow(uint32_t skipped, uint32_t range) {
   code_ -= skipped;
   range_ = range;
-  for (; range_ < smallest_range; range_ <<= 8) {
+  for (; range_ < min_range; range_ <<= 8) {
     code_ = code_ << 8 | (position_ < bytes_.size() ? std::to_integer<uint32_t>(bytes_[position_]) : 0);
     ++position_;
   }

@@ -15,13 +15,14 @@ class BitModel {
  public:
   /// Expects `zeros` zeros among `total` bits; trust: how many observed bits that expectation is worth.
   constexpr explicit BitModel(uint64_t zeros = 1, uint64_t total = 2, uint32_t trust = 1)
-      : zero_(std::clamp(static_cast<uint32_t>((zeros << 16) / total), least, most)), seen_(trust) {}
+      : zero_(std::clamp(static_cast<uint32_t>((zeros << 16) / total), min_zero, max_zero)), seen_(trust) {}
 
-  uint32_t zero() const { return zero_; }  ///< of 65536; never so near to either end that a bit costs nothing
+  /// Of 65536; never so close to either end that a bit costs nothing.
+  uint32_t zero() const { return zero_; }
   void learn(bool bit);
 
  private:
-  static constexpr uint32_t least = 128, most = 65536 - least, slowest = 40;
+  static constexpr uint32_t min_zero = 128, max_zero = 65536 - min_zero, slowest = 40;
   uint32_t zero_, seen_;
 };
 
@@ -30,7 +31,7 @@ class RangeEncoder {
   void encode(BitModel& model, bool bit);
   /// The low `count` bits of value, each as likely 0 as 1.
   void encode_even(uint32_t value, int count);
-  /// The bytes; as few as tell the decoder everything, given that it reads zeros after the end.
+  /// The bytes: as few as the decoder needs, which reads zeros after the end.
   std::vector<std::byte> finish();
 
  private:
@@ -44,7 +45,7 @@ class RangeDecoder {
   explicit RangeDecoder(std::span<const std::byte> bytes);
   bool decode(BitModel& model);
   uint32_t decode_even(int count);
-  /// More was decoded than any encoder can have put into these bytes.
+  /// Whether more was decoded than any encoder can have put into these bytes.
   bool overran() const { return position_ > bytes_.size() + 4; }
 
  private:

@@ -20,7 +20,8 @@ constexpr size_t start_bytes = magic.size() + sizeof(uint32_t);
 constexpr size_t end_bytes = sizeof(uint64_t) + 2 * sizeof(uint32_t);
 constexpr uint32_t record_limit = body_limit + 4096;
 
-/// A record: length of the content, the content, and a checksum of both that depends on where they stand.
+/// A record: length of the content, the content, and a checksum of both that depends on their place in the
+/// file.
 uint32_t checksum_of(std::span<const std::byte> length_and_content, uint64_t offset) {
   return static_cast<uint32_t>(hash_bytes(length_and_content, offset));
 }
@@ -64,13 +65,13 @@ RecordingWriter::~RecordingWriter() {
   try {
     finish();
   } catch (const Error&) {
-    // The disk is full: the recording is cut, and reads so.
+    // The disk is full: the recording ends here, and is reported as cut when it is read.
   }
 }
 
 void RecordingWriter::finish() {
   if (std::exchange(finished_, true)) return;
-  // The end says how many messages there were; no message is as short.
+  // The end record holds the number of messages; no message is as short.
   ByteWriter content;
   content.write(count_);
   append(content.bytes());
@@ -84,11 +85,11 @@ RecordingReader::RecordingReader(std::filesystem::path file)
 
 void RecordingReader::read_header() {
   const std::string path = path_.string();
-  if (size_ < start_bytes) fail(path, "is no recording of a session");
+  if (size_ < start_bytes) fail(path, "is not a recording of a session");
   std::array<std::byte, start_bytes> bytes{};
   read_at(file_.number(), 0, bytes, path);
   ByteReader start(bytes, path);
-  if (start.read<std::array<char, magic.size()>>() != magic) fail(path, "is no recording of a session");
+  if (start.read<std::array<char, magic.size()>>() != magic) fail(path, "is not a recording of a session");
   if (const auto version = start.read<uint32_t>(); version != recording_version) {
     fail(path, "is a recording of version {}; this program reads version {}", version, recording_version);
   }
@@ -115,7 +116,7 @@ bool RecordingReader::was_finished() const {
 }
 
 void RecordingReader::fail_too_short() const {
-  // What was finished cannot have been cut: then it is the length that is wrong.
+  // A finished recording cannot have been cut, so the length must be wrong.
   if (was_finished()) fail(place(), "the recording is damaged: a record that is longer than what is left");
   throw RecordingCut(place(), fmt::format("the recording is cut here, after {} messages", count_));
 }

@@ -1,5 +1,5 @@
 // A session as its messages: what one role sent and received, each with its time, in one file that can be
-// played again.
+// replayed.
 #pragma once
 
 #include "base/error.hpp"
@@ -17,7 +17,7 @@ inline constexpr uint32_t recording_version = 1;
 
 /// A message as it passed a role.
 struct RecordedMessage {
-  double time_ms = 0;  ///< the role's steady clock: when it was sent, or came
+  double time_ms = 0;  ///< the role's steady clock when it was sent or received
   bool sent = false;   ///< by this role to the peer; otherwise the other way
   Role peer = Role::render;
   Channel channel = Channel::camera;
@@ -25,21 +25,21 @@ struct RecordedMessage {
   bool operator==(const RecordedMessage&) const = default;
 };
 
-/// Whose recording it is, and what the role had opened.
+/// Which role recorded it, and which pack the role had opened.
 struct RecordingHeader {
   Hello own;
-  std::string pack;  ///< the pack's path, as the role was told
+  std::string pack;  ///< the pack's path, as given to the role
   bool operator==(const RecordingHeader&) const = default;
 };
 
-/// A recording that ends too soon, as one whose role was killed.
+/// A recording that ends too soon, for instance because its role was killed.
 class RecordingCut : public Error {
  public:
   using Error::Error;
 };
 
-/// Writes messages as they pass. What add() returned from survives the end of the process, however it ends;
-/// where the process was killed, the recording reads as one that is cut.
+/// Writes messages as they are sent and received. A message for which add() has returned survives the end of
+/// the process, however it ends; the recording of a killed process counts as cut.
 class RecordingWriter {
  public:
   /// Makes or replaces the file. Error (path) where that fails.
@@ -57,9 +57,9 @@ class RecordingWriter {
   bool finished_ = false;
 };
 
-/// Reads a recording message by message. Error (file, byte) for what is no recording, another version, and
-/// for damage: whatever a byte of it was changed to is noticed. A recording that ends too soon is an Error
-/// too, at the place where it ends.
+/// Reads a recording message by message. Error (file, byte) for a file that is not a recording, for another
+/// version, and for damage: every changed byte is noticed. A recording that ends too soon is a RecordingCut,
+/// at the place where it ends.
 class RecordingReader {
  public:
   explicit RecordingReader(std::filesystem::path file);

@@ -12,8 +12,8 @@ namespace triptych {
 enum class Role : uint8_t { render, switch_0, switch_1 };
 inline constexpr std::array all_roles = {Role::render, Role::switch_0, Role::switch_1};
 
-/// Cameras and what else keeps a session going, apart from sets of drawables, so that neither waits for the
-/// other.
+/// `camera` carries cameras, `nodes` sets of drawables and what belongs to them, so that neither waits behind
+/// the other.
 enum class Channel : uint8_t { camera, nodes };
 inline constexpr std::array all_channels = {Channel::camera, Channel::nodes};
 

@@ -16,7 +16,7 @@ std::string text_of(const asio::error_code& error) {
 }
 
 void notice_a_peer_that_is_gone(asio::ip::tcp::socket& socket) {
-  asio::error_code ignored;  // a socket that is already broken says so at the first read
+  asio::error_code ignored;  // a socket that is already broken fails at the first read
   const auto set = [&](int option, int value) {
     if (::setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof(value)) != 0) return;
   };

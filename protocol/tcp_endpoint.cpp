@@ -80,7 +80,7 @@ class TcpEndpoint : public Endpoint {
   const Listener* listener_;
   const std::map<Role, Address>& addresses_;
   const SharedKey* key_;
-  std::optional<tcp::acceptor> acceptor_;  ///< none where nobody listens
+  std::optional<tcp::acceptor> acceptor_;  ///< empty for a role that does not listen
   std::map<Role, tcp::resolver::results_type> endpoints_;
   std::shared_ptr<int> open_ = std::make_shared<int>();  ///< for callbacks that come too late
 };

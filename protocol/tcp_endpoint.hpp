@@ -9,8 +9,8 @@
 
 namespace triptych {
 
-/// listener: null for a role that nobody calls. key: null where nothing is encrypted. All three must outlive
-/// the endpoint. Error (address) where the listener does not serve.
+/// listener: null for a role that is not called. key: null where nothing is encrypted. Both and the context
+/// must outlive the endpoint. Error (address) if the listener cannot be used.
 std::unique_ptr<Endpoint> tcp_endpoint(asio::io_context& context, const Listener* listener,
                                        const std::map<Role, Address>& addresses, const SharedKey* key);
 

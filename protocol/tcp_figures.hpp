@@ -1,11 +1,11 @@
-// What the kernel says of a TCP connection (TCP_INFO), beside our own counts.
+// The kernel's figures of a TCP connection (TCP_INFO), beside our own counts.
 #pragma once
 
 #include <cstdint>
 
 namespace triptych {
 
-/// All zero where the kernel says nothing.
+/// All zero where the kernel has none.
 struct TcpFigures {
   uint64_t bytes_sent = 0;       ///< payload, retransmitted bytes included
   uint64_t bytes_received = 0;   ///< payload that the other side had acknowledged

@@ -26,7 +26,7 @@ int key_index() {
   return index;
 }
 
-/// The session that both sides would have had, had they met before.
+/// A TLS session made from the key, as if both sides had met before.
 SSL_SESSION* session_of(SSL* connection) {
   const auto* key =
       static_cast<const SharedKey*>(SSL_CTX_get_ex_data(SSL_get_SSL_CTX(connection), key_index()));
@@ -129,12 +129,12 @@ class TlsConnection : public Connection, public std::enable_shared_from_this<Tls
 SharedKey read_key_file(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0 && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
-    fail(path.string(), "others may read this key; chmod 600 makes it yours alone");
+    fail(path.string(), "others may read this key; chmod 600 prevents that");
   std::string text = read_text_file(path);
   while (!text.empty() && std::strchr(" \t\r\n", text.back()) != nullptr) text.pop_back();
   constexpr size_t min_bytes = 32;
   if (text.size() < min_bytes) {
-    fail(path.string(), "a key of {} bytes, at least {} are wanted; openssl rand -hex 32 makes one",
+    fail(path.string(), "a key of {} bytes, at least {} are needed; openssl rand -hex 32 makes one",
          text.size(), min_bytes);
   }
   SharedKey key;

@@ -50,7 +50,7 @@ MessageHeader decode_header(std::span<const std::byte, header_bytes> bytes, cons
 Message decode_body(const MessageHeader& header, std::span<const std::byte> body, const std::string& place) {
   const std::string frame_place = fmt::format("{}: frame {}", place, header.frame);
   if (body.size() != header.body_bytes) {
-    fail(frame_place, "a body of {} bytes, {} promised", body.size(), header.body_bytes);
+    fail(frame_place, "a body of {} bytes instead of {}", body.size(), header.body_bytes);
   }
   if (checksum_of(header, body) != header.checksum) fail(frame_place, "a message with a wrong checksum");
   ByteReader in(body, frame_place);

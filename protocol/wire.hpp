@@ -13,7 +13,8 @@
 namespace triptych {
 
 inline constexpr size_t header_bytes = 16;
-/// The longest body that a role accepts once it knows its peer, and before that.
+/// The longest body that a role accepts from a peer that it knows, and from a caller that it does not know
+/// yet.
 inline constexpr uint32_t body_limit = 64u << 20;
 inline constexpr uint32_t hello_body_limit = 4096;
 /// Texts are cut to this many bytes by the sender.
@@ -28,16 +29,16 @@ struct MessageHeader {
 /// Header and body. Control characters in texts become spaces. Error for a set that a message cannot hold.
 std::vector<std::byte> encode(const Message& message);
 
-/// Error (place) for bytes that are no header of ours, a type that does not exist, or a body longer than
+/// Error (place) for bytes that are not a message header, a type that does not exist, or a body longer than
 /// `limit`.
 MessageHeader decode_header(std::span<const std::byte, header_bytes> bytes, const std::string& place,
                             uint32_t limit = body_limit);
 
-/// Error (place, and the frame) for a wrong checksum and for a body that is too short, too long or makes no
-/// sense. Of a Hello of another protocol version only version, roles and channel are read.
+/// Error (place, and the frame) for a wrong checksum and for a body that is too short, too long or invalid.
+/// Of a Hello of another protocol version only version, roles and channel are read.
 Message decode_body(const MessageHeader& header, std::span<const std::byte> body, const std::string& place);
 
-/// One message and nothing after it.
+/// Decodes exactly one message. Error for bytes after it.
 Message decode(std::span<const std::byte> bytes, const std::string& place);
 
 }  // namespace triptych

@@ -5,6 +5,7 @@
 #include "raster/box_test.hpp"
 #include "raster/float_state.hpp"
 #include "raster/lines.hpp"
+#include "visibility/shading.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -117,7 +118,7 @@ void RasterTarget::make_picture() const {
   if (view_) {
     shade(buffer_, *view_, picture_);
   } else {
-    std::fill(picture_.begin(), picture_.end(), background_pixel());
+    std::fill(picture_.begin(), picture_.end(), background_bytes);
   }
   picture_is_made_ = true;
 }

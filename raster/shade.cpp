@@ -57,15 +57,14 @@ class Shader {
 };
 
 [[gnu::noinline]] void shade_row(const VisibilityBuffer& buffer, const Shader& shader, int y, Rgba* row) {
-  const Rgba background = background_pixel();
   // Neighbours are often of one triangle.
   uint32_t slot = 0;
-  Rgba color = background;
+  Rgba color{};
   bool known = false;
   for (int x = 0; x < buffer.width(); ++x) {
     const VisibilityWord word = buffer.word(x, y);
     if (word == 0) {
-      row[x] = background;
+      row[x] = background_bytes;
       continue;
     }
     if (!known || slot_of(word) != slot) {
@@ -78,12 +77,6 @@ class Shader {
 }
 
 }  // namespace
-
-[[gnu::noinline]] Rgba background_pixel() {
-  Rgba color;
-  for (size_t i = 0; i < 4; ++i) color[i] = to_byte(background_color[i]);
-  return color;
-}
 
 [[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
   const Shader shader(view);

@@ -12,9 +12,6 @@ namespace triptych {
 
 using Rgba = std::array<uint8_t, 4>;
 
-/// Of pixels without geometry.
-Rgba background_pixel();
-
 /// The picture of what the buffer holds under the view, rows from bottom to top: flat faces in the light that
 /// visibility/shading.hpp has, over the background.
 void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture);

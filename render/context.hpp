@@ -10,8 +10,8 @@ namespace triptych {
 
 enum class ContextKind { egl, osmesa };
 
-/// A current OpenGL context of this thread, with its functions loaded. One kind a process: the loaded
-/// functions are the first context's. Error where the machine offers none.
+/// A current OpenGL context of this thread, with its functions loaded. Only one kind per process: the loaded
+/// functions are those of the first context. Error where the machine offers none.
 class Context {
  public:
   virtual ~Context() = default;
@@ -31,7 +31,7 @@ class Context {
 
 std::unique_ptr<Context> make_context(ContextKind kind);
 
-/// What the OpenGL of the current context says of itself.
+/// The names of the current context's OpenGL.
 DeviceNames current_opengl();
 
 }  // namespace triptych

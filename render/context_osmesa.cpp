@@ -12,8 +12,8 @@ namespace {
 
 const std::string place = "OSMesa";
 
-/// Loaded when a context is asked for and not with the program: LLVM comes with it, 44 MiB of every process,
-/// and most of them draw nothing or by EGL.
+/// Loaded only when a context is made, not with the program: LLVM comes with it, 44 MiB in every process, and
+/// most processes draw nothing or use EGL.
 struct Library {
   decltype(&::OSMesaCreateContextAttribs) create_context;
   decltype(&::OSMesaMakeCurrent) make_current;
@@ -35,7 +35,7 @@ struct Library {
     if (!function) fail(place, "has no {}", name);
   }
 
-  void* handle_;  ///< never closed: drivers keep things until the process ends
+  void* handle_;  ///< never closed: drivers keep pointers into it until the process ends
 };
 
 const Library& library() {

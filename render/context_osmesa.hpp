@@ -1,4 +1,4 @@
-// OSMesa: OpenGL in memory alone, where not even EGL is to be had.
+// OSMesa: OpenGL in main memory, for machines without EGL.
 #pragma once
 
 #include "render/context.hpp"

@@ -1,5 +1,5 @@
-// Drawables as OpenGL draws them: one indirect command and one record a placement, in the order
-// given, and the bounds of its pieces.
+// Drawables as OpenGL draws them: one indirect command and one record per placement, in the order given, and
+// the bounds of its pieces.
 #pragma once
 
 #include "lod/representation.hpp"
@@ -13,18 +13,18 @@
 
 namespace triptych {
 
-/// Where a chunk lies in the device's buffers; nowhere where it is not there.
+/// Where a chunk lies in the device's buffers; empty if it is not loaded.
 struct ChunkRange {
   uint32_t first_index = 0, index_count = 0, base_vertex = 0;
   bool loaded() const { return index_count > 0; }
 };
 
-/// What the vertex stage reads for one placement; laid out as the shader has it.
+/// What the vertex stage reads for one placement; the same layout as in the shader.
 struct DrawRecord {
   glm::vec4 rows[3];
   glm::ivec3 cell;
   uint32_t item;
-  uint32_t first_bound;  ///< of the chunk's pieces, which follow each other
+  uint32_t first_bound;  ///< of the chunk's first piece; those of the others follow
   uint32_t unused[3];
 };
 static_assert(sizeof(DrawRecord) == 80);
@@ -41,17 +41,17 @@ struct DrawList {
   std::vector<DrawCommand> commands;
   uint64_t triangles = 0;
 
-  /// Empties it and keeps its room.
+  /// Empties it and keeps its memory.
   void clear();
 };
 
-/// Makes draw lists under one frame view at a time. Keeps its room from frame to frame.
+/// Makes draw lists under one frame view at a time. Reuses its memory from frame to frame.
 class DrawListBuilder {
  public:
   explicit DrawListBuilder(const Skeleton& skeleton) : skeleton_(skeleton), placer_(skeleton) {}
 
   void begin(const FrameView& view);
-  /// ranges: of each chunk where it lies in device memory; those that are not loaded are left out.
+  /// ranges: for each chunk where it lies in device memory; chunks that are not loaded are left out.
   void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, DrawList& list);
 
  private:

@@ -15,14 +15,13 @@ enum class TestKind {
   storage,  ///< all rectangles in one instanced draw; fragments that pass mark their slot
 };
 
-/// In the context that is current in this thread, which must be current whenever the device or one of its
-/// targets is used. Geometry is asked of the residency when it is drawn, and stays in device memory. Error
-/// where OpenGL refuses.
+/// A device in the context that is current in this thread, which must be current whenever the device or one
+/// of its targets is used. Geometry is requested from the residency when it is first drawn, and stays in
+/// device memory. Error where OpenGL reports one.
 std::unique_ptr<Device> make_gl_device(const Skeleton& skeleton, Representation& representation,
                                        Residency& residency, TestKind test);
 
-/// RGBA of what the window whose context is current shows before it is swapped, width × height, bottom row
-/// first.
+/// RGBA of the back buffer of the window whose context is current, width × height, bottom row first.
 std::vector<uint8_t> read_window(int width, int height);
 
 }  // namespace triptych

@@ -7,8 +7,8 @@
 
 namespace triptych {
 
-/// rgba: width × height × 4 bytes, rows from bottom to top (as Target reads them); alpha is dropped. The file
-/// appears under its name only when it is whole. Error (the path) if it cannot be written.
+/// rgba: width × height × 4 bytes, rows from bottom to top (as FrameTarget reads them); alpha is dropped. The
+/// file appears under its name only when it is complete. Error (the path) if it cannot be written.
 void write_png(const std::filesystem::path& file, int width, int height, std::span<const uint8_t> rgba);
 
 }  // namespace triptych

@@ -11,10 +11,10 @@ namespace triptych {
 
 namespace {
 
-constexpr int side = 256;  // small enough that pixels and 4096ths of them are exact in floats
+constexpr int side = 256;  // small enough that pixels and 1/4096 of them are exact in floats
 
-/// The same numbers on every machine.
-class Numbers {
+/// Random numbers, the same on every machine.
+class RandomNumbers {
  public:
   float number(double lo, double hi) {
     return static_cast<float>(lo + (hi - lo) * (static_cast<double>(generator_()) * 0x1p-32));
@@ -27,8 +27,8 @@ class Numbers {
 float device(double pixel) { return static_cast<float>(2 * pixel / side - 1); }
 float centre(int pixel) { return device(pixel + 0.5); }
 
-/// Squares whose right or left edges pass the centre of a pixel by k/4096 pixels: the largest k that makes no
-/// difference is how far snapping moves an edge.
+/// Draws squares whose right or left edges pass the centre of a pixel by k/4096 pixels: the largest k that
+/// makes no difference is how far snapping moves an edge.
 double snapping() {
   RasterProbe probe(side, side);
   double furthest = 0;
@@ -50,15 +50,15 @@ double snapping() {
   return furthest;
 }
 
-/// A grid of triangles whose inner corners lie anywhere: inside it, pixels that are not drawn exactly once.
+/// Draws a grid of triangles with random inner corners: how many pixels inside it are not drawn exactly once.
 double fill_rule() {
   constexpr int cells = 24;
-  Numbers numbers;
+  RandomNumbers numbers;
   std::vector<ProbeVertex> corners;
   for (int y = 0; y <= cells; ++y) {
     for (int x = 0; x <= cells; ++x) {
       const bool inner = x > 0 && y > 0 && x < cells && y < cells;
-      const float shake = inner ? 0.4f / cells : 0;  // triangles do not fold
+      const float shake = inner ? 0.4f / cells : 0;  // small enough that triangles do not overlap
       corners.push_back({-1 + 2.0f * static_cast<float>(x) / cells + numbers.number(-shake, shake),
                          -1 + 2.0f * static_cast<float>(y) / cells + numbers.number(-shake, shake), 0.5f, 1});
     }
@@ -75,9 +75,9 @@ double fill_rule() {
       std::count_if(counts.begin(), counts.end(), [](float count) { return std::abs(count - 1) > 0.25f; }));
 }
 
-/// Planes at all slants, seen in perspective: the relative error of the depth buffer at pixel centres.
+/// Draws planes at all slants, in perspective: the relative error of the depth buffer at pixel centres.
 double depth_rounding() {
-  Numbers numbers;
+  RandomNumbers numbers;
   RasterProbe probe(side, side);
   double worst = 0;
   for (int round = 0; round < 12; ++round) {
@@ -104,10 +104,10 @@ struct TestTruth {
   double hidden_by_queries = 0, hidden_by_storage = 0, equal_taken = 0;
 };
 
-/// Rectangles on pixel borders against depths that are read back: those that are in front somewhere, or at
-/// the very depth, and are said to be hidden.
+/// Tests rectangles on pixel borders against depths that are read back: how many are called hidden although
+/// they are somewhere in front of the depth or at exactly the depth.
 TestTruth tests_against_readback() {
-  Numbers numbers;
+  RandomNumbers numbers;
   RasterProbe probe(side, side);
   std::vector<ProbeVertex> scene;
   for (int i = 0; i < 300; ++i) {
@@ -125,7 +125,7 @@ TestTruth tests_against_readback() {
               y1 = y0 + 1 + static_cast<int>(numbers.number(0, 16));
     ScreenRectangle rectangle{device(x0), device(y0), device(x1), device(y1), {}, {}};
     DepthPlane& plane = rectangle.planes[0];
-    // A third of them at exactly a depth that stands there, a third sloping.
+    // A third of them exactly at a depth of the buffer, a third sloping.
     plane.middle = i % 3 == 0 ? depths[static_cast<size_t>(y0 * side + x0)] : numbers.number(0.05f, 0.9f);
     if (i % 3 == 1) plane.slope = {numbers.number(-8, 8), numbers.number(-8, 8)};
     const float rounding = i % 3 == 1 ? static_cast<float>(17 * plane_rounding) : 0;

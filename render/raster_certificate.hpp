@@ -1,5 +1,5 @@
-// What this machine's OpenGL does where its specification leaves it room: measured, and held against the
-// margins that make culling exact.
+// Measures what this machine's OpenGL does where its specification leaves it a choice, and compares it with
+// the margins that make culling exact.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// One thing measured and the margin that the product allows for it.
+/// One measurement and the margin that the product allows for it.
 struct RasterFinding {
   std::string name;      ///< "sub-pixel snapping"
   std::string measured;  ///< "2⁻⁹ pixels"
@@ -18,21 +18,22 @@ struct RasterFinding {
   bool holds() const { return value <= margin; }
 };
 
-/// How sure a machine's pictures are: exact where everything measured is within its margin (then culled
-/// pictures equal un-culled ones), conservative where something is not.
+/// Whether a machine's culled pictures equal its un-culled ones: exact where every measurement is within its
+/// margin, conservative where one is not.
 enum class RasterVerdict : uint8_t { unknown, exact, conservative };
 const std::string& verdict_name(RasterVerdict verdict);
 
 struct RasterCertificate {
   std::vector<RasterFinding> findings;
-  int claimed_subpixel_bits = 0;  ///< what OpenGL says of itself
+  int claimed_subpixel_bits = 0;  ///< as OpenGL reports them
   RasterVerdict verdict() const;
 };
 
 /// Takes some tens of milliseconds. A context must be current. Measures: by how much snapping moves a vertex;
-/// pixels of shared edges that are drawn not exactly once; how far interpolated depth is from exact,
-/// relative; fragments on which two of the product's own programs disagree; boxes in front of the depth whose
-/// occlusion query, or storage-buffer test, says hidden; pixels of equal depth that the later one takes.
+/// pixels of shared edges that are not drawn exactly once; how far interpolated depth is from exact,
+/// relative; fragments on which two of the product's own programs disagree; boxes in front of the depth that
+/// the occlusion query, or the storage-buffer test, calls hidden; fragments of equal depth that replace the
+/// earlier one.
 RasterCertificate measure_raster();
 
 }  // namespace triptych

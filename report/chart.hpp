@@ -8,7 +8,7 @@ namespace triptych {
 
 struct ChartSeries {
   std::string name;
-  std::vector<double> values;  ///< one a frame
+  std::vector<double> values;  ///< one per frame
 };
 
 struct LineChart {
@@ -16,12 +16,12 @@ struct LineChart {
   std::vector<ChartSeries> series;
 };
 
-/// The least of 1, 2, 2.5, 5 × 10ⁿ times a whole number of steps, at most five, that holds value; 1 for
-/// nothing above 0.
+/// The smallest axis limit that is not below value, as at most five steps of 1, 2, 2.5 or 5 × 10ⁿ; 1 for
+/// values up to 0.
 double axis_limit(double value);
 
-/// One <svg> element. Where a few values tower above the 99th percentile the axis stops below them, and the
-/// chart says how many are cut off and how high they went.
+/// One <svg> element. Where a few values are far above the 99th percentile the axis ends below them, and the
+/// chart says how many are cut off and how high they are.
 std::string chart_svg(const LineChart& chart);
 
 }  // namespace triptych

@@ -13,7 +13,7 @@ std::string Goal::verdict() const {
                        at_least ? "at least" : "at most", limit, decimals);
   }
   if (met()) return "met: " + against;
-  // What is missed by less than the last decimal must not read as missed by nothing.
+  // A goal that is missed by less than the last decimal must not be printed as missed by 0.
   const double by = std::abs(value - limit);
   const int digits = by > 0 && by < std::pow(10, -decimals) ? decimals + 4 : decimals;
   return fmt::format("missed by {:.{}f}: {}", by, digits, against);

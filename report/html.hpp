@@ -1,4 +1,4 @@
-// The few pieces of HTML that reports are made of.
+// The HTML elements that reports are made of.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace triptych {
 
-/// Text as it may stand between tags and inside quoted attributes.
+/// Text escaped for use between tags and inside quoted attributes.
 std::string escape_html(std::string_view text);
 
 /// "12 345" with narrow spaces that do not break, decimals after the point.

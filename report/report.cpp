@@ -17,21 +17,21 @@ json read_json(const std::filesystem::path& file) {
   } catch (const json::exception& error) {
     fail(file.string(), "is no JSON: {}", error.what());
   }
-  if (!document.is_object()) fail(file.string(), "holds no JSON object");
+  if (!document.is_object()) fail(file.string(), "does not hold a JSON object");
   return document;
 }
 
 std::string member(const json& object, const char* key, const std::string& place) {
   const auto found = object.is_object() ? object.find(key) : object.end();
   if (!object.is_object() || found == object.end() || !found->is_string())
-    fail(place, "lacks the text \"{}\"", key);
+    fail(place, "has no text \"{}\"", key);
   return found->get<std::string>();
 }
 
 /// The array of that name; an empty one where there is none.
 json list(const json& object, const char* key, const std::string& place) {
   const json items = object.value(key, json::array());
-  if (!items.is_array()) fail(place, "\"{}\" is no list", key);
+  if (!items.is_array()) fail(place, "\"{}\" is not a list", key);
   return items;
 }
 
@@ -57,7 +57,7 @@ std::vector<double> ReportEntry::numbers(const std::string& pointer) const {
     fail(file.string(), "has no list at {}", pointer);
   std::vector<double> values;
   for (const json& value : figures.at(key)) {
-    if (!value.is_number()) fail(file.string(), "has something else than numbers at {}", pointer);
+    if (!value.is_number()) fail(file.string(), "has something other than numbers at {}", pointer);
     values.push_back(value.get<double>());
   }
   return values;

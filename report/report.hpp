@@ -1,4 +1,4 @@
-// A report's material: what the commands of a run wrote as JSON, with the command beside each.
+// The input of a report: what the commands of a run wrote as JSON, each with its command.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 namespace triptych {
 
 struct ReportEntry {
-  std::string name;            ///< what the page knows it by: "walk", "one_process" …
+  std::string name;            ///< its name in the page: "walk", "one_process" …
   std::string command;         ///< as it was typed
-  std::filesystem::path file;  ///< where its figures came from
+  std::filesystem::path file;  ///< the JSON file of its figures
   nlohmann::json figures;
 
   /// The number at a JSON pointer such as "/frame_ms/p50". Error (place: the file) where there is none.
@@ -28,8 +28,8 @@ struct ReportPicture {
 
 struct Report {
   std::string title;
-  std::string note;                      ///< what a reader should know first; may be empty
-  bool held_to_exactness_alone = false;  ///< the run is not of what the other targets are set for
+  std::string note;                      ///< an introduction for the reader; may be empty
+  bool held_to_exactness_alone = false;  ///< the other goals are not meant for this run
   std::vector<ReportEntry> entries;
   std::vector<ReportPicture> pictures;
 
@@ -39,8 +39,8 @@ struct Report {
 
 /// Reads a manifest {"title", "note", "held_to", "entries": [{"name", "command", "json"}], "pictures":
 /// [{"file", "caption", "command"}]} and the JSON files that it names, relative to it. "held_to" is
-/// "everything", as where it is missing, or "exactness". Error for a file that is missing or broken, a key
-/// that is not known, a name used twice, and a picture that is not there.
+/// "everything", the default, or "exactness". Error for a file that is missing or broken, a key that is not
+/// known, a name used twice, and a picture that is not there.
 Report load_report(const std::filesystem::path& manifest);
 
 }  // namespace triptych

@@ -14,7 +14,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The commands of these entries, as they stand under a table or chart.
+/// The commands of these entries, to be put under a table or chart.
 std::string commands(const Report& report, const Names& names) {
   std::string html;
   for (const ReportEntry& entry : report.entries) {
@@ -76,7 +76,7 @@ std::string time_chart(const Report& report) {
   if (full)
     caption +=
         fmt::format(" The frustum at full detail takes {:.0f} ms (median).", full->figure("/frame_ms/p50"));
-  return chart_figure({"ms a frame",
+  return chart_figure({"ms per frame",
                        {{"three processes", walk->numbers("/series/frame_ms")},
                         {"one process", walk->numbers("/one_process/series/frame_ms")}}},
                       caption);
@@ -88,10 +88,10 @@ std::string visibility_charts(const Report& report) {
   return chart_figure(
              {"drawables",
               {{"in the cut", walk->numbers("/series/cut")}, {"drawn", walk->numbers("/series/visible")}}},
-             "What the view frustum asks for, and what the culling lets through.") +
+             "Drawables in the view frustum, and those that the culling lets through.") +
          chart_figure({"ids",
                        {{"drawn", walk->numbers("/series/visible")},
-                        {"changed, and so sent", walk->numbers("/series/changed")}}},
+                        {"changed, and therefore sent", walk->numbers("/series/changed")}}},
                       "What is drawn, and how much of it changes from one frame to the next.");
 }
 
@@ -106,18 +106,16 @@ std::string command_list(const Report& report) {
   std::string html = "<h2>Every command</h2>\n<ol>\n";
   for (const ReportEntry& entry : report.entries)
     html += "<li><code>" + escape_html(entry.command) + "</code></li>\n";
-  return html + "</ol>\n<p class=\"quiet\">All figures of these commands stand in report.json.</p>\n";
+  return html + "</ol>\n<p class=\"quiet\">All figures of these commands are in report.json.</p>\n";
 }
 
 std::string bandwidth_note(const Report& report) {
   const ReportEntry* const walk = report.find("walk");
   if (!walk) return "";
   return fmt::format(
-      "On the walk the session sent {:.2f} Mbit/s at {:.1f} frames a second; the paper's formula, 8nf + "
-      "nhf/b + "
-      "216f + 3hf bytes with headers of 50 bytes and 100 ids a packet, gives {:.2f}. The paper reckons with "
-      "at "
-      "most 8.3 Mbit/s and saves 93&nbsp;% by deltas on average.",
+      "On the walk the session sent {:.2f} Mbit/s at {:.1f} frames per second; the paper's formula, 8nf + "
+      "nhf/b + 216f + 3hf bytes with headers of 50 bytes and 100 ids per packet, gives {:.2f}. The paper "
+      "expects at most 8.3 Mbit/s and saves 93&nbsp;% by deltas on average.",
       walk->figure("/mbit_per_s/measured"), 1000 / std::max(1e-9, walk->figure("/frame_ms/mean")),
       walk->figure("/mbit_per_s/formula"));
 }
@@ -127,8 +125,8 @@ std::string traffic_note(const Report& report) {
   if (!walk) return "";
   return fmt::format(
       "Headers and bodies of messages, beside the paper’s formula for the ids that change and TCP’s payload "
-      "as the kernel counts it. The formula’s third camera is the render node’s own, which does not travel. "
-      "Bodies of deltas take {:.1f}&nbsp;% of the paper’s 4 bytes an id. All that was sent, cameras and "
+      "as the kernel counts it. The formula’s third camera is the render node’s own, which is not sent. "
+      "Bodies of deltas take {:.1f}&nbsp;% of the paper’s 4 bytes per id. All that was sent, cameras and "
       "digests included, is {:.1f}&nbsp;% of what the formula takes to send every visible id each frame, and "
       "{:.0f}&nbsp;% of what it takes for changes alone.",
       100 * walk->figure("/traffic/share_of_4_bytes_per_id/bodies"),
@@ -141,10 +139,9 @@ std::string latency_note(const Report& report) {
   if (!walk) return "";
   const double whole = walk->figure("/latency_ms/whole/mean");
   return fmt::format(
-      "The way of one camera through the session, in milliseconds, over the {:.0f} frames that all three "
-      "roles "
-      "played after the first. The parts follow each other; what is left of the whole without them is "
-      "{:.2f}&nbsp;% of it.",
+      "The time from a camera to its picture, in milliseconds, over the {:.0f} frames that all three roles "
+      "drew together, except the first. The parts follow each other; the remainder is {:.2f}&nbsp;% of the "
+      "whole.",
       walk->figure("/latency_ms/frames"),
       whole > 0 ? 100 * walk->figure("/latency_ms/remainder/mean") / whole : 0.0);
 }
@@ -162,9 +159,9 @@ std::string stages_note(const Report& report) {
   if (!walk) return "";
   return fmt::format(
       "Milliseconds by the wall clock, each stage up to its <code>glFinish</code>; in the session three "
-      "processes "
-      "share this machine's cores. Timed one at a time, the stages predict {:.1f} frames a second on three "
-      "machines, without the network: a prediction, not a measurement. The paper calls 20 interactive.",
+      "processes share this machine's cores. Timed one at a time, the stages predict {:.1f} frames per "
+      "second on three machines, without the network: a prediction, not a measurement. The paper calls 20 "
+      "interactive.",
       walk->figure("/predicted_fps_three_machines"));
 }
 
@@ -185,12 +182,12 @@ std::string report_page(const Report& report) {
   if (!report.note.empty()) body += "<p>" + escape_html(report.note) + "</p>\n";
   body += targets_section(report) + pictures_section(report);
   body += section(report, "The model", "", model_table(report), {"sample", "build", "info"});
-  body += section(report, "Speed", "Means where nothing else is said.", speed_table(report),
+  body += section(report, "Speed", "Means unless stated otherwise.", speed_table(report),
                   {"full_detail", "one_process", "coarse", "walk"}, time_chart(report));
   body += section(report, "Exactness and culling",
-                  "A frame counts as identical where every pixel is that of the un-culled picture. Culling "
-                  "efficiency: drawables "
-                  "drawn for each one that owns a pixel of the item buffer; 1 is perfect.",
+                  "A frame counts as identical where every pixel is that of the un-culled picture. "
+                  "Culling efficiency: drawables drawn for each one that owns a pixel of the item buffer; "
+                  "1 is perfect.",
                   exactness_table(report), {"walk"}, visibility_charts(report));
   body += section(report, "What deltas save", bandwidth_note(report), delta_table(report),
                   {"walk", "fly", "spin"});
@@ -200,11 +197,10 @@ std::string report_page(const Report& report) {
                   batch_table(report), entries_with(report, "batches"));
   body += section(report, "From camera to image", latency_note(report), latency_table(report), {"walk"});
   const HtmlTable mended = mended_table(report);
-  body +=
-      section(report, "Faults seen and mended",
-              "What a session lost, and when it was whole again; its pictures are the right ones meanwhile.",
-              faults_table(report), entries_with(report, "fallback_frames"),
-              mended.rows.empty() ? "" : to_html(mended));
+  body += section(report, "Faults and recovery",
+                  "What a session lost, and when it had recovered; its pictures are correct meanwhile.",
+                  faults_table(report), entries_with(report, "fallback_frames"),
+                  mended.rows.empty() ? "" : to_html(mended));
   body += section(report, "Stages", stages_note(report), stages_table(report), {"walk"});
   return html_page(report.title, body + command_list(report));
 }

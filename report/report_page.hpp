@@ -8,9 +8,9 @@
 
 namespace triptych {
 
-/// The page, self-contained but for the pictures: targets, pictures, tables and charts of whatever entries
+/// The page, self-contained except for the pictures: targets, pictures, tables and charts of the entries that
 /// the report has, each with the commands that printed its figures. Error for an entry that lacks a figure
-/// its kind must have.
+/// which it must have.
 std::string report_page(const Report& report);
 
 /// {"title", "note", "all_met", "targets": [{what, value, limit, relation, met, entries}], "entries": [{name,

@@ -113,7 +113,8 @@ HtmlTable exactness_table(const Report& report) {
 
 HtmlTable delta_table(const Report& report) {
   HtmlTable table{
-      {"path", "frames", "drawn", "added a frame", "removed a frame", "ids saved", "body bytes an id"}, {}};
+      {"path", "frames", "drawn", "added per frame", "removed per frame", "ids saved", "body bytes per id"},
+      {}};
   add_delta(table, report.find("walk"), "walk");
   add_delta(table, report.find("fly"), "fly");
   add_delta(table, report.find("spin"), "spin");
@@ -123,7 +124,7 @@ HtmlTable delta_table(const Report& report) {
 }
 
 HtmlTable socket_table(const Report& report) {
-  HtmlTable table{{"from, to, channel", "bytes a frame", "by the formula", "by the kernel", "sent again",
+  HtmlTable table{{"from, to, channel", "bytes per frame", "by the formula", "by the kernel", "sent again",
                    "round trip, ms"},
                   {}};
   const ReportEntry* const walk = report.find("walk");
@@ -155,12 +156,12 @@ HtmlTable latency_table(const Report& report) {
   const ReportEntry* const walk = report.find("walk");
   if (!walk) return table;
   const std::vector<std::pair<std::string, std::string>> parts = {
-      {"waiting", "waiting: for the switch node, and that one for packets"},
+      {"waiting", "waiting: for the switch node, and of that node for packets"},
       {"occlusion_representation", "occlusion representation"},
       {"hardware_cull", "hardware cull"},
-      {"network", "network: the camera’s way and the sentinel’s"},
+      {"network", "network: transfer of the camera and of the sentinel"},
       {"render", "render, after the sentinel was sent"},
-      {"remainder", "what is left"},
+      {"remainder", "remainder"},
       {"whole", "camera to image"}};
   for (const auto& [key, name] : parts) {
     std::vector<std::string> row = {name};
@@ -173,8 +174,8 @@ HtmlTable latency_table(const Report& report) {
 }
 
 HtmlTable batch_table(const Report& report) {
-  HtmlTable table{{"ids a packet", "bytes a frame", "packets a frame", "camera to image, median ms", "p95 ms",
-                   "frame, median ms"},
+  HtmlTable table{{"ids per packet", "bytes per frame", "packets per frame", "camera to image, median ms",
+                   "p95 ms", "frame, median ms"},
                   {}};
   for (const ReportEntry& entry : report.entries) {
     const size_t rows = rows_at(entry, "/batches");
@@ -194,7 +195,7 @@ HtmlTable batch_table(const Report& report) {
 
 HtmlTable faults_table(const Report& report) {
   HtmlTable table{{"session", "frames", "sets sent again after a wrong digest",
-                   "frames drawn by the render node alone", "roles started again"},
+                   "frames drawn by the render node by itself", "roles started again"},
                   {}};
   for (const ReportEntry& entry : report.entries) {
     if (!entry.figures.contains("digest_mismatches") || !entry.figures.contains("fallback_frames")) continue;
@@ -207,8 +208,8 @@ HtmlTable faults_table(const Report& report) {
 }
 
 HtmlTable mended_table(const Report& report) {
-  HtmlTable table{{"session", "what was seen", "at frame", "seconds into the session",
-                   "frames by the render node alone", "for, ms", "all three again at frame"},
+  HtmlTable table{{"session", "what happened", "at frame", "seconds into the session",
+                   "frames drawn by the render node by itself", "for, ms", "all three again at frame"},
                   {}};
   for (const ReportEntry& entry : report.entries) {
     for (size_t i = 0; i < rows_at(entry, "/faults"); ++i) {

@@ -25,7 +25,7 @@ size_t LoadOnDemand::pump(double budget_ms) {
     std::pop_heap(requests_.begin(), requests_.end());
     const uint32_t chunk = requests_.back().chunk;
     requests_.pop_back();
-    if (resident_.count(chunk) != 0) continue;  // asked for twice
+    if (resident_.count(chunk) != 0) continue;  // requested twice
     Chunk geometry = pack_.read_chunk(chunk);
     bytes_ += bytes_of(geometry);
     resident_.emplace(chunk, Resident{std::move(geometry)});

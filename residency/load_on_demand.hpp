@@ -1,4 +1,4 @@
-// Chunks are read when they are asked for, by whoever asks.
+// Chunks are read when they are requested, in the thread that requests them.
 #pragma once
 
 #include "residency/residency.hpp"

@@ -1,4 +1,4 @@
-// What scenes are made of.
+// The triangles that scenes are made of.
 #pragma once
 
 #include <cstdint>

@@ -9,8 +9,8 @@
 
 namespace triptych {
 
-/// A stream of random numbers; fork() gives independent streams, so that one room's luck never shifts
-/// another's.
+/// A stream of random numbers; fork() gives independent streams, so that the choices in one room never change
+/// those in another.
 class Random {
  public:
   explicit Random(uint64_t seed) : seed_(seed), engine_(mixed(seed)) {}

@@ -1,5 +1,7 @@
 #include "samples/shape.hpp"
 
+#include "samples/sweep.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -18,11 +20,6 @@ size_t min_rings(size_t points, bool bent, size_t sides) {
 }
 
 uint64_t round_triangles(size_t sides, size_t rings) { return 2 * sides * (rings - 1) + 2 * (sides - 2); }
-
-struct Ring {
-  glm::dvec3 centre;
-  double radius;
-};
 
 /// A tube's line with its corners cut into arcs.
 std::vector<Ring> bent_rings(const std::vector<glm::dvec3>& points, double radius, size_t steps) {
@@ -63,58 +60,6 @@ std::vector<Ring> with_more(const std::vector<Ring>& rings, size_t more) {
     result.push_back(rings[i]);
   }
   return result;
-}
-
-void add_triangle(MeshPart& part, size_t a, size_t b, size_t c) {
-  part.indices.insert(part.indices.end(),
-                      {static_cast<uint32_t>(a), static_cast<uint32_t>(b), static_cast<uint32_t>(c)});
-}
-
-/// Circles of points around the rings, joined, and closed at both ends.
-void add_round(MeshPart& part, const std::vector<Ring>& rings, size_t sides) {
-  const size_t first = part.positions.size();
-  glm::dvec3 across(0);
-  for (size_t i = 0; i < rings.size(); ++i) {
-    glm::dvec3 along = rings[std::min(i + 1, rings.size() - 1)].centre - rings[i - (i > 0)].centre;
-    // Rings at one place are steps of a turned body.
-    if (glm::length(along) < 1e-9) along = rings.back().centre - rings.front().centre;
-    along = glm::normalize(along);
-    if (i == 0) across = std::abs(along.y) < 0.7 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    across = glm::normalize(across - along * glm::dot(across, along));
-    const glm::dvec3 third = glm::cross(along, across);
-    for (size_t k = 0; k < sides; ++k) {
-      const double turn = glm::two_pi<double>() * static_cast<double>(k) / static_cast<double>(sides);
-      part.positions.emplace_back(rings[i].centre +
-                                  rings[i].radius * (std::cos(turn) * across + std::sin(turn) * third));
-    }
-  }
-  for (size_t i = 0; i + 1 < rings.size(); ++i) {
-    for (size_t k = 0; k < sides; ++k) {
-      const size_t a = first + i * sides + k, b = first + i * sides + (k + 1) % sides;
-      add_triangle(part, a, b, b + sides);
-      add_triangle(part, a, b + sides, a + sides);
-    }
-  }
-  const size_t last = first + (rings.size() - 1) * sides;
-  for (size_t k = 1; k + 1 < sides; ++k) {
-    add_triangle(part, first, first + k + 1, first + k);
-    add_triangle(part, last, last + k, last + k + 1);
-  }
-}
-
-/// A prism over a polygon: the lower corners, then the upper ones.
-void add_prism(MeshPart& part, const std::vector<glm::dvec3>& corners) {
-  const size_t first = part.positions.size(), sides = corners.size() / 2;
-  for (const auto& corner : corners) part.positions.emplace_back(corner);
-  for (size_t k = 0; k < sides; ++k) {
-    const size_t a = first + k, b = first + (k + 1) % sides;
-    add_triangle(part, a, b, b + sides);
-    add_triangle(part, a, b + sides, a + sides);
-  }
-  for (size_t k = 1; k + 1 < sides; ++k) {
-    add_triangle(part, first, first + k + 1, first + k);
-    add_triangle(part, first + sides, first + sides + k, first + sides + k + 1);
-  }
 }
 
 }  // namespace
@@ -244,7 +189,8 @@ MeshPart Shape::mesh(uint64_t triangles) const {
   for (size_t i = 0; i < plan.parts; ++i) {
     const Part& part = parts_[i];
     if (part.radii.empty()) {
-      add_prism(mesh, part.points);
+      const auto middle = part.points.begin() + static_cast<std::ptrdiff_t>(part.points.size() / 2);
+      add_lofted(mesh, {{part.points.begin(), middle}, {middle, part.points.end()}});
       continue;
     }
     std::vector<Ring> rings;

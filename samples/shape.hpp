@@ -1,4 +1,4 @@
-// A body out of bars and round parts that becomes as many triangles as it is given.
+// A body made of bars and round parts, which can be meshed with any number of triangles.
 #pragma once
 
 #include "samples/mesh_part.hpp"

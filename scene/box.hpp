@@ -32,7 +32,7 @@ struct BasicBox {
   }
   /// Corner i of 8: bit 0 chooses x, bit 1 y, bit 2 z.
   Vector corner(int i) const { return {i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z}; }
-  /// 0 for x, 1 for y, 2 for z; the first of several. The box is not empty.
+  /// 0 for x, 1 for y, 2 for z; the first of several that are equally long. The box must not be empty.
   int longest_axis() const {
     const Vector size = hi - lo;
     return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -45,14 +45,14 @@ using LatticeBox = BasicBox<glm::ivec3>;  ///< lattice coordinates
 
 inline glm::dvec3 center(const Box& box) { return (box.lo + box.hi) * 0.5; }
 
-/// Half of the surface: how often a box is seen goes with it, from anywhere and in any direction. The box is
-/// not empty.
+/// Half of the surface area, to which the chance that a random ray hits the box is proportional. The box must
+/// not be empty.
 inline double half_area(const Box& box) {
   const glm::dvec3 size = box.hi - box.lo;
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-/// No two points of the box, which is not empty, are further apart.
+/// The length of the box's diagonal. The box must not be empty.
 inline double diagonal(const Box& box) { return glm::length(box.hi - box.lo); }
 
 }  // namespace triptych

@@ -14,13 +14,14 @@ namespace triptych {
 namespace {
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Of length 1, or 0 for a vector of no length; squares neither overflow nor vanish on the way.
+/// The vector scaled to length 1, or 0 for a vector of length 0; squares neither overflow nor vanish on the
+/// way.
 glm::dvec3 direction(const glm::dvec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
 }
 
-/// Sides that doubles can tell apart, and floats after them.
+/// Whether doubles, and later floats, can tell the two sides of the frustum apart.
 bool wide_enough(double low, double high) {
   return high - low > 1e-9 * std::max(std::abs(low), std::abs(high)) && std::isfinite(high - low);
 }

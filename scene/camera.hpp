@@ -27,7 +27,7 @@ struct Camera {
 /// A symmetric frustum of the given vertical field of view (degrees) and aspect (width over height).
 void set_field_of_view(Camera& camera, double fov_y_degrees, double aspect);
 
-/// Orthographic, symmetric: so many model units from the picture's bottom to its top.
+/// Orthographic, symmetric: `height` model units from the picture's bottom to its top.
 void set_orthographic_height(Camera& camera, double height, double aspect);
 
 /// Error (place) for a camera without a direction, with numbers that are not finite, a frustum that is empty
@@ -45,7 +45,7 @@ struct View {
   /// Pixels per unit of tangent (orthographic: per model unit), horizontally and vertically.
   double focal_x() const { return width / (camera.right - camera.left); }
   double focal_y() const { return height / (camera.top - camera.bottom); }
-  /// The larger of both: what the pixel error is measured with.
+  /// The larger of the two: what the pixel error is measured with.
   double focal_length() const;
   /// √(1 + |t|²) at the frustum's corner furthest from the view axis; orthographic: 1.
   double corner_stretch() const;

@@ -22,7 +22,7 @@ bool on_lattice(const LatticeBox& box) {
 }
 
 /// The surrounding hierarchy or a sub-hierarchy.
-struct Hierarchy {
+struct HierarchyArrays {
   std::span<const SceneNode> scene_nodes;
   std::span<const Drawable> drawables;
   std::span<const Placement> placements;
@@ -31,12 +31,12 @@ struct Hierarchy {
 };
 
 template <typename Arrays>
-Hierarchy hierarchy_of(const Arrays& arrays, std::span<const HierarchyInstance> instances) {
+HierarchyArrays hierarchy_of(const Arrays& arrays, std::span<const HierarchyInstance> instances) {
   return {arrays.scene_nodes, arrays.drawables, arrays.placements, arrays.transforms, instances};
 }
 
 /// `usable`: how many sub-hierarchies there are for its instances.
-void check_instances(const Hierarchy& hierarchy, size_t usable, const std::string& place) {
+void check_instances(const HierarchyArrays& hierarchy, size_t usable, const std::string& place) {
   for (size_t i = 0; i < hierarchy.instances.size(); ++i) {
     const HierarchyInstance& instance = hierarchy.instances[i];
     const std::string here = fmt::format("{}: instance {}", place, i);
@@ -51,7 +51,7 @@ void check_instances(const Hierarchy& hierarchy, size_t usable, const std::strin
   }
 }
 
-void check_scene_nodes(const Hierarchy& hierarchy, const std::string& place) {
+void check_scene_nodes(const HierarchyArrays& hierarchy, const std::string& place) {
   const auto& nodes = hierarchy.scene_nodes;
   if (nodes.empty() || nodes[0].parent != no_id) fail(place, "has no root scene node");
   auto instance = hierarchy.instances.begin();
@@ -76,7 +76,7 @@ void check_scene_nodes(const Hierarchy& hierarchy, const std::string& place) {
   }
 }
 
-void check_drawables(const Hierarchy& hierarchy, std::span<const ChunkInfo> chunks,
+void check_drawables(const HierarchyArrays& hierarchy, std::span<const ChunkInfo> chunks,
                      const std::string& place) {
   for (size_t i = 0; i < hierarchy.placements.size(); ++i) {
     const Placement& placement = hierarchy.placements[i];
@@ -90,18 +90,18 @@ void check_drawables(const Hierarchy& hierarchy, std::span<const ChunkInfo> chun
     if (!(drawable.error >= 0) || !std::isfinite(drawable.error)) fail(here, "has no error bound");
     if (drawable.scene_node >= hierarchy.scene_nodes.size()) fail(here, "belongs to no scene node");
     const SceneNode& node = hierarchy.scene_nodes[drawable.scene_node];
-    if (i - node.first_drawable >= node.drawable_count) fail(here, "is not its scene node's");
+    if (i - node.first_drawable >= node.drawable_count) fail(here, "does not belong to its scene node");
     if (!in_range(drawable.first_placement, drawable.placement_count, hierarchy.placements.size()))
       fail(here, "names placements that do not exist");
     uint64_t triangles = 0;
     for (uint32_t placement = 0; placement < drawable.placement_count; ++placement)
       triangles += chunks[hierarchy.placements[drawable.first_placement + placement].chunk].triangle_count;
     if (triangles != drawable.triangles)
-      fail(here, "says {} triangles, its chunks hold {}", drawable.triangles, triangles);
+      fail(here, "claims {} triangles, but its chunks hold {}", drawable.triangles, triangles);
   }
 }
 
-void check_transforms(const Hierarchy& hierarchy, const std::string& place) {
+void check_transforms(const HierarchyArrays& hierarchy, const std::string& place) {
   for (const Affine& transform : hierarchy.transforms) {
     for (int column = 0; column < 4; ++column) {
       const glm::dvec3& v = transform[column];
@@ -111,7 +111,7 @@ void check_transforms(const Hierarchy& hierarchy, const std::string& place) {
   }
 }
 
-void check_hierarchy(const Hierarchy& hierarchy, std::span<const ChunkInfo> chunks,
+void check_hierarchy(const HierarchyArrays& hierarchy, std::span<const ChunkInfo> chunks,
                      const std::string& place) {
   check_transforms(hierarchy, place);
   check_scene_nodes(hierarchy, place);
@@ -132,7 +132,7 @@ void check_pieces(const Skeleton& skeleton, const std::string& place) {
     }
     end = chunk.first_piece;
   }
-  if (end != 0) fail(place, "has pieces of no chunk");
+  if (end != 0) fail(place, "has pieces that belong to no chunk");
 }
 
 void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::string& place) {
@@ -143,7 +143,7 @@ void check_chunks(const Skeleton& skeleton, uint64_t geometry_size, const std::s
     if (chunk.lattice >= skeleton.lattices.size()) fail(here, "names a lattice that does not exist");
     // A codec needs at least a byte for every 64 values: more is promised than the bytes can hold.
     if (chunk.vertex_count > chunk.size * 64 || chunk.triangle_count > chunk.size * 64)
-      fail(here, "promises more than its bytes hold");
+      fail(here, "claims more than its bytes can hold");
     if (chunk.box.empty()) fail(here, "has an empty box");
     if (!on_lattice(chunk.box)) fail(here, "leaves the lattice");
   }
@@ -160,11 +160,11 @@ void check_skeleton(const StoredSkeleton& stored, uint64_t geometry_size, const 
                     const std::string& sub_place) {
   const Skeleton& skeleton = stored.surrounding;
   if (skeleton.lattices.empty() || skeleton.transforms.empty() || skeleton.palette.empty()) {
-    fail(place, "lacks its lattice, transform or palette");
+    fail(place, "has no lattice, no transform or no palette");
   }
   check_chunks(skeleton, geometry_size, place);
   check_pieces(skeleton, place);
-  const Hierarchy surrounding = hierarchy_of(skeleton, stored.instances);
+  const HierarchyArrays surrounding = hierarchy_of(skeleton, stored.instances);
   check_instances(surrounding, stored.sub_hierarchies.size(), sub_place);
   check_hierarchy(surrounding, skeleton.chunks, place);
   for (size_t i = 0; i < stored.sub_hierarchies.size(); ++i) {
@@ -174,7 +174,7 @@ void check_skeleton(const StoredSkeleton& stored, uint64_t geometry_size, const 
       fail(here, "names a lattice that does not exist");
     if (stored_hierarchy.transforms.empty() || stored_hierarchy.transforms[0] != Affine(1))
       fail(here, "does not begin its transforms with the identity");
-    const Hierarchy hierarchy = hierarchy_of(stored_hierarchy, stored_hierarchy.instances);
+    const HierarchyArrays hierarchy = hierarchy_of(stored_hierarchy, stored_hierarchy.instances);
     check_instances(hierarchy, i, here);
     check_hierarchy(hierarchy, skeleton.chunks, here);
   }

@@ -28,8 +28,8 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
   const auto vertex_count = reader.read<uint32_t>();
   const auto triangle_count = reader.read<uint32_t>();
   if (vertex_count != info.vertex_count || triangle_count != info.triangle_count) {
-    fail(place, "holds {} vertices and {} triangles where {} and {} were promised", vertex_count,
-         triangle_count, info.vertex_count, info.triangle_count);
+    fail(place, "holds {} vertices and {} triangles instead of {} and {}", vertex_count, triangle_count,
+         info.vertex_count, info.triangle_count);
   }
   const auto vertex_bytes = reader.read_all<uint8_t>(reader.read<uint32_t>());
   const auto index_bytes = reader.read_all<uint8_t>(reader.left());

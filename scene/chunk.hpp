@@ -16,29 +16,29 @@ namespace triptych {
 struct ChunkVertex {
   glm::ivec3 point;         ///< on the chunk's lattice
   uint32_t color : 24 = 0;  ///< index into the palette
-  uint32_t piece : 8 = 0;   ///< index into the chunk's pieces; all corners of a triangle name the same one
+  uint32_t piece : 8 = 0;   ///< index into the chunk's pieces; the same for all corners of a triangle
   bool operator==(const ChunkVertex&) const = default;
 };
 static_assert(sizeof(ChunkVertex) == 16);
 
-/// No palette is larger, since vertices could not name its colours.
+/// The most colours of a palette: vertices could not name more.
 inline constexpr size_t max_colors = size_t{1} << 24;
-/// Nor has a chunk more pieces.
+/// The most pieces of a chunk, for the same reason.
 inline constexpr size_t max_chunk_pieces = 256;
 
 struct Chunk {
   std::vector<ChunkVertex> vertices;
-  std::vector<uint32_t> indices;  ///< three a triangle, counter-clockwise from outside
+  std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise from outside
 
   size_t triangle_count() const { return indices.size() / 3; }
   LatticeBox box() const;
-  /// Of a chunk in several pieces their boxes; empty for one in one piece.
+  /// The boxes of the pieces, if there are several; empty if there is only one.
   std::vector<LatticeBox> pieces() const;
 };
 
 /// Reads back what encode_chunk (preprocess/encode_chunk.hpp) wrote. Error (place) for bytes that do not
-/// decode, or that hold other counts, indices out of range, colours beyond palette_size, points outside their
-/// piece's box, or triangles across pieces. `pieces`: Skeleton::pieces_of() the chunk.
+/// decode, or that hold other counts than `info`, indices out of range, colours beyond palette_size, points
+/// outside their piece's box, or triangles across pieces. `pieces`: Skeleton::pieces_of() the chunk.
 Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
                    std::span<const LatticeBox> pieces, size_t palette_size, const std::string& place);
 

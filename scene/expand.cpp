@@ -11,11 +11,12 @@ namespace triptych {
 
 namespace {
 
-/// How many elements of each array there are in a hierarchy and all that it holds, as far as 64 bits go.
-struct Extent {
+/// How many elements of each array there are in a hierarchy and in all instances within it; saturates at 64
+/// bits.
+struct ElementCounts {
   uint64_t scene_nodes = 0, drawables = 0, placements = 0, transforms = 0, instances = 0;
 
-  void add(const Extent& other) {
+  void add(const ElementCounts& other) {
     const auto add = [](uint64_t& sum, uint64_t more) {
       sum = more > std::numeric_limits<uint64_t>::max() - sum ? std::numeric_limits<uint64_t>::max()
                                                               : sum + more;
@@ -29,46 +30,46 @@ struct Extent {
 };
 
 template <typename Hierarchy>
-Extent own_extent(const Hierarchy& hierarchy) {
+ElementCounts own_counts(const Hierarchy& hierarchy) {
   return {hierarchy.scene_nodes.size(), hierarchy.drawables.size(), hierarchy.placements.size(),
           hierarchy.transforms.size(), 0};
 }
 
-/// Of the expanded skeleton; before anything is allocated for it.
-Extent expanded_extent(const StoredSkeleton& stored) {
-  std::vector<Extent> extents;
-  const auto add_instances = [&](Extent& extent, const std::vector<HierarchyInstance>& instances) {
-    extent.add({.instances = instances.size()});
-    for (const HierarchyInstance& instance : instances) extent.add(extents[instance.sub_hierarchy]);
+/// The counts of the expanded skeleton, before anything is allocated for it.
+ElementCounts expanded_counts(const StoredSkeleton& stored) {
+  std::vector<ElementCounts> counts_of;
+  const auto add_instances = [&](ElementCounts& counts, const std::vector<HierarchyInstance>& instances) {
+    counts.add({.instances = instances.size()});
+    for (const HierarchyInstance& instance : instances) counts.add(counts_of[instance.sub_hierarchy]);
   };
   for (const SubHierarchy& hierarchy : stored.sub_hierarchies) {
-    Extent extent = own_extent(hierarchy);
-    add_instances(extent, hierarchy.instances);
-    extents.push_back(extent);
+    ElementCounts counts = own_counts(hierarchy);
+    add_instances(counts, hierarchy.instances);
+    counts_of.push_back(counts);
   }
-  Extent whole = own_extent(stored.surrounding);
+  ElementCounts whole = own_counts(stored.surrounding);
   add_instances(whole, stored.instances);
   return whole;
 }
 
-void check_extent(const Extent& extent, uint64_t max_bytes, const std::string& place) {
-  constexpr uint64_t max_ids = no_id - 1;  // no_id and the one before it mean something else
+void check_counts(const ElementCounts& counts, uint64_t max_bytes, const std::string& place) {
+  constexpr uint64_t max_ids = no_id - 1;  // no_id and the id before it mean something else
   const auto check = [&](uint64_t count, const char* what) {
     if (count > max_ids) fail(place, "its instances come to {} {}, more than 32 bits can name", count, what);
   };
-  check(extent.scene_nodes, "scene nodes");
-  check(extent.drawables, "drawables");
-  check(extent.placements, "placements");
-  check(extent.transforms, "transforms");
-  check(extent.instances, "instances");
-  const uint64_t bytes = extent.scene_nodes * sizeof(SceneNode) + extent.drawables * sizeof(Drawable) +
-                         extent.placements * sizeof(Placement) + extent.transforms * sizeof(Affine) +
-                         extent.instances * (sizeof(ExpandedInstance) + sizeof(Affine));
+  check(counts.scene_nodes, "scene nodes");
+  check(counts.drawables, "drawables");
+  check(counts.placements, "placements");
+  check(counts.transforms, "transforms");
+  check(counts.instances, "instances");
+  const uint64_t bytes = counts.scene_nodes * sizeof(SceneNode) + counts.drawables * sizeof(Drawable) +
+                         counts.placements * sizeof(Placement) + counts.transforms * sizeof(Affine) +
+                         counts.instances * (sizeof(ExpandedInstance) + sizeof(Affine));
   if (bytes > max_bytes) {
     fail(place,
          "its {} instances come to {} bytes of skeleton, more than the {} that are allowed: build it "
          "with --flat",
-         extent.instances, bytes, max_bytes);
+         counts.instances, bytes, max_bytes);
   }
 }
 
@@ -86,8 +87,8 @@ LatticeBox place_box(const LatticeBox& box, const Lattice& from, const Affine& t
   const Box local = from.box(box), outer = to.box(parent);
   Box placed;
   for (int i = 0; i < 8; ++i) placed.extend(transform * glm::dvec4(local.corner(i), 1));
-  // Within the parent's box before they are converted: numbers may be beyond all lattices. The parent's side
-  // stands where the transform leaves no number.
+  // Clipped to the parent's box before the conversion to integers, since numbers may be beyond every lattice.
+  // Where the transform's result is not a number, the parent's side is kept.
   placed = {glm::max(outer.lo, placed.lo), glm::min(outer.hi, placed.hi)};
   if (placed.empty()) return parent;
   const LatticeBox enclosing = to.enclosing(placed);
@@ -99,13 +100,13 @@ class Expansion {
   Expansion(StoredSkeleton stored, const std::string& place)
       : stored_(std::move(stored)), place_(place), skeleton_(std::move(stored_.surrounding)) {}
 
-  Skeleton run(const Extent& extent) {
-    skeleton_.scene_nodes.reserve(extent.scene_nodes);
-    skeleton_.drawables.reserve(extent.drawables);
-    skeleton_.placements.reserve(extent.placements);
-    skeleton_.transforms.reserve(extent.transforms);
-    skeleton_.instances.reserve(extent.instances);
-    stretches_.reserve(extent.instances);
+  Skeleton run(const ElementCounts& counts) {
+    skeleton_.scene_nodes.reserve(counts.scene_nodes);
+    skeleton_.drawables.reserve(counts.drawables);
+    skeleton_.placements.reserve(counts.placements);
+    skeleton_.transforms.reserve(counts.transforms);
+    skeleton_.instances.reserve(counts.instances);
+    stretches_.reserve(counts.instances);
     for (const HierarchyInstance& instance : stored_.instances) enqueue(instance, 0, 0, 1);
     for (size_t i = 0; i < skeleton_.instances.size(); ++i) append(i);
     skeleton_.sub_hierarchies = static_cast<uint32_t>(stored_.sub_hierarchies.size());
@@ -113,7 +114,8 @@ class Expansion {
   }
 
  private:
-  /// The instance's hierarchy has these first ids, and lengths in it were stretched so much at most.
+  /// first_node, first_transform: what local ids of the instance count from. stretch: by how much lengths
+  /// around it are stretched at most.
   void enqueue(const HierarchyInstance& instance, SceneNodeId first_node, uint32_t first_transform,
                double stretch) {
     skeleton_.instances.push_back({.scene_node = first_node + instance.scene_node,
@@ -178,9 +180,9 @@ class Expansion {
 
 Skeleton expand(StoredSkeleton stored, const std::string& place, uint64_t max_bytes) {
   if (stored.instances.empty()) return std::move(stored.surrounding);
-  const Extent extent = expanded_extent(stored);
-  check_extent(extent, max_bytes, place);
-  return Expansion(std::move(stored), place).run(extent);
+  const ElementCounts counts = expanded_counts(stored);
+  check_counts(counts, max_bytes, place);
+  return Expansion(std::move(stored), place).run(counts);
 }
 
 }  // namespace triptych

@@ -1,4 +1,4 @@
-// Sub-hierarchies put in their places: from a skeleton as it is stored to one of plain arrays.
+// Expands sub-hierarchies in each of their places: from a skeleton as it is stored to one of plain arrays.
 #pragma once
 
 #include "scene/sub_hierarchy.hpp"
@@ -17,7 +17,7 @@ inline constexpr uint64_t max_expanded_bytes = uint64_t{1} << 30;
 /// one plus the local one. Boxes are placed on the model's lattice (the smallest that hold the local one's
 /// placed corners, one step more for rounding, within the parent's box); errors are the local ones times the
 /// stretches on the way; transforms are composed in double.
-/// The parts must hold together (see scene/check_skeleton.hpp). Error (place) where ids would not fit 32
+/// The skeleton must have passed check_skeleton(). Error (place) where ids would not fit 32
 /// bits, the skeleton would take more than `max_bytes`, or numbers leave the range of doubles.
 Skeleton expand(StoredSkeleton stored, const std::string& place, uint64_t max_bytes = max_expanded_bytes);
 

@@ -1,4 +1,4 @@
-// What a frame is asked for with: the part that everybody who draws or culls it must agree on.
+// The frame state: the part of a frame's request that all who draw or cull it must agree on.
 #pragma once
 
 #include "scene/camera.hpp"
@@ -8,16 +8,16 @@
 namespace triptych {
 
 /// What a frame's cut, culling and picture are functions of, beside the pack. The Camera message carries it,
-/// the digest covers it, and nothing else that changes from frame to frame may change what is drawn. What
-/// joins it later (samples, time, section planes, the hidden set's number and hash, effects that are switched
-/// off) joins it here, in protocol/frame_state_fields.hpp and in docs/protocol.md, and nowhere else.
+/// the digest covers it, and nothing else that changes from frame to frame may change what is drawn. Later
+/// fields (samples, time, section planes, the hidden set's number and hash, effects that are switched off)
+/// are added here, in protocol/frame_state_fields.hpp and in docs/protocol.md, and nowhere else.
 struct FrameState {
   View view;               ///< camera and viewport
   double pixel_error = 1;  ///< pixels; 0 asks for full detail
   bool operator==(const FrameState&) const = default;
 };
 
-/// A frame as the render node asks for it.
+/// A frame as the render node requests it.
 struct FrameRequest {
   uint32_t number = 0;
   FrameState state = {};

@@ -1,4 +1,4 @@
-// Keys of the JSON that people write: one that is misspelt must not read as one that is not there.
+// Checks the keys of JSON files that people write, so that a misspelt key is not taken for a missing one.
 #pragma once
 
 #include "base/error.hpp"
@@ -15,7 +15,7 @@ inline void expect_known_keys(const nlohmann::json& object, const std::vector<st
                               const std::string& place) {
   for (const auto& [key, value] : object.items()) {
     if (key != "comment" && std::find(known.begin(), known.end(), key) == known.end())
-      fail(place, "\"{}\" is not known here", key);
+      fail(place, "\"{}\" is not known here; check its spelling", key);
   }
 }
 

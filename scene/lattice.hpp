@@ -27,7 +27,7 @@ struct Lattice {
   LatticeBox enclosing(const Box& box) const {
     LatticeBox around{glm::ivec3(glm::floor((box.lo - origin) / step)),
                       glm::ivec3(glm::ceil((box.hi - origin) / step))};
-    for (int axis = 0; axis < 3; ++axis) {  // the difference may have been rounded, inwards
+    for (int axis = 0; axis < 3; ++axis) {  // the difference may have been rounded inwards
       if (position(around.lo)[axis] > box.lo[axis]) --around.lo[axis];
       if (position(around.hi)[axis] < box.hi[axis]) ++around.hi[axis];
     }

@@ -45,24 +45,27 @@ void Pack::read() {
     content_hash_ = hash_bytes(skeleton_bytes, format_version_);
   }
   if (geometry_checksum(skeleton_.chunks) != geometry->checksum) {
-    fail(name_ + ": section GEOM", "its checksum does not match the skeleton's chunks: the pack is spliced");
+    fail(name_ + ": section GEOM",
+         "its checksum does not match the skeleton's chunks: they come from different packs, build it again");
   }
 }
 
 std::vector<PackSection> Pack::read_table() {
-  if (size_ < sizeof(PackHeader)) fail(name_, "is no pack: {} bytes are less than a header", size_);
+  if (size_ < sizeof(PackHeader)) fail(name_, "is not a pack: {} bytes are less than a header", size_);
   const auto header = ByteReader(read_bytes(0, sizeof(PackHeader), name_), name_).read<PackHeader>();
-  if (header.signature != pack_magic) fail(name_, "is no pack: byte 0 does not start with TRIPTYCH");
+  if (header.signature != pack_magic)
+    fail(name_, "is not a pack: it does not start with TRIPTYCH; `triptych build` makes one");
   format_version_ = header.version;
   if (format_version_ != pack_format_version && format_version_ != instanced_pack_format_version) {
-    fail(name_, "is a pack of format version {}, this program reads version {} and {}", format_version_,
-         pack_format_version, instanced_pack_format_version);
+    fail(name_, "is a pack of format version {}, this program reads versions {} and {}: build it again",
+         format_version_, pack_format_version, instanced_pack_format_version);
   }
   const std::string table_place = name_ + ": section table";
   const auto table_bytes =
       read_bytes(header.table_offset, uint64_t{header.section_count} * sizeof(PackSection), table_place);
   if (hash_bytes(table_bytes, header.version) != header.table_checksum) {
-    fail(table_place, "byte {}: the checksum does not match: the pack is damaged", header.table_offset);
+    fail(table_place, "byte {}: the checksum does not match: the pack is damaged, build it again",
+         header.table_offset);
   }
   if (const uint64_t end = header.table_offset + table_bytes.size(); end != size_)
     fail(name_, "byte {}: {} bytes are left over after the section table", end, size_ - end);
@@ -96,7 +99,7 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) const {
 std::vector<std::byte> Pack::read_section(const PackSection& section, const std::string& place) const {
   auto bytes = read_bytes(section.offset, section.size, place);
   if (hash_bytes(bytes) != section.checksum) {
-    fail(place, "byte {}: the checksum does not match: the pack is damaged", section.offset);
+    fail(place, "byte {}: the checksum does not match: the pack is damaged, build it again", section.offset);
   }
   return bytes;
 }
@@ -106,7 +109,8 @@ Chunk Pack::read_chunk(uint32_t chunk) const {
   const std::string place = fmt::format("{}: section GEOM: chunk {}", name_, chunk);
   const auto bytes = read_bytes(geometry_offset_ + info.offset, info.size, place);
   if (hash_bytes(bytes) != info.checksum) {
-    fail(place, "byte {}: the checksum does not match: the pack is damaged", geometry_offset_ + info.offset);
+    fail(place, "byte {}: the checksum does not match: the pack is damaged, build it again",
+         geometry_offset_ + info.offset);
   }
   return decode_chunk(bytes, info, skeleton_.pieces_of(chunk), skeleton_.palette.size(), place);
 }

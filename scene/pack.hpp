@@ -1,5 +1,5 @@
 // The pack: one file with the skeleton and the chunks, as a table of typed, versioned, checksummed sections.
-// docs/pack-format.md has it to the byte.
+// docs/pack-format.md describes every byte.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -19,14 +19,15 @@ namespace triptych {
 /// An open pack: the skeleton in memory, chunks read on demand. Safe to read from several threads.
 class Pack {
  public:
-  /// Error (file, section, byte) for a file that is no pack, is cut, is damaged, or is of another version.
+  /// Error (file, section, byte) for a file that is not a pack, is cut short or damaged, or has another
+  /// version.
   explicit Pack(const std::filesystem::path& file);
 
-  /// Expanded: what repeats in the pack stands in each of its places (scene/expand.hpp).
+  /// Expanded: what is stored once in the pack is there once for each of its places (scene/expand.hpp).
   const Skeleton& skeleton() const { return skeleton_; }
   /// Reads, verifies and decodes one chunk. Error (file, chunk) for damage.
   Chunk read_chunk(uint32_t chunk) const;
-  /// The same for all files with the same content: of the skeleton and every chunk's checksum.
+  /// The same for all files with the same content: a hash of the skeleton and every chunk's checksum.
   uint64_t content_hash() const { return content_hash_; }
   uint64_t size() const { return size_; }
   uint32_t format_version() const { return format_version_; }

@@ -1,5 +1,5 @@
 // The parts of a pack that its reader and its writer share: header, section table, checksums.
-// docs/pack-format.md has them to the byte.
+// docs/pack-format.md describes every byte.
 #pragma once
 
 #include "scene/skeleton.hpp"
@@ -12,7 +12,7 @@ namespace triptych {
 
 /// Of packs without sub-hierarchies.
 inline constexpr uint32_t pack_format_version = 2;
-/// Of packs that have the section SUBH: programs that do not know it must not misread them.
+/// Of packs with the section SUBH: programs that do not know it must not misread them.
 inline constexpr uint32_t instanced_pack_format_version = 3;
 
 inline constexpr std::array<char, 8> pack_magic = {'T', 'R', 'I', 'P', 'T', 'Y', 'C', 'H'};

@@ -11,7 +11,7 @@ inline constexpr auto record_members<ImportReport> = std::tuple(&ImportReport::d
                                                                 &ImportReport::repaired_edges,
                                                                 &ImportReport::stuck_groups,
                                                                 &ImportReport::warnings);
-/// All but the pieces, which come last and may be written from elsewhere.
+/// All members but the pieces, which come last and may be written by the caller.
 template <>
 inline constexpr auto record_members<Skeleton> = std::tuple(
     &Skeleton::source_triangles, &Skeleton::placed_triangles, &Skeleton::objects, &Skeleton::import,
@@ -33,14 +33,14 @@ inline constexpr auto record_members<StoredSkeleton> = std::tuple(&StoredSkeleto
 
 namespace {
 
-// The arrays are written as they stand in memory; these sizes are the format.
+// The arrays are written as they lie in memory; these sizes are part of the format.
 static_assert(sizeof(SceneNode) == 44 && sizeof(Drawable) == 24 && sizeof(Placement) == 8);
 static_assert(sizeof(Affine) == 96 && sizeof(Lattice) == 32 && sizeof(ChunkInfo) == 64 &&
               sizeof(LatticeBox) == 24 && sizeof(ObjectCounts) == 32);
 
 using Write = std::function<void(std::span<const std::byte>)>;
 
-/// What write_record() writes to, where the bytes go on as they come.
+/// What write_record() writes to; passes the bytes on as they come.
 struct Sink {
   const Write& write;
   template <typename Value>

@@ -11,8 +11,8 @@
 
 namespace triptych {
 
-/// Hands out the bytes of the section up to its last array, the pieces, of which there is only the count: so
-/// many boxes have to follow. The skeleton's own are not written.
+/// Hands out the bytes of the section up to its last array, the pieces, of which only the count is written:
+/// the caller writes that many boxes behind it. The skeleton's own pieces are not written.
 void write_skeleton(const Skeleton& skeleton, uint64_t piece_count,
                     const std::function<void(std::span<const std::byte>)>& write);
 /// The whole section, with the skeleton's own pieces.
@@ -21,9 +21,9 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton);
 /// The section SUBH: everything of the stored skeleton but its surrounding hierarchy.
 std::vector<std::byte> encode_sub_hierarchies(const StoredSkeleton& stored);
 
-/// Error (place, byte) for bytes that end too soon or too late, and for a skeleton that does not hold
-/// together (scene/check_skeleton.hpp). geometry_size: bytes of the geometry section, which the chunk table
-/// must stay inside.
+/// Error (place, byte) for bytes that end too soon or too late, and for a skeleton that is not consistent
+/// (scene/check_skeleton.hpp). geometry_size: bytes of the geometry section, which the chunk table must stay
+/// inside.
 Skeleton decode_skeleton(std::span<const std::byte> bytes, uint64_t geometry_size, const std::string& place);
 
 /// A section's bytes and the place that errors name.
@@ -31,7 +31,7 @@ struct SectionBytes {
   std::span<const std::byte> bytes;
   std::string place;
 };
-/// The same for both sections.
+/// The same for SKEL and SUBH together.
 StoredSkeleton decode_skeleton(const SectionBytes& skeleton, const SectionBytes& sub_hierarchies,
                                uint64_t geometry_size);
 

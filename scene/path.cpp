@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 double number(const json& value, const std::string& place, const char* key) {
-  // JSON has no infinity, and parsers turn 1e999 into one: only finite numbers are numbers here.
+  // JSON has no infinity, but parsers turn 1e999 into one: only finite numbers are accepted here.
   if (!value.is_number() || !std::isfinite(value.get<double>()))
     fail(place, "\"{}\" must be a finite number", key);
   return value.get<double>();
@@ -33,7 +33,7 @@ glm::vec<count, double> vector(const json& object, const std::string& place, con
   return result;
 }
 
-/// Besides the settings, which may stand at the top and on a frame.
+/// known: beside the settings, which are allowed at the top and on a frame.
 void expect_keys(const json& object, std::vector<std::string_view> known, const std::string& place) {
   known.insert(known.end(), {"near", "fov_y_degrees", "off_axis", "orthographic_height", "time_seconds"});
   expect_known_keys(object, known, place);
@@ -42,8 +42,7 @@ void expect_keys(const json& object, std::vector<std::string_view> known, const 
 void read_settings(const json& object, const std::string& place, PathFrame& frame) {
   const bool orthographic = object.contains("orthographic_height");
   if (orthographic && (object.contains("fov_y_degrees") || object.contains("off_axis"))) {
-    fail(place,
-         "\"orthographic_height\" stands instead of \"fov_y_degrees\" and \"off_axis\", not beside them");
+    fail(place, "give either \"orthographic_height\" or \"fov_y_degrees\" and \"off_axis\", not both");
   }
   if (orthographic) {
     frame.orthographic_height = number(object["orthographic_height"], place, "orthographic_height");
@@ -97,7 +96,7 @@ Path load(const std::filesystem::path& file) {
     fail(place, "is no JSON: {}", error.what());
   }
   if (!document.is_object() || !document.contains("triptych_path"))
-    fail(place, "is no camera path (\"triptych_path\": 1 is missing)");
+    fail(place, "is not a camera path (\"triptych_path\": 1 is missing)");
   if (document["triptych_path"] != 1)
     fail(place, "is a camera path of a version that this program does not know");
   const auto frames = document.find("frames");

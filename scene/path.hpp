@@ -22,13 +22,13 @@ struct PathFrame {
 
 struct Path {
   std::vector<PathFrame> frames;
-  /// The view of frame i. default_near holds where the path names no near plane.
+  /// The view of frame i. default_near is used where the path names no near plane.
   View view(size_t i, int width, int height, double default_near) const;
 };
 
-/// Error (file and frame) for a file that is missing, is no path, has no frames, holds a key that is not
+/// Error (file and frame) for a file that is missing, is not a path, has no frames, holds a key that is not
 /// known, a camera without a direction or with numbers that are not finite, or names two projections at once.
-/// A "time_seconds" (a number) and a "comment" may stand at the top and on frames; nothing comes of them.
+/// "time_seconds" (a number) and "comment" are allowed at the top and on frames, and are ignored.
 Path load_path(const std::filesystem::path& file);
 
 }  // namespace triptych

@@ -54,12 +54,12 @@ struct ChunkInfo {
   uint64_t checksum = 0;          ///< XXH3-64 of those bytes
   uint32_t vertex_count = 0, triangle_count = 0;
   uint32_t lattice = 0;      ///< index into Skeleton::lattices
-  uint32_t first_piece = 0;  ///< index into Skeleton::pieces, of which it has those up to the next chunk's
+  uint32_t first_piece = 0;  ///< index into Skeleton::pieces; its pieces end where the next chunk's begin
   LatticeBox box;            ///< of its vertices, on its lattice
   bool operator==(const ChunkInfo&) const = default;
 };
 
-/// The paper's table: how many objects there are after each step of partition-cluster-partition.
+/// How many objects there are after each step of partition-cluster-partition, as in the paper's table.
 struct ObjectCounts {
   uint64_t initial = 0, partition1 = 0, clusters = 0, partition2 = 0;
   bool operator==(const ObjectCounts&) const = default;
@@ -68,7 +68,7 @@ struct ObjectCounts {
 /// A sub-hierarchy (scene/sub_hierarchy.hpp) in one of its places: an id in it is the first one plus the
 /// local one.
 struct ExpandedInstance {
-  SceneNodeId scene_node = 0;        ///< that stands for it: the parent of its root
+  SceneNodeId scene_node = 0;        ///< the one that stands for it: the parent of its root
   SceneNodeId first_scene_node = 0;  ///< its root
   uint32_t scene_node_count = 0;     ///< without those of instances within it
   DrawableId first_drawable = 0;
@@ -82,8 +82,8 @@ struct Skeleton {
   std::vector<SceneNode> scene_nodes;
   std::vector<Drawable> drawables;
   std::vector<Placement> placements;
-  std::vector<Affine>
-      transforms;  ///< lattice space of a chunk (as positions) to model space; 0 is the identity
+  /// Lattice space of a chunk (as positions) to model space; 0 is the identity.
+  std::vector<Affine> transforms;
   std::vector<Lattice> lattices;  ///< 0 is the model's
   std::vector<ChunkInfo> chunks;
   std::vector<LatticeBox> pieces;  ///< of chunks in several pieces: boxes of their vertices, piece by piece
@@ -98,7 +98,7 @@ struct Skeleton {
   const Lattice& lattice() const { return lattices[0]; }
   /// Boxes that hold the chunk's vertices, on its lattice: of its pieces, or the one of all of it.
   std::span<const LatticeBox> pieces_of(uint32_t chunk) const;
-  uint32_t levels() const;  ///< the longest way from the root to a leaf, in scene nodes
+  uint32_t levels() const;  ///< the longest path from the root to a leaf, in scene nodes
   /// Length of the root box's diagonal, model units.
   double diagonal() const;
   /// The near plane where a path names none: small against the model, far from where depth loses its

@@ -15,15 +15,15 @@ struct HierarchyInstance {
   SceneNodeId scene_node = 0;
   uint32_t sub_hierarchy = 0;
   uint32_t transform = 0;  ///< the sub-hierarchy's space to that of the hierarchy that the scene node is in
-  double stretch = 1;      ///< bound of the factor by which the transform stretches lengths at most
+  double stretch = 1;      ///< upper bound of the factor by which the transform stretches lengths
   bool operator==(const HierarchyInstance&) const = default;
 };
 
-/// A hierarchy in a space of its own; its ids are local, from 0 on. Chunks, lattices and palette are those of
+/// A hierarchy in its own space; its ids are local, starting at 0. Chunks, lattices and palette are those of
 /// the pack.
 struct SubHierarchy {
-  uint32_t lattice = 0;  ///< index into Skeleton::lattices: what boxes of its scene nodes are on
-  std::vector<SceneNode> scene_nodes;  ///< as Skeleton's; errors of drawables count in its own space
+  uint32_t lattice = 0;  ///< index into Skeleton::lattices: the lattice of its scene nodes' boxes
+  std::vector<SceneNode> scene_nodes;  ///< as Skeleton's; errors of drawables are lengths in its own space
   std::vector<Drawable> drawables;
   std::vector<Placement> placements;  ///< Placement::transform: index into the transforms below
   std::vector<Affine> transforms;     ///< a chunk's positions to the sub-hierarchy's space; 0 is the identity

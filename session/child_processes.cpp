@@ -44,7 +44,8 @@ pid_t ChildProcesses::launch(const std::string& name, const char* file, std::vec
   if (own_input) {
     input = open_pipe(name);
     program.descriptors.push_back({input.read.number(), STDIN_FILENO});
-    // A terminal's signals are for this program: who carries what the other machine says stays till it has.
+    // A terminal's signals are for this program only: the child must keep relaying the other machine's output
+    // until that ends.
     program.ignored_signals = {SIGHUP, SIGINT};
   } else {
     program.default_signals.push_back(SIGINT);
@@ -99,7 +100,7 @@ void ChildProcesses::read_errors(int timeout_ms) {
     if (count > 0) {
       take_lines(children_[i], buffer.data(), static_cast<size_t>(count));
     } else {
-      children_[i].errors.close();  // poll passes negative descriptors over
+      children_[i].errors.close();  // poll ignores negative descriptors
     }
   }
 }
@@ -128,7 +129,7 @@ void ChildProcesses::signal_all(int signal) {
 }
 
 void ChildProcesses::end_all(std::chrono::milliseconds grace) {
-  // The end of its input reaches a program on another machine; a signal would reach only what started it.
+  // Closing its input reaches a program on another machine; a signal would only reach the local command.
   const bool beyond = std::any_of(children_.begin(), children_.end(),
                                   [](const Child& child) { return child.running && child.input.is_open(); });
   close_inputs();
@@ -162,7 +163,7 @@ std::string ChildProcesses::failure(const Child& child) {
 
 void ChildProcesses::read_the_rest(const Child& child) {
   const Stopwatch stopwatch;
-  constexpr double limit_ms = 200;  // somebody else may hold the pipe
+  constexpr double limit_ms = 200;  // another process may still hold the pipe
   while (child.errors.is_open() && stopwatch.milliseconds() < limit_ms) read_errors(5);
 }
 
@@ -195,7 +196,7 @@ bool ChildProcesses::wait(bool (*stop)()) {
     read_errors(slice_ms);
     const Child* failed = reap();
     if (!failed) continue;
-    // A killed process is the cause of what its peers complain about; of complaints the first is.
+    // A killed process is the cause of its peers' complaints; otherwise the first complaint is.
     const Stopwatch grace;
     constexpr double grace_ms = 2000;
     while (any_running() && grace.milliseconds() < grace_ms) {

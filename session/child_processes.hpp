@@ -1,4 +1,4 @@
-// Processes that this one starts and ends: none is left behind, and what they complain about is collected.
+// Processes that this one starts and ends: none is left behind, and their error messages are collected.
 #pragma once
 
 #include "base/clock.hpp"
@@ -12,7 +12,7 @@
 
 namespace triptych {
 
-/// A group of child processes that live and die together. Children get SIGTERM when this process dies.
+/// A group of child processes that end together. Children get SIGTERM when this process dies.
 class ChildProcesses {
  public:
   ChildProcesses() = default;
@@ -22,12 +22,12 @@ class ChildProcesses {
 
   /// Where a child's standard output goes.
   enum class Output {
-    shared,    ///< where this process's goes
-    as_error,  ///< with its standard error: what it prints is progress here
+    shared,    ///< to this process's
+    as_error,  ///< to its standard error: what it prints is progress here
   };
 
-  /// Starts this program again with other arguments. Its standard error comes through here, lines that start
-  /// with "triptych: " excepted: they are kept as its complaint. Error if it cannot be started.
+  /// Starts this program again with other arguments. Its standard error is passed on, except lines that start
+  /// with "triptych: ": they are kept as its complaint. Error if it cannot be started.
   pid_t start(const std::string& name, const std::vector<std::string>& arguments,
               Output output = Output::shared);
 
@@ -39,17 +39,17 @@ class ChildProcesses {
   struct Ended {
     std::string name;
     pid_t pid = -1;
-    int signal = 0;      ///< that killed it; 0 for none
-    int exit_code = 0;   ///< where none did
-    double seconds = 0;  ///< that it lived
+    int signal = 0;      ///< the one that killed it; 0 for none
+    int exit_code = 0;   ///< if no signal killed it
+    double seconds = 0;  ///< from its start to its end
     std::string reason;  ///< "was killed by signal 9 (Killed)", or its complaint
   };
-  /// What children of this name said after "triptych-record: ", one a line.
+  /// The lines that children of this name printed after "triptych-record: ".
   std::vector<std::string> records(const std::string& name) const;
-  /// Waits for the end of one child, whichever is first; each is told once. Nothing once `stop`, asked a few
-  /// times a second, is true.
+  /// Waits until any child ends; each is reported once. Nullopt once `stop`, asked a few times a second, is
+  /// true.
   std::optional<Ended> wait_for_one(bool (*stop)());
-  /// SIGTERM, and SIGKILL for those that do not go within the grace. What they say till then comes through.
+  /// SIGTERM, and SIGKILL for those that do not go within the grace. What they print until then is passed on.
   void end_all(std::chrono::milliseconds grace);
 
   /// Waits until all have ended. As soon as one fails the others get a moment to leave by themselves and are
@@ -62,14 +62,14 @@ class ChildProcesses {
     std::string name;
     pid_t pid = -1;
     Descriptor errors;  ///< read end of its standard error
-    Descriptor input;   ///< write end of its standard input, where it is ours
+    Descriptor input;   ///< write end of its standard input, if it is a pipe of ours
     bool by_line = false;
     std::string line;
     std::string complaint, record{};
-    std::string said_last{};  ///< of a line of /bin/sh: what an ssh complains about has no mark
+    std::string said_last{};  ///< of a line of /bin/sh: ssh's error messages have no prefix
     Stopwatch alive{};
     bool running = true;
-    bool told = false;  ///< its end, by wait_for_one()
+    bool told = false;  ///< whether wait_for_one() reported its end
     int status = 0;
   };
   pid_t launch(const std::string& name, const char* file, std::vector<std::string> words, Output output,
@@ -81,7 +81,7 @@ class ChildProcesses {
   Child* reap();
   bool any_running() const;
   void signal_all(int signal);
-  /// What an ended child said last.
+  /// Reads what an ended child printed last.
   void read_the_rest(const Child& child);
   static std::string failure(const Child& child);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* default_launch = "ssh -o BatchMode=yes {host} {remote}";
 
-/// A table's texts, each asked for by its key; what nobody asked for is an error.
+/// A table's texts, read by their keys; keys that were never read are an error.
 class Texts {
  public:
   Texts(const std::filesystem::path& path, std::string table, const toml::table* values)
@@ -22,7 +22,7 @@ class Texts {
     asked_.push_back(key);
     const toml::node* node = values_ ? values_->get(key) : nullptr;
     if (node == nullptr) return otherwise;
-    if (!node->is_string()) fail(place_, "{} is no text", key);
+    if (!node->is_string()) fail(place_, "{} must be a text in quotes", key);
     return node->as_string()->get();
   }
   std::string need(const std::string& key) {
@@ -54,7 +54,7 @@ std::string shell_word(const std::string& word) {
 
 using Marks = std::vector<std::pair<std::string, std::string>>;
 
-/// The template with each mark replaced, in one pass: what a name brings in is no mark.
+/// The template with each mark replaced, in one pass: marks within replacements are not replaced.
 std::string fill_in(const std::string& text, const Marks& marks) {
   std::string filled;
   for (size_t at = 0; at < text.size();) {
@@ -71,7 +71,7 @@ std::string fill_in(const std::string& text, const Marks& marks) {
 
 Hosts read_hosts(const std::filesystem::path& path, const std::string& pack) {
   toml::table file;
-  const std::string text = read_text_file(path);  // which says better than the parser why there is none
+  const std::string text = read_text_file(path);  // its error says best why the file cannot be read
   try {
     file = toml::parse(text);
   } catch (const toml::parse_error& error) {
@@ -85,10 +85,10 @@ Hosts read_hosts(const std::filesystem::path& path, const std::string& pack) {
   Hosts hosts;
   Texts all(path, "", &file);
   hosts.launch = all.get("launch", default_launch);
-  if (hosts.launch.find("{host}") == std::string::npos) fail(path.string(), "launch does not say {{host}}");
+  if (hosts.launch.find("{host}") == std::string::npos) fail(path.string(), "launch must contain {{host}}");
   if (hosts.launch.find("{command}") == std::string::npos &&
       hosts.launch.find("{remote}") == std::string::npos)
-    fail(path.string(), "launch says neither {{command}} nor {{remote}}");
+    fail(path.string(), "launch must contain {{command}} or {{remote}}");
   const Host common{"", all.get("program", "triptych"), all.get("pack", pack), all.get("key_file", "")};
   all.expect_no_more();
   Texts render(path, "render", file["render"].as_table());

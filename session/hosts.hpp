@@ -12,10 +12,10 @@ namespace triptych {
 
 /// One switch node's machine.
 struct Host {
-  std::string name;      ///< as the launch command wants it
-  std::string program;   ///< triptych, there
-  std::string pack;      ///< the copy of the pack, there
-  std::string key_file;  ///< the copy of the key, there; none where empty
+  std::string name;      ///< as the launch command needs it
+  std::string program;   ///< path of triptych there
+  std::string pack;      ///< path of the pack's copy there
+  std::string key_file;  ///< path of the key's copy there; empty: no key
 };
 
 /// The machines of a session. The render node runs on this one.
@@ -23,17 +23,17 @@ struct Hosts {
   std::string launch;    ///< command template with {host}, and {command} or {remote}
   Address render;        ///< where the render node listens, as the others reach it
   Address switch_0;      ///< where switch node 0 listens, as switch node 1 reaches it
-  std::string key_file;  ///< here; none where empty
+  std::string key_file;  ///< on this machine; empty: no key
   std::array<Host, 2> switch_nodes;
 };
 
-/// Reads a hosts file (TOML; docs/using.md has one). pack: what is taken where a host names none. Error
-/// (path) for what is missing, unknown or of another kind.
+/// Reads a hosts file (TOML; docs/using.md has an example). pack: the path for hosts that name none. Error
+/// (path) for keys that are missing, unknown or of the wrong type.
 Hosts read_hosts(const std::filesystem::path& path, const std::string& pack);
 
 /// The line for a shell that starts the program with these arguments on the host: {command} becomes the
-/// words, each quoted for that shell, {remote} the same as one word for another shell beyond, which ssh
-/// wants.
+/// words, each quoted for that shell, {remote} the same as one word for a second shell on the other machine,
+/// as ssh needs it.
 std::string launch_line(const Hosts& hosts, const Host& host, const std::vector<std::string>& arguments);
 
 }  // namespace triptych

@@ -10,8 +10,8 @@ namespace triptych {
 /// The path's frames, over and over.
 class PathSource : public FrameSource {
  public:
-  /// first: the number of the first frame that is asked for; those before it are not. loop: how often the
-  /// path is repeated. Error where those are more than frame numbers.
+  /// first: the number of the first frame; earlier ones are left out. loop: how often the path is played.
+  /// Error where there are more frames than frame numbers.
   PathSource(std::vector<FrameRequest> once, uint32_t first, size_t loop);
 
   Numbers numbers() const override { return numbers_; }

@@ -21,9 +21,9 @@ void PictureWriter::rethrow() {
 
 void PictureWriter::add(std::filesystem::path file, int width, int height, std::vector<uint8_t> rgba,
                         std::function<void()> written) {
-  constexpr size_t most_waiting = 8;
+  constexpr size_t max_queued = 8;
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return queue_.size() < most_waiting || failure_; });
+  changed_.wait(lock, [&] { return queue_.size() < max_queued || failure_; });
   rethrow();
   queue_.push_back({std::move(file), width, height, std::move(rgba), std::move(written)});
   changed_.notify_all();

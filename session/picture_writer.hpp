@@ -1,4 +1,4 @@
-// Writes PNG files beside the drawing, on a thread of its own.
+// Writes PNG files on a thread of its own, while the next frames are drawn.
 #pragma once
 
 #include <condition_variable>

@@ -15,7 +15,7 @@ RenderSink::RenderSink(const RoleCommand& command, const SessionConnector& conne
 }
 
 void RenderSink::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
-  if (record.fallback) connector_.record_alone(frame);
+  if (record.fallback) connector_.record_fallback(frame);
   if (window_) window_->show(frame, record, stages);
 }
 
@@ -33,11 +33,11 @@ void RenderSink::picture(FrameRecord record, const FrameTarget& target) {
 
 void RenderSink::epoch_ended(const Mailbox& mailbox, const std::string&) {
   add_sockets(record_.sockets, sockets_of(Role::render, mailbox));
-  add_backlog(record_.most_waiting, mailbox.max_backlog());
+  add_backlog(record_.max_backlog, mailbox.max_backlog());
 }
 
 void RenderSink::add(FrameRecord record) {
-  if (!command_.hash) record.visible = {};  // sets are kept on request alone
+  if (!command_.hash) record.visible = {};  // sets are only kept on request
   if (journal_) return journal_->add(record);
   record_.frames.push_back(std::move(record));
 }

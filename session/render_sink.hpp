@@ -1,4 +1,4 @@
-// What becomes of a render node's frames: records, pictures in files, a window, a recording.
+// Where a render node's frames go: records, picture files, a window, a recording.
 #pragma once
 
 #include "base/progress.hpp"
@@ -15,7 +15,7 @@
 
 namespace triptych {
 
-/// Takes frames as the command says. connector: keeps the recording. window: null where there is none.
+/// Handles frames as the command says. connector: keeps the recording. window: null where there is none.
 class RenderSink : public FrameSink {
  public:
   RenderSink(const RoleCommand& command, const SessionConnector& connector, WindowSource* window,
@@ -26,8 +26,8 @@ class RenderSink : public FrameSink {
   void clocks(const std::vector<PeerClock>& clocks) override { record_.clocks = clocks; }
   void epoch_ended(const Mailbox& mailbox, const std::string& reason) override;
 
-  /// Waits until every picture is written; Error for what could not be. Then the role's record, whose frames
-  /// are empty where they went to a journal.
+  /// Waits until every picture is written; Error if one could not be. Then returns the role's record, whose
+  /// frames are empty if they went to a journal.
   RoleRecord finish();
 
  private:

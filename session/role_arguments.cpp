@@ -12,7 +12,7 @@ using Words = std::vector<std::string>;
 
 void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
-/// For a command line, where a name that begins with a dash would be a flag.
+/// The name for a command line, where one that begins with a dash would be a flag.
 std::string unmistakable(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
 
 Words shared_arguments(const SessionOptions& options, const SessionSetup& setup, const std::string& pack,

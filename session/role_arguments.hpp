@@ -19,7 +19,7 @@ struct SessionSetup {
   std::filesystem::path journal;              ///< of the render node's frames
 };
 
-/// `role render …`, from the first frame that the journal has not.
+/// `role render …`, from the first frame that is not in the journal.
 std::vector<std::string> render_arguments(const SessionOptions& options, const SessionSetup& setup);
 
 /// `role switch …`, for this machine or for its host.

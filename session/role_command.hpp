@@ -1,4 +1,4 @@
-// What `triptych role` was told, and the two kinds of role that it can be.
+// The options of `triptych role`, and the two kinds of role that it can run.
 #pragma once
 
 #include "protocol/role.hpp"
@@ -22,7 +22,7 @@ struct RoleCommand {
   double connect_timeout_s = 20;
   bool timeline = false, window = false;
   std::filesystem::path record;  ///< folder for the recording; none where empty
-  // of the render node alone
+  // of the render node only
   std::filesystem::path output, journal;
   size_t loop = 1;
   double rate = 0;

@@ -1,4 +1,4 @@
-// What every process that draws a pack along a path is told.
+// Options of every process that draws a pack along a path.
 #pragma once
 
 #include "nodes/device_choice.hpp"
@@ -13,7 +13,7 @@
 
 namespace triptych {
 
-/// The most frames, or rounds over a path, that a command counts.
+/// The most frames, or repetitions of a path, of a command.
 constexpr uint64_t max_frames = std::numeric_limits<uint32_t>::max();
 
 /// Pixels.
@@ -26,7 +26,7 @@ struct RunOptions {
   PictureSize size;
   std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
   DeviceOptions device{.kind = DeviceKind::automatic};
-  size_t frames = 0;  ///< the first so many; 0 is all
+  size_t frames = 0;  ///< only the first ones; 0: all
   double pixel_error() const { return pixel_errors.front(); }
 };
 

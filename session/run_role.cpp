@@ -21,7 +21,8 @@ namespace triptych {
 
 namespace {
 
-/// Standard input ends with whoever started this role from another machine: then it is told to end.
+/// Ends this role when its standard input ends, as it does when the command that started it from another
+/// machine ends.
 void end_with_stdin() {
   std::thread([] {
     std::array<char, 256> ignored{};
@@ -31,7 +32,7 @@ void end_with_stdin() {
   }).detach();
 }
 
-/// What --inject puts into a role's part of the session.
+/// The faults of --inject in this role's part of the session.
 SessionRules injected_rules(Role self) {
   constexpr std::chrono::milliseconds slowness(20);
   const bool slow = (self == Role::render && injected(Fault::slow_render_node)) ||
@@ -41,13 +42,13 @@ SessionRules injected_rules(Role self) {
           .slowed_by = slow ? slowness : std::chrono::milliseconds(0)};
 }
 
-/// Takes down what a switch node's epochs cost.
+/// Records the figures of a switch node's epochs.
 class SwitchSink : public EpochSink {
  public:
   SwitchSink(Role self, RoleRecord& record) : self_(self), record_(record) {}
   void epoch_ended(const Mailbox& mailbox, const std::string& reason) override {
     add_sockets(record_.sockets, sockets_of(self_, mailbox));
-    add_backlog(record_.most_waiting, mailbox.max_backlog());
+    add_backlog(record_.max_backlog, mailbox.max_backlog());
     if (!reason.empty()) notice("{}: {}; looks for both peers again", role_name(self_), reason);
   }
 
@@ -59,7 +60,7 @@ class SwitchSink : public EpochSink {
 }  // namespace
 
 int run_switch(const RoleCommand& command) {
-  stop_requested();  // from here on a signal ends the role in good order
+  stop_requested();  // from here on a signal ends the role properly
   if (command.end_with_stdin) end_with_stdin();
   const Pack pack(command.run.pack);
   const ChosenDevice device = choose_device(command.run.device);
@@ -116,7 +117,8 @@ int run_render(const RoleCommand& command) {
          .session_rules = injected_rules(Role::render)});
   }
   RoleRecord record = sink.finish();
-  notice("render node: {} frames, {} of them alone, {} epochs", done.frames, done.alone, done.epochs);
+  notice("render node: {} frames, {} of them by itself, {} epochs", done.frames, done.fallback_frames,
+         done.epochs);
   record.device = device.names;
   record.raster = raster_verdict(device.names);
   record.timeline = own_timeline(role_name(Role::render));

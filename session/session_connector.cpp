@@ -17,7 +17,7 @@ namespace triptych {
 
 namespace {
 
-/// Without a key a session stays on its machine, unless somebody insists.
+/// Without a key a session must stay on this machine, unless --insecure is given.
 void check_without_key(const Address& address, bool insecure) {
   if (is_loopback(address)) return;
   if (!insecure) fail(to_text(address), "is beyond this machine: give --key-file FILE, or --insecure");
@@ -85,7 +85,7 @@ std::unique_ptr<Mailbox> SessionConnector::connect(const std::function<bool()>& 
   return equip(mailbox_or_error(attempt(stop)));
 }
 
-void SessionConnector::record_alone(const FrameRequest& frame) const {
+void SessionConnector::record_fallback(const FrameRequest& frame) const {
   if (!recording_) return;
   recording_->add({.time_ms = steady_milliseconds(),
                    .sent = true,

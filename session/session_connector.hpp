@@ -1,4 +1,4 @@
-// How a role finds its peers, as often as it has to.
+// How a role connects with its peers, once for each epoch.
 #pragma once
 
 #include "protocol/connect.hpp"
@@ -14,30 +14,29 @@
 
 namespace triptych {
 
-/// Verdict of the raster certificate; of `gl` of the context that is current when it is first asked for.
+/// The verdict of the raster certificate; for `gl`, for the context that is current at the first call.
 const std::string& raster_verdict(const DeviceNames& device);
 
-/// Connects the role with both of its peers, epoch by epoch, with what its flags say: addresses, key,
-/// recording.
+/// Connects the role with both of its peers, epoch by epoch, as its flags say: addresses, key, recording.
 class SessionConnector {
  public:
-  /// Error for an address beyond this machine without a key, unless the command insists, and for key files
-  /// that do not serve.
+  /// Error for an address beyond this machine without a key, unless the command allows it, and for key files
+  /// that cannot be used.
   SessionConnector(const RoleCommand& command, const Pack& pack, const DeviceNames& device);
 
-  /// The first time, or after the epoch before is over. Nothing where `stop` or a peer says so. Error where
-  /// it does not come about.
+  /// Connects for the first epoch, or for the one after a regular end. Null where `stop` or a peer ends the
+  /// session. Error if the peers are not found.
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const;
 
-  /// After a loss: tries again as long as the render node is there. Error where a peer differs.
+  /// Connects after a loss: tries again as long as the render node can be reached. Error if a peer differs.
   std::unique_ptr<Mailbox> connect_again(const std::function<bool()>& stop) const;
 
-  /// Takes down a frame that the render node drew alone: a camera that it sent to itself.
-  void record_alone(const FrameRequest& frame) const;
+  /// Records a frame that the render node drew by itself, as a camera that it sent to itself.
+  void record_fallback(const FrameRequest& frame) const;
 
  private:
   ConnectOutcome attempt(const std::function<bool()>& stop) const;
-  /// What every mailbox of this role gets: the recording, faults.
+  /// Adds the recording and faults to a mailbox of this role.
   std::unique_ptr<Mailbox> equip(std::unique_ptr<Mailbox> mailbox) const;
   void compare_devices(const Mailbox& mailbox) const;
 

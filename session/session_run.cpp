@@ -21,7 +21,7 @@ namespace triptych {
 
 namespace {
 
-/// What a killed render node left half written.
+/// Removes pictures that a killed render node left half written.
 void remove_partial_pictures(const std::filesystem::path& folder, pid_t pid) {
   if (folder.empty()) return;
   const std::string end = fmt::format(".partial-{}", pid);
@@ -31,7 +31,7 @@ void remove_partial_pictures(const std::filesystem::path& folder, pid_t pid) {
   }
 }
 
-/// Starts each role, as often as it takes, and gathers what all of its processes recorded.
+/// Starts each role, again where it is killed, and gathers what all of its processes recorded.
 class Supervisor {
  public:
   explicit Supervisor(const SessionOptions& options);
@@ -147,7 +147,8 @@ SessionOutcome Supervisor::run() {
     if (!ended) break;
     const auto role = std::find_if(all_roles.begin(), all_roles.end(),
                                    [&](Role candidate) { return short_name(candidate) == ended->name; });
-    // On another machine the command that started a role ends so when the role is killed or the network is.
+    // The command that started a role on another machine ends like this when the role is killed or the
+    // network fails.
     constexpr double settled_s = 5;
     const bool lost_elsewhere =
         setup_.hosts && *role != Role::render && ended->exit_code >= 128 && ended->seconds > settled_s;
@@ -170,9 +171,9 @@ SessionOutcome Supervisor::run() {
 }  // namespace
 
 SessionOutcome run_session(const SessionOptions& options) {
-  stop_requested();  // from here on a signal ends the session in good order
+  stop_requested();  // from here on a signal ends the session properly
   {
-    // What is wrong with the input is said once, here, before anybody is started.
+    // Errors of the input are reported once, here, before any role is started.
     const Pack pack(options.run.pack);
     if (!options.run.path.empty()) load_frames(options.run, pack.skeleton());
     if (!options.output.empty()) make_folder(options.output);

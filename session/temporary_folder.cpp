@@ -18,7 +18,7 @@ TemporaryFolder::TemporaryFolder(std::filesystem::path parent) {
 }
 
 TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;  // what is left of it hurts nobody
+  std::error_code ignored;  // what cannot be removed does no harm
   std::filesystem::remove_all(path_, ignored);
 }
 

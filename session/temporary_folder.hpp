@@ -1,11 +1,11 @@
-// A folder of a command's own, for what nobody wants to keep.
+// A temporary folder of a command's own.
 #pragma once
 
 #include <filesystem>
 
 namespace triptych {
 
-/// A folder with a new name that goes when this goes.
+/// A folder with a new name; the destructor removes it.
 class TemporaryFolder {
  public:
   /// Within `parent`; empty: TMPDIR or /tmp. Error if it cannot be made.

@@ -10,15 +10,14 @@
 
 namespace triptych {
 
-/// How the viewer of a command looks: its title, size, path, pixel error. Error for a path that cannot be
-/// used.
+/// The options of a command's viewer: title, size, path, pixel error. Error for a path that cannot be used.
 ViewerOptions viewer_options(const RunOptions& run);
 
-/// Cameras for the render node, unknown before they are released, and its pictures in the window, where it
-/// also draws: the window's context is this thread's.
+/// Gives the render node a person's cameras, which are not known before they are released, and shows its
+/// pictures in a window. The window's context is current in this thread, and the render node draws in it.
 class WindowSource : public FrameSource {
  public:
-  /// Frames from `first` on, as long as the person stays.
+  /// Frames from `first` on, until the window is closed.
   WindowSource(const Pack& pack, const ViewerOptions& options, uint32_t first)
       : first_(first), viewer_(pack, options) {}
 

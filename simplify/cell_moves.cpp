@@ -23,18 +23,18 @@ struct Quadric {
     yy += area * normal.y * normal.y, yz += area * normal.y * normal.z, zz += area * normal.z * normal.z;
     x += area * normal.x * offset, y += area * normal.y * offset, z += area * normal.z * offset;
   }
-  /// Up to a constant.
+  /// The sum at p, up to a constant.
   double operator()(const glm::dvec3& p) const {
     const double planes = xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z +
                           2 * (xy * p.x * p.y + xz * p.x * p.z + yz * p.y * p.z) +
                           2 * (x * p.x + y * p.y + z * p.z);
-    // In flat cells every point fits; there the one in the middle is taken.
+    // In flat cells every point fits equally well; there the one nearest to the middle is taken.
     const double middle = weight * glm::dot(p, p) - 2 * glm::dot(weighted_points, p);
     return planes + 0.01 * middle;
   }
 };
 
-/// A cell of the grid, and of its points the one that fits best so far.
+/// A cell of the grid, and the best of its points so far.
 struct Cell {
   Quadric quadric;
   double least = std::numeric_limits<double>::infinity();

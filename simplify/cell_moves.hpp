@@ -1,4 +1,4 @@
-// Where vertex clustering moves points to: of each cell of a grid, the point that fits the surface best.
+// Where vertex clustering moves points to: in each cell of a grid, the point that fits the surface best.
 #pragma once
 
 #include "simplify/surface.hpp"
@@ -10,7 +10,7 @@
 
 namespace triptych {
 
-/// The planes of a surface's triangles: what clusterings with different cells have in common.
+/// The planes of a surface's triangles, shared by clusterings with different cell sizes.
 class TrianglePlanes {
  public:
   struct Plane {
@@ -33,7 +33,7 @@ struct CellMoves {
 };
 
 /// Each point moves to the point of its cell that fits the planes around the cell's points best (after
-/// Lindstrom, Out-of-core simplification of large polygonal models, 2000, but to points that are there);
+/// Lindstrom, Out-of-core simplification of large polygonal models, 2000, but only to existing points);
 /// locked points stay. `cell`: the edge of a cell, lattice steps; `planes`: those of the surface.
 CellMoves move_to_cells(const Surface& surface, const TrianglePlanes& planes, std::span<const uint8_t> locked,
                         double cell);

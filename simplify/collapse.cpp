@@ -9,9 +9,10 @@ namespace triptych {
 
 namespace {
 
-/// Where star and fan cannot be seen along one direction, a triangle may turn no further than this cosine.
+/// Where star and fan are not both height functions along one direction, the cosine of the angle by which a
+/// triangle turns may not be less than this.
 constexpr double min_cosine = 0.2;
-/// Above rounding.
+/// A factor that covers rounding.
 constexpr double slack = 1 + 1e-9;
 
 glm::dvec3 difference(const glm::ivec3& to, const glm::ivec3& from) {
@@ -26,7 +27,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double squared(const glm::dvec3& v) { return glm::dot(v, v); }
 
-/// How far along the line from p to q the origin is nearest to it.
+/// The parameter along the line from p to q at which it is nearest to the origin.
 double nearest_on_line(const glm::dvec3& p, const glm::dvec3& q) {
   return -glm::dot(p, q - p) / squared(q - p);
 }
@@ -40,7 +41,7 @@ const Collapse* Collapser::find(ShrinkingMesh& mesh, uint32_t point, uint32_t ta
   if (target != any) return try_target(mesh, target) ? &collapse_ : nullptr;
   list_choices();
   for (size_t i = 0; i < choices_.size(); ++i) {
-    // In order, as far as it is needed: the first is as good as the best of several, nearly always.
+    // Sorted only as far as needed: nearly always the first one is taken.
     size_t best = i;
     for (size_t j = i + 1; j < choices_.size(); ++j) {
       if (choices_[j].estimate < choices_[best].estimate) best = j;
@@ -51,7 +52,7 @@ const Collapse* Collapser::find(ShrinkingMesh& mesh, uint32_t point, uint32_t ta
   return nullptr;
 }
 
-/// Corners, marks, and each fan along its direction.
+/// Computes the corners, the marks, and each fan's projection along its direction.
 void Collapser::look_around(const ShrinkingMesh& mesh) {
   const auto spokes = star_.spokes();
   const glm::ivec3 origin = mesh.point(collapse_.point);
@@ -159,14 +160,14 @@ bool Collapser::joins_well(ShrinkingMesh& mesh, uint32_t target) {
 }
 
 bool Collapser::all_fit(ShrinkingMesh& mesh, uint32_t target, uint32_t neighbour, uint32_t third) const {
-  // Without branches, which nothing could predict.
+  // Without branches, since they could not be predicted.
   const auto fits = [&](uint32_t triangle) {
     const auto& corners = mesh.face(triangle).corners;
     const uint32_t a = marks_[corners[0]], b = marks_[corners[1]], c = marks_[corners[2]];
     return (a != neighbour) & (b != neighbour) & (c != neighbour) &
            (int{a == third} + int{b == third} + int{c == third} < 2);
   };
-  // Of a hub the star is large; all that matters there is also in the stars of the point's neighbours.
+  // The star of a hub is large; all that matters there is also in the stars of the point's neighbours.
   if (mesh.degree(target) > Star::max_spokes) {
     size_t around = 0;
     for (const auto& [corner, way] : neighbours_) around += corner == target ? 0 : mesh.degree(corner);
@@ -238,7 +239,8 @@ bool Collapser::map_open(const Star::Fan& fan, uint32_t target) {
   return true;
 }
 
-/// Moves the point, and with it the triangles, straight to the target: nothing moves further than it does.
+/// Bounds the fan by moving the point, and with it the triangles, straight to the target: nothing moves
+/// further than the point does.
 bool Collapser::move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target) {
   const auto spokes = star_.spokes();
   for (size_t i = fan.begin; i < fan.end; ++i) {
@@ -256,7 +258,7 @@ bool Collapser::move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t tar
   return true;
 }
 
-/// A triangle that goes became a side of others: one of its material has to be there.
+/// A removed triangle became an edge of others: a triangle of its material has to be at that edge.
 bool Collapser::cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, double error) {
   const uint32_t third = gone.from == target ? gone.to : gone.from;
   const auto spokes = star_.spokes();
@@ -266,7 +268,7 @@ bool Collapser::cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, d
     collapse_.errors[i] = std::max(collapse_.errors[i], error);
     return true;
   }
-  // Both ends of the edge hold what lies beside it; a hub holds much else.
+  // Both ends of the edge have the triangles at it in their stars; the smaller star is faster.
   for (const uint32_t triangle : mesh.star(mesh.degree(third) < mesh.degree(target) ? third : target)) {
     const auto& face = mesh.face(triangle);
     if (face.material != gone.material || !holds(face, third) || !holds(face, target) ||

@@ -16,32 +16,33 @@ struct Collapse {
   double error_before = 0;  ///< the largest of the star's triangles
   double bound = 0;         ///< the largest error of the triangles that it changes
   double cost = 0;          ///< to be compared with others'
-  /// For each spoke of the star the error of its triangle afterwards; negative: it goes.
+  /// For each spoke of the star the error of its triangle afterwards; negative: it is removed.
   std::vector<double> errors;
-  /// Triangles beside the star on which one that goes comes to lie, and what their errors must be at least.
+  /// Triangles beside the star that take over the points of a removed one, and the least error they must then
+  /// have.
   std::vector<std::pair<uint32_t, double>> beside;
 };
 
-/// Finds collapses and does them. Each fan of the star bounds its part of the error by itself, by the best of
-/// these: a closed fan around the target, by the heights of star and fan over each other; an open one that
-/// ends at the target and at p, by the way to the line from p to the target, and from there by heights; any,
-/// by the length of the collapsed edge. Colours, borders and edges of many triangles move along in all three.
+/// Finds collapses and does them. Each fan of the star gets its own bound, the best of these: for a closed
+/// fan around the target, the heights of star and fan over each other; for an open one that ends at the
+/// target and at p, the distance to the line from p to the target, plus heights; for any, the length of the
+/// collapsed edge. All three hold for colours, borders and non-manifold edges as well.
 class Collapser {
  public:
   static constexpr uint32_t any = 0xffffffffu;
-  /// The cost of a collapse is its bound and so much of its edge's length: of those that cost nothing (flat
-  /// regions) the short ones come first, which keeps triangles in shape.
+  /// The cost of a collapse is its bound plus this share of its edge's length: of collapses without an error
+  /// (flat regions) the short ones come first, which keeps triangles well shaped.
   static constexpr double length_weight = 1e-4;
 
-  /// For a mesh of so many points.
+  /// For a mesh of this many points.
   explicit Collapser(size_t points) : marks_(points, 0) {}
 
-  /// The neighbour nearest to the planes around the point among those that it may go to; valid until the next
-  /// call; null if it must stay. With a target, that one only.
+  /// Of the neighbours that the point may move to, the one nearest to the planes around it; valid until the
+  /// next call; null if it must stay. With a target, only that one is considered.
   const Collapse* find(ShrinkingMesh& mesh, uint32_t point, uint32_t target = any);
-  /// Does the collapse of the last find.
+  /// Applies the collapse of the last find().
   void apply(ShrinkingMesh& mesh);
-  /// Of the last find.
+  /// The star of the last find().
   const Star& star() const { return star_; }
 
  private:
@@ -52,7 +53,7 @@ class Collapser {
 
   struct Neighbour {
     uint32_t point;
-    glm::dvec3 way;  ///< to it
+    glm::dvec3 way;  ///< from the point to it
   };
   struct Normal {
     glm::dvec3 direction;  ///< of length 1; 0 without area
@@ -60,7 +61,8 @@ class Collapser {
   };
   struct Border {
     uint32_t first, last;
-    double moved;  ///< the square of how far the point is from the line between both; infinite beside it
+    double moved;  ///< squared distance of the point from the line between both; infinite if it does not lie
+                   ///< between them
   };
 
   void add_neighbour(uint32_t corner, const glm::dvec3& way);
@@ -78,17 +80,18 @@ class Collapser {
   std::vector<ProjectedStar> projected_;  ///< for each fan
   std::vector<uint8_t> projects_;         ///< 0: not yet known, 1: it does, 2: it does not
   ProjectedStar along_;
-  std::vector<std::pair<size_t, double>> pending_;  ///< spokes that go and are not yet covered, their errors
-  std::vector<glm::dvec3> from_, to_;               ///< for each spoke its corners, relative to the point
-  std::vector<Normal> normals_;                     ///< for each spoke
-  std::vector<double> before_;                      ///< for each spoke its error
+  /// Removed spokes that are not yet covered, and their errors.
+  std::vector<std::pair<size_t, double>> pending_;
+  std::vector<glm::dvec3> from_, to_;  ///< for each spoke its corners, relative to the point
+  std::vector<Normal> normals_;        ///< for each spoke
+  std::vector<double> before_;         ///< for each spoke its error
   std::vector<Choice> choices_;
-  Collapse collapse_;  ///< that is tried, or was found
+  Collapse collapse_;  ///< the one that is tried, or was found
   glm::dvec3 way_{0};  ///< from the point to the target that is tried
   double length_ = 0;  ///< of it
   std::vector<glm::dvec3> ring_;
   std::vector<uint32_t> marks_;        ///< for each point the last star whose corner it was
-  uint32_t mark_ = 0;                  ///< of the present star; one more for thirds_
+  uint32_t mark_ = 0;                  ///< the mark of the current star; mark_ + 1 marks thirds_
   std::vector<uint32_t> thirds_;       ///< of the triangles between the point and the target
   std::vector<Neighbour> neighbours_;  ///< of the point, each once
   std::vector<Border> borders_;        ///< of its open fans

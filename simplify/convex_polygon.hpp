@@ -8,8 +8,8 @@
 
 namespace triptych {
 
-/// A convex polygon. Each cut adds one corner at most, and each path of cuts is short; what grows beyond is
-/// not cut.
+/// A convex polygon. Each cut adds at most one corner, and sequences of cuts are short; a polygon that has
+/// become too large is not cut.
 class ConvexPolygon {
  public:
   static constexpr size_t max_corners = 15;
@@ -30,7 +30,7 @@ class ConvexPolygon {
 glm::dvec3 middle_of(const ConvexPolygon& polygon);
 
 /// Cuts off what lies beyond the plane dot(normal, x) = limit and returns it; both stay convex, either may be
-/// empty. A strip that is narrower than `narrow` is not worth a cut of its own: it stays with the rest.
+/// empty. A strip narrower than `narrow` is not cut off.
 ConvexPolygon cut(ConvexPolygon& polygon, const glm::dvec3& normal, double limit, double narrow);
 
 }  // namespace triptych

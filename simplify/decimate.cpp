@@ -31,10 +31,10 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using Vector = OpenMesh::Vec3d;
 
-/// OpenMesh's triangle mesh with two of its questions answered here: the library that Debian ships has its
-/// own checks compiled in, and these two are asked for every candidate of a collapse. The answers are the
-/// same, except that a hub of many triangles takes no part in collapses: the questions would cost the square
-/// of their number.
+/// OpenMesh's triangle mesh with two of its predicates implemented here: the library that Debian ships has
+/// its own checks compiled in, and these two are evaluated for every candidate of a collapse. The results are
+/// the same, except that a hub of many triangles takes no part in collapses: the predicates would cost the
+/// square of their number.
 class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
  public:
   OpenMesh::HalfedgeHandle find_halfedge(OpenMesh::VertexHandle from, OpenMesh::VertexHandle to) {
@@ -51,7 +51,7 @@ class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
     const auto v1v0 = opposite_halfedge_handle(v0v1);
     const auto v0 = to_vertex_handle(v1v0), v1 = to_vertex_handle(v0v1);
     if (status(v0).deleted() || status(v1).deleted() || is_hub(v0) || is_hub(v1)) return false;
-    // A triangle on either side must hang on to the rest by one of its other two sides.
+    // A triangle on either side must be connected to the rest by one of its other two edges.
     OpenMesh::VertexHandle left, right;
     for (const auto side : {v0v1, v1v0}) {
       if (is_boundary(side)) continue;
@@ -75,7 +75,8 @@ class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
       const auto neighbour = to_vertex_handle(side);
       if (status(neighbour).tagged() && neighbour != left && neighbour != right) return false;
     } while ((side = next_of(side)) != first_of(v0));
-    // A side between two points of the rim that is not itself on the rim: the surface would pinch there.
+    // An edge between two boundary points that is not a boundary edge itself: the surface would be pinched
+    // there.
     return !(is_boundary(v0) && is_boundary(v1) && !is_boundary(v0v1) && !is_boundary(v1v0));
   }
 
@@ -92,10 +93,10 @@ class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
 };
 
 /// Squared distances from the planes of the triangles, weighted by area, as OpenMesh's ModQuadricT, but their
-/// mean over the planes of the point that moves: sums would let small parts go first, however far that is
-/// from the surface, and the largest distance is what counts. Beyond it, planes upright on the lines where
-/// the surface ends or colours meet, quadrics that live on when the mesh is cleaned up between two levels,
-/// and no collapse that turns a triangle over.
+/// mean over the planes of the point that moves: sums would remove small parts first, however far that moves
+/// the surface, and the largest distance is what matters. In addition: planes perpendicular to the surface
+/// along borders and lines where colours meet, quadrics that survive the clean-up of the mesh between two
+/// levels, and no collapse that flips a triangle.
 template <typename MeshT>
 class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -146,13 +147,14 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
       if (a == info.v1 || b == info.v1) continue;
       const Vector before = (mesh.point(a) - info.p0) % (mesh.point(b) - info.p0);
       const Vector after = (mesh.point(a) - info.p1) % (mesh.point(b) - info.p1);
-      // A fifth of the cosine: slivers that stand on end would look torn, and lines of no area are no
-      // triangles.
+      // At least 0.2 as the cosine: triangles that are turned on edge would look like tears, and triangles
+      // must have an area.
       if (!((before | after) > 0.2 * before.norm() * after.norm())) return Base::ILLEGAL_COLLAPSE;
     }
     const auto& moved = mesh.data(info.v0);
     const double error = std::max(moved.quadric(info.p1), 0.0) / std::max(moved.weight, 1e-300);
-    // Of collapses that cost nothing (flat regions) the short ones come first: they keep triangles in shape.
+    // Of collapses without an error (flat regions) the short ones come first, which keeps triangles well
+    // shaped.
     return static_cast<float>(error + 1e-9 * (info.p1 - info.p0).sqrnorm());
   }
 
@@ -186,11 +188,11 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 };
 
-/// Adds the triangles to the mesh; one that meets the others in a way half-edges cannot express goes into
-/// another sheet with points of its own, so that it is there all the same. Where sheets meet they stay, or
-/// they would part. Returns how many triangles went into others than the first.
+/// Adds the triangles to the mesh; one that meets the others in a way that half-edges cannot express is put
+/// on another sheet with points of its own, so that it is not lost. Points where sheets meet are locked, or
+/// the sheets would separate. Returns how many triangles are not on the first sheet.
 size_t fill(HalfEdgeMesh& mesh, const Surface& surface, std::span<const uint8_t> locked) {
-  constexpr size_t sheets = 4;  // beyond it each triangle stands alone
+  constexpr size_t sheets = 4;  // beyond that each triangle is a sheet of its own
   const glm::ivec3 origin = surface.points[0];
   const auto add_vertex = [&](uint32_t point) {
     const glm::dvec3 position = glm::dvec3(surface.points[point]) - glm::dvec3(origin);
@@ -271,7 +273,7 @@ Piece Decimation::reduce_to(size_t triangles) {
   state_->decimater.decimate_to_faces(0, triangles);
   mesh.garbage_collection();
   Piece piece;
-  // Sheets meet in the same points again.
+  // Merges the points of different sheets again.
   std::vector<std::pair<uint32_t, uint32_t>> found;
   for (const auto vertex : mesh.vertices())
     found.push_back({mesh.data(vertex).source, static_cast<uint32_t>(vertex.idx())});

@@ -11,9 +11,8 @@
 
 namespace triptych {
 
-/// Takes a surface to fewer and fewer triangles. Points stay where they are: they only become fewer. Lines
-/// where a surface ends or colours meet weigh like planes through them, so that shapes and colours keep their
-/// outlines.
+/// Reduces a surface to fewer and fewer triangles. Points never move; some are removed. Borders and lines
+/// where colours meet weigh like planes through them, so that shapes and colours keep their outlines.
 class Decimation {
  public:
   /// `locked`, if not empty, says for each point whether it must stay.
@@ -22,12 +21,11 @@ class Decimation {
   Decimation(const Decimation&) = delete;
   Decimation& operator=(const Decimation&) = delete;
 
-  /// Collapses until at most so many triangles are left or no collapse is possible, and gives what is left.
+  /// Collapses until at most `triangles` are left or no collapse is possible, and returns what is left.
   /// Piece::sources are indices into the points of the surface that this decimation began with.
   Piece reduce_to(size_t triangles);
 
-  /// Triangles that hang together with the others only by their points: half-edges cannot express how they
-  /// meet.
+  /// Triangles connected with the others only by points, since half-edges cannot express how they meet.
   size_t detached_triangles() const;
 
  private:

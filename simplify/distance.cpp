@@ -20,13 +20,14 @@ namespace triptych {
 
 namespace {
 
-/// Cut corners are rounded; this is far above what rounding can do and far below what anybody sees.
+/// Corners of cuts are rounded; this is far above any rounding error and far below what is visible.
 constexpr double rounding_allowance = 1e-5;
-/// Where the bound is not yet tight after so many cuts on average, it stays as it is: larger, never wrong.
-constexpr size_t cuts_a_triangle = 6;
-/// So many more are shared by all triangles: a few may lie over all of the other surface.
+/// Where the bound is not tight after this many cuts per triangle on average, it stays larger than necessary,
+/// but correct.
+constexpr size_t cuts_per_triangle = 6;
+/// All triangles share this many more: a few of them may lie over the whole other surface.
 constexpr size_t cuts_beyond = 2000;
-/// So many points from everywhere are looked at before all others.
+/// About this many points, spread over the surface, are measured before all others.
 constexpr size_t first_points = 61;
 
 using TriangleSet = tsl::robin_set<std::array<uint32_t, 3>, KeyHash, KeyEqual>;
@@ -75,10 +76,11 @@ class Target {
   tsl::robin_set<uint32_t, KeyHash> points_;
 };
 
-/// Triangles of one colour that hang together by their points, or all of them where colours do not count.
+/// Triangles of one colour that are connected by their points, or all triangles where colours do not count.
 struct Patch {
   std::vector<uint32_t> triangles;
-  double diagonal = std::numeric_limits<double>::infinity();  ///< what it counts with if its colour is lost
+  /// Its distance if the other surface has lost its colour.
+  double diagonal = std::numeric_limits<double>::infinity();
 };
 
 double diagonal(const Surface& surface, std::span<const uint32_t> triangles) {
@@ -119,20 +121,20 @@ std::vector<Patch> patches_of(const Surface& surface, Colors colors) {
   return result;
 }
 
-/// One of the surfaces that are compared; what it takes to measure from it and to it is made when it is
-/// needed.
+/// One of the two surfaces that are compared; search structures are built when they are first needed.
 class Side {
  public:
   /// `numbers`: for each point one that equal points of both surfaces share.
   Side(const Surface& surface, std::vector<uint32_t> numbers, Colors colors)
       : surface_(surface), numbers_(std::move(numbers)), colors_(colors) {}
 
-  /// The one-sided distance; raises `lower` to what is reached. Each patch against its own colour, or against
-  /// everything and the patch's own size. `known`: for each triangle a bound of its own; none if empty.
+  /// The one-sided distance; raises `lower` to what is reached. Each patch is compared with its own colour,
+  /// or with all colours plus the patch's own size. `known`: for each triangle a bound of its own; none if
+  /// empty.
   double distance_to(Side& to, std::span<const double> known, const DistanceEffort& effort, double& lower) {
     if (patches_.empty()) patches_ = patches_of(surface_, colors_);
-    // Corners first: the sooner a large distance is known, the fewer cuts. A few from everywhere to begin
-    // with.
+    // Corners first: the sooner a large distance is known, the fewer cuts are needed. A few spread over the
+    // surface come before all others.
     for (const size_t stride : {surface_.triangles.size() / first_points + 1, size_t{1}}) {
       if (reach_corners(to, stride, effort, lower)) return effort.known;
     }
@@ -158,8 +160,8 @@ class Side {
  private:
   uint32_t color_of(const Patch& patch) const { return surface_.triangles[patch.triangles[0]].material; }
 
-  /// Raises `lower` to the distances of corners of every so manieth triangle of each patch; true once the
-  /// bound that is known is tight.
+  /// Raises `lower` to the distances of corners of every `stride`-th triangle of each patch; true once the
+  /// known bound is tight.
   bool reach_corners(Side& to, size_t stride, const DistanceEffort& effort, double& lower) {
     size_t next = 0, passed = 0;
     for (const Patch& patch : patches_) {
@@ -191,14 +193,14 @@ class Side {
       if (!target.has(numbered(surface_.triangles[i], numbers_))) changed.push_back(i);
     }
     const auto known_of = [&](uint32_t i) { return known.empty() ? effort.known : known[i]; };
-    // Where something may be far, it is found soon.
+    // Those that may be far are looked at first.
     if (!known.empty()) {
       std::stable_sort(changed.begin(), changed.end(),
                        [&](uint32_t a, uint32_t b) { return known[a] > known[b]; });
     }
     for (const uint32_t i : changed) side.add(corners_of(surface_, surface_.triangles[i]), known_of(i));
     const size_t share = cuts_beyond * patch.triangles.size() / surface_.triangles.size();
-    const double bound = side.finish(cuts_a_triangle * changed.size() + share, effort.known);
+    const double bound = side.finish(cuts_per_triangle * changed.size() + share, effort.known);
     lower = side.lower();
     return std::min(bound, effort.known);
   }

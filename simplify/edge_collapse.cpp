@@ -6,7 +6,8 @@
 namespace triptych {
 namespace {
 
-/// A point whose cost is so many times the present one is looked at again when something around it changes.
+/// A point whose cost is more than this many times the current one is evaluated again when something around
+/// it changes.
 constexpr float stale = 32;
 
 }  // namespace
@@ -30,8 +31,8 @@ EdgeCollapse::EdgeCollapse(const Surface& surface, std::span<const uint8_t> lock
   }
 }
 
-/// All points that wait for nothing may have something to wait for now: a collapse also depends on what lies
-/// around the target.
+/// Evaluates all points without a possible collapse again: a collapse also depends on what lies around the
+/// target, so there may be one now.
 void EdgeCollapse::look_again(double cost) {
   looked_at_ = cost;
   looked_with_ = triangle_count();
@@ -55,7 +56,7 @@ void EdgeCollapse::look_again(double cost) {
   std::make_heap(waiting_.begin(), waiting_.end());
 }
 
-/// What a collapse comes to depends on the stars of the point and its neighbours, on nothing else.
+/// The cost of a collapse depends only on the stars of the point and of its neighbours.
 void EdgeCollapse::spread_disturbance() {
   std::vector<uint8_t> near = disturbed_;
   for (uint32_t triangle = 0; triangle < mesh_.face_count(); ++triangle) {
@@ -84,22 +85,22 @@ void EdgeCollapse::changed(uint32_t point, double error, double cost) {
   disturbed_[point] = 1;
   if (!locked_.empty() && locked_[point]) return;
   if (costs_[point] < 0 || costs_[point] > stale * static_cast<float>(cost)) {
-    // It may be able to go now where it was not before, or where it would have been dear.
+    // Its collapse may be possible now, or have become cheaper.
     queued_[point] = costs_[point] = static_cast<float>(cost);
     steps_[point] = 0;
     push({costs_[point], point});
   } else {
-    // What lies around has moved; one more step adds half as much as it would have before, or more. It is
-    // looked at again when it is the next one.
+    // The surface around it has moved; its collapse adds at least half as much as before. It is evaluated
+    // again when it is next in the queue.
     costs_[point] = std::max(costs_[point], static_cast<float>(error) + steps_[point] / 2);
   }
 }
 
-bool EdgeCollapse::reduce_to(size_t triangles, double largest_bound) {
+bool EdgeCollapse::reduce_to(size_t triangles, double max_bound) {
   std::vector<Waiting> too_far;
-  const double beyond = largest_bound + longest_;
+  const double beyond = max_bound + longest_;
   while (triangle_count() > triangles) {
-    // Costs are bounds, and a little more for long edges: others may still be within the limit.
+    // Costs are bounds plus a little for long edges: others may still be within the limit.
     const auto at_end = [&] { return waiting_.empty() || waiting_.front().cost > beyond; };
     if (at_end() ? triangle_count() < looked_with_
                  : waiting_.front().cost > 2 * looked_at_ && triangle_count() * 8 < looked_with_ * 7) {
@@ -120,9 +121,9 @@ bool EdgeCollapse::reduce_to(size_t triangles, double largest_bound) {
     if (!collapse) {
       continue;
     }
-    // What was cheap when it came into the queue may have become dear.
+    // What was cheap when it was queued may have become expensive.
     const bool is_next = waiting_.empty() || static_cast<float>(collapse->cost) <= waiting_.front().cost;
-    if (!is_next || collapse->bound > largest_bound) {
+    if (!is_next || collapse->bound > max_bound) {
       set_cost(next.point, *collapse);
       queued_[next.point] = costs_[next.point];
       if (!is_next) {

@@ -1,5 +1,5 @@
-// Simplification by edge collapses, each of which knows how far it moves the surface: the bound comes with
-// the levels and need not be measured.
+// Simplification by edge collapses with a known error each: levels have a bound by construction, which need
+// not be measured.
 #pragma once
 
 #include "simplify/collapse.hpp"
@@ -11,37 +11,37 @@
 
 namespace triptych {
 
-/// Takes any surface to fewer and fewer triangles. Points stay where they are: they only become fewer, and
-/// those that are locked stay.
+/// Reduces any surface to fewer and fewer triangles. Points never move; some are removed, but no locked ones.
 ///
-/// Collapses go in the order of the bound that they would lead to, near enough: of the neighbours that a
-/// point may move to, those come first that are nearest to the planes of its triangles (Garland and Heckbert,
-/// Surface simplification using quadric error metrics, 1997; without memory, as Lindstrom and Turk, Fast and
-/// memory efficient polygonal simplification, 1998, since the bound remembers).
+/// Collapses are done roughly in the order of the bound that they lead to. Of the neighbours that a point may
+/// move to, those nearest to the planes of its triangles are tried first (Garland and Heckbert, Surface
+/// simplification using quadric error metrics, 1997; without accumulated quadrics, as Lindstrom and Turk,
+/// Fast and memory efficient polygonal simplification, 1998, since the bound accumulates the error).
 class EdgeCollapse {
  public:
   EdgeCollapse(const Surface& surface, std::span<const uint8_t> locked);
 
   size_t triangle_count() const { return mesh_.triangle_count(); }
-  /// Of the two-sided distance to the surface that this began with, for each material by itself; lattice
-  /// steps; never shrinks.
+  /// The bound of the two-sided distance to the original surface, material by material; lattice steps; never
+  /// shrinks.
   double bound() const { return bound_; }
-  /// Collapses until at most so many triangles are left, or no collapse is possible, or the next one's bound
-  /// would be larger than `largest_bound`; false in the second case.
-  bool reduce_to(size_t triangles, double largest_bound);
-  /// Triangles beyond the second at an edge of the surface that this began with (but for edges of which one
-  /// end has more triangles than a star can order).
+  /// Collapses until at most `triangles` are left, or no collapse is possible, or the next one's bound would
+  /// be larger than `max_bound`. Returns false if no collapse is possible.
+  bool reduce_to(size_t triangles, double max_bound);
+  /// Triangles beyond the second at edges of the original surface (except edges with an end that has more
+  /// triangles than Star::max_spokes).
   size_t crowded_triangles() const { return crowded_triangles_; }
-  /// What is left. Sources: indices into the points of the surface that this began with.
+  /// What is left. Sources: indices into the points of the original surface.
   Piece piece() const { return mesh_.piece(); }
-  /// For each triangle of that piece how far its points are at most from points of its material there.
+  /// For each triangle of that piece a bound of its points' distance from points of its material in the
+  /// original surface.
   std::vector<double> errors() const { return mesh_.errors(); }
 
  private:
   struct Waiting {
     float cost;
     uint32_t point;
-    bool operator<(const Waiting& other) const {  // of a heap whose top is the cheapest
+    bool operator<(const Waiting& other) const {  // for a heap with the cheapest on top
       return cost != other.cost ? cost > other.cost : point > other.point;
     }
   };
@@ -55,16 +55,17 @@ class EdgeCollapse {
   std::span<const uint8_t> locked_;
   Collapser collapser_;
   std::vector<Waiting> waiting_;
-  std::vector<uint32_t> targets_;  ///< for each point where it would go if nothing changed around it
-  std::vector<float> costs_;   ///< for each point what its collapse is expected to cost; negative: impossible
-  std::vector<float> queued_;  ///< with what cost it is in the queue; other places there are void
-  std::vector<float> steps_;   ///< how much of the cost its own collapse adds to what was before
-  std::vector<uint8_t> disturbed_;  ///< for each point whether its star changed since all were looked at
+  std::vector<uint32_t> targets_;  ///< for each point where it would move if nothing changed around it
+  std::vector<float> costs_;  ///< for each point what its collapse is expected to cost; negative: impossible
+  /// For each point the cost of its valid queue entry; its other entries are void.
+  std::vector<float> queued_;
+  std::vector<float> steps_;        ///< for each point how much its own collapse adds to the errors before it
+  std::vector<uint8_t> disturbed_;  ///< for each point whether its star changed since that evaluation
   double bound_ = 0;
   size_t crowded_triangles_ = 0;
   bool was_looked_at_ = false;
-  double longest_ = 0;      ///< what the longest edge there may be adds to a cost
-  double looked_at_ = 0;    ///< the cost at which all points that waited for nothing were last looked at,
+  double longest_ = 0;      ///< the largest addition to a cost for an edge's length
+  double looked_at_ = 0;    ///< the cost at which all points without a possible collapse were last evaluated,
   size_t looked_with_ = 0;  ///< and the number of triangles then
 };
 

@@ -8,7 +8,7 @@ namespace triptych {
 
 namespace {
 
-/// Relative to the size of what is computed; a hundred times what rounding can do in so few steps.
+/// Relative to the size of the terms; a hundred times the rounding error of so few steps.
 constexpr double rounding = 1e-13;
 
 template <typename Point>
@@ -24,7 +24,7 @@ bool ProjectedStar::project(std::span<const glm::dvec3> corners, bool closed, co
   const double length = glm::length(direction);
   if (!(length > 0)) return false;
   const glm::dvec3 up = direction / length;
-  // Any axes upright on it (Duff et al., Building an orthonormal basis, revisited, 2017).
+  // Any axes perpendicular to it (Duff et al., Building an orthonormal basis, revisited, 2017).
   const double sign = std::copysign(1.0, up.z), a = -1 / (sign + up.z), b = up.x * up.y * a;
   const glm::dvec3 right{1 + sign * up.x * up.x * a, sign * b, -sign * up.x};
   const glm::dvec3 forward{b, sign + up.y * up.y * a, -up.y};
@@ -41,7 +41,7 @@ bool ProjectedStar::project(std::span<const glm::dvec3> corners, bool closed, co
     const Corner &from = corners_[i], &to = corners_[i + 1], &first = corners_[0];
     if (!(cross(from, to) > rounding * reach_ * (from.length + to.length))) return false;
     turns += from.y < 0 && to.y >= 0;
-    // Half a turn in all: none but the last corner lies on or beyond the line through the first.
+    // Half a turn in all: only the last corner may lie on or beyond the line through the first.
     if (!closed && i > 0 && !(cross(first, from) > rounding * reach_ * (first.length + from.length)))
       return false;
   }
@@ -95,7 +95,8 @@ bool ProjectedStar::errors_from_first(const Corner* corners) {
       over_triangles_[j] = gap(a, b, doubled_area);
     }
     if (j == 1) continue;
-    // The diagonal parts the polygon; the spokes to corners beyond it, seen from the point, cross it.
+    // The diagonal divides the polygon; the spokes to corners on the other side of it from the point cross
+    // it.
     const bool point_is_left = !closed_ || cross(apex, a) > 0;
     const size_t first = point_is_left ? 1 : j + 1, end = point_is_left ? j : size_;
     for (size_t i = first; i < end; ++i) {

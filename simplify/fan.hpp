@@ -19,16 +19,15 @@ namespace triptych {
 /// the edges of both, so they are largest where two edges cross, or at the point itself.
 class ProjectedStar {
  public:
-  /// Looks along `direction`, of any length. False if the star is no height function: not all triangles turn
-  /// the same way, or more than once around. Corners: differences of lattice points, rounded once at most; at
-  /// least three.
+  /// Looks along `direction`, of any length. False if the star is not a height function: not all triangles
+  /// turn the same way, or they turn more than once around. Corners: differences of lattice points, rounded
+  /// once at most; at least three.
   bool project(std::span<const glm::dvec3> corners, bool closed, const glm::dvec3& direction);
 
-  /// After a projection that was one: replaces the star by the fan from corner `apex` to all others; in an
-  /// open star the apex is the first or the last corner. `star_errors` says for each triangle of the star how
-  /// far its points are from those that they stand for; fan_errors[i] becomes the same of the triangle (apex,
-  /// corner i, corner i + 1) of the fan, what rounding can do included. False if the fan is no height
-  /// function.
+  /// After a successful projection: replaces the star by the fan from corner `apex` to all others; in an open
+  /// star the apex is the first or the last corner. `star_errors` says for each triangle of the star a bound
+  /// of its points' distance from the source; fan_errors[i] becomes the same for the triangle (apex, corner
+  /// i, corner i + 1) of the fan, rounding included. False if the fan is not a height function.
   bool fan_errors(size_t apex, std::span<const double> star_errors, std::span<double> fan_errors);
 
  private:

@@ -1,4 +1,4 @@
-// The hash of the small integer keys that geometry is looked up by: indices, corners of triangles, points.
+// A hash of small integer keys for geometry: indices, corners of triangles, points.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct KeyHash {
   static size_t finish(uint64_t hash) { return hash ^ hash >> 32; }
 };
 
-/// Whether two such keys are the same, in place: the standard library compares arrays by a call.
+/// Whether two such keys are equal, inline: the standard library calls a function to compare arrays.
 struct KeyEqual {
   template <size_t count>
   bool operator()(const std::array<uint32_t, count>& a, const std::array<uint32_t, count>& b) const {

@@ -1,4 +1,4 @@
-// Points in an order along an axis, and split in two where the middle one is.
+// Orders points along an axis, and splits them in two at the median.
 #pragma once
 
 #include "scene/box.hpp"

@@ -39,8 +39,8 @@ Input make_input(const Surface& surface, std::span<const uint8_t> locked) {
     input.positions.push_back(glm::vec3(glm::dvec3(surface.points[vertex.point]) - middle));
   }
   if (locked.empty()) return input;
-  // A point where several borders meet never moves: two flags, triangles of their own, make it one. They are
-  // as large as the surface, so that they are no cheap collapses themselves.
+  // meshoptimizer never moves a point where several borders meet: two extra triangles ("flags") make a locked
+  // point one. They are as large as the surface, so that collapsing them is not cheap.
   const auto size = glm::vec3(glm::dvec3(box.hi) - glm::dvec3(box.lo) + 1.0);
   for (uint32_t i = 0; i < input.vertices.size(); ++i) {
     if (!locked[input.vertices[i].point]) continue;

@@ -9,9 +9,9 @@
 
 namespace triptych {
 
-/// At most so many triangles, or as few as meshoptimizer gets to. Lines where colours meet stay together;
-/// points where more than two colours or sheets meet, and the locked ones, stay where they are. Gives the
-/// surface as it is where a locked point would be lost. Piece::sources: indices into its points.
+/// At most `triangles`, or as few as meshoptimizer can reach. Lines where colours meet stay closed; points
+/// where more than two colours or sheets meet, and the locked ones, stay where they are. Returns the surface
+/// unchanged where a locked point would be lost. Piece::sources: indices into its points.
 Piece simplify_with_meshopt(const Surface& surface, std::span<const uint8_t> locked, size_t triangles);
 
 }  // namespace triptych

@@ -33,7 +33,7 @@ class Tree {
  private:
   struct Candidate {
     double distance;  ///< squared
-    uint32_t away;    ///< how far its index is from that of the point
+    uint32_t away;    ///< difference of its index and that of the point
     uint32_t index;
     bool operator<(const Candidate& other) const {
       return std::tie(distance, away, index) < std::tie(other.distance, other.away, other.index);

@@ -9,8 +9,8 @@ namespace triptych {
 
 namespace {
 
-/// What is smaller than this, in lattice steps, is not worth a cut: the bound may be so much larger than the
-/// truth.
+/// Lattice steps; smaller distances are not worth a cut: the bound may be this much larger than the true
+/// distance.
 constexpr double floor_distance = 0.25;
 
 }  // namespace
@@ -43,9 +43,9 @@ double OneSided::finish(size_t max_cuts, double known) {
 
 void OneSided::add(const ConvexPolygon& polygon, double known) {
   if (polygon.size() < 3) return;
-  // From the cheapest to the dearest: one triangle may be near all corners, first of all the one that was
-  // near the last piece, then the one near the middle; no point is further off than its way to the middle
-  // and on from there.
+  // From the cheapest to the most expensive: one triangle may be near all corners, most likely the one that
+  // was near the last piece, then the one near the middle; and no point is further away than by way of the
+  // middle.
   double bound = known;
   const auto try_hint = [&] {
     if (!is_tight(bound)) bound = std::min(bound, std::sqrt(tree_.squared_distance(polygon, hint_)));
@@ -73,7 +73,7 @@ void OneSided::add(const ConvexPolygon& polygon, double known) {
   }
 }
 
-/// Cuts out what lies over the triangle near its middle; halves it where that leads nowhere.
+/// Cuts out what lies over the triangle near its middle; halves the piece where that cuts off nothing.
 void OneSided::divide(const Waiting& piece) {
   hint_ = piece.near;
   const Corners& near = tree_.triangle(piece.near);

@@ -1,4 +1,4 @@
-// How far convex pieces are from a set of triangles at most: branch and bound.
+// An upper bound of the distance of convex pieces from a set of triangles, by branch and bound.
 #pragma once
 
 #include "simplify/convex_polygon.hpp"
@@ -10,32 +10,32 @@
 
 namespace triptych {
 
-/// A bound up to here needs no more work where so much is reached: it is at most `tightness` times that, or
-/// nobody can see it.
+/// A bound up to this value needs no more work if a distance of `reached` is known to occur: it is at most
+/// `tightness` times that, or too small to be visible.
 double enough(double reached, double tightness);
 
 /// The largest distance of triangles from those of a tree (as Tang, Lee and Kim, Interactive Hausdorff
 /// distance computation for general polygonal models, 2009): the piece with the largest bound is cut until
-/// that bound is nearly reached by some point, or the work is no longer worth it.
+/// some point nearly reaches that bound, or the number of cuts is used up.
 ///
-/// The distance from a convex set is a convex function, so a piece is nowhere further from one triangle of
-/// the tree than at its corners. The cuts follow the edges of the tree's triangles, so that a flat region
+/// The distance from a convex set is a convex function, so over a piece the distance from one triangle of the
+/// tree is largest at a corner. The cuts follow the edges of the tree's triangles, so that a flat region
 /// costs as many pieces as triangles overlap in it.
 class OneSided {
  public:
-  /// `lower` is a distance that is reached somewhere: below it nothing needs to be known exactly. The bound
-  /// is to be at most `tightness` times what is reached.
+  /// `lower`: a distance that some point is known to have; smaller ones need not be exact. The bound should
+  /// be at most `tightness` times the largest distance known to occur.
   OneSided(const TriangleTree& tree, double lower, double tightness)
       : tree_(tree), lower_(lower), tightness_(tightness) {}
 
-  /// Raises what is known to be reached if the point is further off.
+  /// Measures the point; raises lower() if it is further away.
   void reach(const glm::dvec3& point);
-  /// What is known to be reached.
+  /// The largest distance that is known to occur.
   double lower() const { return lower_; }
 
-  /// A triangle that is to be bounded. `known`: a bound that holds for it.
+  /// Adds a triangle to be bounded. `known`: a valid bound for it.
   void add(const Corners& triangle, double known);
-  /// The bound of all that was added, after so many cuts at most; there is no need to be below `known`.
+  /// The bound for all that was added, after at most `max_cuts`; it need not be below `known`.
   double finish(size_t max_cuts, double known);
 
  private:

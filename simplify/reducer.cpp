@@ -11,8 +11,8 @@ namespace {
 class CollapseReducer : public Reducer {
  public:
   CollapseReducer(const Surface& surface, std::span<const uint8_t> locked) : collapse_(surface, locked) {}
-  Reduced reduce_to(size_t triangles, double largest_bound) override {
-    const bool further = collapse_.reduce_to(triangles, largest_bound);
+  Reduced reduce_to(size_t triangles, double max_bound) override {
+    const bool further = collapse_.reduce_to(triangles, max_bound);
     return {collapse_.piece(), collapse_.bound(), collapse_.errors(), further};
   }
   size_t detached_triangles() const override { return collapse_.crowded_triangles(); }

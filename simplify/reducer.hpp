@@ -14,20 +14,20 @@ namespace triptych {
 
 struct Reduced {
   Piece piece;  ///< sources: indices into the points of the surface that the reducer began with
-  /// Of the two-sided distance to that surface, material by material, if the construction gives it.
+  /// The bound of the two-sided distance to that surface, material by material, if the simplifier gives one.
   std::optional<double> bound;
-  /// The same for the points of each triangle by itself; empty if the construction does not give it.
+  /// The same for the points of each triangle; empty if the simplifier gives none.
   std::vector<double> errors;
-  bool further = false;  ///< more was possible, but for the largest bound
+  bool further = false;  ///< whether max_bound alone prevented further reduction
 };
 
-/// Takes a surface to fewer and fewer triangles. Points stay where they are: they only become fewer.
+/// Reduces a surface to fewer and fewer triangles. Points never move; some are removed.
 class Reducer {
  public:
   virtual ~Reducer() = default;
-  /// At most so many triangles, or as few as it gets to; of those that know their bound, without going beyond
-  /// `largest_bound`. Goals fall from call to call.
-  virtual Reduced reduce_to(size_t triangles, double largest_bound) = 0;
+  /// Reduces to at most `triangles`, or as few as possible; simplifiers with a bound do not go beyond
+  /// `max_bound`. `triangles` must decrease from call to call.
+  virtual Reduced reduce_to(size_t triangles, double max_bound) = 0;
   /// Triangles of the surface that meet the others in a way that half-edges cannot express.
   virtual size_t detached_triangles() const { return 0; }
 };

@@ -72,15 +72,15 @@ void ShrinkingMesh::move(std::span<const uint32_t> triangles, uint32_t from, uin
   if (places_.size() > 2 * packed_size_ + 64) pack();
 }
 
-/// In the star of the point, for so many more; the star that is left behind may have it, otherwise the end
-/// has.
+/// Makes space for `added` more triangles in the star of the point: in the space of the star that is left
+/// behind if that is large enough, otherwise at the end.
 void ShrinkingMesh::make_room(uint32_t point, uint32_t added, Slot& left) {
   Slot& slot = slots_[point];
   if (slot.count + added <= slot.capacity) return;
   const auto own = star(point);
   if (slot.count + added <= slot.capacity) return;
   const bool into_left = slot.count + added <= left.capacity;
-  // A hub that grows by a few at a time is not copied each time.
+  // With some reserve, so that a hub that grows by a few at a time is not copied each time.
   const uint32_t capacity = into_left ? left.capacity : slot.count + std::max(added, slot.count / 4);
   const auto first = into_left ? left.first : static_cast<uint32_t>(places_.size());
   const auto before = slot.first;

@@ -1,4 +1,4 @@
-// A surface that loses its triangles one by one: flat arrays, no half-edges, so any surface will do.
+// A surface whose triangles are removed one by one: flat arrays, no half-edges, so it can be any surface.
 #pragma once
 
 #include "simplify/surface.hpp"
@@ -21,15 +21,15 @@ class ShrinkingMesh {
   explicit ShrinkingMesh(const Surface& surface);
 
   struct Face {
-    std::array<uint32_t, 3> corners;  ///< the first is `gone` where the triangle is
+    std::array<uint32_t, 3> corners;  ///< the first is `gone` if the triangle was removed
     uint32_t material;
-    double error;  ///< how far its points are from those of the source that they stand for
+    double error;  ///< a bound of its points' distance from the source
   };
   static constexpr uint32_t gone = 0xffffffffu;
 
   size_t triangle_count() const { return alive_; }
   const glm::ivec3& point(uint32_t index) const { return points_[index]; }
-  /// Those that are gone among them.
+  /// All triangles, removed ones included.
   size_t face_count() const { return faces_.size(); }
   Face& face(uint32_t index) { return faces_[index]; }
   const Face& face(uint32_t index) const { return faces_[index]; }
@@ -42,7 +42,7 @@ class ShrinkingMesh {
   void star(uint32_t point, std::vector<Spoke>& spokes);
 
   void remove(uint32_t triangle);
-  /// The triangles, which hold `from`, take `to` in its place.
+  /// In the triangles, all of which have the corner `from`, replaces it by `to`.
   void move(std::span<const uint32_t> triangles, uint32_t from, uint32_t to);
 
   /// What is left; sources: indices into the points that this mesh began with.
@@ -59,8 +59,8 @@ class ShrinkingMesh {
 
   std::vector<glm::ivec3> points_;
   std::vector<Face> faces_;
-  std::vector<Slot>
-      slots_;  ///< for each point its triangles in places_, the first `count`, gone ones among them
+  /// For each point its triangles in places_, the first `count`, gone ones among them.
+  std::vector<Slot> slots_;
   std::vector<uint32_t> places_;
   size_t alive_ = 0, packed_size_ = 0;
 };

@@ -12,19 +12,20 @@ namespace triptych {
 
 namespace {
 
-/// A level must have at most this share of the triangles of the one before it, or it is not worth its place.
+/// A level must have at most this share of the triangles of the one before it, or it is left out.
 constexpr double worth_it = 0.75;
-/// Halving a surface about doubles its distance; where it takes so many times more, clustering may be nearer.
+/// Halving the triangles about doubles the distance; where it grows by more than this factor, clustering may
+/// be nearer.
 constexpr double steep = 16;
-/// Where levels are measured in a hurry the bound may be so many times the truth.
+/// The tightness of bounds where levels are measured quickly.
 constexpr double hurried = 2;
-/// And so many where they are measured against the source.
+/// The tightness where they are measured against the source.
 constexpr double tight = 1.5;
-/// What hangs together is a small thing if it has fewer triangles, and less than half of all.
+/// A connected component is small if it has fewer triangles than this, and less than half of all.
 constexpr size_t small_thing = 256;
 
-/// Whether most of the surface are small things of their own: collapses merge nothing, so they soon get stuck
-/// there, and what they reached by then is no nearer than a clustering. What has a locked point is a piece of
+/// Whether most of the surface are small components: collapses do not merge them, so they soon get stuck
+/// there, with a result that is no nearer than a clustering. A component with a locked point is a piece of
 /// something larger.
 bool is_heap(const Surface& surface, std::span<const uint8_t> locked) {
   DisjointSets sets = connected_points(surface);
@@ -46,7 +47,7 @@ struct Stage {
   std::vector<double> errors;  ///< Reduced::errors, but to the chain's source; empty if not known
 };
 
-/// What the chain has arrived at, and the reducer that goes on from there.
+/// The last level of the chain, and the reducer that continues from there.
 class ChainMaker {
  public:
   ChainMaker(const Surface& source, std::span<const uint8_t> locked, const SimplifyLimits& limits)
@@ -61,10 +62,10 @@ class ChainMaker {
 
   size_t triangles() const { return current_.piece.surface.triangles.size(); }
   size_t detached_triangles() const { return detached_triangles_; }
-  /// The last `next` gave nothing because of the largest bound.
+  /// Whether the last next() returned nothing because of max_bound.
   bool at_limit() const { return at_limit_; }
 
-  /// Goes on to about `goal` triangles; nothing if that is not possible.
+  /// The next level, of about `goal` triangles; nullopt if that is not possible.
   std::optional<Level> next(size_t goal) {
     const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
     if (is_heap_) {
@@ -77,7 +78,7 @@ class ChainMaker {
     const bool got_there = reduced.piece.surface.triangles.size() <= enough;
     at_limit_ = !got_there && reduced_further_;
     if (!got_there || (is_steep(reduced) && clusters_better(goal, reduced.bound))) {
-      // From where the reducer got stuck, or, where it went too far, from before.
+      // From where the reducer got stuck, or, if its result is too far off, from before.
       Stage clustered = cluster(got_there ? current_ : reduced, goal);
       const size_t count = clustered.piece.surface.triangles.size();
       if (count <= enough && (!got_there || clustered.bound < reduced.bound)) {
@@ -101,8 +102,8 @@ class ChainMaker {
 
   /// The reducer's next surface, with its fast bound.
   Stage reduce(size_t goal) {
-    // The tight bound may be that much smaller.
-    const double largest = limits_.largest_bound * (limits_.bound == Bound::tight ? 4 : 1);
+    // The tight bound may be smaller by this factor.
+    const double largest = limits_.max_bound * (limits_.bound == Bound::tight ? 4 : 1);
     Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
     reduced_further_ = reduced.further;
     Stage level{std::move(reduced.piece), 0, std::move(reduced.errors)};
@@ -131,7 +132,8 @@ class ChainMaker {
 
   bool is_steep(const Stage& next) const { return next.bound > steep * std::max(current_.bound, 1.0); }
 
-  /// Clustering moves points by about a cell: one clustering says whether it is worth to look for the best.
+  /// Clustering moves points by about a cell: a single clustering shows whether searching for the best is
+  /// worth it.
   bool clusters_better(size_t goal, double bound) const {
     const double cell = bound - current_.bound;
     return clusters_within(current_.piece.surface, locked_of(current_.piece), cell, goal, limits_.colors);
@@ -154,7 +156,7 @@ class ChainMaker {
   std::vector<uint8_t> start_locked_;
   std::unique_ptr<Reducer> reducer_;
   std::optional<DistanceMeter> meter_;
-  bool is_heap_ = false;   ///< is clustered at once
+  bool is_heap_ = false;   ///< if so, vertices are clustered at once
   double last_bound_ = 0;  ///< of the levels given
   size_t detached_triangles_ = 0;
   bool reduced_further_ = false, at_limit_ = false;
@@ -171,7 +173,7 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
   while (maker.triangles() > enough) {
     auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
-    if (!level || level->bound > limits.largest_bound) break;
+    if (!level || level->bound > limits.max_bound) break;
     chain.levels.push_back(std::move(*level));
   }
   chain.detached_triangles = maker.detached_triangles();

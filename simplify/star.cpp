@@ -14,8 +14,8 @@ bool Star::read(ShrinkingMesh& mesh, uint32_t point) {
   return true;
 }
 
-/// The usual cases, fast: chains the spokes in place; false, and in any order, if they are no single fan of
-/// one material, all turned the same way.
+/// A fast path for the usual case: chains the spokes in place; false, with the spokes in any order, if they
+/// are not a single fan of one material, all turned the same way.
 bool Star::order_single() {
   const size_t count = spokes_.size();
   size_t chained = 1;
@@ -31,14 +31,14 @@ bool Star::order_single() {
     if (spokes_[next].material != last.material || last.to == spokes_.front().from) return false;
     std::swap(spokes_[chained], spokes_[next]);
   }
-  // Each step found exactly one that goes on, so no two have the same `from`.
+  // Each step found exactly one that continues, so no two have the same `from`.
   const bool closed = chained == count && count >= 3 && spokes_.back().to == spokes_.front().from;
   if (!closed && !(chain_before(chained) && corners_differ())) return false;
   fans_.push_back({0, count, closed});
   return true;
 }
 
-/// Goes on with those that come before the first of so many that are chained.
+/// Continues with spokes that come before the first one; the first `chained` are chained already.
 bool Star::chain_before(size_t chained) {
   for (; chained < spokes_.size(); ++chained) {
     const auto rest = spokes_.begin() + static_cast<std::ptrdiff_t>(chained);
@@ -51,7 +51,7 @@ bool Star::chain_before(size_t chained) {
   return true;
 }
 
-/// Of an open fan.
+/// Whether no corner of an open fan occurs twice.
 bool Star::corners_differ() const {
   for (size_t i = 0; i < spokes_.size(); ++i) {
     for (size_t j = 0; j <= i; ++j) {
@@ -97,7 +97,7 @@ void Star::join_ends(const ShrinkingMesh& mesh, uint32_t point) {
   }
 }
 
-/// Of the ends at one edge.
+/// Joins the flattest pairs of the ends at one edge.
 void Star::join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<const End> ends) {
   // Two are the usual case; more than a few are a hub of sheets that nothing can order.
   if (ends.size() > 8) return;
@@ -122,7 +122,7 @@ void Star::join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<co
       const glm::dvec3 normal_a = glm::cross(edge, glm::dvec3(mesh.point(beyond_a)) - origin),
                        normal_b = glm::cross(edge, glm::dvec3(mesh.point(beyond_b)) - origin);
       double cosine = glm::dot(normal_a, normal_b) / (glm::length(normal_a) * glm::length(normal_b));
-      // Of sheets that cover each other those that are turned the same way belong together.
+      // Of sheets that lie on each other, those that are turned the same way belong together.
       if ((ends[a] & 1) == (ends[b] & 1)) cosine += 1e-3;
       pairs[count++] = {cosine, a, b};
     }

@@ -1,4 +1,4 @@
-// The triangles around a point of a surface, in the order in which they hang together.
+// The triangles around a point of a surface, in the order in which they are connected.
 #pragma once
 
 #include "simplify/shrinking_mesh.hpp"
@@ -9,12 +9,13 @@
 
 namespace triptych {
 
-/// The star of a point, parted into fans: triangles of one material that hang together by the edges that they
-/// share, whichever way they are turned. Where more than two meet at an edge, those go together that lie
-/// flattest; two that cover each other (the sides of a sheet) never do.
+/// The star of a point, divided into fans: triangles of one material that are connected by shared edges,
+/// whichever way they are turned. Where more than two meet at an edge, the flattest pairs are connected; two
+/// that cover each other (the sides of a sheet) never are.
 class Star {
  public:
-  /// A point with more triangles waits until there are fewer: ordering them takes the square.
+  /// Points with more triangles are not collapsed until they have fewer: ordering takes time with the square
+  /// of their number.
   static constexpr size_t max_spokes = 48;
 
   struct Fan {
@@ -25,7 +26,7 @@ class Star {
   /// Reads the star of the point; false if it has no triangle, or too many.
   bool read(ShrinkingMesh& mesh, uint32_t point);
 
-  /// Fan after fan; `from` and `to` may be exchanged.
+  /// Fan after fan; `from` and `to` may be swapped.
   std::span<const Spoke> spokes() const { return spokes_; }
   std::span<const Fan> fans() const { return fans_; }
   /// How many triangles are beyond the second at the edges to points of higher index.

@@ -44,7 +44,8 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   Chunk chunk;
   chunk.vertices.reserve(surface.points.size());
   chunk.indices.reserve(surface.triangles.size() * 3);
-  // A point has a vertex for each of its colours and pieces; most have one, and the map is for the others.
+  // A point has a vertex for each of its colours and pieces; most have only one, and the map is for the
+  // others.
   std::vector<uint32_t> first(surface.points.size(), none);
   tsl::robin_map<uint64_t, uint32_t, KeyHash> further;
   for (size_t i = 0; i < surface.triangles.size(); ++i) {

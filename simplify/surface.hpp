@@ -13,8 +13,8 @@
 
 namespace triptych {
 
-/// Points of a lattice, each of them once, and triangles that share them. Triangle::material is an index into
-/// the palette here. No triangle is degenerate, and every point belongs to one.
+/// Different points of a lattice, and triangles that share them. Here Triangle::material is an index into the
+/// palette. No triangle is degenerate, and every point belongs to one.
 struct Surface {
   std::vector<glm::ivec3> points;
   std::vector<Triangle> triangles;
@@ -22,7 +22,7 @@ struct Surface {
   LatticeBox box() const;
 };
 
-/// A piece of a surface, and where each of its points stood in the whole.
+/// A piece of a surface, and the index of each of its points in the whole.
 struct Piece {
   Surface surface;
   std::vector<uint32_t> sources;  ///< for each point of the piece its index in the whole
@@ -35,7 +35,7 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
 DisjointSets connected_points(const Surface& surface);
 
 /// The surface as it is drawn: a vertex for each point, colour and piece that meet. `pieces`: for each
-/// triangle ChunkVertex::piece; none if all of it is one.
+/// triangle ChunkVertex::piece; empty if all of it is one piece.
 Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
 
 /// True if the corners lie on one line; exact.

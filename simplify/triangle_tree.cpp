@@ -91,7 +91,7 @@ void TriangleTree::build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& 
 
 namespace {
 
-/// A node that waits for its turn; medians: the depth is at most 32.
+/// An entry of the search's stack; the tree is split at medians, so its depth is at most 32.
 struct Waiting {
   uint32_t node;
   double squared_distance;

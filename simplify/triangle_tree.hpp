@@ -1,4 +1,4 @@
-// Closest-point queries on triangles, in double: a bounding volume tree of medians.
+// Closest-point queries on triangles, in double: a bounding volume tree split at medians.
 #pragma once
 
 #include "scene/box.hpp"
@@ -28,10 +28,11 @@ class TriangleTree {
   explicit TriangleTree(std::vector<Corners> triangles);
 
   const Corners& triangle(uint32_t index) const { return triangles_[index]; }
-  /// The triangle closest to the point. `hint` is where to look first; any triangle within `enough` will do.
+  /// The triangle closest to the point. `hint`: the triangle to look at first. Any triangle within the
+  /// distance `squared_enough` may be returned.
   Nearest nearest(const glm::dvec3& point, uint32_t hint = 0, double squared_enough = 0) const;
   /// A triangle that has all points within the distance (and so, since it is convex, all their convex
-  /// combinations), or no_triangle; gives the largest of their squared distances from it.
+  /// combinations), with the largest of their squared distances from it; no_triangle if there is none.
   Nearest within(std::span<const glm::dvec3> points, double squared_distance) const;
   /// The largest squared distance of the points from one triangle.
   double squared_distance(std::span<const glm::dvec3> points, uint32_t triangle) const;
@@ -41,8 +42,8 @@ class TriangleTree {
  private:
   struct Node {
     Box box;
-    uint32_t first = 0,
-             count = 0;  ///< of a leaf: triangles in order_; of an inner node: count 0 and its right child
+    /// Of a leaf: triangles in order_; of an inner node: count 0 and its right child.
+    uint32_t first = 0, count = 0;
   };
 
   void build(uint32_t first, uint32_t end, std::vector<glm::dvec3>& centers);

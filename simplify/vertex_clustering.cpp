@@ -15,7 +15,7 @@ namespace triptych {
 
 namespace {
 
-/// Point indices or cells, as a key; materials where colours count.
+/// A key of point indices or cells, and of materials where colours count.
 template <size_t count>
 using Key = std::array<uint32_t, count>;
 
@@ -26,7 +26,7 @@ double area_of(const Surface& surface, uint32_t a, uint32_t b, uint32_t c) {
          2;
 }
 
-/// All clusterings of one surface share these.
+/// What all clusterings of one surface share.
 struct Source {
   const Surface& surface;
   std::span<const uint8_t> locked;
@@ -106,7 +106,7 @@ class Clustering {
         continue;
       }
       if (line_of_three) {
-        // Three different points on a line: rare, and the triangle itself may stay for it.
+        // Three different points on a line: rare; the triangle itself may stay in its place.
         bound_ = std::max(bound_, 2 * moved_);
         if (!keep(triangle)) return false;
         continue;
@@ -126,8 +126,7 @@ class Clustering {
         if (r == p || degenerate(surface_.points[p], surface_.points[q], surface_.points[r])) continue;
         const double area = area_of(surface_, p, q, r);
         if (!found->second.moved || area > found->second.area) {
-          // The turn of the triangle that it stands for: corner r keeps its place, q its own, p takes the
-          // third.
+          // The winding of the triangle that it replaces: r and q keep their places, p takes the third.
           Triangle thin = triangle;
           thin.vertices[single] = q;
           thin.vertices[(single + i) % 3] = r;
@@ -220,7 +219,7 @@ Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, si
   const LatticeBox box = surface.box();
   const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
   const double longest = std::max({size.x, size.y, size.z, 1.0});
-  // One cell holds all at the coarse end; at the fine end hardly any two points meet.
+  // At the coarse end one cell holds everything; at the fine end hardly any two points share a cell.
   double coarse = longest * 1.001,
          fine = std::max(1.0, longest / (8 * std::sqrt(static_cast<double>(triangles)) + 8));
   std::optional<Clustering> best;
@@ -231,7 +230,7 @@ Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, si
     if (count <= triangles) {
       best.emplace(std::move(clustering));
       coarse = cell;
-      // Near enough to what was asked for.
+      // Near enough to the number that was asked for.
       if (count * 5 >= triangles * 4) break;
     } else {
       fine = cell;

@@ -17,17 +17,17 @@ struct Clustered {
 };
 
 /// Each point moves to the point of its cell that fits the planes around best; locked points stay. A triangle
-/// whose corners then are fewer than three goes, and where nothing that is left holds its image, a line or a
-/// point, a thin triangle between points of the surface stays in its place: so every point of the surface
-/// stays within `bound` of the result, and the other way round; of its own colour, where colours are kept.
+/// that collapses to a line or a point is removed; where no remaining triangle contains that line or point, a
+/// thin triangle between points of the surface replaces it. So every point of the surface stays within
+/// `bound` of the result, and vice versa; of its own colour, where colours are kept.
 Clustered cluster_vertices(const Surface& surface, std::span<const uint8_t> locked, double cell,
                            Colors colors);
 
-/// Whether the same has at most so many triangles; cheaper.
+/// Whether the result of the same has at most `triangles`; cheaper.
 bool clusters_within(const Surface& surface, std::span<const uint8_t> locked, double cell, size_t triangles,
                      Colors colors);
 
-/// The result with the finest cells that has at most so many triangles, or the coarsest one there is.
+/// The result of the finest cells that has at most `triangles`, or the coarsest one possible.
 Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, size_t triangles,
                      Colors colors);
 

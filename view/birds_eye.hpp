@@ -11,8 +11,8 @@
 namespace triptych {
 
 /// A camera straight above the view's eye whose line of sight points up on the screen. It covers nine of ten
-/// of the cut's boxes by their centres: the ground reaches too far to be a measure. It starts a little above
-/// the eye's height, so that ceilings do not hide rooms. Same viewport; deterministic.
+/// of the cut's boxes, by their centres: large boxes such as the ground would make the picture too small. It
+/// starts a little above the eye's height, so that ceilings do not hide rooms. Same viewport; deterministic.
 View birds_eye_view(const Skeleton& skeleton, const View& view, const std::vector<DrawableId>& cut);
 
 class BirdsEye {

@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// What a person asked for between two pictures.
+/// A person's input between two pictures.
 struct Motion {
   /// Held directions, −1 to 1: along the line of sight, to the right, along the walker's up axis.
   double forward = 0, right = 0, up = 0;
@@ -23,13 +23,13 @@ struct Motion {
 class Walker {
  public:
   /// Stands where the camera stands and looks where it looks, with its projection and height; `reach` is the
-  /// model's diagonal, model units: the first speed is a tenth of it a second.
+  /// model's diagonal, model units: the initial speed is a tenth of it per second.
   Walker(const Camera& camera, double reach);
-  /// Outside the box, all of it in sight; y is up.
+  /// A walker outside the box, with all of it in sight; y is up.
   static Walker before(const Box& box, double near);
 
   /// Moves and turns for so many seconds; a picture is `window_height` pixels high, and the point under the
-  /// mouse stays under it as one looks around.
+  /// mouse stays there while looking around.
   void move(const Motion& motion, double seconds, int window_height);
   /// Stands where the camera stands; the speed stays.
   void jump_to(const Camera& camera);

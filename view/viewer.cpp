@@ -41,7 +41,7 @@ bool Viewer::wait_for_frame(double patience) {
   const Stopwatch waiting;
   do {
     const double left_s = patience - waiting.seconds();
-    constexpr double slice_s = 0.1;  // a signal does not wake the window
+    constexpr double slice_s = 0.1;  // short, since a signal does not wake the window
     take(window_.poll(new_frame_ || options_.play ? 0 : std::clamp(left_s, 0.0, slice_s)));
     left_ = left_ || stop_requested();
   } while (!new_frame_ && !options_.play && !left_ && waiting.seconds() < patience);

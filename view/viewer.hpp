@@ -1,4 +1,4 @@
-// A person at the camera: turns what happens in the window into frames to draw, and shows them.
+// Interactive viewing: turns input in the window into frames to draw, and shows them.
 #pragma once
 
 #include "lod/frame_rules.hpp"
@@ -18,14 +18,14 @@ namespace triptych {
 
 struct ViewerOptions {
   WindowOptions window;
-  std::optional<Path> path;  ///< to start from and to play; without one the model's box is looked at
+  std::optional<Path> path;  ///< to start from and to play; without one the view shows the model's box
   bool play = false;         ///< starts playing at once
   double pixel_error = 1;
   bool culling = true;
-  std::filesystem::path pictures = ".";  ///< where F2 puts what the window shows
+  std::filesystem::path pictures = ".";  ///< where F2 saves what the window shows
 };
 
-/// What the keys do, a line each.
+/// What the keys do, one line each.
 std::string viewer_help();
 
 class Viewer {
@@ -35,7 +35,7 @@ class Viewer {
   /// Waits, at most so many seconds, until there is something new to draw: movement, a key, another size, the
   /// path's next camera.
   bool wait_for_frame(double patience);
-  /// The person has left, or a signal asked to end.
+  /// Whether the window was closed, or a signal asked to end.
   bool left() const { return left_; }
 
   /// The frame to draw now; each call gives the next number.
@@ -61,7 +61,7 @@ class Viewer {
   Walker walker_;
   size_t path_frame_ = 0;  ///< the one to show next
   uint32_t next_number_ = 0;
-  bool new_frame_ = true;  ///< what the window shows is not what it should
+  bool new_frame_ = true;  ///< whether the window has to be drawn again
   bool left_ = false, birds_eye_wanted_ = false, picture_wanted_ = false;
   std::optional<BirdsEye> birds_eye_;
   std::optional<PathFrame> exact_;  ///< the path's camera, until the person moves away from it

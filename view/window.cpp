@@ -128,7 +128,7 @@ class Window::Implementation {
       input.motion.*direction.axis += direction.sign;
       moving = true;
     }
-    // A slow picture is not a leap, and a key that was only tapped is a small step.
+    // Slow pictures must not cause leaps, and a key that was only tapped still makes a small step.
     constexpr double tap = 1.0 / 60, leap = 0.25;
     input.seconds = was_moving ? std::min(since_poll.seconds(), leap) : tap;
     since_poll.restart();
@@ -171,7 +171,7 @@ class Window::Implementation {
   std::optional<WindowContext> context;
   std::optional<WindowPicture> picture;  ///< of targets that are not OpenGL's
   Input input;
-  std::vector<int> pressed;  ///< since the last poll, perhaps let go already
+  std::vector<int> pressed;  ///< since the last poll, perhaps released already
   bool moving = false, looking = false;
   double cursor_x = 0, cursor_y = 0;
   bool cursor_known = false;

@@ -16,11 +16,11 @@ namespace triptych {
 struct WindowOptions {
   std::string title;
   int width = 512, height = 512;
-  /// Where the window's OpenGL comes from; none: the display's own (GLX).
+  /// Where the window's OpenGL comes from; empty: the display's own (GLX).
   std::optional<ContextKind> context;
 };
 
-/// What a key asks for once.
+/// What pressing a key once does.
 enum class Command { toggle_culling, toggle_birds_eye, toggle_play, take_picture, finer, coarser, help };
 
 /// What happened since the last time.
@@ -41,10 +41,10 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Takes input in. patience: how many seconds to wait for some where nobody does anything; none while a
-  /// direction is held.
+  /// Reads input. patience: how many seconds to wait for some if there is none; ignored while a direction is
+  /// held.
   Input poll(double patience);
-  /// Copies the target's colours into the window; RGBA of what it then shows, bottom row first, if
+  /// Copies the target's colours into the window; returns RGBA of what it then shows, bottom row first, if
   /// `read_back`.
   std::vector<uint8_t> show(const FrameTarget& target, bool read_back = false);
   void set_title(const std::string& title);

@@ -13,15 +13,15 @@ struct CullPacket {
   VisibleDelta delta;  ///< of the piece; each list ascending
 };
 
-/// Hears of each packet, in draw rank order, while the frame is being culled. The packet is good during the
-/// call.
+/// Is given each packet, in draw rank order, while the frame is being culled. The packet is valid during
+/// the call.
 class CullSink {
  public:
   virtual ~CullSink() = default;
   virtual void take(const CullPacket& packet) = 0;
 };
 
-/// For those who wait for the whole set.
+/// Ignores packets: for callers that only use the whole set.
 class NoSink final : public CullSink {
  public:
   void take(const CullPacket&) override {}

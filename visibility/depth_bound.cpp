@@ -7,9 +7,9 @@
 namespace triptych {
 
 namespace {
-/// Planes with larger terms say nothing; floats hold up to here.
+/// Planes with larger terms bound nothing: floats are precise enough up to here.
 constexpr double max_term = 0x1p20;
-/// Orthographic: faces seen more obliquely than this say nothing.
+/// Orthographic: faces seen more obliquely than this bound nothing.
 constexpr double min_cosine = 0x1p-10;
 
 double max_coordinate(const glm::dvec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }

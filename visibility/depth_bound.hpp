@@ -18,10 +18,12 @@ struct DepthPlane {
   float at(float x, float y) const { return slope.x * x + slope.y * y + middle; }
 };
 
-/// What rounding of w, of z and of their quotient may do to a depth: of itself, orthographic of its range.
+/// How far rounding of w, of z and of their quotient may change a depth, as a share of the depth itself;
+/// orthographic: of the range of depths.
 inline constexpr double share_of_depth = 0x1p-14;
 
-/// What evaluating a plane in floats may be off by, of the sum of its terms; the card's share included.
+/// How far evaluating a plane in floats may be off, as a share of the sum of its terms; the graphics card's
+/// own rounding included.
 inline constexpr double plane_rounding = 0x1p-20;
 
 /// What every pass holds its fragments to: those in front of `nearest`, or of any of the planes, are dropped.
@@ -39,15 +41,16 @@ struct PixelDepthBound {
 static_assert(sizeof(PixelDepthBound) == 48);
 PixelDepthBound pixel_bound(const DepthBound& bound, int width, int height);
 
-/// The planes of the box's faces that look at the eye, at most one an axis: behind each of them lies all that
-/// the box holds. In normalised device coordinates they are affine because depth is near / z, or linear in z.
+/// The planes of the box's faces that look at the eye, at most one per axis: everything in the box lies
+/// behind each of them. In normalised device coordinates they are affine because depth is near / z, or
+/// linear in z.
 class FacePlanes {
  public:
   FacePlanes(const FrameView& view, const DeviceMargins& margins);
 
-  /// Where each lies, and by how much content may seem to be in front of it: rounding and snapping move
-  /// vertices. `slack` times that much is added, so that planes of slack 2 are in front of those of slack 1,
-  /// on any machine, and of those of slack 1 of every box within this one.
+  /// The planes, each moved towards the eye by `slack` times as much as rounding and snapping may make
+  /// content seem to be in front of it. So planes of slack 2 are in front of those of slack 1 on any
+  /// machine, also of those of slack 1 of every box within this one.
   std::array<DepthPlane, 3> of(const Box& model_box, double slack) const;
 
  private:

@@ -1,5 +1,5 @@
-// The seam to a device: what draws and tests. OpenGL stands behind it (render/), and whoever else can do the
-// same.
+// The seam to a device: what draws and tests. OpenGL stands behind it (render/), or anything else that
+// keeps the rules below.
 #pragma once
 
 #include "visibility/frame_target.hpp"
@@ -10,7 +10,7 @@
 
 namespace triptych {
 
-/// What a device says of itself. Pictures of two runs are claimed to be identical only where all of it
+/// How a device identifies itself. Pictures of two runs are claimed to be identical only where all of it
 /// matches.
 struct DeviceNames {
   std::string vendor, renderer, version;
@@ -18,14 +18,14 @@ struct DeviceNames {
 };
 
 /// Draws drawables of one pack. Rules, each held by tests that any device can be put through:
-///   - all its targets share one vertex stage and one rule of what is in front: what one draws, another tests
-///   against;
+///   - all its targets share one vertex stage and one rule of what is in front: what one target draws,
+///     another can test against;
 ///   - fragments are held to DepthBound of their piece in every target, and its boxes are tested
-///   non-strictly, with
-///     margins that cover its own rounding: a box whose content shows is never called hidden;
+///     non-strictly, with margins that cover its own rounding: a box whose content shows is never called
+///     hidden;
 ///   - what is drawn is a function of the pack, the frame view and the drawables in their order, whatever was
-///   drawn
-///     before.
+///     drawn before.
+///
 /// For one thread.
 class Device {
  public:

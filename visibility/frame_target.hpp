@@ -13,7 +13,7 @@
 
 namespace triptych {
 
-/// What a target keeps of what is drawn: depth always; besides, colours or the ids of drawables.
+/// What a target keeps of what is drawn: always depth, and colours or the ids of drawables as well.
 enum class TargetKind { color, item, depth_only, color_and_item };
 
 /// A picture, or a depth alone, of width × height pixels. Rows of what is read back go from bottom to top.
@@ -28,12 +28,12 @@ class FrameTarget : public OcclusionTester {
   /// A new frame: depth to 0 (infinitely far), colours to the background, no items. The viewport of the view
   /// must be of the target's size: Error (place: frame target) otherwise.
   virtual void begin(const FrameView& view) = 0;
-  // draw() and test() come from OcclusionTester. Chunks that are not resident are asked of the device's
-  // residency; Error for a damaged chunk, or where the device has no memory left.
+  // draw() and test() come from OcclusionTester. Chunks that are not resident are requested from the
+  // device's residency; Error for a damaged chunk, or where the device has no memory left.
 
   /// Waits until everything is drawn, so that a wall clock can time it.
   virtual void finish() = 0;
-  /// Of what was drawn since begin().
+  /// Triangles that were drawn since begin().
   virtual uint64_t drawn_triangles() const = 0;
 
   /// Lines over whatever stands in a colour target, without a depth test.
@@ -43,9 +43,9 @@ class FrameTarget : public OcclusionTester {
   virtual std::vector<uint8_t> read_colors() const = 0;
   /// width × height of drawable id + 1, 0 where nothing is; of a target with items.
   virtual std::vector<uint32_t> read_items() const = 0;
-  /// Shows the colours in the window whose context is current in this thread, of width × height pixels: what
-  /// fits; the rest is background. False, and nothing is done, where the target is not OpenGL's: whoever has
-  /// the window takes read_colors().
+  /// Copies the colours to the window whose context is current in this thread, of window_width ×
+  /// window_height pixels: as much as fits; the rest is background. False, and nothing is done, where the
+  /// target is not OpenGL's: whoever has the window takes read_colors().
   virtual bool copy_to_window(int window_width, int window_height) const = 0;
 };
 

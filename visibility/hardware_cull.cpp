@@ -9,10 +9,11 @@ namespace triptych {
 
 namespace {
 
-/// Of many, the largest on the screen: where any shows, it is often one of these.
+/// Of many pieces only this number is tested first, the largest on the screen: if any shows, it is often one
+/// of them.
 constexpr size_t largest_pieces = 2;
 
-/// Of the rectangles from `first` on keeps so many, the largest.
+/// Keeps the `count` largest of the rectangles from `first` on.
 void keep_largest(std::vector<ScreenRectangle>& rectangles, size_t first, size_t count) {
   const auto area = [](const ScreenRectangle& r) { return (r.right - r.left) * (r.top - r.bottom); };
   const auto begin = rectangles.begin() + static_cast<std::ptrdiff_t>(first);
@@ -99,7 +100,7 @@ HardwareCull::QueueEntry HardwareCull::dequeue() {
 void HardwareCull::show(SceneNodeId node) {
   const DrawableId id = cut_->choice(node);
   const FrameRules& rules = view_->rules;
-  // Every fourth: what is nearest is often a large box that owns no pixel.
+  // Without the rule every fourth is left out; the nearest alone is often a large box that owns no pixel.
   if (!rules.show_all_found && ++found_visible_ % 4 == 0) return;
   if (!rules.retest_hidden && !previous_.empty() && !was_visible_.marked(id)) return;
   result_.visible.push_back(id);
@@ -113,7 +114,7 @@ bool HardwareCull::may_show(SceneNodeId node) const {
   return represented_.marked(cut_->choice(node)) || found_.empty() || found_.size() < options_.max_found;
 }
 
-/// Takes scene nodes in rank order until `batch_` of them want a test.
+/// Takes scene nodes in rank order until `batch_` of them need a test.
 void HardwareCull::fill_batch() {
   tested_.clear();
   rectangles_.clear();
@@ -147,8 +148,8 @@ ScreenBounds::Kind HardwareCull::append_bounds(QueueEntry& entry, bool inner) {
   return bounds.kind;
 }
 
-/// By the boxes of its placements first, since most of what is tested is hidden; then, or where it was
-/// visible a frame ago, by its pieces: the largest first.
+/// The boxes of its placements come first, since most of what is tested is hidden; then, or at once if it
+/// was visible one frame ago, those of its pieces: the largest first.
 ScreenBounds::Kind HardwareCull::append_bounds_of(QueueEntry& entry) {
   const DrawableId id = cut_->choice(entry.node);
   if (!has_pieces(hierarchy_, id)) {
@@ -204,7 +205,7 @@ void HardwareCull::judge(QueueEntry tested, bool passed, bool& too_many) {
   enqueue(tested);
 }
 
-/// Moves the watermark on: drawables of V(i−1) below it that did not show are gone.
+/// Moves the watermark on: drawables of V(i−1) below it that did not show are removed.
 void HardwareCull::decide() {
   packet_.watermark = queue_.empty() ? everything_decided : DrawRank{queue_.front().distance, 0};
   for (; next_previous_ < previous_.size() && previous_[next_previous_] < packet_.watermark;

@@ -27,7 +27,8 @@ const std::vector<DrawableId>& CutMapper::map(LazyCut& cut, const VisibleSet& vi
   for (const DrawableId id : visible) {
     SceneNodeId node = skeleton_.drawables[id].scene_node;
     if (!cut.view().rules.map_to_cut) {
-      // Parents instead of what is in the cut: coarser surfaces that may stand in front of the true ones.
+      // Without the rule: parents instead of what is in the cut. They are coarser surfaces, which may stand
+      // in front of the true ones.
       const SceneNodeId parent = skeleton_.scene_nodes[node].parent;
       const SceneNode& above = skeleton_.scene_nodes[parent == no_id ? 0 : parent];
       if (above.drawable_count > 0) add(above.first_drawable + above.drawable_count - 1);

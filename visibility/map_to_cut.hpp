@@ -10,14 +10,14 @@
 
 namespace triptych {
 
-/// Keeps its room from frame to frame. For one thread.
+/// Reuses its memory from frame to frame. For one thread.
 class CutMapper {
  public:
   explicit CutMapper(const Skeleton& skeleton);
 
   /// For each drawable its scene node's drawable in the cut (kept, perhaps at another level of detail), or
-  /// its ancestor's there, or all its descendants' there; what left the frustum maps to nothing. In draw rank
-  /// order under the cut's view, each once. Good until the next call.
+  /// its ancestor's there, or all its descendants' there; what left the frustum maps to nothing. In draw
+  /// rank order under the cut's view, each once. Valid until the next call.
   const std::vector<DrawableId>& map(LazyCut& cut, const VisibleSet& visible);
 
  private:

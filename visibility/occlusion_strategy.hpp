@@ -9,9 +9,9 @@
 
 namespace triptych {
 
-/// The representation and the cull of interactive-display-2003 §4, over one lazily selected cut a frame: OR
-/// and HC of a frame are played on one object, by a switch node in two frames or by the local pipeline in
-/// one.
+/// The occlusion representation (OR) and the hardware cull (HC) of interactive-display-2003 §4, over one
+/// lazily selected cut per frame. OR and HC of frame i run on one object: a switch node runs them in two
+/// successive frames, the local pipeline in one.
 class OcclusionStrategy final : public ExactStrategy, private OcclusionRepresentation {
  public:
   explicit OcclusionStrategy(const Hierarchy& hierarchy, const CullOptions& options = {});
@@ -21,7 +21,7 @@ class OcclusionStrategy final : public ExactStrategy, private OcclusionRepresent
   const CullResult& run(const FrameView& view, const VisibleSet& previous, FrameTarget& target,
                         CullSink& sink) override;
 
-  /// Of the frame that was begun last: what its cut has where anybody looked, and where the caller looks now.
+  /// The lazily selected cut of the frame that was begun last.
   LazyCut& cut() { return cut_; }
 
  private:

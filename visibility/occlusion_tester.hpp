@@ -1,4 +1,4 @@
-// The seam between culling and a device: draws occluders, answers which rectangles show.
+// The seam between culling and a device: draws occluders, and answers which rectangles show in front of them.
 #pragma once
 
 #include "scene/skeleton.hpp"
@@ -21,9 +21,9 @@ class OcclusionTester {
   /// Adds the drawables' depth, in the order given.
   virtual void draw(std::span<const DrawableId> drawables) = 0;
 
-  /// Test i is of the rectangles from ends[i − 1] (0 for the first) up to, not including, ends[i]. visible[i]
-  /// becomes 1 where one of them is at or in front of the depth at some pixel, 0 where all are behind it at
-  /// every one. Non-strict, and exact up to answers of 1 too many: unknown means visible.
+  /// Test i covers the rectangles from ends[i − 1] (0 for the first) up to, not including, ends[i].
+  /// visible[i] becomes 1 if one of them is at or in front of the depth at some pixel, 0 if all are behind
+  /// it at every pixel. Non-strict, and conservative: where the answer is not known it is 1, visible.
   virtual void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
                     std::span<uint8_t> visible) = 0;
 };

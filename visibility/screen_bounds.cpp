@@ -15,12 +15,12 @@ namespace {
 /// distance under the identity, by 83 · 2⁻²⁴ under the worst matrix that a build shares a mesh under
 /// (lod/plan.cpp), which is 2.6 times this.
 constexpr double float_rounding = 0x1p-19;
-/// Beyond it rounding in w may reach the margin of depths.
+/// Beyond this tangent, rounding in w may reach the margin of depths.
 constexpr double max_narrow_tangent = 8;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
 constexpr double near_margin = 1.001;
 
-/// Whether the rectangle is as near as can be, at its middle and its corners.
+/// Whether the rectangle's depth is the nearest possible, at its middle and its corners.
 bool says_nothing(const ScreenRectangle& r) {
   return r.depth((r.left + r.right) / 2, (r.bottom + r.top) / 2) >= 1 && r.depth(r.left, r.bottom) >= 1 &&
          r.depth(r.right, r.bottom) >= 1 && r.depth(r.left, r.top) >= 1 && r.depth(r.right, r.top) >= 1;

@@ -18,14 +18,14 @@ namespace triptych {
 /// culling exact (docs/algorithms.md has the argument).
 struct ScreenRectangle {
   float left = -1, bottom = -1, right = 1, top = 1;
-  /// The least of these, clamped to 1; the box does not reach where it is below 0. The first one is level:
-  /// the depth of the nearest corner.
+  /// The least of these, clamped to 1; where it is below 0, the box does not reach. The first plane is
+  /// constant: the depth of the nearest corner.
   std::array<DepthPlane, 4> planes;
   std::array<HalfPlane, 4> cuts;  ///< of its corners; the box does not reach beyond any of them
   float depth(float x, float y) const {
     return std::min({planes[0].at(x, y), planes[1].at(x, y), planes[2].at(x, y), planes[3].at(x, y)});
   }
-  /// Whether the box may reach this place.
+  /// Whether the box may reach this point of the screen.
   bool covers(float x, float y) const {
     return x >= left && x <= right && y >= bottom && y <= top && depth(x, y) >= 0 &&
            std::all_of(cuts.begin(), cuts.end(), [&](const HalfPlane& cut) { return cut.at(x, y) >= 0; });
@@ -70,7 +70,7 @@ class BoxProjector {
   Extent extent(const Box& box) const;
   Extent perspective_extent(const Box& box) const;
   Extent parallel_extent(const Box& box) const;
-  /// Adds to the corners, which are tangents, orthographic model units, what follows from them.
+  /// Completes an extent whose corners are set (as tangents; orthographic: in model units).
   Extent on_screen(Extent corners, double depth, double rounding) const;
 
   const Lattice* lattice_;

@@ -1,4 +1,4 @@
-// Lines in model space as a device draws them over a picture: boxes and frustums, for people.
+// Lines in model space as a device draws them over a picture: boxes and frustums, for people to look at.
 #pragma once
 
 #include "scene/box.hpp"
@@ -11,7 +11,7 @@
 
 namespace triptych {
 
-/// From one position to another, clip space; red, green, blue and alpha of 0 to 1.
+/// From one position to another, in clip space; red, green, blue and alpha from 0 to 1.
 struct ScreenLine {
   glm::vec4 from, to, color;
 };

@@ -4,6 +4,8 @@
 
 #include "lod/frame_view.hpp"
 
+#include <array>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -13,12 +15,14 @@ namespace triptych {
 /// c · (ambient + diffuse · |n · light| + headlight · |n.z|).
 inline constexpr float ambient_light = 0.42f, diffuse_light = 0.38f, head_light = 0.20f;
 
-/// What pixels without geometry show; red, green, blue, alpha.
-inline constexpr float background_color[4] = {0.86f, 0.90f, 0.95f, 1};
+/// What pixels without geometry show; red, green, blue, alpha, and the same from 0 to 1.
+inline constexpr std::array<uint8_t, 4> background_bytes = {219, 230, 242, 255};
+inline constexpr float background_color[4] = {219 / 255.0f, 230 / 255.0f, 242 / 255.0f, 1};
 
-/// The direction to the light in eye space.
+/// The direction to the light: in model space, and in eye space.
+inline glm::dvec3 light_in_model() { return glm::normalize(glm::dvec3(0.35, 0.85, 0.40)); }
 inline glm::vec3 light_direction(const FrameView& view) {
-  return glm::vec3(view.rotation * glm::normalize(glm::dvec3(0.35, 0.85, 0.40)));
+  return glm::vec3(view.rotation * light_in_model());
 }
 
 }  // namespace triptych

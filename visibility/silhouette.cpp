@@ -8,15 +8,16 @@ namespace triptych {
 
 namespace {
 
-/// What evaluating a half-plane in floats may be off by, of the sum of its terms; the card's share included.
+/// How far evaluating a half-plane in floats may be off, as a share of the sum of its terms; the graphics
+/// card's own rounding included.
 constexpr double half_plane_rounding = 0x1p-20;
 
-/// Positive where the way from a over b to c turns left.
+/// Positive where the way from a by b to c turns left.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Of few points, without memory of its own: a box has eight corners.
+/// The hull of few points, without an allocation: a box has eight corners.
 struct Hull {
   std::array<glm::dvec2, 2 * max_outline_points> points;
   size_t count = 0;
@@ -54,7 +55,7 @@ std::array<HalfPlane, 4> silhouette(std::span<const glm::dvec2> points, const gl
   }
   const Hull outline = convex_hull(points);
   const std::span<const glm::dvec2> hull(outline.points.data(), outline.count);
-  std::array<double, 4> max_cut{};  // of each corner, twice the area
+  std::array<double, 4> max_cut{};  // twice the area cut off at each corner
   for (size_t i = 0; i < hull.size(); ++i) {
     const glm::dvec2 from = hull[i], to = hull[(i + 1) % hull.size()];
     const double length = std::abs(to.x - from.x) + std::abs(to.y - from.y);

@@ -1,4 +1,4 @@
-// The outline of a box on the screen, closer than the rectangle around it.
+// The outline of a box on the screen, tighter than the rectangle around it.
 #pragma once
 
 #include <array>
@@ -7,15 +7,15 @@
 
 namespace triptych {
 
-/// A half of the screen, in normalised device coordinates (−1 to 1, y up): where normal · p + offset ≥ 0.
-/// Everywhere by default.
+/// A half-plane of the screen, in normalised device coordinates (−1 to 1, y up): where normal · p + offset
+/// ≥ 0. Everywhere by default.
 struct HalfPlane {
   glm::vec2 normal{0};
   float offset = 1;
   float at(float x, float y) const { return normal.x * x + normal.y * y + offset; }
 };
 
-/// silhouette() takes no more points.
+/// The most points that silhouette() takes.
 inline constexpr size_t max_outline_points = 16;
 
 /// Half-planes that hold all the points: for each corner of the rectangle around them the side of their

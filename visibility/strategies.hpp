@@ -1,4 +1,4 @@
-// The strategies that there are, by the names that --cull takes.
+// The available strategies, by the names that --cull takes.
 #pragma once
 
 #include "lod/hierarchy.hpp"
@@ -17,7 +17,7 @@ enum class StrategyKind { none, frustum, occlusion };
 /// Every kind with its name.
 const std::vector<std::pair<std::string, StrategyKind>>& strategy_names();
 
-/// options: of those that test boxes.
+/// options: for strategies that test boxes.
 std::unique_ptr<ExactStrategy> make_exact_strategy(StrategyKind kind, const Hierarchy& hierarchy,
                                                    const CullOptions& options = {});
 

@@ -19,7 +19,7 @@ struct VisibleDelta {
 
 /// The delta with before − removed ∪ added = after.
 VisibleDelta difference(const VisibleSet& before, const VisibleSet& after);
-/// The same into a delta that is there, whose room is used again.
+/// The same into an existing delta, whose memory is reused.
 void difference(const VisibleSet& before, const VisibleSet& after, VisibleDelta& delta);
 
 /// (set − removed) ∪ added (interactive-display-2003 §4.4). Returns false, and leaves the set as it was,

@@ -1,5 +1,5 @@
-// A receiver's view of one frame: V(i) grows out of V(i−1) as packets come, and may be drawn as far as it is
-// decided.
+// A receiver's side of one frame: V(i) grows out of V(i−1) as packets arrive, and may be drawn as far as it
+// is decided.
 #pragma once
 
 #include "lod/draw_rank.hpp"
@@ -17,11 +17,11 @@ class VisibleStream {
   VisibleStream(const Skeleton& skeleton, const glm::ivec3& cell, const VisibleSet& previous);
 
   /// The drawables of V(i) that this packet decided, after those of earlier packets in draw rank order. Ids
-  /// that the sender cannot mean (removed but not there, added twice, beyond the skeleton) are counted as
-  /// faults and left out: the digest tells.
+  /// that make no sense (removed but not in the set, added twice, beyond the skeleton) are counted as
+  /// faults and left out; then the digest will not match.
   std::vector<DrawableId> take(const CullPacket& packet);
 
-  /// V(i), as far as the packets said.
+  /// V(i), as far as the packets have arrived.
   const VisibleSet& visible() const { return visible_; }
   uint64_t faults() const { return faults_; }
 
@@ -29,8 +29,8 @@ class VisibleStream {
   const Skeleton& skeleton_;
   glm::ivec3 cell_;
   VisibleSet visible_;
-  std::vector<DrawRank>
-      undecided_;  ///< of visible_, ascending; those below the watermark have been given out
+  /// Of visible_, ascending; those below the watermark have been given out.
+  std::vector<DrawRank> undecided_;
   uint64_t faults_ = 0;
 };
 

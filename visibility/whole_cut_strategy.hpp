@@ -6,7 +6,7 @@
 namespace triptych {
 
 /// `frustum` draws the cut; `none` draws the rest of the model too, at the detail that its distance asks for.
-/// Neither looks at the target.
+/// Neither uses the target.
 class WholeCutStrategy final : public ExactStrategy {
  public:
   explicit WholeCutStrategy(FrustumCulling culling);

@@ -23,7 +23,7 @@ namespace triptych {
 namespace {
 
 constexpr std::string_view complaint_prefix = "triptych: ", warning_prefix = "warning: ";
-constexpr size_t max_talk = size_t{1} << 16;  ///< bytes that are listened to
+constexpr size_t max_talk = size_t{1} << 16;  ///< bytes of its output that are read
 
 /// A child process that is killed and collected when it goes out of scope.
 class Child {
@@ -38,7 +38,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Its status when it has ended; nothing if it has not when the seconds are over.
+  /// Its status when it has ended; nullopt if it is still running after so many seconds.
   std::optional<int> wait(double seconds) {
     const Stopwatch stopwatch;
     int status = 0;
@@ -63,7 +63,7 @@ std::filesystem::path beside_this_program() {
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "triptych-import";
 }
 
-/// Everything that the child says on its standard error until it closes it, or the time is over.
+/// Everything that the child prints on its standard error until it closes it, or the time is over.
 std::string listen(int errors, double seconds) {
   std::string said;
   const Stopwatch stopwatch;
@@ -79,14 +79,14 @@ std::string listen(int errors, double seconds) {
   return said;
 }
 
-/// What a damaged file made the child say is shown in one line of plain characters.
+/// The child's message, which a damaged file may have caused, as one line of printable characters.
 std::string plain(std::string_view line) { return one_line(std::string(line.substr(0, 200))); }
 
 }  // namespace
 
 Converted convert_model(const std::filesystem::path& file, const ImportOptions& options) {
   const std::string place = file.string();
-  StreamSource exists(file);  // says so if it does not
+  StreamSource exists(file);  // Error if it does not
   const std::filesystem::path program = options.converter.empty() ? beside_this_program() : options.converter;
   if (::access(program.c_str(), X_OK) != 0)
     fail(place, "is of a format that {} reads, which is not there", program.string());

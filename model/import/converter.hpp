@@ -16,9 +16,9 @@ struct Converted {
   std::vector<std::string> warnings;
 };
 
-/// Has the file converted, in a process of its own: the libraries that know these formats crash on hostile
-/// files. Error (the file) where the program complains, crashes, takes too long or too much memory, or is not
-/// there; nothing is left behind.
+/// Converts the file in a process of its own, since the libraries that read these formats crash on hostile
+/// files. Error (the file) where the program reports an error, crashes, takes too long or too much memory, or
+/// is not installed; nothing is left behind.
 Converted convert_model(const std::filesystem::path& file, const ImportOptions& options);
 
 }  // namespace triptych

@@ -27,8 +27,8 @@ constexpr std::array formats = {
     Format{".obj", import_obj, files_beside_obj}, Format{".ply", import_ply, nothing_beside},
     Format{".stl", import_stl, nothing_beside}};
 
-/// What Assimp's readers claim and hold models. Pure motion, and what has a reader of ours, is left out; a
-/// test asks triptych-import for the same list.
+/// The extensions of Assimp's readers that hold models. Formats with only animation, and those with a reader
+/// of our own, are left out; a test compares the list with that of triptych-import.
 constexpr std::array converted = {
     ".3d",     ".3ds",   ".3mf",  ".ac",      ".ac3d", ".acc", ".amf",  ".ase",  ".ask", ".assbin",
     ".b3d",    ".blend", ".bsp",  ".cob",     ".dae",  ".dxf", ".enff", ".fbx",  ".hmp", ".ifc",

@@ -1,4 +1,4 @@
-// Model files in: glTF and GLB, OBJ, PLY, STL, by their extension, and what Assimp knows besides.
+// Imports model files by their extension: glTF and GLB, OBJ, PLY, STL, and the formats that Assimp reads.
 #pragma once
 
 #include "model/model.hpp"
@@ -15,44 +15,44 @@ enum class UpAxis : uint8_t { y, z };
 enum class LengthUnit : uint8_t { metre, centimetre, millimetre, inch, foot };
 
 struct ImportOptions {
-  /// What files mean that do not say it themselves (OBJ, PLY, STL); metres and y up where nothing is given.
-  /// Where a format says otherwise, the report has a warning, and the format is right.
+  /// The up axis and unit of files that do not define them (OBJ, PLY, STL); by default y and metres. Where a
+  /// format defines something else, the format is followed, and the report has a warning.
   std::optional<UpAxis> up = std::nullopt;
   std::optional<LengthUnit> unit = std::nullopt;
-  /// Where large text files are put in binary while they are imported, in files without a name; empty: TMPDIR
-  /// or /tmp.
+  /// The folder for binary copies of large text files during the import, in files without a name; empty:
+  /// TMPDIR or /tmp.
   std::filesystem::path temporary_folder = {};
   /// Meshes of more triangles stay in their file (Mesh::stream) ...
   uint64_t stream_above = 4096;
-  /// ... and so do all further ones when those in memory would have more than these together.
+  /// ... and so do all further ones once those in memory would have more than this many together.
   uint64_t max_in_memory = 2'000'000;
-  /// Meshes that are held in memory take no more than this, bytes: further ones wait in the temporary folder,
-  /// and look like streams that MeshStream::load() knows.
+  /// Meshes that are held in memory take no more than this, bytes: further ones are stored in the temporary
+  /// folder, as streams that MeshStream::load() reads back.
   uint64_t held_bytes = uint64_t{1} << 40;
-  /// Positions of meshes that stay in their files, kept while those are read: of all threads together, and
+  /// Positions of meshes that stay in their files, cached while those are read: for all threads together, and
   /// for the rest of the process. Less of it makes reading slower where triangles use vertices in no order.
   uint64_t position_cache_bytes = uint64_t{64} << 20;
-  /// Subtrees of a scene's nodes that are equal become one group (Model::groups) where they place at least so
-  /// many meshes, and so many triangles, together: less is not worth a hierarchy of its own. Without it they
-  /// are instances like all others.
+  /// Subtrees of a scene's nodes that are equal become one group (Model::groups) if they place at least this
+  /// many meshes, and this many triangles, in all places together: fewer are not worth a hierarchy of their
+  /// own. If false, they are instances like all others.
   bool find_groups = true;
   uint64_t group_placements = 8;
   uint64_t group_triangles = 1u << 14;
   /// The program that reads further formats; empty: triptych-import beside the program that runs.
   std::filesystem::path converter = {};
-  /// It is ended where it takes more address space or longer.
+  /// It is killed if it takes more address space or more time.
   uint64_t converter_bytes = uint64_t{4} << 30;
   double converter_seconds = 600;
 };
 
-/// Reads every file into one model in metres, y up. What is dropped, merged or not understood stands in the
-/// model's report; of streams, what they find when they are read. Error (file and place in it) for a file
-/// that is missing, damaged, empty of triangles or of an unknown format.
+/// Reads every file into one model in metres, y up. The model's report says what was dropped, merged or not
+/// understood; streams report it when they are read. Error (file and place in it) for a file that is missing,
+/// damaged, empty of triangles or of an unknown format.
 Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options = {});
 
-/// The models' own files: these, and the buffers, material libraries and textures that they name, read or
-/// not, there or not. What triptych-import opens beside a file is not among them. Geometry is not read. Error
-/// for a file that cannot be opened.
+/// The models' own files: these, and the buffers, material libraries and textures that they name, whether or
+/// not they are read or exist. What triptych-import opens beside a file is not among them. Geometry is not
+/// read. Error for a file that cannot be opened.
 std::vector<std::filesystem::path> files_of_models(const std::vector<std::filesystem::path>& models);
 
 /// The extensions that import_model knows, with their dots: those of our own readers, then those that

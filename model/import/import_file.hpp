@@ -1,4 +1,4 @@
-// One model file on its way into a model: what every importer writes into.
+// The import of one model file: what every importer writes into.
 #pragma once
 
 #include "model/import/import.hpp"
@@ -17,7 +17,7 @@ namespace triptych {
 class SpoolFile;
 class StreamSource;
 
-/// Collects what one file adds to the model, and counts what had to be left out.
+/// Collects what one file adds to the model, and counts what is left out.
 class FileImport {
  public:
   FileImport(std::filesystem::path file, Model& model, const ImportOptions& options = {});
@@ -28,15 +28,15 @@ class FileImport {
   std::string place() const { return file_.string(); }
   std::string line_place(uint64_t line) const;
 
-  /// Another file that belongs to the model.
+  /// Notes another file that belongs to the model.
   void also_reads(const std::filesystem::path& file) { model_.files.push_back(file); }
 
   /// Counts towards one warning, "<file>: <count> <what>".
   void warn(std::string_view what, uint64_t count = 1);
   /// A warning without a count, "<file>: <what>".
   void remark(std::string what);
-  /// The format says which axis is up, and what is added is y up already: a warning if ImportOptions differ.
-  /// Nothing: each file says it.
+  /// The format defines which axis is up, and what is added is converted to y up already: a warning if
+  /// ImportOptions differ. Nullopt: it differs from file to file.
   void says_up(std::optional<UpAxis> up);
   /// The same for the unit; what is added is in metres.
   void says_unit(std::optional<LengthUnit> unit);
@@ -45,16 +45,16 @@ class FileImport {
   void drop(uint64_t triangles);
   /// Only counts them: the stream that dropped them has the warning.
   void count_dropped(uint64_t triangles);
-  /// Takes over what a stream warned of that was read into memory.
+  /// Takes over the warnings of a stream that was read into memory.
   void take_warnings(const MeshStream& stream);
 
   uint32_t add_material(const Material& material);
   /// Whether a mesh of so many triangles should stay in its file.
   bool should_stream(uint64_t triangles) const;
-  /// How many triangles more may be held in memory.
+  /// How many more triangles may be held in memory.
   uint64_t memory_left() const;
-  /// Takes the mesh without the triangles whose coordinates are not finite, and without vertices that only
-  /// those used; nothing if no triangle is left. Indices must be in range.
+  /// Adds the mesh without the triangles whose coordinates are not finite, and without vertices that only
+  /// those used; nullopt if no triangle is left. Indices must be in range.
   std::optional<uint32_t> add_mesh(Mesh mesh);
   uint32_t add_stream(std::string name, std::shared_ptr<const MeshStream> stream);
   void add_instance(uint32_t mesh, const Affine& transform);
@@ -76,21 +76,21 @@ class FileImport {
   uint64_t held_bytes_ = 0;
   std::shared_ptr<SpoolFile> store_;  ///< for meshes beyond ImportOptions::held_bytes
   Affine to_metres_y_up_{1};
-  std::vector<std::pair<std::string, uint64_t>> warnings_;  ///< a count of 0: none is printed
+  std::vector<std::pair<std::string, uint64_t>> warnings_;  ///< for a count of 0 no number is printed
 };
 
-/// One importer a format; each reads the file into the model. Errors as import_model.
+/// One importer per format; each reads the file into the model. Errors as import_model.
 void import_gltf(FileImport& target);  ///< .gltf and .glb
 void import_obj(FileImport& target);
 void import_ply(FileImport& target);
 void import_stl(FileImport& target);
-void import_other(FileImport& target);  ///< whatever triptych-import reads
+void import_other(FileImport& target);  ///< all formats that triptych-import reads
 
-/// The files that one names to be read with it, textures included. Error for a file that cannot be opened.
+/// The files that a model file refers to, textures included. Error for a file that cannot be opened.
 std::vector<std::filesystem::path> files_beside_gltf(const std::filesystem::path& file);
 std::vector<std::filesystem::path> files_beside_obj(const std::filesystem::path& file);
 
-/// A .glb that is at hand: what triptych-import made of a file.
+/// Imports the .glb that triptych-import made from a file.
 void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source);
 
 }  // namespace triptych

@@ -19,7 +19,7 @@ Affine compose(const Affine& outer, const Affine& inner) { return outer * glm::d
 Affine from_parts(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale,
                   const std::string& place) {
   const double length = glm::length(rotation);
-  if (!(length > 0) || !std::isfinite(length)) fail(place, "a rotation that is no rotation");
+  if (!(length > 0) || !std::isfinite(length)) fail(place, "the rotation has no length or is not finite");
   const glm::dmat3 turn = glm::mat3_cast(rotation / length);
   return Affine(turn[0] * scale.x, turn[1] * scale.y, turn[2] * scale.z, translation);
 }
@@ -47,7 +47,7 @@ Affine local_transform(const tinygltf::Node& node, const std::string& place) {
 bool is_finite(const Affine& transform) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
-      if (!(std::abs(transform[column][row]) <= largest_coordinate)) return false;
+      if (!(std::abs(transform[column][row]) <= max_import_coordinate)) return false;
     }
   }
   return true;
@@ -92,8 +92,8 @@ std::string node_place(const FileImport& target, size_t node) {
   return fmt::format("{}: node {}", target.place(), node);
 }
 
-/// The parent of each node, −1 where it has none. Every node has at most one, and following them comes to an
-/// end.
+/// The parent of each node, −1 where it has none. Checks that every node has at most one, and that there are
+/// no cycles.
 std::vector<int> check_tree(const tinygltf::Model& gltf, const FileImport& target) {
   std::vector<int> parents(gltf.nodes.size(), -1);
   for (size_t i = 0; i < gltf.nodes.size(); ++i) {
@@ -149,7 +149,7 @@ std::vector<int> scene_roots(const tinygltf::Model& gltf, const std::vector<int>
   return roots;
 }
 
-/// Places what a tree of nodes holds: in the model, or in a group.
+/// Places the content of a tree of nodes, in the model or in a group.
 class Placer {
  public:
   Placer(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes, const GltfGroups& groups)
@@ -159,7 +159,7 @@ class Placer {
     for (size_t group = 0; group < groups_.nodes.size(); ++group) {
       into_ = Group();
       uses_ = groups_.uses[group];
-      // Depth first from a node that is the group; its own transform is its placement's.
+      // Depth first from a node that is the group; that node's own transform belongs to the placement.
       walk({{static_cast<int>(groups_.nodes[group]), Affine(1)}}, true);
       const bool empty = into_->instances.empty() && into_->groups.empty();
       numbers_.push_back(empty ? GltfGroups::none : target_.add_group(std::move(*into_)));
@@ -241,8 +241,8 @@ class Placer {
   FileImport& target_;
   GltfMeshes& meshes_;
   const GltfGroups& groups_;
-  std::optional<Group> into_;      ///< nothing: the model
-  uint64_t uses_ = 1;              ///< how often what is placed now stands in the scene
+  std::optional<Group> into_;      ///< nullopt: the model
+  uint64_t uses_ = 1;              ///< how many places in the scene the current content has
   std::vector<uint32_t> numbers_;  ///< of groups in the model
 };
 

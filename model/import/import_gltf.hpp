@@ -1,5 +1,5 @@
-// The inner seams of the glTF importer. tinygltf parses, without buffers and images; every range is checked
-// here, it checks none.
+// The inner seams of the glTF importer. tinygltf parses the JSON, without buffers and images; all ranges are
+// checked here, since tinygltf checks none.
 #pragma once
 
 #define TINYGLTF_NO_STB_IMAGE
@@ -36,7 +36,7 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
 /// Takes the values of the top-level member "images" and "buffers" out of the JSON text, and returns the
 /// latter; empty if there is none. Error (place, byte) for JSON nested too deeply for a parser.
 std::string take_buffers(std::string& json, const std::string& place);
-/// The files that buffers and images of the JSON text name; values that mean nothing are passed over.
+/// The files that buffers and images of the JSON text name; invalid values are ignored.
 std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place);
 /// Finds what the JSON value "buffers" names. Files are looked for in the folder, and a buffer without an URI
 /// is `binary`, the second chunk of a binary file.
@@ -53,8 +53,8 @@ class GltfAccessor {
   int components() const { return components_; }
   bool holds_indices() const;
 
-  /// Whether all elements stand in the file as they are, so that they can stay there.
-  bool can_stream() const { return !sparse_ && stride_ <= PositionTable::longest_stride; }
+  /// Whether all elements can be read directly from the file, so that they can stay there.
+  bool can_stream() const { return !sparse_ && stride_ <= PositionTable::max_stride; }
   PositionTable positions() const;  ///< of three components
   IndexTable indices() const;
 
@@ -69,11 +69,11 @@ class GltfAccessor {
   int components_ = 0, component_type_ = 0;
   bool normalized_ = false, sparse_ = false;
   GltfBuffer data_, sparse_values_;       ///< without a source: every element is zero
-  std::vector<uint32_t> sparse_indices_;  ///< rising
-  std::vector<std::byte> elements_;       ///< when loaded, without gaps
+  std::vector<uint32_t> sparse_indices_;  ///< ascending
+  std::vector<std::byte> elements_;       ///< after load(), without gaps
 };
 
-/// Adds the meshes of the file to the target when they are asked for, each once.
+/// Adds the meshes of the file to the target when they are requested, each once.
 class GltfMeshes {
  public:
   GltfMeshes(const GltfFile& gltf, FileImport& target);
@@ -104,7 +104,7 @@ class GltfMeshes {
   const GltfFile& gltf_;
   FileImport& target_;
   std::vector<uint32_t> materials_;              ///< the file's to the model's
-  std::vector<bool> known_;                      ///< whether the mesh was asked for
+  std::vector<bool> known_;                      ///< whether the mesh was requested
   std::vector<std::optional<uint32_t>> meshes_;  ///< the file's to the model's
   std::vector<uint32_t> renamed_;  ///< an accessor's vertex to the mesh's, while a primitive is read
   int last_accessor_ = -1;
@@ -114,16 +114,19 @@ class GltfMeshes {
 /// Which subtrees of the node tree repeat.
 struct GltfGroups {
   static constexpr uint32_t none = 0xffffffffu;
-  std::vector<uint32_t> of_node;  ///< for each node the group that its subtree is, or none; not its transform
-  std::vector<uint32_t> nodes;    ///< for each group a node that is one; groups come before those they are in
-  std::vector<uint64_t> uses;     ///< for each group how often it stands in the scene, in other groups too
-  std::vector<uint64_t> placements;  ///< for each group how many meshes it places, with those of groups in it
+  /// For each node the group that its subtree (without its own transform) belongs to, or none.
+  std::vector<uint32_t> of_node;
+  std::vector<uint32_t> nodes;  ///< for each group one of its nodes; groups come before those they are in
+  /// For each group how many places it has in the scene, also within other groups.
+  std::vector<uint64_t> uses;
+  /// For each group how many meshes it places, those of groups in it included.
+  std::vector<uint64_t> placements;
 };
 
 /// Two subtrees are equal if their nodes place the same meshes under transforms that are equal to the bit,
-/// without the transform of the topmost one. What they place together must come to the options' bounds
-/// (ImportOptions::find_groups), and they must stand in at least two places: a group that is only in another
-/// one, once, is none. `roots`: of a tree. Reads no geometry.
+/// without the transform of the topmost one. All of them together must place as much as the options require
+/// (ImportOptions::find_groups), and they must have at least two places: a subtree that is only part of
+/// another group, once, is not a group. `roots`: of a tree. Reads no geometry.
 GltfGroups find_gltf_groups(const tinygltf::Model& gltf, const std::vector<int>& roots,
                             const ImportOptions& options);
 

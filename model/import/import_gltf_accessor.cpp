@@ -7,9 +7,9 @@ namespace triptych {
 
 namespace {
 
-/// What a sparse accessor without a base may hold: its zeros take memory that no byte of the file vouches
-/// for.
-constexpr size_t largest_implied_count = size_t{1} << 24;
+/// The most elements of a sparse accessor without a base: its zeros take memory although no byte of the file
+/// holds them.
+constexpr size_t max_implied_count = size_t{1} << 24;
 
 size_t component_bytes(int type, const std::string& place) {
   switch (type) {
@@ -41,7 +41,7 @@ int component_count(int type, const std::string& place) {
     case TINYGLTF_TYPE_VEC4:
       return 4;
     default:
-      fail(place, "a matrix where a scalar or a vector is wanted");
+      fail(place, "a matrix where a scalar or a vector is expected");
   }
 }
 
@@ -128,7 +128,7 @@ GltfAccessor::GltfAccessor(const GltfFile& gltf, int accessor_index, const std::
   if (accessor.bufferView >= 0 || !sparse_) {
     data_ =
         checked_range(gltf, accessor.bufferView, accessor.byteOffset, count_, element_bytes_, stride_, place);
-  } else if (count_ > largest_implied_count) {
+  } else if (count_ > max_implied_count) {
     fail(place, "{} elements without a buffer view", count_);
   }
   if (!sparse_) return;

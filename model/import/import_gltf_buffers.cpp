@@ -9,16 +9,16 @@ namespace triptych {
 
 namespace {
 
-/// Parsers recurse into nested values; a file nested as deeply as this is no model.
-constexpr int deepest_nesting = 200;
+/// Parsers recurse into nested values; no model is nested as deeply as this.
+constexpr int max_nesting = 200;
 
-/// A member of the outermost object: its name and where its value stands.
+/// A member of the outermost object: its name and where its value is.
 struct Member {
   std::string_view name;
   size_t begin, end;
 };
 
-/// Finds members without parsing their values. Text that is no JSON gives some members or none.
+/// Finds members without parsing their values. Text that is not JSON gives some members or none.
 std::vector<Member> outermost_members(std::string_view json, const std::string& place) {
   std::vector<Member> members;
   std::string_view text;  // the last at the first level
@@ -31,8 +31,7 @@ std::vector<Member> outermost_members(std::string_view json, const std::string& 
       for (++i; i < json.size() && json[i] != '"'; ++i) i += json[i] == '\\';
       if (depth == 1 && !in_value) text = json.substr(begin, std::min(i, json.size()) - begin);
     } else if (letter == '[' || letter == '{') {
-      if (++depth > deepest_nesting)
-        fail(place, "byte {}: JSON nested deeper than {} levels", i, deepest_nesting);
+      if (++depth > max_nesting) fail(place, "byte {}: JSON nested deeper than {} levels", i, max_nesting);
     } else if (letter == ':' && depth == 1 && !in_value) {
       members.push_back({text, i + 1, json.size()});
       in_value = true;
@@ -125,7 +124,7 @@ std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string&
   std::vector<GltfBuffer> buffers;
   if (json.empty()) return buffers;
   const auto list = nlohmann::json::parse(json);
-  if (!list.is_array()) fail(file_place, "\"buffers\" is no list");
+  if (!list.is_array()) fail(file_place, "\"buffers\" is not a list");
   for (const auto& entry : list) {
     const std::string place = fmt::format("{}: buffer {}", file_place, buffers.size());
     const auto length = entry.is_object() ? entry.find("byteLength") : entry.end();
@@ -133,7 +132,7 @@ std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string&
       fail(place, "has no length");
     const auto size = length->get<uint64_t>();
     const auto uri = entry.find("uri");
-    if (uri != entry.end() && !uri->is_string()) fail(place, "its URI is no text");
+    if (uri != entry.end() && !uri->is_string()) fail(place, "its URI is not a text");
     if (uri == entry.end()) {
       if (!binary || !buffers.empty()) fail(place, "has neither an URI nor a chunk of its own");
       if (size > binary->size) fail(place, "is longer than its chunk of {} bytes", binary->size);

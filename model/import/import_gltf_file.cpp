@@ -23,7 +23,7 @@ struct Container {
   std::optional<GltfBuffer> binary;
 };
 
-/// Of a binary glTF file, whose container is checked to the byte.
+/// The content of a binary glTF file, whose container is checked to the byte.
 Container open_binary(const std::shared_ptr<const StreamSource>& source, const SourceReader& reader,
                       const std::string& place) {
   constexpr uint32_t json_kind = 0x4e4f534a, binary_kind = 0x004e4942;
@@ -63,14 +63,14 @@ Container open_container(const std::shared_ptr<const StreamSource>& source, cons
   return container;
 }
 
-/// Messages of tinygltf may have many lines and repeat whole data URIs.
+/// Shortens a message of tinygltf, which may have many lines and repeat whole data URIs.
 std::string short_line(std::string message) {
   while (!message.empty() && (message.back() == '\n' || message.back() == ' ')) message.pop_back();
   if (message.size() > 160) message = message.substr(0, 120) + " ...";
   return message.empty() ? "does not parse" : one_line(message);
 }
 
-/// tinygltf is to open no file: buffers were taken out of its text, and images are not drawn.
+/// Makes sure that tinygltf opens no file: buffers were taken out of its text, and images are not drawn.
 bool no_file(const std::string&, void*) { return false; }
 
 bool read_nothing(std::vector<unsigned char>*, std::string* message, const std::string& path, void*) {
@@ -126,7 +126,7 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
   } catch (const std::exception& error) {  // tinygltf and its JSON throw on some values of the wrong type
     fail(place, "{}", short_line(error.what()));
   }
-  // tinygltf passes over primitives that it does not understand, but says so.
+  // tinygltf skips primitives that it does not understand, but reports them.
   if (!parsed || !errors.empty()) fail(place, "{}", short_line(errors));
   if (const std::string& version = gltf.model.asset.version; !version.starts_with("2."))
     fail(place, "is glTF of version {}; only 2 is known", short_line(version));

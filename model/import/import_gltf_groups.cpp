@@ -13,7 +13,7 @@ namespace {
 struct Kind {
   std::vector<uint32_t> children;  ///< kinds, each with a smaller number than this one
   uint64_t placements = 0, triangles = 0;
-  int node = 0;  ///< the first that is of it
+  int node = 0;  ///< the first node of this kind
 };
 
 uint64_t elements(const tinygltf::Model& gltf, int accessor) {
@@ -22,7 +22,7 @@ uint64_t elements(const tinygltf::Model& gltf, int accessor) {
              : 0;
 }
 
-/// As the file's counts say; what is wrong with it is found when it is read.
+/// As counted by the file; whether that is right is found when it is read.
 uint64_t triangles_of(const tinygltf::Model& gltf, int mesh) {
   if (mesh < 0 || static_cast<size_t>(mesh) >= gltf.meshes.size()) return 0;
   uint64_t triangles = 0;
@@ -34,7 +34,7 @@ uint64_t triangles_of(const tinygltf::Model& gltf, int mesh) {
   return triangles;
 }
 
-/// Accessors of EXT_mesh_gpu_instancing, and how many placements they are; 1 without any.
+/// Writes the accessors of EXT_mesh_gpu_instancing; returns how many placements they are; 1 without any.
 uint64_t write_instancing(const tinygltf::Model& gltf, const tinygltf::Node& node, ByteWriter& key) {
   const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
   key.write(static_cast<uint8_t>(found != node.extensions.end()));
@@ -121,7 +121,7 @@ GltfGroups find_gltf_groups(const tinygltf::Model& gltf, const std::vector<int>&
   Kinds found(gltf);
   for (const int root : roots) found.add_tree(root);
   const std::vector<Kind>& kinds = found.kinds;
-  // How often each kind stands in what is left when all that repeats is said once, and how often in the
+  // How often each kind occurs where everything that repeats is stored once, and how often in the whole
   // scene. From the topmost down: a kind's number is larger than those of its children.
   std::vector<uint64_t> said(kinds.size(), 0), uses(kinds.size(), 0);
   for (const int root : roots) {

@@ -15,9 +15,8 @@ void warn_of_attributes(const tinygltf::Primitive& primitive, FileImport& target
   if (primitive.attributes.count("COLOR_0"))
     target.warn("primitives with vertex colours, which are not drawn yet");
   if (primitive.attributes.count("JOINTS_0"))
-    target.warn("primitives with a skin, drawn as they stand in the file");
-  if (!primitive.targets.empty())
-    target.warn("primitives with morph targets, drawn as they stand in the file");
+    target.warn("primitives with a skin, drawn as stored in the file");
+  if (!primitive.targets.empty()) target.warn("primitives with morph targets, drawn as stored in the file");
 }
 
 }  // namespace
@@ -125,7 +124,7 @@ void GltfMeshes::read_indices(const tinygltf::Primitive& primitive, const std::s
   if (!accessor.holds_indices()) fail(place, "accessor {} does not hold indices", primitive.indices);
   part.triangles.indices = accessor.indices();
   if (accessor.can_stream()) return;
-  // Sparse numbers are put together in memory, and read from there.
+  // Sparse indices are assembled in memory, and read from there.
   accessor.load();
   part.triangles.indices->source = std::make_shared<StreamSource>(place, accessor.take_elements());
   part.triangles.indices->offset = 0;
@@ -151,7 +150,7 @@ GltfMeshes::Positions& GltfMeshes::positions(int accessor, const std::string& pl
   return *last_positions_;
 }
 
-/// The mesh takes those vertices of the accessor that it uses.
+/// Reads the triangles, and those vertices of the accessor that they use.
 void GltfMeshes::read_triangles(const Part& part, Mesh& mesh) {
   Positions& source = positions(part.positions, part.triangles.place);
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -163,7 +162,7 @@ void GltfMeshes::read_triangles(const Part& part, Mesh& mesh) {
     highest = std::max({highest, corners[0], corners[1], corners[2]});
   }
   if (triangles.empty()) return;
-  // Numbers close to each other are renamed by a table, scattered ones by a map.
+  // Vertex numbers are mapped by a table if they are close to each other, otherwise by a hash map.
   const bool close = highest - lowest < 16 * triangles.size() + 65536;
   if (close) renamed_.assign(size_t{highest - lowest} + 1, unnamed);
   std::unordered_map<uint32_t, uint32_t> scattered;

@@ -18,7 +18,7 @@ std::filesystem::path beside(const std::filesystem::path& file, std::string_view
   return file.parent_path() / portable;
 }
 
-/// What a statement names: one file with blanks in its name, or several.
+/// The files that a statement names: one with blanks in its name, or several.
 std::vector<std::string_view> names_in(std::string_view names, const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(beside(file, names), error)) return {names};
@@ -36,7 +36,7 @@ class ObjImport {
     std::string_view line;
     std::string joined;
     while (reader_.next_line(line)) {
-      if (line.ends_with('\\')) {  // goes on in the next line
+      if (line.ends_with('\\')) {  // continues in the next line
         joined.assign(line);
         while (joined.ends_with('\\') && reader_.next_line(line))
           joined.replace(joined.size() - 1, 1, " ").append(line);
@@ -78,7 +78,7 @@ class ObjImport {
     glm::dvec3 position;
     for (int i = 0; i < 3; ++i) {
       const auto number = to_number(take_word(line));
-      if (!number) fail(reader_.line_place(), "a vertex wants three numbers");
+      if (!number) fail(reader_.line_place(), "a vertex needs three numbers");
       position[i] = *number;
     }
     int further = 0;
@@ -98,14 +98,14 @@ class ObjImport {
   /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0.
   uint32_t vertex_index(std::string_view word) {
     const auto number = to_integer(word.substr(0, word.find('/')));
-    if (!number) fail(reader_.line_place(), "\"{}\" is no corner of a face", word.substr(0, 40));
+    if (!number) fail(reader_.line_place(), "\"{}\" is not a corner of a face", word.substr(0, 40));
     const auto known = static_cast<int64_t>(spool_.vertex_count());
     const int64_t index = *number < 0 ? known + *number : *number - 1;
     if (*number == 0 || index < 0 || index >= std::numeric_limits<uint32_t>::max()) {
       fail(reader_.line_place(), "names vertex {} of {}", *number, known);
     }
     const auto vertex = static_cast<uint32_t>(index);
-    if (vertex >= vertices_named_) {  // it may follow later in the file; checked at its end
+    if (vertex >= vertices_named_) {  // it may be defined later in the file; checked at the end
       vertices_named_ = uint64_t{vertex} + 1;
       furthest_line_ = reader_.line();
     }
@@ -172,8 +172,8 @@ class ObjImport {
       const auto number = to_number(word);
       if (i == 0 && (word == "xyz" || word == "spectral"))
         return target_.warn("colours in a space other than RGB are not drawn");
-      if (!number || !(std::abs(*number) <= largest_coordinate))
-        fail(library.line_place(), "a colour wants three numbers");
+      if (!number || !(std::abs(*number) <= max_import_coordinate))
+        fail(library.line_place(), "a colour needs three numbers");
       color[i] = std::clamp(*number, 0.0, 1.0);
     }
     for (int i = 0; i < 3; ++i) material.base_color[i] = static_cast<float>(color[static_cast<size_t>(i)]);
@@ -185,7 +185,7 @@ class ObjImport {
   std::unordered_map<std::string, uint32_t> materials_;
   std::vector<uint32_t> corners_;
   uint32_t material_ = 0;
-  uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest number that a face names, and where
+  uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest vertex number of a face, and its line
 };
 
 }  // namespace
@@ -193,7 +193,7 @@ class ObjImport {
 void import_obj(FileImport& target) { ObjImport(target).run(); }
 
 namespace {
-/// Adds the files of the statements whose first word is wanted.
+/// Adds the files named by statements whose first word is `wanted`.
 void add_named(const std::filesystem::path& file, bool (*wanted)(std::string_view),
                std::vector<std::filesystem::path>& files) {
   ImportReader reader(file);

@@ -10,12 +10,12 @@ namespace triptych {
 
 namespace {
 
-/// What formats say of their axes and unit. triptych-import hands all of these over y up, and those with a
-/// unit in metres.
+/// Which axes and unit formats define. triptych-import converts all of these to y up, and those with a unit
+/// to metres.
 struct Convention {
   const char* extension;
   bool unit;
-  std::optional<UpAxis> up;  ///< nothing: each file says it
+  std::optional<UpAxis> up;  ///< nullopt: differs from file to file
 };
 
 constexpr std::array conventions = {

@@ -14,14 +14,14 @@ namespace triptych {
 
 namespace {
 
-/// Reads the values of records one after the other, whichever way they are written. Every type fits a double
+/// Reads the values of records one after the other, in any encoding. Every type fits a double
 /// exactly.
 class PlyValues {
  public:
   PlyValues(ImportReader& reader, PlyEncoding encoding, std::string name)
       : reader_(reader), encoding_(encoding), name_(std::move(name)) {}
 
-  /// In ASCII each record has its own line; empty lines are passed over.
+  /// In ASCII each record has its own line; empty lines are skipped.
   void begin_record() {
     if (encoding_ != PlyEncoding::ascii) return;
     while (trimmed(line_).empty()) {
@@ -173,7 +173,7 @@ bool can_stream(const PlyHeader& header) {
   bool offset_known = true, faces = false;
   for (const PlyElement& element : header.elements) {
     const auto record = element.record_bytes();
-    if (element.name == "vertex" && (!record || !offset_known || *record > PositionTable::longest_stride))
+    if (element.name == "vertex" && (!record || !offset_known || *record > PositionTable::max_stride))
       return false;
     if (element.name == "face" && !offset_known) return false;
     faces = faces || element.name == "face";
@@ -210,7 +210,7 @@ void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count,
   target.add_instance(target.add_stream(target.file().stem().string(), stream), Affine(1));
 }
 
-/// Normals, confidences and the like, which the model has no place for.
+/// Warns of normals, confidences and other properties that the model does not have.
 void warn_of_unused(const PlyHeader& header, FileImport& target) {
   static constexpr std::array used = {"x", "y", "z", "vertex_indices", "vertex_index"};
   static constexpr std::array colours = {"red",   "green",       "blue",

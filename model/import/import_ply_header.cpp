@@ -17,7 +17,7 @@ PlyType read_type(std::string_view word, const ImportReader& reader) {
   for (size_t i = 0; i < names.size(); ++i) {
     if (word == names[i] || word == sized[i]) return static_cast<PlyType>(i);
   }
-  fail(reader.line_place(), "\"{}\" is no type of a property", word.substr(0, 40));
+  fail(reader.line_place(), "\"{}\" is not a type of properties", word.substr(0, 40));
 }
 
 PlyProperty read_property(std::string_view line, const ImportReader& reader) {
@@ -40,7 +40,7 @@ PlyElement read_element(std::string_view line, const ImportReader& reader) {
   element.name = std::string(take_word(line));
   const auto count = to_integer(take_word(line));
   if (element.name.empty() || !count || *count < 0)
-    fail(reader.line_place(), "an element wants a name and a count");
+    fail(reader.line_place(), "an element needs a name and a count");
   element.count = static_cast<uint64_t>(*count);
   return element;
 }
@@ -55,7 +55,7 @@ PlyEncoding read_encoding(std::string_view line, const ImportReader& reader) {
   fail(reader.line_place(), "format \"{}\" is not known", encoding.substr(0, 40));
 }
 
-/// The least that one record of the element can take, in bytes.
+/// The least size of one record of the element, bytes.
 uint64_t min_record_bytes(const PlyElement& element, PlyEncoding encoding) {
   uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
@@ -66,7 +66,7 @@ uint64_t min_record_bytes(const PlyElement& element, PlyEncoding encoding) {
 
 void check_promises(const PlyHeader& header, const ImportReader& reader) {
   uint64_t left =
-      reader.left() + (header.encoding == PlyEncoding::ascii ? 1 : 0);  // the last line may lack its end
+      reader.left() + (header.encoding == PlyEncoding::ascii ? 1 : 0);  // the last line may have no line end
   for (const PlyElement& element : header.elements) {
     const uint64_t record = min_record_bytes(element, header.encoding);
     if (element.count == 0) continue;
@@ -100,7 +100,7 @@ std::optional<uint64_t> PlyElement::record_bytes() const {
 PlyHeader read_ply_header(ImportReader& reader) {
   std::string_view line;
   if (!reader.next_line(line) || trimmed(line) != "ply")
-    fail(fmt::format("{}", reader.line_place()), "is no PLY file: it does not begin with \"ply\"");
+    fail(fmt::format("{}", reader.line_place()), "is not a PLY file: it does not begin with \"ply\"");
   PlyHeader header;
   bool formatted = false;
   while (reader.next_line(line)) {
@@ -119,7 +119,7 @@ PlyHeader read_ply_header(ImportReader& reader) {
       check_promises(header, reader);
       return header;
     } else {
-      fail(reader.line_place(), "\"{}\" is no statement of a PLY header", word.substr(0, 40));
+      fail(reader.line_place(), "\"{}\" is not a statement of a PLY header", word.substr(0, 40));
     }
   }
   fail(reader.line_place(), "the file ends within its header");

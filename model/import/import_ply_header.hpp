@@ -1,4 +1,4 @@
-// The header of a PLY file (Greg Turk's format): elements, their properties, how they are written.
+// The header of a PLY file (Greg Turk's format): elements, their properties, and the encoding.
 #pragma once
 
 #include "model/import/import_reader.hpp"
@@ -37,8 +37,8 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads up to "end_header". Error (line) for a header that is damaged or promises more data than the file
-/// has left.
+/// Reads up to "end_header". Error (line) for a header that is damaged or declares more data than the file
+/// holds.
 PlyHeader read_ply_header(ImportReader& reader);
 
 }  // namespace triptych

@@ -14,7 +14,7 @@ namespace triptych {
 
 namespace {
 constexpr size_t block_bytes = size_t{1} << 18;
-constexpr size_t longest_line = size_t{64} << 20;
+constexpr size_t max_line_bytes = size_t{64} << 20;
 
 bool is_blank(char letter) {
   return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
@@ -49,7 +49,7 @@ bool ImportReader::next_line(std::string_view& line) {
     const void* found =
         searched < available ? std::memchr(first + searched, '\n', available - searched) : nullptr;
     const size_t length = found ? static_cast<size_t>(static_cast<const char*>(found) - first) : available;
-    if (length > longest_line) fail(fmt::format("{}: line {}", name_, line_ + 1), "is longer than 64 MiB");
+    if (length > max_line_bytes) fail(fmt::format("{}: line {}", name_, line_ + 1), "is longer than 64 MiB");
     if (!found) {
       searched = available;
       if (refill()) continue;
@@ -100,8 +100,8 @@ std::optional<double> to_number(std::string_view word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || end != word.data() + word.size()) return std::nullopt;
-  // from_chars does not say whether the number was too large or too small; strtod does. A program around us
-  // may speak a language with a decimal comma.
+  // from_chars does not say whether the number was too large or too small; strtod does. The locale of the
+  // program may have a decimal comma.
   if (error == std::errc::result_out_of_range) {
     static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
     return ::strtod_l(std::string(word).c_str(), nullptr, plain);

@@ -17,7 +17,7 @@ namespace triptych {
 
 class ImportReader {
  public:
-  /// Error (the path) if the file cannot be opened, or is no regular file.
+  /// Error (the path) if the file cannot be opened or is not a regular file.
   explicit ImportReader(const std::filesystem::path& file);
   ~ImportReader();
   ImportReader(const ImportReader&) = delete;
@@ -43,7 +43,7 @@ class ImportReader {
   std::string line_place() const;          ///< "<file>: line 12"
 
  private:
-  bool refill();  ///< reads more behind what is not used up yet; false at the end of the file
+  bool refill();  ///< reads more behind what is not consumed yet; false at the end of the file
 
   std::string name_;
   std::FILE* file_ = nullptr;

@@ -1,4 +1,4 @@
-// STL, binary and ASCII. Vertices stay unshared as the file has them; welding comes with the build.
+// STL, binary and ASCII. Vertices stay unshared as in the file; the build welds them.
 #include "base/error.hpp"
 #include "model/import/import_file.hpp"
 #include "model/import/import_reader.hpp"
@@ -41,10 +41,10 @@ glm::dvec3 read_vertex(std::string_view rest, const ImportReader& reader) {
   glm::dvec3 position;
   for (int i = 0; i < 3; ++i) {
     const auto number = to_number(take_word(rest));
-    if (!number) fail(reader.line_place(), "a vertex wants three numbers");
+    if (!number) fail(reader.line_place(), "a vertex needs three numbers");
     position[i] = *number;
   }
-  if (!take_word(rest).empty()) fail(reader.line_place(), "a vertex wants three numbers and nothing else");
+  if (!take_word(rest).empty()) fail(reader.line_place(), "a vertex needs three numbers and nothing else");
   return position;
 }
 
@@ -81,7 +81,7 @@ void import_ascii(FileImport& target, ImportReader& reader) {
     } else if (is_keyword(word, "endsolid")) {
       step(inside == Inside::solid, Inside::nothing);
     } else {
-      fail(reader.line_place(), "is no statement of an ASCII STL file");
+      fail(reader.line_place(), "is not a statement of an ASCII STL file");
     }
   }
   if (inside != Inside::nothing) fail(reader.line_place(), "the file ends within a solid");
@@ -91,7 +91,7 @@ void import_ascii(FileImport& target, ImportReader& reader) {
 }  // namespace
 
 void import_stl(FileImport& target) {
-  // The size tells binary from ASCII: many binary files begin with "solid" too.
+  // The size distinguishes binary from ASCII: many binary files begin with "solid" too.
   ImportReader reader(target.file());
   if (reader.size() >= header_bytes) {
     const auto header = reader.read(header_bytes);
@@ -111,7 +111,7 @@ void import_stl(FileImport& target) {
   if (text.size() == 0) fail(target.place(), "is empty");
   if (!solid)
     fail(target.place(),
-         "is no STL file: neither ASCII nor of the length that a binary one of its count has");
+         "is not an STL file: it is neither ASCII nor as long as its count of facets requires");
   ImportReader again(target.file());
   import_ascii(target, again);
 }

@@ -79,7 +79,7 @@ void MeshSpool::finish() {
   }
 }
 
-/// Each mesh gets the vertices that it uses.
+/// Adds the meshes to the model, each with the vertices that it uses.
 void MeshSpool::place_in_memory() {
   std::vector<glm::dvec3> positions(vertex_count()), corners;
   if (!positions.empty()) std::memcpy(positions.data(), vertices_.bytes().data(), vertices_.bytes().size());

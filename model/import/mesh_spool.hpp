@@ -1,4 +1,4 @@
-// Vertices and faces of a file that does not stream, on their way into meshes.
+// Collects the vertices and faces of a file that cannot be streamed into meshes.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -15,17 +15,17 @@ namespace triptych {
 
 class StreamSource;
 
-/// Bytes that are appended: in memory at first, then in a temporary file that has no name any more, so that
-/// nothing is left of it however the program ends.
+/// Bytes that are appended: in memory at first, then in a temporary file that was unlinked, so that nothing
+/// is left of it however the program ends.
 class ByteSpool {
  public:
   void append(std::span<const std::byte> bytes);
   uint64_t size() const { return written_ + buffer_.size(); }
-  /// Moves what there is into a file in the folder, and what comes. Error (folder) if that fails.
+  /// Moves all bytes, and those that follow, to a file in the folder. Error (folder) if that fails.
   void move_to_file(const std::filesystem::path& folder);
-  /// What is in memory: everything before move_to_file.
+  /// The bytes in memory: all of them before move_to_file.
   std::span<const std::byte> bytes() const { return buffer_; }
-  /// Gives the file away, under the name that errors and warnings use; nothing may be appended after that.
+  /// Returns the file, under the name that errors and warnings use; nothing may be appended after that.
   std::shared_ptr<const StreamSource> take_file(const std::string& name);
 
  private:
@@ -45,11 +45,11 @@ class MeshSpool {
 
   void add_vertex(const glm::dvec3& position);
   uint64_t vertex_count() const { return vertices_.size() / sizeof(glm::dvec3); }
-  /// The faces that follow belong to a mesh of this name; one that gets no face is forgotten.
+  /// The faces that follow belong to a mesh of this name; a mesh without faces is dropped.
   void begin_mesh(std::string name);
   /// The corners' vertices may be added later. Fewer than three corners are skipped and counted.
   void add_face(std::span<const uint32_t> corners, uint32_t material);
-  /// Every vertex that a face names must be there by now.
+  /// Places the meshes. Every vertex that a face names must have been added.
   void finish();
 
  private:
@@ -58,7 +58,7 @@ class MeshSpool {
     uint64_t begin = 0;  ///< byte of the first face
     uint64_t faces = 0, end = 0;
   };
-  /// Goes on in a file where there is so much.
+  /// Continues in a file if there is this much.
   void grow_beyond(uint64_t triangles_or_vertices);
   void place_in_memory();
   void place_streams();

@@ -1,4 +1,4 @@
-// Collects the triangles of a stream into batches, without those that cannot be used, and what is said of it.
+// Collects the triangles of a stream into batches, without those that cannot be used, and its warnings.
 #pragma once
 
 #include "model/import/import_limits.hpp"

@@ -11,7 +11,8 @@ namespace triptych {
 
 namespace {
 
-/// What the file's length says of the corners, if it says anything: a face of n corners is n − 2 triangles.
+/// The number of triangles by the length of the file, if that is known: a face of n corners is n − 2
+/// triangles.
 uint64_t promised_triangles(const FaceTable& faces) {
   uint64_t fixed = 0;
   for (size_t k = 0; k < faces.element.properties.size(); ++k) {
@@ -71,7 +72,7 @@ class FaceReader {
 
   uint32_t vertex(const std::byte* bytes) {
     if (type_ == ScalarType::int32 || type_ == ScalarType::uint32) {
-      uint32_t index = 0;  // a negative one is beyond 2^31, and read with its sign below
+      uint32_t index = 0;  // a negative one becomes larger than 2^31; the error below shows it with its sign
       std::memcpy(&index, bytes, sizeof(index));
       if (faces_.swapped) index = __builtin_bswap32(index);
       if (index < positions_.count() && (type_ == ScalarType::uint32 || index < uint32_t{1} << 31))
@@ -96,7 +97,7 @@ class FaceReader {
     for (const auto& [a, b, c] : triangles_) batch_.add(corners_[a], corners_[b], corners_[c], material_);
   }
 
-  /// A face of any number of corners, none of which is kept.
+  /// Reads a face of any number of corners without keeping them.
   void read_fan(uint64_t count) {
     ++fans_;
     const size_t item = scalar_bytes(type_);

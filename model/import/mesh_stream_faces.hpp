@@ -1,5 +1,5 @@
 // Faces of any number of corners, in binary records with a list each, as a stream: PLY files, and our own
-// temporary ones.
+// temporary files.
 #pragma once
 
 #include "model/import/import_ply_header.hpp"
@@ -16,7 +16,7 @@ struct FaceTable {
   size_t list = 0;                 ///< the property that holds the corners
   std::optional<size_t> material;  ///< the property that holds the model's material, an uint32
   uint64_t begin = 0, end = 0;     ///< bytes; the last face may end before
-  bool end_known = false;          ///< the last face should end there
+  bool end_known = false;          ///< whether the last face must end there
   bool swapped = false;            ///< in the other byte order
 };
 

@@ -23,7 +23,7 @@ enum class TriangleMode : uint8_t { list, strip, fan };
 
 struct IndexedPart {
   uint64_t vertex_count = 0;
-  std::optional<IndexTable> indices;  ///< nothing: every vertex in turn
+  std::optional<IndexTable> indices;  ///< nullopt: every vertex in turn
   TriangleMode mode = TriangleMode::list;
   uint32_t material = 0;
   std::string place;  ///< of errors

@@ -11,7 +11,7 @@ namespace triptych {
 namespace {
 
 constexpr size_t min_blocks = 256, slab_bytes = size_t{1} << 20;
-/// Of all caches of the process; 64 MiB unless limit_all() says otherwise.
+/// Of all caches of the process together; 64 MiB unless limit_all() changes it.
 std::atomic<uint64_t> blocks_taken{0}, max_blocks{10922};
 
 template <typename Value>
@@ -102,7 +102,7 @@ size_t PositionCache::free_slot() {
     ++blocks_taken;
     return slots_.size() - 1;
   }
-  // The second-chance clock: what was found again since the hand passed stays.
+  // The clock algorithm (second chance): blocks that were used since the hand passed are kept.
   while (slots_[hand_].used) {
     slots_[hand_].used = false;
     hand_ = (hand_ + 1) % slots_.size();

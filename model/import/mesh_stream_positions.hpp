@@ -1,4 +1,4 @@
-// Positions of a vertex table in a file, at random, through a cache of decoded blocks.
+// Random access to the positions of a vertex table in a file, through a cache of decoded blocks.
 #pragma once
 
 #include "model/import/mesh_stream_source.hpp"
@@ -23,14 +23,14 @@ constexpr size_t scalar_bytes(ScalarType type) {
 /// stand for −1..1 or 0..1.
 double load_scalar(const std::byte* bytes, ScalarType type, bool swapped, bool normalized = false);
 
-/// Records of one length, one a vertex, with three scalars somewhere in each.
+/// Records of one length, one per vertex, with three scalars somewhere in each.
 struct PositionTable {
   struct Field {
     size_t at;  ///< byte within the record
     ScalarType type;
   };
-  /// Records longer than this do not stream.
-  static constexpr size_t longest_stride = 8192;
+  /// Tables of longer records cannot be streamed.
+  static constexpr size_t max_stride = 8192;
 
   std::shared_ptr<const StreamSource> source;
   uint64_t offset = 0, count = 0;
@@ -39,15 +39,15 @@ struct PositionTable {
   bool swapped = false;     ///< in the other byte order
   bool normalized = false;  ///< integers stand for −1..1 or 0..1
 
-  /// Bytes from the first record's first to the last record's last that is used.
+  /// Bytes from the start of the first record to the last used byte of the last one.
   uint64_t bytes() const;
   /// Error (name) unless every record lies within the source.
   void check() const;
 };
 
-/// Reads positions by their number. Caches of all threads together hold what limit_all() lets them: each
-/// takes blocks as long as there are any, 1.5 MiB in any case, then reuses its own. Vertices in the order of
-/// their use, as scans have them, are read sequentially. For one thread.
+/// Reads positions by their number. Caches of all threads together hold at most what limit_all() allows: each
+/// allocates blocks up to that, at least 1.5 MiB, then reuses its own. Vertices in the order of their use, as
+/// in scans, are read sequentially. For one thread.
 class PositionCache {
  public:
   explicit PositionCache(const PositionTable& table);
@@ -69,14 +69,14 @@ class PositionCache {
  private:
   static constexpr uint64_t block_positions = 256, no_block = ~uint64_t{0};
   static constexpr size_t block_bytes = block_positions * sizeof(glm::dvec3);
-  /// Blocks that were found last: most look-ups end here.
+  /// The blocks used last: most look-ups end here.
   struct Recent {
     uint64_t block = no_block;
     const glm::dvec3* positions = nullptr;
   };
   struct Slot {
     uint64_t block = no_block;
-    bool used = false;  ///< since the hand passed
+    bool used = false;  ///< since the clock hand passed
     glm::dvec3* positions = nullptr;
   };
   const glm::dvec3* find(uint64_t block);
@@ -89,7 +89,7 @@ class PositionCache {
   std::array<Recent, 1024> recent_;
   std::unordered_map<uint64_t, size_t> slot_of_;
   std::vector<Slot> slots_;
-  std::vector<void*> slabs_;  ///< of the kernel's, so that all goes back when the cache goes
+  std::vector<void*> slabs_;  ///< memory from the kernel, all of which the destructor returns
   size_t hand_ = 0;
   std::vector<std::byte> raw_;
 };

@@ -1,4 +1,4 @@
-// Bytes that stay where they are until somebody reads them: in a file, in an unlinked file, in memory.
+// Bytes that stay where they are until they are read: in a file, in an unlinked file, or in memory.
 #pragma once
 
 #include "base/descriptor.hpp"
@@ -14,12 +14,13 @@
 
 namespace triptych {
 
-/// Where bytes are. Keeps no descriptor of a named file open, so that a model may have any number of files.
+/// A place of bytes. Keeps no descriptor of a named file open, so that a model may have any number of files.
 class StreamSource {
  public:
-  /// Notes the file's size and time of change. Error (the path) if it cannot be opened or is no regular file.
+  /// Notes the file's size and time of change. Error (the path) if it cannot be opened or is not a regular
+  /// file.
   explicit StreamSource(const std::filesystem::path& file);
-  /// Takes over a file that is open; it has all its bytes already.
+  /// Takes over an open file, which must be complete.
   StreamSource(std::string name, Descriptor file);
   StreamSource(std::string name, std::vector<std::byte> bytes);
 
@@ -33,13 +34,13 @@ class StreamSource {
   std::string name_;
   uint64_t size_ = 0;
   int64_t changed_ns_ = 0;
-  Descriptor file_;  ///< not open: opened by name, or in memory
+  Descriptor file_;  ///< closed if the bytes are in a named file or in memory
   bool in_memory_ = false;
   std::vector<std::byte> bytes_;
 };
 
-/// Reads a source at any place, for as long as it lives. One a thread, and one for each sequential run: the
-/// kernel reads ahead for each.
+/// Reads a source at any place. Use one per thread, and one per sequential run, since the kernel reads ahead
+/// for each.
 class SourceReader {
  public:
   /// Error (name) if the file cannot be opened again or has changed since.
@@ -51,7 +52,7 @@ class SourceReader {
 
  private:
   std::shared_ptr<const StreamSource> source_;
-  Descriptor own_;  ///< of a file that is opened by name
+  Descriptor own_;  ///< open if the bytes are in a named file
 };
 
 /// A range of a source from front to back, through a buffer.

@@ -15,7 +15,7 @@ uint64_t StlStream::read(const TakeTriangles& take) const {
   uint64_t attributes = 0;
   for (uint64_t i = 0; i < facets_; ++i) {
     const std::byte* bytes = window.take(facet_bytes);
-    std::array<float, 9> values;  // behind the normal
+    std::array<float, 9> values;  // they follow the normal
     std::memcpy(values.data(), bytes + 12, sizeof(values));
     batch.add({values[0], values[1], values[2]}, {values[3], values[4], values[5]},
               {values[6], values[7], values[8]}, 0);

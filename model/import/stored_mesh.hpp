@@ -1,4 +1,4 @@
-// Meshes that were read and are not held: they wait in a temporary file, vertices and all.
+// Meshes that were read but are not kept in memory: they are stored in a temporary file with their vertices.
 #pragma once
 
 #include "base/spool_file.hpp"
@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-/// A mesh in a spool file, which may hold others too. Read, it is what it was in memory.
+/// A mesh in a spool file, which may hold others too. load() returns it as it was in memory.
 class StoredMesh : public MeshStream {
  public:
   /// Appends the mesh to the file.
@@ -27,7 +27,7 @@ class StoredMesh : public MeshStream {
 /// Triangles of a mesh that is held in memory, or stored; 0 for those that stay in the model's file.
 uint64_t held_triangles(const Mesh& mesh);
 
-/// What a mesh takes in memory.
+/// Bytes that a mesh takes in memory.
 uint64_t held_bytes(const Mesh& mesh);
 
 }  // namespace triptych

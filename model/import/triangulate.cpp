@@ -30,7 +30,7 @@ std::vector<glm::dvec2> on_best_plane(std::span<const glm::dvec3> corners) {
   }
   if (!(size > 0)) return {};
   const auto scaled = [&](size_t i) { return (corners[i] - corners[0]) / size; };
-  glm::dvec3 normal{0};  // Newell's: the sum of the fan's
+  glm::dvec3 normal{0};  // Newell's normal: the sum over the fan
   for (size_t i = 2; i < corners.size(); ++i) normal += glm::cross(scaled(i - 1), scaled(i));
   const double length = glm::length(normal);
   if (!(length > 0)) return {};
@@ -61,7 +61,7 @@ class EarClipping {
   /// Whether the fan of the first corner covers the face.
   bool is_convex() const {
     if (!reflex_.empty()) return false;
-    // An outline may turn left all the way and go round twice.
+    // An outline that only turns left may still go around twice.
     for (size_t i = 2; i < points_.size(); ++i) {
       if (turn(points_[0], points_[i - 1], points_[i]) < 0) return false;
     }
@@ -81,15 +81,15 @@ class EarClipping {
       triangles_.push_back({before, at, after});
       links_[before].next = after;
       links_[after].before = before;
-      // An ear's neighbours only ever get more convex.
+      // The neighbours of an ear can only become more convex.
       std::erase_if(reflex_, [&](uint32_t corner) {
         return (corner == before || corner == after || corner == at) && (corner == at || !is_reflex(corner));
       });
       --left;
       since_last_ear = 0;
-      at = links_[after].next;  // not its neighbour at once: fewer slivers
+      at = links_[after].next;  // skipping its neighbour gives fewer slivers
     }
-    const uint32_t first = links_[at].before;  // what is left is a triangle, or has no ear
+    const uint32_t first = links_[at].before;  // the rest is a triangle, or has no ear
     for (uint32_t corner = at; links_[corner].next != first; corner = links_[corner].next) {
       triangles_.push_back({first, corner, links_[corner].next});
     }

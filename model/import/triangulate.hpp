@@ -1,4 +1,4 @@
-// A face of many corners into triangles.
+// Triangulates faces of many corners.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace triptych {
 
-/// Faces of more corners are cut as fans: ears take time with the square of the corners.
+/// Faces of more corners are cut as fans: ear clipping takes time with the square of the number of corners.
 inline constexpr size_t max_clipped_corners = 4096;
 inline constexpr std::string_view fan_warning =
     "faces of more than 4,096 corners were cut as fans, which only suits convex ones";

@@ -52,7 +52,7 @@ class Checking {
   /// parent's finest.
   void check_errors() {
     const auto& nodes = skeleton_.scene_nodes;
-    std::vector<double> below(nodes.size(), 0);  // the largest error that any child ends with
+    std::vector<double> below(nodes.size(), 0);  // the largest error of a child's coarsest drawable
     for (size_t i = nodes.size(); i-- > 0;) {
       double last = below[i];
       for (uint32_t k = 0; k < nodes[i].drawable_count; ++k) {
@@ -68,7 +68,7 @@ class Checking {
     }
   }
 
-  /// Reads every chunk once and follows it through all its placements.
+  /// Reads every chunk once and checks it in all its placements.
   void check_chunks() {
     std::vector<std::vector<std::pair<DrawableId, uint32_t>>> users(
         skeleton_.chunks.size());  // drawable, transform

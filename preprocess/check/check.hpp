@@ -1,5 +1,5 @@
-// Whether a pack is sound: its bytes, its boxes, its errors. Distances are measured again by a method of
-// their own, so that a mistake of the build does not confirm itself.
+// Whether a pack is sound: its bytes, its boxes, its errors. Distances are measured by a method that shares
+// no code with the build, so that a mistake of the build is not repeated.
 #pragma once
 
 #include "base/distribution.hpp"
@@ -20,14 +20,14 @@ struct CheckOptions {
 };
 
 struct CheckReport {
-  /// Drawables whose bound was held against a measured distance, and those that could not be: their chunks,
-  /// or their source's, are damaged.
+  /// Drawables whose bound was compared with a measured distance, and those for which that was impossible:
+  /// their chunks, or their source's, are damaged.
   uint64_t drawables_checked = 0, drawables_not_checked = 0;
   uint64_t bound_violations = 0;  ///< drawables that are further from their source than their error says
-  uint64_t box_violations =
-      0;  ///< placements that leave their scene node's box, boxes that leave their parent's
-  uint64_t monotonicity_violations =
-      0;                         ///< errors that shrink along a scene node's drawables or towards the root
+  /// Placements that leave their scene node's box, boxes that leave their parent's.
+  uint64_t box_violations = 0;
+  /// Errors that shrink along a scene node's drawables or towards the root.
+  uint64_t monotonicity_violations = 0;
   uint64_t checksum_errors = 0;  ///< chunks that do not verify or do not decode
   /// Error over measured distance, of simplified drawables whose measured distance exceeds the lattice's
   /// rounding.
@@ -41,7 +41,7 @@ struct CheckReport {
 
 /// Reads every chunk and checks all boxes and errors; measures the two-sided distance of each drawable to the
 /// finest leaf drawables of its subtree (the source, on its lattice) at vertices and at points between them:
-/// all vertices where the points suffice, an even and repeatable choice where they do not. What it measures
+/// all vertices where the points suffice, an even and repeatable choice of them otherwise. What it measures
 /// is a lower bound of the true distance, so a bound violation is certain; the reverse is not. Embree (Intel)
 /// finds the candidates, distances are double. Never throws for damage.
 CheckReport check_pack(const Pack& pack, const CheckOptions& options = {});

@@ -17,8 +17,8 @@ namespace triptych {
 
 namespace {
 
-/// Points between vertices that a triangle gets at most.
-constexpr uint64_t points_a_triangle = 16;
+/// The most points on a triangle besides its vertices.
+constexpr uint64_t max_points_per_triangle = 16;
 
 /// A number that looks random and is the same on every machine (splitmix64, Sebastiano Vigna), from 0 up
 /// to 1.
@@ -29,7 +29,7 @@ double scattered(uint64_t value) {
   return static_cast<double>((value ^ (value >> 31)) >> 11) * 0x1p-53;
 }
 
-/// Index i of `count` that are spread evenly over `total`.
+/// The i-th of `count` indices that are spread evenly over `total`.
 uint64_t spread(uint64_t i, uint64_t count, uint64_t total) {
   return static_cast<uint64_t>(static_cast<double>(i) * static_cast<double>(total) /
                                static_cast<double>(count));
@@ -101,7 +101,7 @@ double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t p
   return largest;
 }
 
-/// The points that a full measurement of each drawable takes: small ones are done with few.
+/// How many points a full measurement of each drawable takes: small ones need few.
 std::vector<uint64_t> wanted_points(const Skeleton& skeleton, std::span<const DrawableId> drawables) {
   std::vector<uint64_t> source(skeleton.scene_nodes.size());  // triangles of the finest leaf drawables below
   for (size_t i = source.size(); i-- > 0;) {
@@ -114,12 +114,12 @@ std::vector<uint64_t> wanted_points(const Skeleton& skeleton, std::span<const Dr
     const Drawable& drawable = skeleton.drawables[id];
     const bool exact = is_source(skeleton, id);
     const uint64_t triangles = std::max<uint64_t>(source[drawable.scene_node], drawable.triangles);
-    wanted.push_back(exact ? 0 : 4 * points_a_triangle * triangles);
+    wanted.push_back(exact ? 0 : 4 * max_points_per_triangle * triangles);
   }
   return wanted;
 }
 
-/// The limit at which all of the wanted together, each cut to it, stay within the budget.
+/// The limit per drawable at which all wanted points, each clamped to it, stay within the budget.
 uint64_t largest_share(std::vector<uint64_t> wanted, uint64_t budget) {
   std::sort(wanted.begin(), wanted.end());
   for (size_t i = 0; i < wanted.size(); ++i) {
@@ -130,7 +130,7 @@ uint64_t largest_share(std::vector<uint64_t> wanted, uint64_t budget) {
   return wanted.empty() ? 0 : wanted.back();
 }
 
-/// To within what rotations lose.
+/// To within the rounding of rotations.
 bool nearly_equal(const glm::dmat3& a, const glm::dmat3& b) {
   double largest = 0, difference = 0;
   for (int column = 0; column < 3; ++column) {
@@ -199,8 +199,8 @@ std::vector<double> measured_distances(const Pack& pack, std::span<const Drawabl
     between();
     try {
       measured[place] = is_source(skeleton, id) ? 0 : measured_distance(surfaces, id, share, between);
-    } catch (const Error&) {  // a damaged chunk; whoever asks reads every chunk besides
-      between();              // or it was what this throws
+    } catch (const Error&) {  // a damaged chunk; the caller reads every chunk itself
+      between();              // rethrows if the error came from `between`
     }
     progress.advance();
   });

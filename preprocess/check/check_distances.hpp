@@ -9,20 +9,20 @@
 
 namespace triptych {
 
-/// Whether the drawable is the finest one of a leaf: the source that others are held against.
+/// Whether the drawable is the finest one of a leaf: part of the source that others are compared with.
 bool is_source(const Skeleton& skeleton, DrawableId id);
 
-/// For each drawable one that is as far from its source: itself, or, in a sub-hierarchy that stands elsewhere
-/// under a transform which differs by a motion or a mirror image alone, the one with the same local id there.
+/// For each drawable one that is as far from its source: itself, or the one with the same local id in another
+/// instance of the sub-hierarchy, whose transform differs only by a rigid motion or a mirror image.
 std::vector<DrawableId> equally_distant(const Skeleton& skeleton);
 
-/// For each drawable the largest two-sided distance to its source that was found at about `points` points
-/// over all; 0 for the source itself, NaN where a chunk is damaged. A lower bound of the true distance, the
-/// same for the same pack.
+/// For each drawable the largest two-sided distance to its source that was found, at about `points` points
+/// over all drawables; 0 for the source itself, NaN where a chunk is damaged. A lower bound of the true
+/// distance, the same for the same pack.
 std::vector<double> measured_distances(const Pack& pack, uint64_t points);
 
-/// The same for the given drawables alone, in their order. NaN as above. `between` is called every now and
-/// then, by any thread; an Error that it throws, and would throw again, ends the measurement.
+/// The same for the given drawables alone, in their order. NaN as above. `between` is called now and then, by
+/// any thread; if it throws an Error on this and each later call, the measurement ends.
 std::vector<double> measured_distances(
     const Pack& pack, std::span<const DrawableId> drawables, uint64_t points,
     const std::function<void()>& between = [] {});

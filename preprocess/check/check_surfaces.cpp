@@ -68,7 +68,7 @@ struct Search {
   const Placing* placing;
   glm::dvec3 point;  ///< less the translation
   double best, floor, margin;
-  double unit;  ///< of the floats that are searched
+  double unit;  ///< of the tree's floats
 };
 
 bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
@@ -155,7 +155,7 @@ double ChunkTree::distance(const Placing& placing, const glm::dvec3& point, doub
 
 PackSurfaces::PackSurfaces(const Pack& pack) : pack_(pack), device_(rtcNewDevice(nullptr)) {
   if (!device_)
-    fail(pack.name(), "Embree gives no device (error {})", static_cast<int>(rtcGetDeviceError(nullptr)));
+    fail(pack.name(), "Embree cannot make a device (error {})", static_cast<int>(rtcGetDeviceError(nullptr)));
   const Skeleton& known = pack.skeleton();
   for (const Affine& transform : known.transforms) placings_.emplace_back(transform);
   for (const SceneNode& node : known.scene_nodes) node_boxes_.push_back(known.lattice().box(node.box));
@@ -184,7 +184,7 @@ std::shared_ptr<const ChunkTree> PackSurfaces::tree(uint32_t chunk) const {
     }
   }
   // Built without the lock: Embree's own tasks must not wait for it. Two threads may build the same tree; one
-  // stays.
+  // is kept.
   const ChunkInfo& info = skeleton().chunks[chunk];
   auto made =
       std::make_shared<const ChunkTree>(device_, pack_.read_chunk(chunk), skeleton().lattices[info.lattice]);

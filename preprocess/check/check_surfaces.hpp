@@ -37,8 +37,8 @@ class ChunkTree {
   ChunkTree(const ChunkTree&) = delete;
   ChunkTree& operator=(const ChunkTree&) = delete;
 
-  /// The least of `best` and the distance from the point (model space) to the placed chunk. Once it is known
-  /// to be at most `floor`, any value up to `floor` may come back.
+  /// The least of `best` and the distance from the point (model space) to the placed chunk. Where it is at
+  /// most `floor`, any value up to `floor` may be returned.
   double distance(const Placing& placing, const glm::dvec3& point, double best, double floor) const;
 
   size_t triangle_count() const { return indices_.size() / 3; }
@@ -51,7 +51,8 @@ class ChunkTree {
   std::vector<uint32_t> indices_;
   glm::dvec3 center_;
   double extent_;
-  double unit_ = 1;  ///< of the tree's floats, a power of two near the extent: squares of theirs are finite
+  /// Of the tree's floats, a power of two near the extent, so that their squares are finite.
+  double unit_ = 1;
 };
 
 /// The surfaces of a pack's drawables and of their sources. Safe to use from several threads; keeps the trees
@@ -61,7 +62,7 @@ class PackSurfaces {
   explicit PackSurfaces(const Pack& pack);
   ~PackSurfaces();
 
-  /// The distance to the finest leaf drawables below a scene node; to one drawable. `floor` as above.
+  /// The distance to the finest leaf drawables below a scene node, and to one drawable. `floor` as above.
   double distance_to_source(SceneNodeId scene_node, const glm::dvec3& point, double floor) const;
   double distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor) const;
 

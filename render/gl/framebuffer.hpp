@@ -1,4 +1,4 @@
-// What is drawn into: colour or item ids, and 32-bit float depth.
+// A framebuffer: colours or drawable ids, and 32-bit float depth.
 #pragma once
 
 #include "render/gl/objects.hpp"
@@ -10,8 +10,7 @@
 
 namespace triptych {
 
-/// A framebuffer of width × height pixels. Rows of read-back pictures go from bottom to top, as OpenGL has
-/// them.
+/// A framebuffer of width × height pixels. Rows of read-back pictures go from bottom to top, as in OpenGL.
 class Framebuffer {
  public:
   Framebuffer(TargetKind kind, int width, int height);
@@ -27,8 +26,8 @@ class Framebuffer {
   std::vector<uint32_t> read_items() const;
   /// width × height of reversed depth.
   std::vector<float> read_depths() const;
-  /// Copies the colours into the context's window of width × height pixels, of which what fits; the rest is
-  /// background.
+  /// Copies the colours into the context's window of window_width × window_height pixels: as much as fits;
+  /// the rest is background.
   void copy_to_window(int window_width, int window_height) const;
   TargetKind kind() const { return kind_; }
   bool has_colors() const { return kind_ == TargetKind::color || kind_ == TargetKind::color_and_item; }

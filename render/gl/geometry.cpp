@@ -67,7 +67,7 @@ void Geometry::require(std::span<const DrawItem> items) {
     residency_.pump(std::numeric_limits<double>::infinity());
     upload(item.chunk, *residency_.pin(item.chunk));
     residency_.unpin(item.chunk);
-    residency_.evict(item.chunk);  // it has its place in device memory now
+    residency_.evict(item.chunk);  // it is in device memory now
     changed = true;
   }
   if (changed) attach_buffers();

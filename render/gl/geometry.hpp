@@ -1,4 +1,4 @@
-// Geometry in device memory: chunks of a pack, uploaded when something wants to be drawn.
+// Geometry in device memory: chunks of a pack, uploaded when they are first drawn.
 #pragma once
 
 #include "render/draw_list.hpp"
@@ -15,8 +15,8 @@ class Geometry {
  public:
   Geometry(const Skeleton& skeleton, Residency& residency);
 
-  /// Asks the residency for the chunks that are needed and are not here, and uploads them. Error for a
-  /// damaged chunk, or where OpenGL has no memory left.
+  /// Requests the chunks that are needed and not uploaded yet from the residency, and uploads them. Error for
+  /// a damaged chunk, or where OpenGL has no memory left.
   void require(std::span<const DrawItem> items);
   std::span<const ChunkRange> ranges() const { return ranges_; }
 

@@ -9,14 +9,14 @@
 
 namespace triptych {
 
-/// Over whatever stands in a framebuffer, without a depth test: what was culled lies behind something, and is
-/// what one wants to see.
+/// Draws over the framebuffer's colours, without a depth test: boxes of culled drawables lie behind
+/// something, and must be seen nevertheless.
 class LinePass {
  public:
   void draw(std::span<const ScreenLine> lines, const Framebuffer& framebuffer);
 
  private:
-  std::optional<GlProgram> program_;  ///< once there are lines
+  std::optional<GlProgram> program_;  ///< made when lines are first drawn
   GlVertexArray vertex_array_;
   StreamBuffer lines_;
 };

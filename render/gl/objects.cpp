@@ -51,7 +51,7 @@ void check_gl(const std::string& place) {
 void StreamBuffer::upload(std::span<const std::byte> bytes) {
   if (bytes.empty()) return;
   if (bytes.size() > capacity_) capacity_ = std::max(bytes.size(), capacity_ * 3 / 2);
-  // A fresh store each time: what is still being drawn from keeps the old one.
+  // A new store each time: draws that are still running keep the old one.
   glNamedBufferData(buffer_, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
   glNamedBufferSubData(buffer_, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }

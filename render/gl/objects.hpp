@@ -1,4 +1,4 @@
-// Owners of OpenGL objects, and the little around them that every pass needs.
+// Owners of OpenGL objects, and helpers that every pass needs.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace triptych {
 
-/// Owns one OpenGL name; made and deleted by the given functions.
+/// Owns one OpenGL object, made and deleted by the given functions.
 template <void (*make)(GLuint*), void (*remove)(GLuint)>
 class GlObject {
  public:
@@ -47,14 +47,14 @@ using GlFramebuffer = GlObject<gl_functions::make_framebuffer, gl_functions::rem
 using GlTexture = GlObject<gl_functions::make_texture, gl_functions::remove_texture>;
 using GlProgram = GlObject<gl_functions::make_program, gl_functions::remove_program>;
 
-/// Compiles and links; an Error with the driver's log where it refuses.
+/// Compiles and links; Error with the driver's log where that fails.
 GlProgram make_program(const std::string& name, const std::string& vertex_source,
                        const std::string& fragment_source);
 
 /// Error (place) if OpenGL reports one; out of memory above all.
 void check_gl(const std::string& place);
 
-/// A buffer whose contents are replaced each time; it grows when it must and never shrinks.
+/// A buffer whose contents are replaced on each use; it grows where needed and never shrinks.
 class StreamBuffer {
  public:
   void upload(std::span<const std::byte> bytes);

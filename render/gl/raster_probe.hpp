@@ -1,4 +1,4 @@
-// Draws what a raster certificate asks about: bare triangles in clip space, and rectangles under test.
+// Draws what a raster certificate measures: plain triangles in clip space, and rectangles under test.
 #pragma once
 
 #include "render/gl/objects.hpp"
@@ -19,17 +19,17 @@ struct ProbeVertex {
 void append_rectangle(std::vector<ProbeVertex>& vertices, float left, float bottom, float right, float top,
                       float depth);
 
-/// A target of float counts and 32-bit float depth. Vertices are taken three a triangle; pictures go from
-/// bottom to top.
+/// A target of float counts and 32-bit float depth. Every three vertices are a triangle; rows of pictures go
+/// from bottom to top.
 class RasterProbe {
  public:
   RasterProbe(int width, int height);
 
-  /// How often each pixel was drawn, without any test.
+  /// How often each pixel is drawn, without a depth test.
   std::vector<float> count_fragments(const std::vector<ProbeVertex>& vertices);
   /// The depth buffer after drawing the triangles into an empty one, the nearest in front.
   std::vector<float> depths(const std::vector<ProbeVertex>& vertices);
-  /// Draws the triangles again over the depth that they left, strictly: how many fragments pass.
+  /// Draws the triangles again over their own depth, with a strict test: how many fragments pass.
   uint64_t fragments_that_pass_again(const std::vector<ProbeVertex>& vertices);
   /// 1 where a rectangle is at or in front of the depth somewhere.
   std::vector<uint8_t> test_by_queries(std::span<const ScreenRectangle> rectangles);

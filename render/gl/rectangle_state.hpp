@@ -1,4 +1,4 @@
-// How OpenGL is set while rectangles are tested against a depth, and with what program.
+// The OpenGL state while rectangles are tested against a depth.
 #pragma once
 
 #include <glad/gl.h>
@@ -6,10 +6,10 @@
 namespace triptych {
 
 /// Depth is compared and not written; it is clamped at the near end, where a rectangle's plane may pass the
-/// eye, and cut at the far end. Undone when this goes.
+/// eye, and clipped at the far end. The destructor restores the state.
 class RectangleState {
  public:
-  /// The program has rectangle_vertex_shader(); the target is so many pixels wide and high.
+  /// program: with rectangle_vertex_shader(); width, height: of the target, pixels.
   RectangleState(GLuint program, int width, int height, GLenum comparison = GL_GEQUAL) {
     glUseProgram(program);
     constexpr float eighth_pixel = 0.25f;  // the screen is two units wide

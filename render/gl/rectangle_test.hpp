@@ -28,7 +28,7 @@ class RectangleTest {
   void test_by_storage(std::span<const uint32_t> ends, std::span<uint8_t> visible);
 
   TestKind kind_;
-  std::optional<GlProgram> program_;  ///< once something is tested
+  std::optional<GlProgram> program_;  ///< made when something is first tested
   GlVertexArray vertex_array_;
   StreamBuffer rectangles_, answer_buffer_;
   std::vector<uint32_t> answers_;

@@ -1,13 +1,10 @@
 #include "render/gl/renderer.hpp"
 
 #include "render/gl/shaders.hpp"
-#include "visibility/shading.hpp"
-#include "visibility/vertex_terms.hpp"
 
 namespace triptych {
 
 namespace {
-
 GlProgram make_pass(TargetKind kind, Projection projection) {
   const std::string vertex = geometry_vertex_shader(projection);
   switch (kind) {
@@ -32,17 +29,8 @@ Renderer::Pass& Renderer::pass(TargetKind kind) {
   const Projection projection = view_->view().camera.projection;
   std::optional<Pass>& pass = passes_[static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
-  pass.emplace(Pass{make_pass(kind, projection)});
-  pass->frustum = glGetUniformLocation(pass->program, "frustum");
-  pass->depth = glGetUniformLocation(pass->program, "depth");
-  pass->light = glGetUniformLocation(pass->program, "light");
+  pass.emplace(make_pass(kind, projection));
   return *pass;
-}
-
-void Renderer::set_projection(const Pass& pass) const {
-  const auto [frustum, depth] = clip_terms(*view_);
-  glUniform4f(pass.frustum, frustum.x, frustum.y, frustum.z, frustum.w);
-  glUniform2f(pass.depth, depth.x, depth.y);
 }
 
 void Renderer::set_view(const FrameView& view) {
@@ -66,11 +54,7 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
 
   const Pass& used = pass(framebuffer.kind());
   glUseProgram(used.program);
-  set_projection(used);
-  if (used.light >= 0) {
-    const glm::vec3 light = light_direction(*view_);
-    glUniform3f(used.light, light.x, light.y, light.z);
-  }
+  used.uniforms.set(*view_);
   framebuffer.bind();
   geometry_.bind();
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, draws_binding, records_);

@@ -4,9 +4,11 @@
 #include "render/draw_list.hpp"
 #include "render/gl/framebuffer.hpp"
 #include "render/gl/geometry.hpp"
+#include "render/gl/view_uniforms.hpp"
 
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace triptych {
 
@@ -17,21 +19,21 @@ class Renderer {
 
   /// The view for the draws that follow.
   void set_view(const FrameView& view);
-  /// Draws in the order given; at equal depth what was drawn first stays. What the framebuffer holds already
-  /// stays too. Returns the triangles that were drawn.
+  /// Draws in the order given, over what the framebuffer holds already; at equal depth what was drawn first
+  /// stays. Returns the number of triangles drawn.
   uint64_t draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer);
   uint64_t memory_bytes() const { return geometry_.memory_bytes(); }
 
  private:
   struct Pass {
+    explicit Pass(GlProgram made) : program(std::move(made)), uniforms(program) {}
     GlProgram program;
-    GLint frustum = -1, depth = -1, light = -1;
+    ViewUniforms uniforms;
   };
   Pass& pass(TargetKind kind);
-  void set_projection(const Pass& pass) const;
 
   Geometry geometry_;
-  std::optional<Pass> passes_[2][4];  ///< by projection; a program exists only once something calls for it
+  std::optional<Pass> passes_[2][4];  ///< by projection and kind; made when first used
   Representation& representation_;
   DrawListBuilder builder_;
   std::vector<DrawItem> items_;

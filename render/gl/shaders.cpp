@@ -17,7 +17,7 @@ struct DrawRecord {
   uint item;
   uint first_bound, unused0, unused1, unused2;
 };
-// No fragment of a piece is nearer than any of three planes, over pixels, nor than at.w.
+// No fragment of a piece is nearer than any of three planes over pixel coordinates, nor than at.w.
 struct BoundRecord { vec4 x, y, at; };
 layout(std430, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
 layout(std430, binding = 4) readonly buffer Bounds { BoundRecord bounds[]; };
@@ -34,7 +34,7 @@ void bound_fragment() {
 }
 )";
 
-// The shaded colour of a fragment, the same text for every pass that draws colours.
+// The shaded colour of a fragment, the same source text for every pass that draws colours.
 const std::string shaded = fmt::format("const float ambient = {}, diffuse = {}, head = {};\n", ambient_light,
                                        diffuse_light, head_light) +
                            R"(
@@ -50,15 +50,30 @@ void shade_fragment() {
 }
 )";
 
+// From eye space to clip space; what ViewUniforms sets goes in.
+const std::string frustum_uniforms = R"(
+uniform vec4 frustum;  // x scale, y scale, x shift, y shift
+uniform vec2 depth;    // perspective: the near plane; orthographic: scale and shift
+)";
+std::string project(Projection projection) {
+  return projection == Projection::perspective ? R"(
+  gl_Position = vec4(frustum.x * eye_position.x + frustum.z * eye_position.z,
+                     frustum.y * eye_position.y + frustum.w * eye_position.z, depth.x, -eye_position.z);
+)"
+                                               : R"(
+  gl_Position = vec4(frustum.x * eye_position.x + frustum.z, frustum.y * eye_position.y + frustum.w,
+                     depth.x * eye_position.z + depth.y, 1.0);
+)";
+}
+
 }  // namespace
 
 std::string geometry_vertex_shader(Projection projection) {
-  return version + "#extension GL_ARB_shader_draw_parameters : require\n" + draw_record + R"(
+  return version + "#extension GL_ARB_shader_draw_parameters : require\n" + draw_record + frustum_uniforms +
+         R"(
 layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
-uniform vec4 frustum;  // x scale, y scale, x shift, y shift
-uniform vec2 depth;    // perspective: the near plane; orthographic: scale and shift
 invariant gl_Position;
 out vec3 eye_position;
 flat out vec4 base_color;
@@ -71,15 +86,7 @@ void main() {
   vec3 p = vec3(point + draw.cell);
   eye_position = vec3(dot(draw.rows[0].xyz, p) + draw.rows[0].w, dot(draw.rows[1].xyz, p) + draw.rows[1].w,
                       dot(draw.rows[2].xyz, p) + draw.rows[2].w);
-)" +
-         (projection == Projection::perspective ? R"(
-  gl_Position = vec4(frustum.x * eye_position.x + frustum.z * eye_position.z,
-                     frustum.y * eye_position.y + frustum.w * eye_position.z, depth.x, -eye_position.z);
-)"
-                                                : R"(
-  gl_Position = vec4(frustum.x * eye_position.x + frustum.z, frustum.y * eye_position.y + frustum.w,
-                     depth.x * eye_position.z + depth.y, 1.0);
-)") +
+)" + project(projection) +
          R"(  base_color = palette[color_and_piece & 0xffffffu];
   BoundRecord bound = bounds[draw.first_bound + (color_and_piece >> 24)];
   bound_x = bound.x.xyz;
@@ -124,6 +131,24 @@ void main() {
 )";
 }
 
+std::string flat_model_vertex_shader(Projection projection) {
+  return version + frustum_uniforms + R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 vertex_color;
+uniform mat3 to_eye;
+uniform vec3 shift;
+out vec3 eye_position;
+flat out vec4 base_color;
+void main() {
+  eye_position = to_eye * position + shift;
+)" + project(projection) +
+         R"(  base_color = vertex_color;
+}
+)";
+}
+
+std::string flat_model_fragment_shader() { return version + shaded + "void main() { shade_fragment(); }\n"; }
+
 std::string rectangle_vertex_shader() {
   return version + "#extension GL_ARB_shader_draw_parameters : require\n" + R"(
 struct Rectangle { float sides[4]; float planes[12]; float cuts[12]; };
@@ -141,12 +166,12 @@ void main() {
   float x = r.sides[(gl_VertexID & 1) == 0 ? 0 : 2], y = r.sides[(gl_VertexID & 2) == 0 ? 1 : 3];
   vec3 plane = vec3(r.planes[own * 3], r.planes[own * 3 + 1], r.planes[own * 3 + 2]);
   gl_Position = vec4(x, y, dot(plane, vec3(x, y, 1.0)), 1.0);
-  gl_ClipDistance[own] = gl_Position.z;  // beyond, there is nothing of the box
+  gl_ClipDistance[own] = gl_Position.z;  // the box does not reach where it is negative
   for (uint i = 0u; i < 4u; ++i) {
     gl_ClipDistance[4u + i] = dot(vec3(r.cuts[i * 3], r.cuts[i * 3 + 1], r.cuts[i * 3 + 2]), vec3(x, y, 1.0));
     if (i == own) continue;
     vec3 other = vec3(r.planes[i * 3], r.planes[i * 3 + 1], r.planes[i * 3 + 2]);
-    // Pieces overlap, lest snapping part them.
+    // Pieces overlap, so that snapping leaves no gap between them.
     vec2 slope = abs(other.xy - plane.xy);
     float rounding = 1e-6 * (dot(abs(other), vec3(1.0)) + dot(abs(plane), vec3(1.0)));
     gl_ClipDistance[i] = dot(other, vec3(x, y, 1.0)) - gl_Position.z + dot(slope, overlap) + rounding;

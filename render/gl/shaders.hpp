@@ -14,15 +14,19 @@ inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under 
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
 inline constexpr GLuint bounds_binding = 4;      ///< storage: one PixelDepthBound a piece
 
-/// Of perspective views; of orthographic ones, whose w is 1 and whose depth is linear.
+/// For perspective views, or for orthographic ones, whose w is 1 and whose depth is linear.
 std::string geometry_vertex_shader(Projection projection);
-/// Depth alone, flat-shaded base colours, and drawable ids; all drop fragments nearer than their piece's
+/// Only depth, flat-shaded base colours, and drawable ids; all drop fragments nearer than their piece's
 /// bound.
 std::string depth_fragment_shader();
 std::string color_fragment_shader();
 std::string item_fragment_shader();
 /// Colours and ids in one pass, at locations 0 and 1.
 std::string color_and_item_fragment_shader();
+
+/// Of a whole model in floats (FlatVertex), one transform for all of it; the same shading and no bounds.
+std::string flat_model_vertex_shader(Projection projection);
+std::string flat_model_fragment_shader();
 
 std::string rectangle_vertex_shader();
 std::string query_fragment_shader();

@@ -21,7 +21,7 @@ constexpr uint64_t max_unique_triangles = 2'700'000, min_unique_triangles = 150'
 // Streams of random numbers.
 enum : uint64_t { for_pools, for_plan, for_furniture, for_walk, for_spin, for_jump };
 
-/// Reads the models that may be placed; one that cannot be read is left out and counted.
+/// Reads the models that may be placed; those that cannot be read are left out and counted.
 void read_pools(BuildingDesign& design, const RolePools& pools) {
   std::set<size_t> needed;
   for (const auto& pool : pools.pieces) needed.insert(pool.begin(), pool.end());
@@ -46,7 +46,7 @@ void read_pools(BuildingDesign& design, const RolePools& pools) {
 
 using Json = nlohmann::ordered_json;
 
-/// Who made what, under which licence: into the scene, and as a text file.
+/// Writes creators and licences into the scene and into a text file.
 void write_attribution(const BuildingDesign& design, const std::set<size_t>& used, GltfWriter& gltf,
                        const std::filesystem::path& folder) {
   std::string text =
@@ -77,12 +77,12 @@ uint64_t triangles_of(const std::vector<MeshPart>& parts) {
   return count;
 }
 
-/// What stands in the building, by storey, until all meshes are written.
+/// The placements, by storey, until all meshes are written.
 class Scene {
  public:
   Scene(const BuildingDesign& design, SampleReport& report) : design_(design), report_(report) {}
 
-  /// Returns how often it stands in the building.
+  /// Returns how many places it has in the building.
   size_t place(std::string name, size_t mesh, const glm::dmat4& transform, std::optional<int> storey,
                uint64_t triangles) {
     nodes_.push_back({std::move(name), mesh, transform, storey});
@@ -176,7 +176,7 @@ BuildingDesign design_building(const BuildingOptions& options) {
   design.furniture = load_furniture(options.catalogues);
   auto wanted = static_cast<size_t>(options.furniture.value_or(furniture_a_floor * options.floors));
 
-  // A small building has few models: it is to be made, built and tested in seconds.
+  // A small building has few models, so that it can be made, built and tested in seconds.
   const uint64_t budget = std::clamp<uint64_t>(wanted * 300, min_unique_triangles, max_unique_triangles);
   const size_t models = std::max<size_t>(60, wanted / 6);
   if (!design.storeys.empty())

@@ -18,9 +18,9 @@ namespace triptych {
 
 struct BuildingOptions {
   int floors = 7;
-  std::optional<int> furniture;  ///< wanted placements; without it 2000 a floor
-  /// Storeys between the lowest and the highest repeat after so many different ones, and each is a node of
-  /// its own in the scene; without it all are different, and placed one by one.
+  std::optional<int> furniture;  ///< wanted placements; by default 2000 per floor
+  /// Storeys between the lowest and the highest repeat after this many different ones, and each is a node of
+  /// its own in the scene; by default all are different, and placed one by one.
   std::optional<int> repeat_storeys;
   uint64_t seed = 1;  ///< decides everything: equal options give equal files
   std::filesystem::path catalogues = furniture_folder;
@@ -43,14 +43,14 @@ struct BuildingDesign {
   std::vector<FurnitureMesh> meshes;  ///< by piece; empty where the piece was not read
   FloorPlan plan;                     ///< of the different storeys, one above the other
   Furnishing furnishing;              ///< theirs
-  std::vector<int> storeys;           ///< of a building that repeats them: which of them each storey is
+  /// For a building that repeats storeys: which of the different ones each storey is.
+  std::vector<int> storeys;
   CameraFrames walk, fly, spin, jump;
   std::map<std::string, size_t> skipped_models;
 };
 
-/// Error for options out of range (floors 1 to 100, furniture 0 to 1,000,000,
-/// storeys that repeat after none) and where no catalogues are
-/// installed.
+/// Error for options out of range (floors 1 to 100, furniture 0 to 1,000,000, storeys that repeat after
+/// none), and if no catalogues are installed.
 BuildingDesign design_building(const BuildingOptions& options);
 
 /// Writes `scene.gltf`, `scene.bin`, `walk.json`, `fly.json`, `spin.json`, `jump.json` and `ATTRIBUTION.txt`.

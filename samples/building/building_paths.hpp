@@ -5,17 +5,15 @@
 #include "samples/building/furnisher.hpp"
 #include "samples/camera_paths.hpp"
 #include "samples/random.hpp"
+#include "samples/walking.hpp"
 
 #include <vector>
 
 namespace triptych {
 
-/// Between who walks and everything else, metres.
-inline constexpr double walking_clearance = 0.3;
-
-/// 300 frames of a person who walks at 1.25 m a second, 30 frames a second: from room to room by open
-/// doors, at least 0.3 m from everything, turning at most 0.8 degrees a frame. Error if the building is so
-/// full that no way is long enough.
+/// 300 frames of a person who walks at 1.25 m a second, 30 frames a second: from room to room by open doors,
+/// at least 0.3 m from everything, turning at most 0.8 degrees a frame. Error if the building is so full that
+/// no path is long enough.
 CameraFrames make_walk(const FloorPlan& plan, const std::vector<FurniturePlacement>& placements,
                        const Random& random);
 /// 300 frames of about 1 m: from outside through the corridors, up the hall, out by the roof and around; goes

@@ -55,7 +55,7 @@ Furnishing furnish_with(const Supply& supply, const FloorPlan& plan, size_t want
 Furnishing furnish_building(const Furniture& furniture, const RolePools& pools,
                             const std::vector<uint64_t>& triangles, const FloorPlan& plan, size_t wanted,
                             double mean_triangles, const Random& random) {
-  // More thrift, fewer triangles: the thrift that meets the mean is between these two.
+  // More thrift gives fewer triangles: the thrift that gives the wanted mean is between these two.
   double generous = -2, thrifty = 8, nearest = std::numeric_limits<double>::infinity();
   Furnishing best;
   for (int step = 0; step < 10 && nearest > mean_triangles * 0.02; ++step) {

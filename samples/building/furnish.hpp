@@ -12,8 +12,8 @@ struct Furnishing {
 };
 
 /// Furnishes every room and keeps the most important placements of each, in proportion, until there are
-/// `wanted` of them (fewer only if the rooms hold no more). Among the models of a role, heavy ones are used
-/// the less often the more is needed to come near `wanted * mean_triangles` placed triangles.
+/// `wanted` of them (fewer only if the rooms hold no more). Models with many triangles are chosen less often,
+/// as far as that is needed to come near `wanted * mean_triangles` placed triangles.
 Furnishing furnish_building(const Furniture& furniture, const RolePools& pools,
                             const std::vector<uint64_t>& triangles, const FloorPlan& plan, size_t wanted,
                             double mean_triangles, const Random& random);

@@ -24,7 +24,7 @@ struct FurniturePlacement {
 
 glm::dmat4 placement_transform(const FurniturePlacement& placement);
 
-/// What every room is furnished from.
+/// What rooms are furnished with.
 struct Supply {
   const Furniture& furniture;
   const RolePools& pools;
@@ -38,7 +38,7 @@ enum class Side { north, east, south, west };
 double facing_from(Side side);
 Side opposite(Side side);
 
-/// A box that is not to be built up: a door's way, the air before a window, a hole in the floor.
+/// A box that must stay free: in front of a door or a window, or above a hole in the floor.
 struct KeptFree {
   Rect area;
   double bottom = 0, top = 0;
@@ -60,13 +60,13 @@ class Furnisher {
   const FurniturePiece& piece(size_t number) const { return supply_.furniture.pieces[number]; }
   const std::vector<FurniturePlacement>& placements() const { return placements_; }
 
-  /// A model that can play the role, or nothing if the catalogues have none that passes.
+  /// A model for the role, or nullopt if the catalogues have none that passes.
   std::optional<size_t> choose(FurnitureRole role,
                                const std::function<bool(const FurniturePiece&)>& passes = nullptr);
 
   void keep_free(const Rect& area, double bottom, double top) { kept_free_.push_back({area, bottom, top}); }
 
-  /// Each puts the piece where it is asked to and says whether it fitted; nothing changes if it did not.
+  /// Each puts the piece at the given place and returns whether it fitted; nothing changes if it did not.
   bool put(size_t piece, glm::dvec2 centre, double angle, double bottom = 0);
   bool put_at_wall(size_t piece, Side side, double along, double bottom = 0, double gap = 0.02);
   bool put_on(size_t parent, size_t piece, glm::dvec2 local, double turn = 0);

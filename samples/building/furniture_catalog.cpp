@@ -35,7 +35,7 @@ class Entry {
       double value = 0;
       const auto end = std::from_chars(word.data(), word.data() + word.size(), value);
       if (end.ec != std::errc() || end.ptr != word.data() + word.size() || !std::isfinite(value))
-        fail(place_, "{}{}: '{}' is no number", key, suffix_, word);
+        fail(place_, "{}{}: '{}' is not a number", key, suffix_, word);
       values.push_back(value);
     }
     return values;

@@ -36,7 +36,7 @@ struct FurnitureCatalogue {
 struct Furniture {
   std::vector<FurnitureCatalogue> catalogues;  ///< by file name
   std::vector<FurniturePiece> pieces;          ///< by catalogue and number
-  size_t without_model = 0;                    ///< entries whose model is missing or whose size is no size
+  size_t without_model = 0;                    ///< entries whose model is missing or whose size is invalid
 };
 
 /// Where Debian puts the archives.

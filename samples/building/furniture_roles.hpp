@@ -80,7 +80,7 @@ enum class FurnitureRole {
 };
 inline constexpr size_t role_count = static_cast<size_t>(FurnitureRole::count);
 
-/// For each role the numbers of catalogue pieces that may play it.
+/// For each role the numbers of catalogue pieces that fit it.
 struct RolePools {
   std::array<std::vector<size_t>, role_count> pieces;
   const std::vector<size_t>& operator[](FurnitureRole role) const {

@@ -13,11 +13,11 @@
 namespace triptych {
 
 struct FurnitureMesh {
-  std::vector<MeshPart> parts;  ///< one a material, in the order of first use; none is empty
+  std::vector<MeshPart> parts;  ///< one per material, in the order of first use; none is empty
   uint64_t triangles = 0;
   uint64_t collapsed_triangles = 0;  ///< dropped: two corners at one place
-  uint64_t undecoded_images =
-      0;  ///< textures that are missing or unreadable: the material's own colour stands
+  /// Textures that are missing or unreadable: the material's own colour stands.
+  uint64_t undecoded_images = 0;
   uint64_t undefined_materials = 0;    ///< used but nowhere defined: a light grey stands
   uint64_t transparent_materials = 0;  ///< drawn opaque
 };

@@ -44,7 +44,7 @@ class Lines {
     double value = 0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end.ec != std::errc() || end.ptr != text.data() + text.size() || !std::isfinite(value))
-      fail(place_, "line {}: '{}' is no number", number_, text);
+      fail(place_, "line {}: '{}' is not a number", number_, text);
     return value;
   }
 

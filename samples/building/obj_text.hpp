@@ -30,10 +30,10 @@ struct ObjModel {
 };
 
 /// Reads `v`, `f` (also with negative indices), `usemtl` and `mtllib`; other lines carry nothing that is
-/// drawn here. Error (place, line) for a number that is none or an index that is out of range.
+/// drawn here. Error (place, line) for an invalid number or an index out of range.
 ObjModel parse_obj(std::string_view text, const std::string& place);
 
-/// Materials by name. Error (place, line) for a number that is none.
+/// Materials by name. Error (place, line) for an invalid number.
 std::map<std::string, ObjMaterial> parse_mtl(std::string_view text, const std::string& place);
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 #include "samples/building/shell.hpp"
 
 #include "samples/building/stairs.hpp"
+#include "samples/placing.hpp"
 #include "samples/solids.hpp"
 
 #include <algorithm>
@@ -52,17 +53,6 @@ glm::dvec3 wall_colour(const FloorPlan& plan, const Wall& wall) {
 }
 
 std::vector<glm::dmat4> once() { return {glm::dmat4(1)}; }
-
-glm::dmat4 placed(const glm::dvec3& position, double angle) {
-  const int quarter = static_cast<int>(std::lround(angle / glm::half_pi<double>()));
-  const double s[] = {0, 1, 0, -1}, c[] = {1, 0, -1, 0};
-  const auto q = static_cast<size_t>(((quarter % 4) + 4) % 4);
-  glm::dmat4 transform(1);
-  transform[0] = {c[q], 0, -s[q], 0};
-  transform[2] = {s[q], 0, c[q], 0};
-  transform[3] = {position, 1};
-  return transform;
-}
 
 class Shell {
  public:

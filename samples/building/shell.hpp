@@ -15,14 +15,14 @@ struct ShellObject {
   std::string name;
   std::vector<MeshPart> parts;
   std::vector<glm::dmat4> places;
-  std::optional<int> storey;  ///< of one that stands once; nothing: it is outside
+  std::optional<int> storey;  ///< of one with a single place; nullopt: it is outside
 
-  /// Of one of its places.
+  /// The storey of one of its places.
   std::optional<int> storey_of(const glm::dmat4& place) const;
 };
 
-/// Slabs, ceilings and skirtings are one object a room, walls one a piece between two rooms; doors, windows
-/// and stairs are shared. Every body is closed.
+/// Slabs, ceilings and skirtings are one object per room, walls one for each piece between two rooms; doors,
+/// windows and stairs are shared. Every body is closed.
 std::vector<ShellObject> make_shell(const FloorPlan& plan);
 
 /// Railings around the openings of a floor: what people do not walk through, besides walls and door leaves.

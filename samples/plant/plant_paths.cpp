@@ -1,6 +1,7 @@
 #include "samples/plant/plant.hpp"
 #include "samples/plant/plant_site.hpp"
 #include "samples/polyline.hpp"
+#include "samples/walking.hpp"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -10,10 +11,6 @@ namespace {
 
 constexpr int walk_frames = 300, fly_frames = 300, spin_frames = 120, jump_frames = 60;
 constexpr double walk_height = 2 * site::storey + eye_height;
-
-CameraFrame looking(const glm::dvec3& eye, double heading, double slope = 0) {
-  return {eye, eye + glm::dvec3(std::cos(heading), slope, std::sin(heading))};
-}
 
 }  // namespace
 

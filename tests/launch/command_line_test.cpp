@@ -52,7 +52,7 @@ TEST(CommandLine, counts_are_whole_numbers_in_decimal_digits) {
         app.parse("session pack.tpk --path walk.json " + flag + " " + value, false);
         ADD_FAILURE() << flag << " " << value;
       } catch (const CLI::ValidationError& error) {
-        EXPECT_NE(std::string(error.what()).find("is no whole number from"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("is not a whole number from"), std::string::npos);
         EXPECT_LT(std::string(error.what()).size(), 100u);
       }
     }
@@ -91,7 +91,7 @@ TEST(CommandLine, bytes_are_whole_numbers_with_a_suffix_that_do_not_overflow) {
     try {
       app.parse(std::vector<std::string>{value, "--memory", "x.tpk", "-o", "x.obj", "build"});
     } catch (const CLI::ValidationError& error) {
-      EXPECT_NE(std::string(error.what()).find("is no number of bytes from 128M on"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("is not a number of bytes from 128M on"), std::string::npos);
       return true;
     }
     return false;
@@ -112,6 +112,16 @@ TEST(CommandLine, flags_may_stand_before_what_they_are_about) {
     for (const auto add : {add_render, add_session, add_measure}) add(app, action);
     EXPECT_NO_THROW(app.parse(line, false)) << line;
   }
+}
+
+TEST(CommandLine, of_sizes_and_counts_of_frames_the_last_one_counts) {
+  CLI::App app;
+  RunOptions options;
+  add_run_flags(app, options);
+  app.parse("pack.tpk --path walk.json --size 512x512 --frames 60 --size 64x48 --frames 90", false);
+  EXPECT_EQ(options.size.width, 64);
+  EXPECT_EQ(options.size.height, 48);
+  EXPECT_EQ(options.frames, 90u);
 }
 
 TEST(CommandLine, a_list_is_refused_where_one_value_is_used) {

@@ -103,11 +103,11 @@ TEST(RoleRecord, of_another_build_is_named_with_both_versions) {
   document["sockets"] = "of another kind";
   EXPECT_EQ(refused(document),
             fmt::format("switch 0: is the record of a role of another build of the program: its "
-                        "version is {}, and {} is wanted here",
+                        "version is {}, this one needs {}",
                         role_record_version + 1, role_record_version));
   document.erase("role_record");
   EXPECT_NE(refused(document).find("its version is 0"), std::string::npos) << refused(document);
-  EXPECT_EQ(refused(nlohmann::json::array()), "switch 0: is no role's record");
+  EXPECT_EQ(refused(nlohmann::json::array()), "switch 0: is not the record of a role");
 }
 
 TEST(RoleRecord, its_version_goes_up_when_its_keys_change) {

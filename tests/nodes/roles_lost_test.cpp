@@ -23,8 +23,8 @@ class LostRoles : public Roles {
   }
   void expect_all_together_again(const RenderNodeSummary& summary) const {
     EXPECT_GE(summary.epochs, 2u);
-    EXPECT_GT(summary.alone, 0u);
-    EXPECT_LT(summary.alone, summary.frames);
+    EXPECT_GT(summary.fallback_frames, 0u);
+    EXPECT_LT(summary.fallback_frames, summary.frames);
     ASSERT_FALSE(pictures.records.empty());
     EXPECT_FALSE(pictures.records.back().fallback) << "they did not come back";
   }
@@ -122,7 +122,7 @@ TEST_F(LostRoles, a_render_node_that_fails_is_replaced_where_it_was) {
   EXPECT_GE(switch_1.get().epochs, 2u);
   expect_right_pictures(120);
   EXPECT_EQ(pictures.records[10].lost, "the render node before this one ended");
-  EXPECT_LT(summary.alone, summary.frames);
+  EXPECT_LT(summary.fallback_frames, summary.frames);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ TEST_F(Roles, draw_every_frame_together) {
   const RenderNodeSummary summary = run_all(24);
   expect_right_pictures(24);
   EXPECT_EQ(summary.frames, 24u);
-  EXPECT_EQ(summary.alone, 0u);
+  EXPECT_EQ(summary.fallback_frames, 0u);
   EXPECT_EQ(summary.epochs, 1u);
   EXPECT_EQ(mismatches(), 0u);
   EXPECT_EQ(pictures.endings, std::vector<std::string>{""});
@@ -27,7 +27,7 @@ TEST_F(Roles, a_wrong_delta_is_told_by_its_digest_and_never_shown) {
   const RenderNodeSummary summary = run_all(24);
   expect_right_pictures(24);
   EXPECT_GT(mismatches(), 0u);
-  EXPECT_EQ(summary.alone, 0u) << "the full set was sent";
+  EXPECT_EQ(summary.fallback_frames, 0u) << "the full set was sent";
 }
 
 TEST_F(Roles, a_wrong_delta_without_digests_changes_pictures) {
@@ -60,7 +60,7 @@ TEST_F(Roles, slow_roles_change_no_picture) {
     rules[slow].slowed_by = 5ms;
     const RenderNodeSummary summary = run_all(12);
     expect_right_pictures(12);
-    EXPECT_EQ(summary.alone, 0u);
+    EXPECT_EQ(summary.fallback_frames, 0u);
   }
 }
 
@@ -78,7 +78,7 @@ TEST_F(Roles, a_switch_node_with_another_pack_is_refused_and_does_not_keep_the_r
     EXPECT_NE(std::string(error.what()).find("render node has "), std::string::npos) << error.what();
   }
   auto switch_0 = start_switch(Role::switch_0), switch_1 = start_switch(Role::switch_1);
-  EXPECT_EQ(render.get().alone, 0u);
+  EXPECT_EQ(render.get().fallback_frames, 0u);
   over = true;
   switch_0.get();
   switch_1.get();

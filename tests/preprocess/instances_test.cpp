@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 namespace triptych {
@@ -42,6 +43,28 @@ double area(const Pack& pack) {
       sum += glm::length(glm::cross(t[1] - t[0], t[2] - t[0])) / 2;
   }
   return sum;
+}
+
+/// Signed: what is turned inside out counts negative.
+double volume(const std::vector<judge::Corners>& triangles) {
+  double sum = 0;
+  for (const auto& t : triangles) sum += glm::dot(t[0], glm::cross(t[1], t[2])) / 6;
+  return sum;
+}
+
+/// For each inner scene node with drawables: the volume of its coarsest one and that of the leaves below it.
+std::vector<std::pair<double, double>> inner_volumes(const Pack& pack) {
+  const std::vector<SceneNode>& nodes = pack.skeleton().scene_nodes;
+  std::vector<double> leaves(nodes.size(), 0);
+  std::vector<std::pair<double, double>> volumes;
+  for (size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
+    if (nodes[i].child_count == 0) leaves[i] = volume(judge::triangles_of(pack, nodes[i].first_drawable));
+    if (i > 0) leaves[nodes[i].parent] += leaves[i];
+    if (nodes[i].child_count == 0 || nodes[i].drawable_count == 0) continue;
+    const DrawableId coarsest = nodes[i].first_drawable + nodes[i].drawable_count - 1;
+    volumes.push_back({volume(judge::triangles_of(pack, coarsest)), leaves[i]});
+  }
+  return volumes;
 }
 
 uint64_t finest_triangles(const Skeleton& skeleton) {
@@ -80,6 +103,24 @@ TEST(Instances, a_model_without_groups_gives_the_bytes_that_its_list_of_instance
     EXPECT_EQ(read_file(file_of("plain")), read_file(file_of("plain_flat")));
     EXPECT_EQ(Pack(file_of("plain")).format_version(), pack_format_version);
   }
+}
+
+TEST(Instances, hlods_around_mirrored_ones_keep_their_outsides_out) {
+  BuildOptions options = small_leaves;
+  options.hlod_triangles = 1'000'000;  // HLODs are their children's triangles, all of them
+  const Model model = scenes::make("storeys");
+  ASSERT_TRUE(std::any_of(model.group_instances.begin(), model.group_instances.end(), [](const auto& placed) {
+    return glm::determinant(glm::dmat3(placed.transform)) < 0;
+  }));
+  EXPECT_GT(build(model, "mirrored", options).instances, 0u);
+  const auto volumes = inner_volumes(Pack(file_of("mirrored")));
+  ASSERT_FALSE(volumes.empty());
+  for (const auto& [coarsest, leaves] : volumes) EXPECT_NEAR(coarsest, leaves, std::abs(leaves) * 1e-4);
+  // The root's comes last.
+  options.rules.mirrors_flip_winding = false;
+  build(model, "mirrored", options);
+  const auto [coarsest, leaves] = inner_volumes(Pack(file_of("mirrored"))).back();
+  EXPECT_GT(std::abs(coarsest - leaves), std::abs(leaves) * 0.1) << "the test cannot fail";
 }
 
 TEST(Instances, the_same_model_gives_the_same_bytes) {

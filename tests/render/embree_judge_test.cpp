@@ -51,8 +51,8 @@ class RayScene {
   struct Hit {
     DrawableId drawable = no_id;
     double depth = std::numeric_limits<double>::infinity();
-    double edge_pixels =
-        std::numeric_limits<double>::infinity();  ///< from the ray to the nearest edge of what it hit
+    /// From the ray to the nearest edge of what it hit.
+    double edge_pixels = std::numeric_limits<double>::infinity();
   };
 
   /// pixel: window coordinates; a pixel's centre ends in a half.

@@ -210,7 +210,7 @@ TEST_F(ReportFiles, the_page_shows_traffic_by_socket_and_latency_by_stage) {
   EXPECT_TRUE(holds(page, "camera to image"));
   EXPECT_TRUE(holds(page, "1.25&nbsp;% of it"));  // half a millisecond of 40 is left over
   EXPECT_TRUE(holds(page, "<td>77</td>") || holds(page, ">77<"));
-  EXPECT_TRUE(holds(page, "Faults seen and mended"));
+  EXPECT_TRUE(holds(page, "Faults and recovery"));
 }
 
 TEST_F(ReportFiles, the_page_tells_each_fault_and_when_it_was_mended) {
@@ -268,7 +268,7 @@ TEST_F(ReportFiles, what_is_missing_or_broken_is_named_once) {
   write_file(folder / "coarse.json", "{\"frames\": ");
   EXPECT_TRUE(holds(complaint(), (folder / "coarse.json").string() + ": is no JSON"));
   write_file(folder / "coarse.json", "[1, 2]");
-  EXPECT_EQ(complaint(), (folder / "coarse.json").string() + ": holds no JSON object");
+  EXPECT_EQ(complaint(), (folder / "coarse.json").string() + ": does not hold a JSON object");
   std::filesystem::remove(folder / "coarse.json");
   EXPECT_TRUE(holds(complaint(), "coarse.json"));
 }
@@ -283,9 +283,9 @@ TEST_F(ReportFiles, a_manifest_that_makes_no_sense_is_refused) {
   manifest["entries"].push_back(manifest["entries"][0]);
   EXPECT_EQ(complaint(), place + ": names \"walk\" twice");
   manifest["entries"] = "walk";
-  EXPECT_EQ(complaint(), place + ": \"entries\" is no list");
+  EXPECT_EQ(complaint(), place + ": \"entries\" is not a list");
   manifest["entries"] = json::array({3});
-  EXPECT_EQ(complaint(), place + ": lacks the text \"name\"");
+  EXPECT_EQ(complaint(), place + ": has no text \"name\"");
   manifest["entries"] = json::array();
   EXPECT_EQ(complaint(), place + ": names no entries");
   manifest["held_to"] = "nothing";

@@ -207,7 +207,7 @@ TEST(Pack, another_version_and_another_kind_of_file_are_refused_by_name) {
   EXPECT_NE(error_of(file, other).find("version 2 and 3"), std::string::npos);
   std::string noise;
   for (int i = 0; i < 256 * 256; ++i) noise.push_back(static_cast<char>(i));
-  EXPECT_NE(error_of(file, noise).find("is no pack"), std::string::npos);
+  EXPECT_NE(error_of(file, noise).find("is not a pack"), std::string::npos);
   EXPECT_THROW(Pack("/nonexistent/a.tpk"), Error);
   EXPECT_THROW(Pack{std::filesystem::path(testing::TempDir())}, Error);
 }

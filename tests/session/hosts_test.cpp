@@ -58,8 +58,8 @@ TEST_F(HostsFile, names_what_is_wrong_with_it) {
   EXPECT_NE(refusal("colour = \"red\"\n" + roles).find("colour is not known"), std::string::npos);
   EXPECT_NE(refusal(roles + "colour = \"red\"\n").find("[switch_1]: colour is not known"), std::string::npos);
   EXPECT_NE(refusal(roles + "[switch_2]\n").find("[switch_2] is not known"), std::string::npos);
-  EXPECT_NE(refusal(roles + "pack = 3\n").find("pack is no text"), std::string::npos);
-  EXPECT_NE(refusal("launch = \"ssh b\"\n" + roles).find("launch does not say {host}"), std::string::npos);
+  EXPECT_NE(refusal(roles + "pack = 3\n").find("pack must be a text in quotes"), std::string::npos);
+  EXPECT_NE(refusal("launch = \"ssh b\"\n" + roles).find("launch must contain {host}"), std::string::npos);
   EXPECT_NE(refusal("launch = \"ssh {host} triptych\"\n" + roles).find("{command}"), std::string::npos);
 }
 

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <signal.h>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -66,6 +67,8 @@ class Program {
            ("triptych_" + std::to_string(::getpid()) + "_" + std::to_string(runs++) + ".log");
     std::vector<char*> words;
     std::string name = TRIPTYCH_PROGRAM;
+    // Otherwise a check that waits for a failure would take this one for it.
+    if (::access(name.c_str(), X_OK) != 0) throw std::runtime_error(name + ": cannot be run: build it first");
     words.push_back(name.data());
     for (std::string& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);

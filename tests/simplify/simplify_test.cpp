@@ -134,7 +134,7 @@ TEST(Simplify, ends_before_a_level_beyond_the_largest_bound) {
   const Surface surface = awkward::surface_of(awkward::sphere(14, 4));
   SimplifyLimits limits;
   limits.triangles = 4;
-  limits.largest_bound = 200;
+  limits.max_bound = 200;
   const Chain chain = simplify(surface, {}, limits);
   ASSERT_FALSE(chain.levels.empty());
   EXPECT_LE(chain.levels.back().bound, 200);

@@ -163,7 +163,7 @@ TEST(ImportStl, a_file_of_another_length_than_it_says_or_of_noise_is_refused) {
   EXPECT_EQ(import_error("a.stl", binary_stl(0, 0)), "holds no triangles");
   std::string noise;
   for (int i = 0; i < 4096; ++i) noise.push_back(static_cast<char>(i));
-  EXPECT_NE(import_error("noise.stl", noise).find("is no STL file"), std::string::npos);
+  EXPECT_NE(import_error("noise.stl", noise).find("is not an STL file"), std::string::npos);
 }
 
 TEST(ImportStl, an_ascii_file_that_is_cut_or_out_of_order_is_refused_with_its_line) {

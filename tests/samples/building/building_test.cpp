@@ -3,7 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "samples/building/free_space.hpp"
+#include "samples/building/obstacles.hpp"
 #include "samples/building/storeys.hpp"
 
 #include <cstring>

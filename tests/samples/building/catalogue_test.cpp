@@ -66,7 +66,8 @@ TEST(Obj, faces_are_kept_by_material_also_without_one) {
 TEST(Obj, an_index_that_is_out_of_range_is_an_error_with_its_line) {
   EXPECT_THAT(message_of([] { parse_obj("v 0 0 0\nf 1 1 2\n", "o"); }), testing::HasSubstr("o: line 2"));
   EXPECT_THAT(message_of([] { parse_obj("v 0 0 0\nf 0 1 1\n", "o"); }), testing::HasSubstr("line 2"));
-  EXPECT_THAT(message_of([] { parse_obj("v 0 zero 0\n", "o"); }), testing::HasSubstr("'zero' is no number"));
+  EXPECT_THAT(message_of([] { parse_obj("v 0 zero 0\n", "o"); }),
+              testing::HasSubstr("'zero' is not a number"));
 }
 
 TEST(Mtl, colour_opacity_and_texture_belong_to_the_material_before_them) {

@@ -1,0 +1,230 @@
+#include "measure/primary_rays.hpp"
+
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/threads.hpp"
+#include "visibility/shading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <embree3/rtcore.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <sys/types.h>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+
+/// Where rays start and where they go, in the model's floats: at pixel (x, y) of window coordinates, each is
+/// `at_zero` + x · `per_x` + y · `per_y`.
+struct RayField {
+  struct Linear {
+    glm::vec3 at_zero{0}, per_x{0}, per_y{0};
+  };
+  Linear origin, direction;
+  float near = 0;
+  glm::vec3 light, to_eye;  ///< unit vectors in model space
+};
+
+RayField ray_field(const FlatModel& model, const View& view) {
+  const Camera& camera = view.camera;
+  const glm::dmat3 axes = glm::transpose(view.rotation());  // eye to model
+  const glm::dvec3 eye = (camera.eye - model.origin) / model.unit;
+  const glm::dvec3 per_x = axes[0] / view.focal_x(), per_y = axes[1] / view.focal_y();
+  const glm::dvec3 corner = axes[0] * camera.left + axes[1] * camera.bottom;
+  RayField field;
+  field.near = static_cast<float>(camera.near / model.unit);
+  field.light = light_in_model();
+  field.to_eye = axes[2];
+  if (camera.orthographic()) {
+    field.origin = {eye + corner / model.unit, per_x / model.unit, per_y / model.unit};
+    field.direction.at_zero = -axes[2];
+  } else {
+    field.origin.at_zero = eye;
+    field.direction = {corner - axes[2], per_x, per_y};
+  }
+  return field;
+}
+
+/// Packets of Embree by their width: pixels side by side, and its call.
+template <int width>
+struct Packet;
+template <>
+struct Packet<4> {
+  using RayHit = RTCRayHit4;
+  static constexpr int columns = 2;
+  static constexpr auto intersect = rtcIntersect4;
+};
+template <>
+struct Packet<8> {
+  using RayHit = RTCRayHit8;
+  static constexpr int columns = 4;
+  static constexpr auto intersect = rtcIntersect8;
+};
+template <>
+struct Packet<16> {
+  using RayHit = RTCRayHit16;
+  static constexpr int columns = 4;
+  static constexpr auto intersect = rtcIntersect16;
+};
+
+/// What all packets of a frame share.
+struct Frame {
+  const FlatModel& model;
+  RTCScene scene;
+  RayField field;
+  int width, height;
+  uint8_t* colors;
+};
+
+void shade(const Frame& frame, const glm::vec3& normal, uint32_t triangle, uint8_t* color) {
+  const float length_squared = glm::dot(normal, normal);
+  const float scale = length_squared > 0 ? 1 / std::sqrt(length_squared) : 0;
+  const float light = ambient_light + scale * (diffuse_light * std::abs(glm::dot(normal, frame.field.light)) +
+                                               head_light * std::abs(glm::dot(normal, frame.field.to_eye)));
+  const uint32_t last_corner = frame.model.indices[size_t{triangle} * 3 + 2];  // OpenGL's provoking vertex
+  const std::array<uint8_t, 4>& base = frame.model.vertices[last_corner].color;
+  for (size_t channel = 0; channel < 3; ++channel)
+    color[channel] = static_cast<uint8_t>(static_cast<float>(base[channel]) * light + 0.5f);
+  color[3] = 255;
+}
+
+template <int width>
+void trace_packet(const Frame& frame, int left, int bottom) {
+  constexpr int columns = Packet<width>::columns;
+  alignas(64) int valid[width];
+  alignas(64) typename Packet<width>::RayHit packet;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  for (int i = 0; i < width; ++i) {
+    const int x = left + i % columns, y = bottom + i / columns;
+    const float at_x = static_cast<float>(x) + 0.5f, at_y = static_cast<float>(y) + 0.5f;
+    const auto at = [&](const RayField::Linear& linear) {
+      return linear.at_zero + at_x * linear.per_x + at_y * linear.per_y;
+    };
+    const glm::vec3 origin = at(frame.field.origin), direction = at(frame.field.direction);
+    valid[i] = x < frame.width && y < frame.height ? -1 : 0;
+    packet.ray.org_x[i] = origin.x;
+    packet.ray.org_y[i] = origin.y;
+    packet.ray.org_z[i] = origin.z;
+    packet.ray.dir_x[i] = direction.x;
+    packet.ray.dir_y[i] = direction.y;
+    packet.ray.dir_z[i] = direction.z;
+    packet.ray.tnear[i] = frame.field.near;
+    packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    packet.ray.time[i] = 0;
+    packet.ray.mask[i] = ~0u;
+    packet.ray.id[i] = 0;
+    packet.ray.flags[i] = 0;
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  Packet<width>::intersect(valid, frame.scene, &context, &packet);
+  for (int i = 0; i < width; ++i) {
+    if (!valid[i]) continue;
+    const int x = left + i % columns, y = bottom + i / columns;
+    uint8_t* const color = frame.colors + 4 * (static_cast<size_t>(y) * static_cast<size_t>(frame.width) +
+                                               static_cast<size_t>(x));
+    if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
+      std::copy(background_bytes.begin(), background_bytes.end(), color);
+    } else {
+      shade(frame, {packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]}, packet.hit.primID[i], color);
+    }
+  }
+}
+
+/// Tile by tile: rays of one tile meet the same part of the tree.
+template <int width>
+void trace(const Frame& frame) {
+  constexpr int tile = 16, columns = Packet<width>::columns, rows = width / columns;
+  const int across = (frame.width + tile - 1) / tile, up = (frame.height + tile - 1) / tile;
+  parallel_for(static_cast<size_t>(across) * static_cast<size_t>(up), [&](size_t index) {
+    const int left = static_cast<int>(index) % across * tile,
+              bottom = static_cast<int>(index) / across * tile;
+    for (int y = bottom; y < std::min(bottom + tile, frame.height); y += rows) {
+      for (int x = left; x < std::min(left + tile, frame.width); x += columns)
+        trace_packet<width>(frame, x, y);
+    }
+  });
+}
+
+}  // namespace
+
+struct PrimaryRays::Tree {
+  std::atomic<int64_t> bytes = 0;
+  int64_t max_bytes = 0;
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  double build_seconds = 0;
+
+  ~Tree() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+  /// Embree calls it for all that it takes and gives back; an answer of false ends the build.
+  static bool count(void* tree, ssize_t bytes, bool) {
+    auto& own = *static_cast<Tree*>(tree);
+    return (own.bytes += bytes) <= own.max_bytes || bytes <= 0;
+  }
+  bool build(const FlatModel& model);
+};
+
+bool PrimaryRays::Tree::build(const FlatModel& model) {
+  device = rtcNewDevice("");
+  if (!device) fail("Embree", "there is no device: error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
+  rtcSetDeviceMemoryMonitorFunction(device, count, this);
+  const Stopwatch stopwatch;
+  scene = rtcNewScene(device);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, model.vertices.data(), 0,
+                             sizeof(FlatVertex), model.vertices.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, model.indices.data(), 0,
+                             3 * sizeof(uint32_t), model.triangle_count());
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  build_seconds = stopwatch.seconds();
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY) return false;
+  if (error != RTC_ERROR_NONE) fail("Embree", "the tree cannot be built: error {}", static_cast<int>(error));
+  return true;
+}
+
+std::unique_ptr<PrimaryRays> PrimaryRays::build(const FlatModel& model, uint64_t max_bytes) {
+  auto tree = std::make_unique<Tree>();
+  tree->max_bytes = static_cast<int64_t>(std::min<uint64_t>(max_bytes, std::numeric_limits<int64_t>::max()));
+  if (!tree->build(model)) return nullptr;
+  return std::unique_ptr<PrimaryRays>(new PrimaryRays(model, std::move(tree)));
+}
+
+PrimaryRays::PrimaryRays(const FlatModel& model, std::unique_ptr<Tree> tree)
+    : model_(model), tree_(std::move(tree)) {}
+
+PrimaryRays::~PrimaryRays() = default;
+
+void PrimaryRays::draw(const View& view) {
+  colors_.resize(4 * static_cast<size_t>(view.width) * static_cast<size_t>(view.height));
+  const Frame frame{model_, tree_->scene, ray_field(model_, view), view.width, view.height, colors_.data()};
+  const auto is_native = [&](RTCDeviceProperty property) {
+    return rtcGetDeviceProperty(tree_->device, property) != 0;
+  };
+  if (is_native(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) {
+    trace<16>(frame);
+  } else if (is_native(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) {
+    trace<8>(frame);
+  } else {
+    trace<4>(frame);
+  }
+}
+
+double PrimaryRays::build_seconds() const { return tree_->build_seconds; }
+uint64_t PrimaryRays::memory_bytes() const { return static_cast<uint64_t>(tree_->bytes.load()); }
+
+}  // namespace triptych

@@ -1,0 +1,21 @@
+// What a program that draws geometry is told of the frame.
+#pragma once
+
+#include "lod/frame_view.hpp"
+
+#include <glad/gl.h>
+
+namespace triptych {
+
+/// The uniforms `frustum`, `depth` and `light` of shaders that draw geometry; the last where it has one.
+class ViewUniforms {
+ public:
+  explicit ViewUniforms(GLuint program);
+  /// The program must be in use.
+  void set(const FrameView& view) const;
+
+ private:
+  GLint frustum_, depth_, light_;
+};
+
+}  // namespace triptych

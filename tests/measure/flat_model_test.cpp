@@ -1,0 +1,78 @@
+// What frames are measured against must be honest: the same triangles and the same picture, without culling.
+#include "measure/primary_rays.hpp"
+#include "nodes/local_pipeline.hpp"
+#include "render/context.hpp"
+#include "render/flat_model_pass.hpp"
+#include "tests/support/scenes.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+namespace triptych {
+namespace {
+
+constexpr int width = 150, height = 101;  // no multiple of a packet
+
+/// The share of pixels that differ by more than rounding does in some channel.
+double different_share(const std::vector<uint8_t>& one, const std::vector<uint8_t>& other) {
+  EXPECT_EQ(one.size(), other.size());
+  size_t different = 0;
+  for (size_t i = 0; i < one.size(); i += 4) {
+    int largest = 0;
+    for (size_t channel = 0; channel < 3; ++channel)
+      largest = std::max(largest, std::abs(int{one[i + channel]} - int{other[i + channel]}));
+    different += largest > 2;
+  }
+  return static_cast<double>(different) / (static_cast<double>(one.size()) / 4);
+}
+
+class FlatModelPictures : public testing::TestWithParam<std::string> {};
+
+TEST_P(FlatModelPictures, of_one_draw_and_of_rays_are_those_of_the_device_at_full_detail) {
+  const auto context = make_context(ContextKind::egl);
+  const Pack& pack = scenes::pack(GetParam());
+  const FlatModel model = flatten(pack);
+  const FlatModelSize size = flat_model_size(pack.skeleton());
+  EXPECT_EQ(model.vertices.size(), size.vertices);
+  EXPECT_EQ(model.triangle_count(), size.triangles);
+  LocalPipeline pipeline(pack, {.width = width, .height = height, .cull = StrategyKind::none});
+  const auto pass = make_gl_flat_model_pass(model, width, height);
+  const auto rays = PrimaryRays::build(model);
+  ASSERT_TRUE(rays);
+  double by_draw = 0, by_rays = 0, between_frames = 0;
+  std::vector<uint8_t> last;
+  const std::vector<View> views = scenes::random_views(pack.skeleton(), width, height, 12, 5);
+  for (size_t i = 0; i < views.size(); ++i) {
+    const FrameRequest frame{static_cast<uint32_t>(i), {views[i], 0}};
+    const FrameRecord& record = pipeline.draw(frame);
+    EXPECT_EQ(record.drawn_triangles, size.triangles);
+    const std::vector<uint8_t> truth = pipeline.target().read_colors();
+    pass->draw(FrameView(pack.skeleton(), frame.state));
+    rays->draw(views[i]);
+    by_draw += different_share(truth, pass->read_colors());
+    by_rays += different_share(truth, rays->colors());
+    if (!last.empty()) between_frames += different_share(truth, last);
+    last = truth;
+  }
+  const auto frames = static_cast<double>(views.size());
+  RecordProperty("by_draw", std::to_string(by_draw / frames));
+  RecordProperty("by_rays", std::to_string(by_rays / frames));
+  EXPECT_LT(by_draw / frames, 0.01);
+  EXPECT_LT(by_rays / frames, 0.02);
+  EXPECT_GT(between_frames / frames, 0.2) << "pictures that are all alike prove nothing";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, FlatModelPictures, testing::Values("room", "instances", "storeys"),
+                         [](const auto& parameter) { return parameter.param; });
+
+TEST(PrimaryRays, a_tree_that_does_not_fit_is_not_built) {
+  const FlatModel model = flatten(scenes::pack("room"));
+  EXPECT_EQ(PrimaryRays::build(model, 1000), nullptr);
+  const auto rays = PrimaryRays::build(model);
+  ASSERT_TRUE(rays);
+  EXPECT_GT(rays->memory_bytes(), model.triangle_count());
+}
+
+}  // namespace
+}  // namespace triptych
