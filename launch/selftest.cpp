@@ -1,7 +1,8 @@
-// Checks whether this machine's OpenGL behaves as culling requires.
+// Checks whether a device behaves, on this machine, as culling requires.
 #include "launch/command.hpp"
 #include "measure/json.hpp"
-#include "render/raster_certificate.hpp"
+#include "raster/certify_raster.hpp"
+#include "render/certify_gl.hpp"
 
 #include <fmt/core.h>
 
@@ -11,9 +12,10 @@ namespace {
 
 int run(const DeviceOptions& options, const std::filesystem::path& json) {
   const ChosenDevice device = choose_device(options);
-  const RasterCertificate certificate = measure_raster();
+  const RasterCertificate certificate =
+      device.options.kind == DeviceKind::gl ? certify_gl() : certify_raster();
   const DeviceNames& names = device.names;
-  fmt::print("{}, {}, OpenGL {}\n{} bits of a pixel by its own account\n\n", names.vendor, names.renderer,
+  fmt::print("{}, {}, version {}\n{} bits of a pixel by its own account\n\n", names.vendor, names.renderer,
              names.version, certificate.claimed_subpixel_bits);
   nlohmann::json findings = nlohmann::json::array();
   for (const RasterFinding& finding : certificate.findings) {
@@ -27,11 +29,10 @@ int run(const DeviceOptions& options, const std::filesystem::path& json) {
   }
   const std::string& verdict = verdict_name(certificate.verdict());
   fmt::print("\n{}\n", verdict);
-  write_json(json,
-             {{"verdict", verdict},
-              {"subpixel_bits", certificate.claimed_subpixel_bits},
-              {"findings", findings},
-              {"gl", {{"vendor", names.vendor}, {"renderer", names.renderer}, {"version", names.version}}}});
+  nlohmann::json report = {
+      {"verdict", verdict}, {"subpixel_bits", certificate.claimed_subpixel_bits}, {"findings", findings}};
+  add_device(report, names);
+  write_json(json, report);
   return 0;
 }
 
@@ -40,8 +41,8 @@ int run(const DeviceOptions& options, const std::filesystem::path& json) {
 void add_selftest(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* sub =
-      app.add_subcommand("selftest", "Check whether this machine's OpenGL draws as culling requires");
-  sub->footer("Example: triptych selftest --context osmesa");
+      app.add_subcommand("selftest", "Check whether the device draws on this machine as culling requires");
+  sub->footer("Example: triptych selftest --device cpu");
   add_common_flags(*sub, options->json);
   add_device_flags(*sub, options->device);
   sub->callback([=, &action] { action = [=] { return run(options->device, options->json); }; });

@@ -8,7 +8,7 @@
 #include "base/timeline.hpp"
 #include "nodes/device_choice.hpp"
 #include "protocol/flipping_connection.hpp"
-#include "render/raster_certificate.hpp"
+#include "render/certify_gl.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -29,7 +29,7 @@ void check_without_key(const Address& address, bool insecure) {
 const std::string& raster_verdict(const DeviceNames& device) {
   // Of the rasteriser, which is the same on every machine, tests have found that out.
   if (kind_of(device) == DeviceKind::cpu) return verdict_name(RasterVerdict::exact);
-  static const std::string& verdict = verdict_name(measure_raster().verdict());
+  static const std::string& verdict = verdict_name(certify_gl().verdict());
   return verdict;
 }
 

@@ -1,5 +1,4 @@
-// Measures what this machine's OpenGL does where its specification leaves it a choice, and compares it with
-// the margins that make culling exact.
+// What was measured of a device, next to the margins that make culling exact.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +24,8 @@ const std::string& verdict_name(RasterVerdict verdict);
 
 struct RasterCertificate {
   std::vector<RasterFinding> findings;
-  int claimed_subpixel_bits = 0;  ///< as OpenGL reports them
+  int claimed_subpixel_bits = 0;  ///< as the device reports them
   RasterVerdict verdict() const;
 };
-
-/// Takes some tens of milliseconds. A context must be current. Measures: by how much snapping moves a vertex;
-/// pixels of shared edges that are not drawn exactly once; how far interpolated depth is from exact,
-/// relative; fragments on which two of the product's own programs disagree; boxes in front of the depth that
-/// the occlusion query, or the storage-buffer test, calls hidden; fragments of equal depth that replace the
-/// earlier one.
-RasterCertificate measure_raster();
 
 }  // namespace triptych

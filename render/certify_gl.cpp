@@ -1,4 +1,4 @@
-#include "render/raster_certificate.hpp"
+#include "render/certify_gl.hpp"
 
 #include "render/gl/raster_probe.hpp"
 
@@ -152,19 +152,7 @@ TestTruth tests_against_readback() {
 
 }  // namespace
 
-const std::string& verdict_name(RasterVerdict verdict) {
-  static const std::string names[] = {"unknown", "exact", "conservative"};
-  return names[static_cast<size_t>(verdict)];
-}
-
-RasterVerdict RasterCertificate::verdict() const {
-  if (findings.empty()) return RasterVerdict::unknown;
-  const bool all =
-      std::all_of(findings.begin(), findings.end(), [](const RasterFinding& f) { return f.holds(); });
-  return all ? RasterVerdict::exact : RasterVerdict::conservative;
-}
-
-RasterCertificate measure_raster() {
+RasterCertificate certify_gl() {
   RasterCertificate certificate;
   glGetIntegerv(GL_SUBPIXEL_BITS, &certificate.claimed_subpixel_bits);
   const auto add = [&](const char* name, double value, double margin, const char* unit) {
