@@ -1,5 +1,6 @@
 // The sample `services`: a hospital whose storeys are full of building services: many small objects of few
-// shared meshes, in rooms that are seen through doors and above walls. The worst case for occlusion culling.
+// shared meshes, in rooms that are seen through doors and above walls. Meant as the worst case for occlusion
+// culling.
 #pragma once
 
 #include <cstdint>

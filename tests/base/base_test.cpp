@@ -85,7 +85,7 @@ TEST(Bytes, reading_beyond_the_end_says_where) {
   writer.write(uint32_t{0xffffffff});
   const auto& bytes = writer.bytes();
   EXPECT_EQ(message_of([&] { ByteReader(bytes, "peer").read<uint64_t>(); }),
-            "peer: byte 0: ends too soon, 4 more bytes wanted");
+            "peer: byte 0: ends too soon, 4 more bytes needed");
   EXPECT_NE(message_of([&] { ByteReader(bytes, "peer").read_text(); }), "");
   EXPECT_NE(message_of([&] { ByteReader(bytes, "peer").read_all<double>(~uint64_t{0}); }), "");
   EXPECT_NE(message_of([&] { ByteReader({}, "peer").read_varint(); }), "");
@@ -158,7 +158,7 @@ TEST(File, a_pipe_or_a_device_is_not_replaced) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   fs::create_symlink(pipe, link);
   for (const fs::path& file : {pipe, link}) {
-    EXPECT_NE(message_of([&] { write_file(file, "text"); }).find("no regular file"), std::string::npos);
+    EXPECT_NE(message_of([&] { write_file(file, "text"); }).find("not a regular file"), std::string::npos);
     EXPECT_THROW(AtomicFile(file, folder / "partial", KeptBytes{}), Error);
   }
   EXPECT_TRUE(fs::is_fifo(pipe));

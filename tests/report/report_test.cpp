@@ -208,7 +208,7 @@ TEST_F(ReportFiles, the_page_shows_traffic_by_socket_and_latency_by_stage) {
   EXPECT_TRUE(holds(page, "all to the render node"));
   EXPECT_TRUE(holds(page, "39.0&nbsp;%"));  // of the formula at whole sets
   EXPECT_TRUE(holds(page, "camera to image"));
-  EXPECT_TRUE(holds(page, "1.25&nbsp;% of it"));  // half a millisecond of 40 is left over
+  EXPECT_TRUE(holds(page, "1.25&nbsp;% of the whole"));  // half a millisecond of 40 is left over
   EXPECT_TRUE(holds(page, "<td>77</td>") || holds(page, ">77<"));
   EXPECT_TRUE(holds(page, "Faults and recovery"));
 }

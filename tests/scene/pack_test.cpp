@@ -204,7 +204,7 @@ TEST(Pack, another_version_and_another_kind_of_file_are_refused_by_name) {
   const auto file = write_pack(small_pack());
   std::string other = read_text_file(file);
   put(other, 8, uint32_t{instanced_pack_format_version + 1});
-  EXPECT_NE(error_of(file, other).find("version 2 and 3"), std::string::npos);
+  EXPECT_NE(error_of(file, other).find("versions 2 and 3"), std::string::npos);
   std::string noise;
   for (int i = 0; i < 256 * 256; ++i) noise.push_back(static_cast<char>(i));
   EXPECT_NE(error_of(file, noise).find("is not a pack"), std::string::npos);
