@@ -85,14 +85,14 @@ double depth_rounding() {
   double worst = 0;
   for (int round = 0; round < 200; ++round) {
     const double middle = std::ldexp(numbers.number(0.5, 1), -static_cast<int>(numbers.number(1, 14)));
-    const double a = middle * numbers.number(-0.45, 0.45) / side,
-                 b = middle * numbers.number(-0.45, 0.45) / side;
+    const double a = middle * numbers.number(-0.12, 0.12) / side,
+                 b = middle * numbers.number(-0.12, 0.12) / side;
     const auto exact = [&](double x, double y) { return middle + a * (x - side / 2) + b * (y - side / 2); };
     const auto corner = [&](int32_t x, int32_t y) {
       return WindowVertex{x * subpixels, y * subpixels, static_cast<float>(exact(x, y))};
     };
     WindowTriangle triangle;
-    if (!set_up({corner(-side, -side), corner(2 * side, -side), corner(side / 3, 2 * side)}, limits,
+    if (!set_up({corner(-2 * side, -side), corner(3 * side, -side), corner(side / 2, 4 * side)}, limits,
                 triangle))
       continue;
     for (int32_t y = 0; y < side; y += 5) {
