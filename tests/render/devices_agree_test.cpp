@@ -81,7 +81,7 @@ TEST_P(DevicesAgree, in_coverage_to_a_few_pixels_and_in_colours_but_where_planes
   RecordProperty("owner", std::to_string(sum.owner));
   RecordProperty("color", std::to_string(sum.color));
   const size_t pixels = frames * width * height;
-  EXPECT_LE(sum.owner, pixels / 2000);
+  EXPECT_LE(sum.owner, pixels / 1000);
   EXPECT_LE(sum.color, pixels / 2000);
 }
 
