@@ -2,12 +2,14 @@
 
 #include "base/rounding.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <memory>
 #include <mutex>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <thread>
 
 namespace triptych {
 
@@ -20,6 +22,11 @@ unsigned limited_to = 0;
 }  // namespace
 
 unsigned thread_count_limit() { return limited_to; }
+
+unsigned thread_count() {
+  static const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  return limited_to == 0 ? cores : limited_to;
+}
 
 void set_thread_count(unsigned count) {
   limit().reset();

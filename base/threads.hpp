@@ -10,6 +10,8 @@ namespace triptych {
 void set_thread_count(unsigned count);
 /// The limit that was set last; 0 is all cores.
 unsigned thread_count_limit();
+/// How many threads that is; at least 1.
+unsigned thread_count();
 
 /// Calls body(0) … body(count − 1), in any order, side by side, each rounding to nearest; the first exception
 /// is thrown again here.

@@ -54,9 +54,10 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
     for (const FrameRecord& frame : frames)
       report["pictures"].push_back(fmt::format("{:016x}", frame.picture_hash));
   }
-  fmt::print("{} frames, median {:.1f} ms, {} by the render node alone, {} digest mismatches, {} restarts\n",
-             frames.size(), report["frame_ms"]["p50"].get<double>(), fallback_frames, mismatches,
-             outcome.restarted.size());
+  fmt::print(
+      "{} frames on {}, median {:.1f} ms, {} by the render node alone, {} digest mismatches, {} restarts\n",
+      frames.size(), report.value("device", "no device"), report["frame_ms"]["p50"].get<double>(),
+      fallback_frames, mismatches, outcome.restarted.size());
   write_json(json, report);
   return 0;
 }

@@ -29,16 +29,16 @@ void begin_other_view(FrameTarget& target, const Skeleton& skeleton, const Frame
 class ListMethod : public SpeedMethod {
  public:
   ListMethod(const SpeedDevice& device, std::span<const FrameRequest> frames)
-      : skeleton_(device.hierarchy.skeleton()),
+      : skeleton(device.hierarchy.skeleton()),
         frames_(frames),
         device_(device.name),
         picture_(device.device, frames.front().state.view.width, frames.front().state.view.height) {}
 
   std::string device() const override { return device_; }
-  void prepare(size_t frame) override { begin_other_view(picture_.target(), skeleton_, frames_[frame]); }
+  void prepare(size_t frame) override { begin_other_view(picture_.target(), skeleton, frames_[frame]); }
   void draw(size_t frame) override {
     Stopwatch stage;
-    const FrameView view(skeleton_, frames_[frame].state, rules_);
+    const FrameView view(skeleton, frames_[frame].state, rules_);
     const std::vector<DrawableId>& drawables = list(view);
     select_ms_ = stage.milliseconds();
     stage.restart();
@@ -54,7 +54,7 @@ class ListMethod : public SpeedMethod {
   /// In draw rank order; good until the next call.
   virtual const std::vector<DrawableId>& list(const FrameView& view) = 0;
 
-  const Skeleton& skeleton_;
+  const Skeleton& skeleton;
 
  private:
   std::span<const FrameRequest> frames_;
@@ -78,15 +78,15 @@ class OracleMethod final : public ListMethod {
  public:
   OracleMethod(const SpeedDevice& device, std::span<const FrameRequest> frames,
                std::span<const VisibleSet> owners)
-      : ListMethod(device, frames), owners_(owners), leads_to_owner_(skeleton_.scene_nodes.size()) {}
+      : ListMethod(device, frames), owners_(owners), leads_to_owner_(skeleton.scene_nodes.size()) {}
 
   std::string name() const override { return "oracle"; }
   void prepare(size_t frame) override {
     ListMethod::prepare(frame);
     leads_to_owner_.clear();
     for (const DrawableId id : owners_[frame]) {
-      SceneNodeId node = skeleton_.drawables[id].scene_node;
-      while (node != no_id && leads_to_owner_.mark_first(node)) node = skeleton_.scene_nodes[node].parent;
+      SceneNodeId node = skeleton.drawables[id].scene_node;
+      while (node != no_id && leads_to_owner_.mark_first(node)) node = skeleton.scene_nodes[node].parent;
     }
   }
 
@@ -102,12 +102,12 @@ class OracleMethod final : public ListMethod {
         if (choice != no_id) chosen_.push_back(choice);
         continue;
       }
-      const SceneNode& node = skeleton_.scene_nodes[id];
+      const SceneNode& node = skeleton.scene_nodes[id];
       for (SceneNodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
         if (leads_to_owner_.marked(child)) open_.push_back(child);
       }
     }
-    sorter_.sort(skeleton_, view.cell, chosen_);
+    sorter_.sort(skeleton, view.cell, chosen_);
     return chosen_;
   }
 

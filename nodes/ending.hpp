@@ -33,8 +33,9 @@ inline Ending ending_of_lost(Role peer, const std::string& reason) {
 template <typename Value>
 class [[nodiscard]] Awaited {
  public:
-  Awaited(Value value) : content_(std::move(value)) {}     // NOLINT: both are meant to convert
-  Awaited(Ending ending) : content_(std::move(ending)) {}  // NOLINT
+  // Both are meant to convert.
+  Awaited(Value value) : content_(std::move(value)) {}
+  Awaited(Ending ending) : content_(std::move(ending)) {}
 
   explicit operator bool() const { return std::holds_alternative<Value>(content_); }
   Value& operator*() { return std::get<Value>(content_); }

@@ -68,14 +68,13 @@ class LocalPipeline {
     std::array<std::unique_ptr<ExactStrategy>, 3> strategies;  ///< by kind, made when first used
   };
   LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options);
+  void make_occlusion_stage();
 
   std::unique_ptr<Parts> parts_;  ///< what the pipeline owns; null where device and strategy are the caller's
   LocalPipelineOptions options_;
   const Hierarchy& hierarchy_;
   Device& device_;
   Strategy* strategy_;
-  void make_occlusion_stage();
-
   std::optional<PictureStage> picture_;
   std::unique_ptr<FrameTarget> depth_;  ///< what is tested against; null where the picture is
   std::optional<OcclusionStage> occlusion_;

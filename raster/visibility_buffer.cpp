@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
-#include <thread>
 
 namespace triptych {
 
@@ -18,11 +17,6 @@ constexpr uint64_t batch_size = 16384;
 constexpr uint64_t worth_sharing = 1024;
 /// Bands are whole tiles of so many rows.
 constexpr int32_t tile_rows = 8;
-
-unsigned threads() {
-  static const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  return thread_count_limit() == 0 ? cores : thread_count_limit();
-}
 
 /// All of them here where they are few.
 void for_each(size_t count, bool side_by_side, const std::function<void(size_t)>& body) {
@@ -101,11 +95,11 @@ void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint
 void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   if (batch_.empty()) return;
   if (triangles_.size() < batch_.size()) triangles_.resize(batch_.size());
-  const bool side_by_side = threads() > 1 && batch_triangles_ >= worth_sharing;
+  const bool side_by_side = thread_count() > 1 && batch_triangles_ >= worth_sharing;
   for_each(batch_.size(), side_by_side,
            [&](size_t i) { make_triangles(terms, batch_[i].range, batch_[i].pieces, triangles_[i]); });
   const int32_t tiles = (height_ + tile_rows - 1) / tile_rows;
-  const int32_t bands = side_by_side ? std::min(tiles, static_cast<int32_t>(threads()) * 4) : 1;
+  const int32_t bands = side_by_side ? std::min(tiles, static_cast<int32_t>(thread_count()) * 4) : 1;
   for_each(static_cast<size_t>(bands), side_by_side, [&](size_t i) {
     const auto band = static_cast<int32_t>(i);
     fill_rows(tiles * band / bands * tile_rows,

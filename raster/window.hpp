@@ -18,9 +18,11 @@ inline constexpr int32_t subpixels = 1 << subpixel_bits;  ///< a pixel's; centre
 inline constexpr int32_t guard_band = 1 << 22;
 inline constexpr int max_picture_side = 16384;
 
-/// A vertex is moved by half a sub-pixel at most, and floats add a quarter of one in the largest picture;
-/// bounds leave room for four. docs/algorithms.md derives all of it.
-inline constexpr DeviceMargins raster_margins{.outline = 1.0 / 64, .plane = 1.0 / 64, .roundings = 2};
+/// A vertex is moved by half a sub-pixel at most, and floats add a quarter of one in the largest picture:
+/// 0.003 pixels. Rounding in the vertex stage is up to 2.6 times its bound (visibility/screen_bounds.cpp),
+/// for which the outline has room up to 0.004 pixels of it, and four times the bound beyond.
+/// docs/algorithms.md derives all of it.
+inline constexpr DeviceMargins raster_margins{.outline = 1.0 / 64, .plane = 1.0 / 64, .roundings = 4};
 
 struct WindowVertex {
   int32_t x, y;  ///< sub-pixels from the lower left corner

@@ -8,6 +8,7 @@
 #include "base/timeline.hpp"
 #include "nodes/device_choice.hpp"
 #include "protocol/flipping_connection.hpp"
+#include "raster/certify_raster.hpp"
 #include "render/certify_gl.hpp"
 
 #include <algorithm>
@@ -27,9 +28,8 @@ void check_without_key(const Address& address, bool insecure) {
 }  // namespace
 
 const std::string& raster_verdict(const DeviceNames& device) {
-  // Of the rasteriser, which is the same on every machine, tests have found that out.
-  if (kind_of(device) == DeviceKind::cpu) return verdict_name(RasterVerdict::exact);
-  static const std::string& verdict = verdict_name(certify_gl().verdict());
+  static const std::string& verdict =
+      verdict_name((kind_of(device) == DeviceKind::gl ? certify_gl() : certify_raster()).verdict());
   return verdict;
 }
 

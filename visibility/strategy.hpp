@@ -43,7 +43,7 @@ class Strategy {
   /// the same target.
   virtual OcclusionRepresentation* representation() { return nullptr; }
 
-  /// view: of frame i; previous: V(i−1). target: depth alone, holds R(i) where there is a representation.
+  /// view: of frame i; previous: V(i−1). target: its depth holds R(i) where there is a representation.
   /// sink: called at least once, with V(i−1) → V(i) in pieces; the last watermark is everything_decided.
   /// The result is valid until the next run.
   virtual const CullResult& run(const FrameView& view, const VisibleSet& previous, FrameTarget& target,

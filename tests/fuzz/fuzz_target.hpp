@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <span>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);  // NOLINT: libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);  // libFuzzer's name
 
 namespace triptych::fuzz {
 

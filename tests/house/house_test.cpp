@@ -231,11 +231,11 @@ std::vector<fs::path> tracked_files() {
 
 /// What may lie in which folder, by the whole path.
 const std::vector<std::string> places = {
-    R"(README\.md|LICENSE|CMakeLists\.txt|CMakePresets\.json|\.gitignore|\.clang-(format|tidy)|\.ci/run)",
+    R"(README\.md|LICENSE|CMakeLists\.txt|CMakePresets\.json|\.gitignore|\.clang-format|\.ci/run)",
     R"((base|scene|model|simplify|preprocess|lod|visibility|residency|raster|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
     R"((\w+/)+CMakeLists\.txt)",
     R"(launch/(packages\.txt|compile|demo|install))",
-    R"(cmake/[\w-]+\.cmake)",
+    R"(cmake/[\w-]+\.cmake|cmake/precompiled/\w+\.[ch]pp)",
     R"(docs/[\w-]+\.(md|png)|docs/hard-cases/\w+\.png)",
     R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_names|fuzz/run))",
     R"(tests/fuzz/findings/README\.md|tests/fuzz/findings/\w+/[\w.-]+)"};

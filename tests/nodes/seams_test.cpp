@@ -55,14 +55,20 @@ class FakeTarget final : public FrameTarget {
 
 class FakeDevice final : public Device {
  public:
+  explicit FakeDevice(bool order_matters = true) : order_matters_(order_matters) {}
   std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) override {
+    ++targets_;
     return std::make_unique<FakeTarget>(kind, width, height);
   }
+  bool order_matters() const override { return order_matters_; }
+  size_t targets() const { return targets_; }
   const DeviceNames& names() const override { return names_; }
   uint64_t memory_bytes() const override { return 0; }
 
  private:
   DeviceNames names_{"nobody", "fake", "1"};
+  bool order_matters_;
+  size_t targets_ = 0;
 };
 
 /// Chooses levels itself: the finest of everything in the frustum, but no more than so many.
@@ -159,6 +165,24 @@ TEST_F(Seams, a_strategy_that_tests_takes_any_device_s_answers) {
     EXPECT_TRUE(beyond.added.empty()) << "is not in the cut";
   }
   EXPECT_GT(tests, 0u);
+}
+
+TEST_F(Seams, where_order_does_not_matter_the_representation_becomes_the_picture) {
+  FakeDevice one_pass(false);
+  const auto strategy = make_exact_strategy(StrategyKind::occlusion, hierarchy);
+  LocalPipeline pipeline(hierarchy, one_pass, *strategy, options());
+  EXPECT_EQ(one_pass.targets(), 1u);
+  for (uint32_t number = 0; number < 12; ++number) {
+    const FrameRecord& record = pipeline.draw(frame(number));
+    VisibleSet drawn = fake(pipeline.target()).drawn();
+    std::sort(drawn.begin(), drawn.end());
+    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    EXPECT_TRUE(difference(drawn, record.visible).added.empty()) << "shows and was not drawn";
+    EXPECT_GT(fake(pipeline.target()).tests(), 0u) << "what was tested against is the picture";
+    VisibleSet cut = select_cut(FrameView(skeleton, frame(number).state)).drawables;
+    std::sort(cut.begin(), cut.end());
+    EXPECT_TRUE(difference(cut, drawn).added.empty()) << "is not of the cut";
+  }
 }
 
 TEST_F(Seams, strategies_change_from_one_frame_to_the_next) {

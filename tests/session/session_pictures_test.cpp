@@ -18,6 +18,29 @@ class SessionPictures : public SceneFiles {
     EXPECT_EQ(report["missing_drawables"], 0);
     EXPECT_EQ(report["raster"], nlohmann::json({"exact", "exact", "exact"}));
   }
+  /// Of a session whose roles are started one by one, beside those that a single process draws un-culled.
+  void expect_identical_of_roles_started_by_hand(const std::string& library_of_switch_1 = {}) const {
+    // Ports of this process's own choice, below those that the kernel hands out.
+    const int port = 12000 + 2 * (::getpid() % 8000);
+    const std::string render = "127.0.0.1:" + std::to_string(port),
+                      other = "127.0.0.1:" + std::to_string(port + 1);
+    if (!library_of_switch_1.empty()) ::setenv("GLIBC_TUNABLES", library_of_switch_1.c_str(), 1);
+    Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other});
+    ::unsetenv("GLIBC_TUNABLES");
+    Program switch_0({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render});
+    Program render_node({"role", "render", pack, "--path", path, "--size", "160x120", "--frames", "6",
+                         "--listen", render, "-o", folder.file("roles")});
+    EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
+    EXPECT_EQ(switch_0.wait(), 0) << switch_0.errors();
+    EXPECT_EQ(switch_1.wait(), 0) << switch_1.errors();
+    run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--cull", "frustum", "-o",
+         folder.file("render")});
+    for (int frame = 0; frame < 6; ++frame) {
+      const std::string name = "/00000" + std::to_string(frame) + ".png";
+      EXPECT_EQ(text_of(folder.file("roles") + name), text_of(folder.file("render") + name))
+          << "frame " << frame;
+    }
+  }
 };
 
 TEST_F(SessionPictures, are_the_un_culled_ones_through_turns_and_jumps) {
@@ -63,27 +86,15 @@ TEST_F(SessionPictures, are_the_files_that_one_process_writes) {
 }
 
 TEST_F(SessionPictures, are_the_same_of_roles_that_are_started_by_hand) {
-  // Ports of this process's own choice, below those that the kernel hands out.
-  const int port = 12000 + 2 * (::getpid() % 8000);
-  const std::string render = "127.0.0.1:" + std::to_string(port),
-                    other = "127.0.0.1:" + std::to_string(port + 1);
-  Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other});
-  Program switch_0({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render});
-  Program render_node({"role", "render", pack, "--path", path, "--size", "160x120", "--frames", "6",
-                       "--listen", render, "-o", folder.file("roles")});
-  EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
-  EXPECT_EQ(switch_0.wait(), 0) << switch_0.errors();
-  EXPECT_EQ(switch_1.wait(), 0) << switch_1.errors();
-  run({"render", pack, "--path", path, "--size", "160x120", "--frames", "6", "--cull", "frustum", "-o",
-       folder.file("render")});
-  for (int frame = 0; frame < 6; ++frame) {
-    const std::string name = "/00000" + std::to_string(frame) + ".png";
-    EXPECT_EQ(text_of(folder.file("roles") + name), text_of(folder.file("render") + name))
-        << "frame " << frame;
-  }
+  expect_identical_of_roles_started_by_hand();
 }
 
-/// A picture's size and where OpenGL comes from.
+TEST_F(SessionPictures, are_the_same_where_a_role_runs_on_a_processor_without_fused_multiply_add) {
+  // The C library's tangents, sines and powers differ there.
+  expect_identical_of_roles_started_by_hand("glibc.cpu.hwcaps=-AVX2,-FMA");
+}
+
+/// A picture's size, and on `gl` where OpenGL comes from.
 class BuildingPictures : public SessionPictures,
                          public testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
@@ -92,14 +103,16 @@ TEST_P(BuildingPictures, are_the_un_culled_ones_on_every_frame_of_every_path) {
     GTEST_SKIP() << "the furniture is not installed";
   }
   const auto [size, context] = GetParam();
+  const char* device = std::getenv("TRIPTYCH_DEVICE");
+  const bool on_gl = device && device == std::string("gl");
   const std::string building = folder.file("building"), building_pack = folder.file("building.tpk");
   run({"sample", "building", "--floors", "1", "--furniture", "200", "-o", building});
   run({"build", building + "/scene.gltf", "-o", building_pack});
   for (const std::string name : {"walk", "fly", "spin", "jump"}) {
     SCOPED_TRACE(name);
     const std::string file = building + "/" + name + ".json";
-    run({"measure", "session", building_pack, "--path", file, "--size", size, "--context", context,
-         "--timeout", "60000", "--json", json});
+    run({"measure", "session", building_pack, "--path", file, "--size", size,
+         on_gl ? "--context" : "--device", on_gl ? context : "cpu", "--timeout", "60000", "--json", json});
     const nlohmann::json report = json_of(json);
     expect_identical(json_of(file)["frames"].size());
     EXPECT_EQ(report["one_process"]["identical_frames"], report["frames"]);
@@ -110,9 +123,9 @@ TEST_P(BuildingPictures, are_the_un_culled_ones_on_every_frame_of_every_path) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, BuildingPictures,
+INSTANTIATE_TEST_SUITE_P(Sizes, BuildingPictures,
                          testing::Values(std::pair("512x512", "egl"), std::pair("641x479", "osmesa")),
-                         [](const auto& parameter) { return std::string(parameter.param.second); });
+                         [](const auto& parameter) { return "of_" + std::string(parameter.param.first); });
 
 }  // namespace
 }  // namespace triptych::test

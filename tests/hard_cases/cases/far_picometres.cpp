@@ -7,7 +7,7 @@ const InGallery far_picometres({.name = "far_picometres",
                                 .group = "far",
                                 .breaks = "Products of four lengths in units so small vanish in single "
                                           "precision: normals, and with them shades, go.",
-                                .faults = {"fixed-units"},
+                                .faults = {},
                                 .make = [] { return house_elsewhere(0x1p-40); }});
 
 }  // namespace

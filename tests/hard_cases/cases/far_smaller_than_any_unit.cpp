@@ -8,7 +8,7 @@ const InGallery far_smaller_than_any_unit(
      .group = "far",
      .breaks =
          "In units of which the house is 1e-38 long, products of eight lengths vanish in double precision.",
-     .faults = {},
+     .faults = {"fixed-units"},
      .make = [] { return house_elsewhere(0x1p-130); }});
 
 }  // namespace

@@ -1,0 +1,4 @@
+// What most commands include of other libraries.
+#include "json.hpp"
+
+#include <CLI/CLI.hpp>

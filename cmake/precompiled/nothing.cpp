@@ -1,0 +1,1 @@
+// The compiler wants a source to hang the precompiled headers on.

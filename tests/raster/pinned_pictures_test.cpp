@@ -1,0 +1,75 @@
+// The bits of the pictures, pinned: the same on every processor and with every library. CMake runs it a
+// second time with the C library's functions for processors without fused multiply-add.
+#include "base/hashing.hpp"
+#include "base/threads.hpp"
+#include "lod/cut.hpp"
+#include "raster/raster_device.hpp"
+#include "residency/load_on_demand.hpp"
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+#include <map>
+
+namespace triptych {
+namespace {
+
+/// Looks at the middle of the model from somewhere in its box, made twice as large. No function of the C
+/// library that rounds differently somewhere takes part.
+View view_from_anywhere(const Skeleton& skeleton, scenes::Random& random, int width, int height) {
+  const Box box = skeleton.lattice().box(skeleton.scene_nodes[0].box);
+  const glm::dvec3 middle = (box.lo + box.hi) * 0.5;
+  View view{.camera = {.eye = middle + (box.hi - box.lo) * random.vector(-1, 1),
+                       .target = middle,
+                       .near = skeleton.default_near()},
+            .width = width,
+            .height = height};
+  set_field_of_view(view.camera, random.number(20, 110), static_cast<double>(width) / height);
+  return view;
+}
+
+/// Of colours and items of a dozen frames.
+uint64_t checksum_of_pictures(const Pack& pack) {
+  constexpr int width = 200, height = 150;
+  const Skeleton& skeleton = pack.skeleton();
+  const Hierarchy hierarchy(skeleton);
+  LevelsRepresentation representation(hierarchy);
+  LoadOnDemand residency(pack);
+  const auto device = make_raster_device(skeleton, representation, residency, {});
+  const auto target = device->make_target(TargetKind::color_and_item, width, height);
+  scenes::Random random(1);
+  StreamHash hash;
+  for (int frame = 0; frame < 12; ++frame) {
+    const FrameView view(skeleton, {view_from_anywhere(skeleton, random, width, height), 1});
+    std::vector<DrawableId> cut = select_cut(view).drawables;
+    sort_by_rank(skeleton, view.cell, cut);
+    target->begin(view);
+    target->draw(cut);
+    target->finish();
+    const auto colors = target->read_colors();
+    const auto items = target->read_items();
+    hash.add(std::as_bytes(std::span(colors)));
+    hash.add(std::as_bytes(std::span(items)));
+  }
+  return hash.checksum();
+}
+
+TEST(PinnedPictures, are_the_same_bits_on_every_processor_and_with_any_number_of_threads) {
+  // Where a change of the device or of the packs is meant to change pictures, these change with it.
+  const std::map<std::string, uint64_t> pinned = {
+      {"room", 0xf69f59f18479ad60},      {"flat", 0x1203200a3ada6cde},     {"coplanar", 0x7bc064a2751d7108},
+      {"slivers", 0xb6fc6cf30f326652},   {"dust", 0xd75822eac51e571d},     {"world", 0xa54fd3d4d53d1330},
+      {"instances", 0x8a0b2c55c443c981}, {"sheared", 0x37a3594c2c5dd04c},  {"far", 0xf69f59f18479ad60},
+      {"storeys", 0xdc17953999141fff},   {"triangle", 0x967ae65c48329f7c},
+  };
+  for (const auto& [name, expected] : pinned) {
+    for (const unsigned threads : {1u, 3u}) {
+      set_thread_count(threads);
+      EXPECT_EQ(checksum_of_pictures(scenes::pack(name)), expected) << name << ", " << threads << " threads";
+    }
+  }
+  set_thread_count(0);
+  EXPECT_EQ(pinned.size(), scenes::names().size());
+}
+
+}  // namespace
+}  // namespace triptych
