@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <fmt/core.h>
 
 namespace triptych {
@@ -54,15 +55,27 @@ void add_device_flags(CLI::App& command, DeviceOptions& device) {
   const CLI::Option* const kind =
       add_choice_flag(command, "--device", device.kind, kinds,
                       "What draws: OpenGL, or the program itself; auto is gl where there is a graphics card")
-          ->envname("TRIPTYCH_DEVICE")
           ->default_str("auto");
   const std::map<std::string, ContextKind> names{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}};
-  add_choice_flag(command, "--context", device.context, names,
-                  "Where OpenGL comes from; without --device it means --device gl")
-      ->default_str("egl")
-      ->each([kind, &device](const std::string&) {
-        if (kind->count() == 0) device.kind = DeviceKind::gl;
-      });
+  const CLI::Option* const context =
+      add_choice_flag(command, "--context", device.context, names,
+                      "Where OpenGL comes from; without --device it means --device gl")
+          ->default_str("egl");
+  // The environment has a say where neither flag was given.
+  command.parse_complete_callback([kind, context, &device, kinds] {
+    if (context->count() > 0) {
+      if (kind->count() == 0) device.kind = DeviceKind::gl;
+      if (device.kind == DeviceKind::cpu)
+        throw CLI::ValidationError("--context",
+                                   "says where OpenGL comes from, which --device cpu does not use");
+    } else if (const char* word = std::getenv("TRIPTYCH_DEVICE"); word && *word && kind->count() == 0) {
+      const auto found = kinds.find(word);
+      if (found == kinds.end())
+        throw CLI::ValidationError("TRIPTYCH_DEVICE",
+                                   fmt::format("\"{}\" is no device: auto, cpu or gl", word));
+      device.kind = found->second;
+    }
+  });
 }
 
 void add_window_flag(CLI::App& command, bool& window) {

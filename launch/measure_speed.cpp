@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <memory>
+#include <optional>
 
 namespace triptych {
 
@@ -42,51 +43,86 @@ void print(const nlohmann::json& report) {
   }
   for (const auto& [name, ratio] : report["ratios"].items())
     fmt::print("{:<31}{:>9.3f}\n", name, ratio.get<double>());
-  fmt::print("{} frames at {} and {} px, in turn, after {} of warm-up; ratios are medians of pairs\n",
-             report["frames"].get<size_t>(), report["size"].get<std::string>(),
-             report["pixel_error"].get<double>(), report["warm_up"].get<size_t>());
+  fmt::print(
+      "{} frames at {} and {} px, in turn, after {} of warm-up. frame ms and CPU ms are medians, triangles a "
+      "mean;\n"
+      "ratios are medians over frames, but p95_over_median is of triptych's frame times\n",
+      report["frames"].get<size_t>(), report["size"].get<std::string>(), report["pixel_error"].get<double>(),
+      report["warm_up"].get<size_t>());
 }
 
-/// The device that was asked for, and the other one beside it; of both, OpenGL's context.
+/// The device that was asked for and, where a method wants it and the machine has it, the other one beside
+/// it.
 class MeasuredDevices {
  public:
-  MeasuredDevices(const Pack& pack, const DeviceOptions& wanted)
-      : asked_(choose_device(wanted)), other_(choose_device(other_than(asked_.options))) {
-    for (const ChosenDevice* chosen : {&asked_, &other_})
-      devices_.push_back(std::make_unique<PackDevice>(pack, chosen->options));
+  MeasuredDevices(const Pack& pack, const DeviceOptions& wanted, const std::vector<std::string>& methods)
+      : asked_(choose_device(wanted)) {
+    DeviceOptions other = asked_.options;
+    other.kind = other.kind == DeviceKind::gl ? DeviceKind::cpu : DeviceKind::gl;
+    const bool everything = std::count(methods.begin(), methods.end(), "everything") > 0;
+    if (needs_devices(methods) || (everything && other.kind == DeviceKind::gl)) {
+      try {
+        other_ = choose_device(other);
+      } catch (const Error& error) {
+        no_opengl_ = error.what();
+      }
+    }
+    if (!needs_devices(methods)) return;
+    packs_.push_back(std::make_unique<PackDevice>(pack, asked_.options));
+    if (other_) packs_.push_back(std::make_unique<PackDevice>(pack, other_->options));
   }
+
+  const std::string& name() const { return device_name(asked_.options.kind); }
+  /// Those that methods of devices are measured on.
   std::vector<SpeedDevice> list() const {
-    return {{device_name(asked_.options.kind), devices_[0]->hierarchy(), devices_[0]->device()},
-            {device_name(other_.options.kind), devices_[1]->hierarchy(), devices_[1]->device()}};
+    std::vector<SpeedDevice> found;
+    for (size_t i = 0; i < packs_.size(); ++i) {
+      const DeviceKind kind = i == 0 ? asked_.options.kind : other_->options.kind;
+      found.push_back({device_name(kind), packs_[i]->hierarchy(), packs_[i]->device()});
+    }
+    return found;
+  }
+  /// Says why there is no OpenGL; empty where there is.
+  const std::string& no_opengl() const { return no_opengl_; }
+  /// What OpenGL says of itself; null without it.
+  const DeviceNames* opengl() const {
+    if (asked_.options.kind == DeviceKind::gl) return &asked_.names;
+    return other_ ? &other_->names : nullptr;
   }
 
  private:
-  static DeviceOptions other_than(DeviceOptions options) {
-    options.kind = options.kind == DeviceKind::gl ? DeviceKind::cpu : DeviceKind::gl;
-    return options;
+  /// Whether any of the methods draws with each device.
+  static bool needs_devices(const std::vector<std::string>& methods) {
+    return methods.empty() || std::any_of(methods.begin(), methods.end(), [](const std::string& method) {
+             return method != "everything" && method != "embree";
+           });
   }
 
-  ChosenDevice asked_, other_;
-  std::vector<std::unique_ptr<PackDevice>> devices_;
+  ChosenDevice asked_;
+  std::optional<ChosenDevice> other_;
+  std::string no_opengl_;
+  std::vector<std::unique_ptr<PackDevice>> packs_;
 };
 
 int run(const MeasureSpeedCommand& command) {
   const Pack pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
-  const MeasuredDevices measured(pack, command.run.device);
+  const MeasuredDevices measured(pack, command.run.device, command.speed.methods);
+  SpeedOptions options = command.speed;
+  options.no_opengl = measured.no_opengl();
   const std::vector<SpeedDevice> devices = measured.list();
-  const std::vector<SpeedSeries> series = measure_speed(pack, devices, frames, command.speed);
+  const std::vector<SpeedSeries> series = measure_speed(pack, devices, frames, options);
   const size_t warm_up = std::min(command.speed.warm_up, frames.size() - 1);
-  const nlohmann::json report = {
-      {"rows", speed_rows(series)},
-      {"ratios", speed_ratios(series, devices.front().name)},
-      {"device", devices.front().name},
-      {"frames", frames.size() - warm_up},
-      {"warm_up", warm_up},
-      {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)},
-      {"pixel_error", command.run.pixel_error()},
-      {"triangles", pack.skeleton().placed_triangles}};
+  nlohmann::json report = {{"rows", speed_rows(series)},
+                           {"ratios", speed_ratios(series, measured.name())},
+                           {"device", measured.name()},
+                           {"frames", frames.size() - warm_up},
+                           {"warm_up", warm_up},
+                           {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)},
+                           {"pixel_error", command.run.pixel_error()},
+                           {"triangles", pack.skeleton().placed_triangles}};
+  if (const DeviceNames* gl = measured.opengl()) report["gl"] = opengl_json(*gl);
   print(report);
   write_json(command.run.json, report);
   return 0;

@@ -63,7 +63,7 @@ class Replayer {
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},
                        {"alone", frame.fallback},
-                       {"picture_hash", hash}});
+                       {"picture_hash", fmt::format("{:016x}", hash)}});
   }
   const nlohmann::json& frames() const { return frames_; }
 
@@ -135,9 +135,9 @@ int run(const ReplayCommand& command) {
   if (!cut.empty()) notice("replay: {}", cut);
   const nlohmann::json& last = replayer.frames().back();
   if (command.frame) {
-    fmt::print("frame {}: {} drawables, {} triangles, picture {:016x}\n", *command.frame,
+    fmt::print("frame {}: {} drawables, {} triangles, picture {}\n", *command.frame,
                last["visible"].get<uint64_t>(), last["drawn_triangles"].get<uint64_t>(),
-               last["picture_hash"].get<uint64_t>());
+               last["picture_hash"].get<std::string>());
   } else {
     fmt::print("{} frames\n", replayer.frames().size());
   }

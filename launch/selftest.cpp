@@ -15,7 +15,7 @@ int run(const DeviceOptions& options, const std::filesystem::path& json) {
   const RasterCertificate certificate =
       device.options.kind == DeviceKind::gl ? certify_gl() : certify_raster();
   const DeviceNames& names = device.names;
-  fmt::print("{}, {}, version {}\n{} bits of a pixel by its own account\n\n", names.vendor, names.renderer,
+  fmt::print("{}, {}, version {}\n{} sub-pixel bits, as it says itself\n\n", names.vendor, names.renderer,
              names.version, certificate.claimed_subpixel_bits);
   nlohmann::json findings = nlohmann::json::array();
   for (const RasterFinding& finding : certificate.findings) {

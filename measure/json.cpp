@@ -24,7 +24,11 @@ nlohmann::json to_json(const ImportReport& report) {
 void add_device(nlohmann::json& report, const DeviceNames& device) {
   report["device"] = device_name(kind_of(device));
   if (kind_of(device) != DeviceKind::gl) return;
-  report["gl"] = {{"vendor", device.vendor}, {"renderer", device.renderer}, {"version", device.version}};
+  report["gl"] = opengl_json(device);
+}
+
+nlohmann::json opengl_json(const DeviceNames& names) {
+  return {{"vendor", names.vendor}, {"renderer", names.renderer}, {"version", names.version}};
 }
 
 std::string json_text(const nlohmann::json& value, int indent) {

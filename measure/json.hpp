@@ -20,6 +20,8 @@ nlohmann::json to_json(const ImportReport& report);
 
 /// Adds "device" (gl or cpu) and, where it is used, "gl" {"vendor", "renderer", "version"}.
 void add_device(nlohmann::json& report, const DeviceNames& device);
+/// {"vendor", "renderer", "version"} as OpenGL says them.
+nlohmann::json opengl_json(const DeviceNames& names);
 
 /// The distribution of what `value` gives for each record.
 template <typename Record, typename Value>

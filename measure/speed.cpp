@@ -31,6 +31,7 @@ class Contest {
     add_model_methods(pack);
     owners_.reserve(devices.size());
     for (const SpeedDevice& device : devices) {
+      // The pass loads every chunk that the path draws, for all methods.
       owners_.push_back(owners_of_frames(device, frames));
       if (wants("frustum")) add(make_frustum_method(device, frames));
       if (wants("triptych")) add(make_triptych_method(device, frames));
@@ -69,21 +70,24 @@ class Contest {
     series_.push_back(
         {.method = method,
          .device = device,
-         .does_not_fit = fmt::format("needs more than {} bytes of memory, and there are {}", bytes, room)});
+         .missing = fmt::format("needs more than {} bytes of memory, and there are {}", bytes, room)});
   }
 
   void add_model_methods(const Pack& pack) {
-    if (!wants("everything") && !wants("embree")) return;
+    if (!options_.no_opengl.empty() && wants("everything"))
+      series_.push_back({.method = "everything", .device = "gl", .missing = options_.no_opengl});
+    const bool everything = options_.no_opengl.empty() && wants("everything");
+    if (!everything && !wants("embree")) return;
     const uint64_t model_bytes = flat_model_size(pack.skeleton()).bytes();
     const auto room = [&] { return std::min(available_memory_bytes(), options_.max_memory_bytes); };
     // OpenGL and Embree each take about as much again.
     if (2 * model_bytes > room()) {
-      add_unfit("everything", "gl", 2 * model_bytes, room());
+      if (everything) add_unfit("everything", "gl", 2 * model_bytes, room());
       add_unfit("embree", "", 2 * model_bytes, room());
       return;
     }
     model_.emplace(flatten(pack));
-    if (wants("everything")) add(make_everything_method(*model_, pack.skeleton(), frames_));
+    if (everything) add(make_everything_method(*model_, pack.skeleton(), frames_));
     if (!wants("embree")) return;
     const uint64_t room_for_tree = room();
     if (auto embree = make_embree_method(*model_, frames_, room_for_tree)) {

@@ -24,13 +24,14 @@ struct SpeedSeries {
     std::vector<SpeedStage> stages;
   };
   std::vector<Frame> frames{};  ///< without those of the warm-up
-  std::string does_not_fit{};   ///< why there are none, where memory does not suffice
+  std::string missing{};        ///< why there are none: no memory, or no OpenGL
 };
 
 struct SpeedOptions {
   std::vector<std::string> methods{};  ///< those to measure; all where it is empty
   size_t warm_up = 3;                  ///< so many frames of the path are drawn and left out; one is left
   uint64_t max_memory_bytes = std::numeric_limits<uint64_t>::max();  ///< for the whole model and its tree
+  std::string no_opengl{};  ///< why `everything` cannot be drawn; empty where a context is current
 };
 
 /// Every method's name: `everything`, `frustum`, `triptych`, `oracle`, `embree`.
@@ -38,12 +39,12 @@ const std::vector<std::string>& speed_method_names();
 
 /// Draws each frame by each method, on each device where the method takes one, one after the other; frame by
 /// frame another one begins. All frames have one size; there is at least one. Chunks are loaded beforehand,
-/// shaders are made and trees built before the first frame that counts. A context must be current.
+/// shaders are made and trees built before the first frame that counts.
 std::vector<SpeedSeries> measure_speed(const Pack& pack, std::span<const SpeedDevice> devices,
                                        std::span<const FrameRequest> frames, const SpeedOptions& options);
 
 /// The rows: {"method", "device", "frame_ms", "cpu_ms", "drawn_triangles", "stages_ms"}; without a device
-/// where none draws; null, and "why", where the model does not fit.
+/// where none draws; null, and "why", where the model does not fit or there is no OpenGL.
 nlohmann::json speed_rows(const std::vector<SpeedSeries>& series);
 
 /// Ratios frame by frame, of which the median: `triptych_over_embree`, `triptych_over_oracle` and so on,

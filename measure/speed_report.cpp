@@ -51,7 +51,7 @@ nlohmann::json speed_rows(const std::vector<SpeedSeries>& series) {
                           {"stages_ms", nullptr}};
     if (!one.device.empty()) row["device"] = one.device;
     if (one.frames.empty()) {
-      row["why"] = one.does_not_fit;
+      row["why"] = one.missing;
     } else {
       row["frame_ms"] = distribution_json(one.frames, [](const Frame& frame) { return frame.frame_ms; });
       row["cpu_ms"] = distribution_json(one.frames, [](const Frame& frame) { return frame.cpu_ms; });

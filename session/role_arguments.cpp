@@ -17,15 +17,12 @@ std::string unmistakable(const std::string& name) { return name.starts_with('-')
 
 Words shared_arguments(const SessionOptions& options, const SessionSetup& setup, const std::string& pack,
                        const std::string& key_file) {
-  Words words = {unmistakable(pack),
-                 "--session",
-                 std::to_string(setup.session),
-                 "--context",
-                 options.run.device.context == ContextKind::egl ? "egl" : "osmesa",
-                 "--device",
-                 device_name(options.run.device.kind),
-                 "--test",
-                 options.run.device.test == TestKind::storage ? "storage" : "queries"};
+  Words words = {unmistakable(pack), "--session", std::to_string(setup.session), "--device",
+                 device_name(options.run.device.kind)};
+  if (options.run.device.kind != DeviceKind::cpu) {
+    append(words, {"--context", options.run.device.context == ContextKind::egl ? "egl" : "osmesa", "--test",
+                   options.run.device.test == TestKind::storage ? "storage" : "queries"});
+  }
   if (thread_count_limit() > 0) append(words, {"--threads", std::to_string(thread_count_limit())});
   if (!options.timeline.empty()) append(words, {"--timeline"});
   if (!options.record.empty()) append(words, {"--record", options.record.string()});

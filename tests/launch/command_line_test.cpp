@@ -1,6 +1,7 @@
 // What every command line has in common: the words of its flags, and which numbers are none.
 #include "launch/command.hpp"
 
+#include <cstdlib>
 #include <gtest/gtest.h>
 
 namespace triptych {
@@ -26,6 +27,49 @@ TEST(CommandLine, numbers_are_not_taken_for_words) {
   add_selftest(app, action);
   EXPECT_THROW(app.parse("selftest --context 1", false), CLI::ValidationError);
   EXPECT_NO_THROW(app.parse("selftest --context osmesa", false));
+}
+
+/// What the line says of the device, with the environment's TRIPTYCH_DEVICE.
+DeviceKind device_of(const std::string& line, const char* environment) {
+  const char* const before = std::getenv("TRIPTYCH_DEVICE");
+  const std::string kept = before ? before : "";
+  environment ? ::setenv("TRIPTYCH_DEVICE", environment, 1) : ::unsetenv("TRIPTYCH_DEVICE");
+  CLI::App app;
+  DeviceOptions device{.kind = DeviceKind::automatic};
+  add_device_flags(*app.add_subcommand("draw"), device);
+  app.add_subcommand("other");
+  const auto restore = [&] {
+    before ? ::setenv("TRIPTYCH_DEVICE", kept.c_str(), 1) : ::unsetenv("TRIPTYCH_DEVICE");
+  };
+  try {
+    app.parse(line, false);
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+  return device.kind;
+}
+
+TEST(CommandLine, the_environment_names_the_device_where_no_flag_does) {
+  EXPECT_EQ(device_of("draw", nullptr), DeviceKind::automatic);
+  EXPECT_EQ(device_of("draw", ""), DeviceKind::automatic);
+  EXPECT_EQ(device_of("draw", "cpu"), DeviceKind::cpu);
+  EXPECT_EQ(device_of("draw --device auto", "cpu"), DeviceKind::automatic);
+  EXPECT_EQ(device_of("draw --context osmesa", "cpu"), DeviceKind::gl);
+  EXPECT_EQ(device_of("draw --device gl --context osmesa", nullptr), DeviceKind::gl);
+  EXPECT_EQ(device_of("other", "gpu"), DeviceKind::automatic);
+  EXPECT_EQ(device_of("draw --device cpu", "gpu"), DeviceKind::cpu);
+  try {
+    device_of("draw", "gpu");
+    ADD_FAILURE();
+  } catch (const CLI::ValidationError& error) {
+    EXPECT_EQ(std::string(error.what()), "TRIPTYCH_DEVICE: \"gpu\" is no device: auto, cpu or gl");
+  }
+}
+
+TEST(CommandLine, a_context_that_the_device_does_not_use_is_refused) {
+  EXPECT_THROW(device_of("draw --device cpu --context egl", nullptr), CLI::ValidationError);
 }
 
 TEST(CommandLine, times_and_rates_are_numbers_that_a_clock_can_count) {

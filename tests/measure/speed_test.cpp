@@ -116,6 +116,18 @@ TEST_F(Speed, the_oracle_draws_no_more_than_triptych_and_that_no_more_than_the_f
   }
 }
 
+TEST_F(Speed, what_opengl_would_draw_is_null_without_it_and_says_why) {
+  const std::vector<SpeedDevice> devices = {{"cpu", cpu.hierarchy(), cpu.device()}};
+  const nlohmann::json rows =
+      speed_rows(measure_speed(pack, devices, frames, {.no_opengl = "EGL: none here"}));
+  EXPECT_EQ(rows.size(), 5u);
+  for (const nlohmann::json& row : rows) {
+    const bool everything = row["method"] == "everything";
+    EXPECT_EQ(row["frame_ms"].is_null(), everything) << row;
+    EXPECT_EQ(row.value("why", ""), everything ? "EGL: none here" : "") << row;
+  }
+}
+
 TEST_F(Speed, what_does_not_fit_into_memory_is_null_and_says_why) {
   const std::vector<SpeedSeries> series = measure({.max_memory_bytes = 1000});
   for (const nlohmann::json& row : speed_rows(series)) {
