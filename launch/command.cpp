@@ -28,6 +28,12 @@ PictureSize parse_size(const std::string& text) {
   return size;
 }
 
+const std::map<std::string, DeviceKind>& device_kinds() {
+  static const std::map<std::string, DeviceKind> kinds{
+      {"auto", DeviceKind::automatic}, {"gl", DeviceKind::gl}, {"cpu", DeviceKind::cpu}};
+  return kinds;
+}
+
 }  // namespace
 
 void add_common_flags(CLI::App& command, std::filesystem::path& json) {
@@ -50,32 +56,33 @@ void add_common_flags(CLI::App& command, std::filesystem::path& json) {
 }
 
 void add_device_flags(CLI::App& command, DeviceOptions& device) {
-  const std::map<std::string, DeviceKind> kinds{
-      {"auto", DeviceKind::automatic}, {"gl", DeviceKind::gl}, {"cpu", DeviceKind::cpu}};
-  const CLI::Option* const kind =
-      add_choice_flag(command, "--device", device.kind, kinds,
-                      "What draws: OpenGL, or the program itself; auto is gl where there is a graphics card")
-          ->default_str("auto");
+  add_choice_flag(command, "--device", device.kind, device_kinds(),
+                  "What draws: OpenGL, or the program itself; auto is gl where there is a graphics card")
+      ->default_str("auto");
   const std::map<std::string, ContextKind> names{{"egl", ContextKind::egl}, {"osmesa", ContextKind::osmesa}};
-  const CLI::Option* const context =
-      add_choice_flag(command, "--context", device.context, names,
-                      "Where OpenGL comes from; without --device it means --device gl")
-          ->default_str("egl");
-  // The environment has a say where neither flag was given.
-  command.parse_complete_callback([kind, context, &device, kinds] {
-    if (context->count() > 0) {
-      if (kind->count() == 0) device.kind = DeviceKind::gl;
-      if (device.kind == DeviceKind::cpu)
-        throw CLI::ValidationError("--context",
-                                   "says where OpenGL comes from, which --device cpu does not use");
-    } else if (const char* word = std::getenv("TRIPTYCH_DEVICE"); word && *word && kind->count() == 0) {
-      const auto found = kinds.find(word);
-      if (found == kinds.end())
-        throw CLI::ValidationError("TRIPTYCH_DEVICE",
-                                   fmt::format("\"{}\" is no device: auto, cpu or gl", word));
-      device.kind = found->second;
-    }
+  add_choice_flag(command, "--context", device.context, names,
+                  "Where OpenGL comes from; without --device it means --device gl")
+      ->default_str("egl");
+  command.parse_complete_callback([&command, &device] {
+    resolve_device(command, device);
+    if (device.kind == DeviceKind::cpu && command.count("--context") > 0)
+      throw CLI::ValidationError("--context",
+                                 "says where OpenGL comes from, which --device cpu does not use");
   });
+}
+
+void resolve_device(const CLI::App& command, DeviceOptions& device) {
+  if (command.count("--device") > 0) return;
+  const char* const word = std::getenv("TRIPTYCH_DEVICE");
+  if (command.count("--context") > 0) {
+    device.kind = DeviceKind::gl;
+  } else if (word != nullptr && *word != 0) {
+    const auto found = device_kinds().find(word);
+    if (found == device_kinds().end())
+      throw CLI::ValidationError("TRIPTYCH_DEVICE",
+                                 fmt::format("\"{}\" is no device: auto, cpu or gl", word));
+    device.kind = found->second;
+  }
 }
 
 void add_window_flag(CLI::App& command, bool& window) {

@@ -17,8 +17,12 @@ using Action = std::function<int()>;
 
 /// --json, --inject and --threads, which every subcommand takes.
 void add_common_flags(CLI::App& command, std::filesystem::path& json);
-/// --device and --context.
+/// --device and --context, and what the environment's TRIPTYCH_DEVICE says where neither is given. Takes the
+/// command's parse_complete_callback(); a context beside --device cpu is a usage error.
 void add_device_flags(CLI::App& command, DeviceOptions& device);
+/// Once the command line was parsed: what flags and environment come to. A usage error where the environment
+/// names no device.
+void resolve_device(const CLI::App& command, DeviceOptions& device);
 /// --window; then --path is not needed: require_path() checks that once the command line was parsed.
 void add_window_flag(CLI::App& command, bool& window);
 void require_path(const RunOptions& options, bool window);

@@ -1,3 +1,4 @@
+#include "base/clock.hpp"
 #include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "base/signals.hpp"
@@ -34,6 +35,7 @@ int run(const ViewCommand& command) {
   LocalPipeline pipeline(
       pack, {.width = viewer.window().width(), .height = viewer.window().height(), .device = device.options});
   std::vector<FrameRecord> records;
+  std::vector<double> window_ms;
   while (!viewer.left()) {
     constexpr double patience_s = 1;
     if (!viewer.wait_for_frame(patience_s)) continue;
@@ -44,7 +46,9 @@ int run(const ViewCommand& command) {
     }
     pipeline.set_strategy(viewer.culling() ? StrategyKind::occlusion : StrategyKind::frustum);
     const FrameRecord record = pipeline.draw(frame);
+    const Stopwatch stopwatch;
     viewer.show(frame, record, pipeline.target(), pipeline.device());
+    window_ms.push_back(stopwatch.milliseconds());
     // Visible sets are dropped, so that a day at the window does not fill the memory.
     records.push_back(record);
     records.back().visible = {};
@@ -52,6 +56,7 @@ int run(const ViewCommand& command) {
   nlohmann::json report = {
       {"frames", records.size()},
       {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},
+      {"window_ms", distribution_json(window_ms, [](double milliseconds) { return milliseconds; })},
       {"drawn_triangles", distribution_json(records, [](const FrameRecord& r) { return r.drawn_triangles; })},
       {"peak_rss_bytes", peak_resident_bytes()}};
   add_device(report, device.names);
@@ -71,6 +76,8 @@ void add_view(CLI::App& app, Action& action) {
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
   sub->get_option("--frames")->required(false);
   sub->get_option("--context")->default_str("the display's own");
+  // The window is OpenGL's on both devices: a context may be named beside --device cpu.
+  sub->parse_complete_callback([command, sub] { resolve_device(*sub, command->run.device); });
   sub->add_flag("--play", command->play, "Play the path at once, over and over");
   sub->add_option("-o,--output", command->pictures, "Folder for pictures that F2 saves")
       ->type_name("DIR")

@@ -165,6 +165,13 @@ std::string stages_note(const Report& report) {
       walk->figure("/predicted_fps_three_machines"));
 }
 
+/// What drew the pictures.
+std::string device_in_words(const ReportEntry& walk) {
+  if (walk.text("/device") == "cpu")
+    return "Drawn by the program itself, on the device cpu, without a graphics card";
+  return walk.text("/gl/renderer") + ", " + walk.text("/gl/version");
+}
+
 }  // namespace
 
 std::string report_page(const Report& report) {
@@ -176,8 +183,7 @@ std::string report_page(const Report& report) {
         "of the same cut, {} identical.</p>\n",
         grouped(walk->figure("/frames")), escape_html(walk->text("/size")),
         grouped(walk->figure("/frames_compared")), grouped(walk->figure("/identical_frames")));
-    body += "<p class=\"quiet\">" + escape_html(walk->text("/gl/renderer")) + ", " +
-            escape_html(walk->text("/gl/version")) + "</p>\n";
+    body += "<p class=\"quiet\">" + escape_html(device_in_words(*walk)) + "</p>\n";
   }
   if (!report.note.empty()) body += "<p>" + escape_html(report.note) + "</p>\n";
   body += targets_section(report) + pictures_section(report);

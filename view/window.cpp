@@ -2,8 +2,10 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "nodes/device_choice.hpp"
 #include "render/gl_device.hpp"
 #include "render/window_picture.hpp"
+#include "view/shared_picture.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -97,6 +99,7 @@ class Window::Implementation {
     glfwMakeContextCurrent(window);
     glfwSwapInterval(0);
     context.emplace();
+    if (!is_graphics_card(context->names())) shared = SharedPicture::make(window);
     glfwSetKeyCallback(window,
                        [](GLFWwindow* w, int key, int, int action, int) { of(w).on_key(key, action); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { of(w).input.motion.wheel += y; });
@@ -107,6 +110,7 @@ class Window::Implementation {
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).input.damaged = true; });
   }
   ~Implementation() {
+    shared.reset();
     if (window) glfwDestroyWindow(window);
   }
   Implementation(const Implementation&) = delete;
@@ -169,7 +173,8 @@ class Window::Implementation {
   Library library;
   GLFWwindow* window = nullptr;
   std::optional<WindowContext> context;
-  std::optional<WindowPicture> picture;  ///< of targets that are not OpenGL's
+  std::optional<WindowPicture> picture;   ///< of targets that are not OpenGL's
+  std::unique_ptr<SharedPicture> shared;  ///< of them, too, where OpenGL has no graphics card to copy them
   Input input;
   std::vector<int> pressed;  ///< since the last poll, perhaps released already
   bool moving = false, looking = false;
@@ -185,9 +190,13 @@ Input Window::poll(double patience) { return implementation_->poll(patience); }
 
 std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back) {
   if (!target.copy_to_window(width(), height())) {
+    std::vector<uint8_t> colors = target.read_colors();
+    const bool fits = target.width() == width() && target.height() == height();
+    if (fits && implementation_->shared && implementation_->shared->show(colors, width(), height()))
+      return colors;
     std::optional<WindowPicture>& picture = implementation_->picture;
     if (!picture) picture.emplace();
-    picture->show(target.read_colors(), target.width(), target.height(), width(), height());
+    picture->show(colors, target.width(), target.height(), width(), height());
   }
   std::vector<uint8_t> colors;
   if (read_back) colors = read_window(width(), height());

@@ -116,7 +116,8 @@ class RasterSizes : public RasterDevice {
 };
 
 TEST_P(RasterSizes, pictures_of_any_size_are_the_same_for_one_thread_and_many) {
-  for (const auto& [w, h] : {std::pair(1, 1), {7, 5}, {641, 9}, {3, 700}, {5000, 200}}) {
+  for (const auto& [w, h] :
+       {std::pair(1, 1), {7, 5}, {641, 9}, {3, 700}, {5000, 200}, {16384, 16}, {16, 16384}}) {
     width = w;
     height = h;
     views = scenes::path(pack.skeleton(), w, h);

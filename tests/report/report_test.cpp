@@ -78,6 +78,7 @@ json walk_figures() {
        {"predicted_fps_three_machines", 31.5},
        {"stages_ms", stages},
        {"series", series},
+       {"device", "gl"},
        {"gl", {{"renderer", "a renderer"}, {"version", "4.5"}}},
        {"one_process",
         {{"frames_compared", 3},
@@ -134,6 +135,16 @@ class ReportFiles : public testing::Test {
 };
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(ReportFiles, says_what_drew) {
+  EXPECT_NE(report_page(load()).find("a renderer, 4.5"), std::string::npos);
+  json walk = walk_figures();
+  walk["device"] = "cpu";
+  walk.erase("gl");
+  change("walk", walk);
+  EXPECT_EQ(complaint(), "");
+  EXPECT_NE(report_page(load()).find("by the program itself"), std::string::npos);
+}
 
 TEST_F(ReportFiles, the_page_holds_every_command_and_picture) {
   const std::string page = report_page(load());
