@@ -24,7 +24,7 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   view_ = view;
   representation_.begin(view);
   placer_.begin(view);
-  projector_.emplace(view, raster_margins);
+  projector_.emplace(view, steady_margins);
   terms_.emplace(*view_, *projector_);
 }
 
@@ -59,7 +59,7 @@ RasterTarget::RasterTarget(RasterScene& scene, TargetKind kind, int width, int h
       buffer_(width, height, kind == TargetKind::depth_only, options.max_slots),
       drawn_(scene.skeleton().drawables.size()) {}
 
-DeviceMargins RasterTarget::margins() const { return raster_margins; }
+DeviceMargins RasterTarget::margins() const { return steady_margins; }
 
 void RasterTarget::begin(const FrameView& view) {
   if (view.view().width != width() || view.view().height != height()) {

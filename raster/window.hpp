@@ -23,6 +23,12 @@ inline constexpr int max_picture_side = 16384;
 /// for which the outline has room up to 0.004 pixels of it, and four times the bound beyond.
 /// docs/algorithms.md derives all of it.
 inline constexpr DeviceMargins raster_margins{.outline = 1.0 / 64, .plane = 1.0 / 64, .roundings = 4};
+/// What boxes are tested with: more than has to be, as much as OpenGL needs. What shows by a few pixels then
+/// comes and goes less often, and sessions send fewer ids.
+inline constexpr DeviceMargins steady_margins{};
+static_assert(steady_margins.outline >= raster_margins.outline &&
+              steady_margins.plane >= raster_margins.plane &&
+              steady_margins.roundings >= raster_margins.roundings);
 
 struct WindowVertex {
   int32_t x, y;  ///< sub-pixels from the lower left corner
