@@ -1,5 +1,4 @@
-# Headers of other libraries, compiled once for many targets: half of the time that a build takes. Sources include what they
-# use all the same; the preset `debug` compiles them without. triptych_precompiled(KIND link...) makes one such set out of
+# Headers of other libraries, compiled once for many targets. Sources include what they use all the same; the preset `debug` compiles them without. triptych_precompiled(KIND link...) makes one such set out of
 # cmake/precompiled/KIND.hpp, triptych_use_precompiled(TARGET KIND) gives it to a target.
 function(triptych_precompiled kind)
   set(folder ${PROJECT_SOURCE_DIR}/cmake/precompiled)

@@ -193,7 +193,7 @@ std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back) {
     std::vector<uint8_t> colors = target.read_colors();
     const bool fits = target.width() == width() && target.height() == height();
     if (fits && implementation_->shared && implementation_->shared->show(colors, width(), height()))
-      return colors;
+      return read_back ? colors : std::vector<uint8_t>();
     std::optional<WindowPicture>& picture = implementation_->picture;
     if (!picture) picture.emplace();
     picture->show(colors, target.width(), target.height(), width(), height());
