@@ -14,7 +14,8 @@
 
 namespace triptych::test {
 
-/// Xvfb with a free number, in DISPLAY as long as this lives.
+/// Xvfb with a free number, in DISPLAY as long as this lives. It stays as it is when its last window has
+/// gone: while it resets itself, as it would, nobody gets in.
 class Display {
  public:
   Display() {
@@ -26,8 +27,8 @@ class Display {
       ::close(pipe[0]);
       ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
       const std::string descriptor = std::to_string(pipe[1]);
-      ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "800x600x24", "-nolisten",
-               "tcp", nullptr);
+      ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "800x600x24", "-noreset",
+               "-nolisten", "tcp", nullptr);
       ::_exit(127);
     }
     ::close(pipe[1]);
