@@ -94,6 +94,12 @@ void shade(const Frame& frame, const glm::vec3& normal, uint32_t triangle, uint8
   color[3] = 255;
 }
 
+/// Whether Embree takes it: beyond its limit it throws through its own C functions.
+bool within_embree(const glm::vec3& v) {
+  constexpr float largest = 1.844e18f;
+  return std::abs(v.x) < largest && std::abs(v.y) < largest && std::abs(v.z) < largest;
+}
+
 template <int width>
 void trace_packet(const Frame& frame, int left, int bottom) {
   constexpr int columns = Packet<width>::columns;
@@ -108,15 +114,21 @@ void trace_packet(const Frame& frame, int left, int bottom) {
     const auto at = [&](const RayField::Linear& linear) {
       return linear.at_zero + at_x * linear.per_x + at_y * linear.per_y;
     };
-    const glm::vec3 origin = at(frame.field.origin), direction = at(frame.field.direction);
-    valid[i] = x < frame.width && y < frame.height ? -1 : 0;
+    glm::vec3 origin = at(frame.field.origin), direction = at(frame.field.direction);
+    float near = frame.field.near;
+    const bool in_picture = x < frame.width && y < frame.height;
+    const bool castable =
+        within_embree(origin) && within_embree(direction) && within_embree({near, 0, 0});
+    valid[i] = in_picture && castable ? -1 : 0;
+    // Lanes that are not cast must hold rays all the same; from that far away nothing is seen.
+    if (!castable) origin = {0, 0, 0}, direction = {0, 0, 1}, near = 0;
     packet.ray.org_x[i] = origin.x;
     packet.ray.org_y[i] = origin.y;
     packet.ray.org_z[i] = origin.z;
     packet.ray.dir_x[i] = direction.x;
     packet.ray.dir_y[i] = direction.y;
     packet.ray.dir_z[i] = direction.z;
-    packet.ray.tnear[i] = frame.field.near;
+    packet.ray.tnear[i] = near;
     packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
     packet.ray.time[i] = 0;
     packet.ray.mask[i] = ~0u;
@@ -127,8 +139,8 @@ void trace_packet(const Frame& frame, int left, int bottom) {
   }
   Packet<width>::intersect(valid, frame.scene, &context, &packet);
   for (int i = 0; i < width; ++i) {
-    if (!valid[i]) continue;
     const int x = left + i % columns, y = bottom + i / columns;
+    if (x >= frame.width || y >= frame.height) continue;
     uint8_t* const color = frame.colors + 4 * (static_cast<size_t>(y) * static_cast<size_t>(frame.width) +
                                                static_cast<size_t>(x));
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {

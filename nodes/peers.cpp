@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 /// Uploading a large model's geometry may take long; meanwhile the render node draws by itself.
 constexpr auto warm_up_limit = std::chrono::seconds(60);
 constexpr auto short_epoch = std::chrono::seconds(10);
-constexpr milliseconds first_pause(500), max_pause(10'000);
+constexpr milliseconds first_pause(500), max_pause(1000), max_pause_for_late(10'000);
 
 }  // namespace
 
@@ -36,50 +36,55 @@ void Peers::search(milliseconds pause) {
   });
 }
 
-bool Peers::look(const FrameRequest& next) {
+Awaited<bool> Peers::look(const FrameRequest& next) {
   if (inbox_) return true;
+  std::optional<Ending> failure;
   if (!mailbox_) {
-    take_up_search(next);
-    return false;
+    failure = take_up_search(next);
+  } else {
+    const Awaited<bool> ready = both_ready();
+    if (ready && *ready) {
+      inbox_.emplace(*mailbox_, nullptr, stop_);
+      since_ = Clock::now();
+      failure = compare_clocks();
+    } else if (!ready) {
+      failure = ready.ending();
+    }
   }
-  const Awaited<bool> ready = both_ready();
-  if (!ready) {
-    lose(ready.ending().reason, false);
-    return false;
+  if (failure) {
+    lose(failure->reason, failure->too_late);
+    return std::move(*failure);
   }
-  if (!*ready) return false;
-  inbox_.emplace(*mailbox_, nullptr, stop_);
-  since_ = Clock::now();
-  if (const auto ending = compare_clocks()) {
-    lose(ending->reason, false);
-    return false;
-  }
+  if (!inbox_) return false;
   ++epochs_;
   return true;
 }
 
-void Peers::take_up_search(const FrameRequest& next) {
-  if (!search_.valid() || search_.wait_for(milliseconds(0)) != std::future_status::ready) return;
+std::optional<Ending> Peers::take_up_search(const FrameRequest& next) {
+  if (!search_.valid() || search_.wait_for(milliseconds(0)) != std::future_status::ready) return std::nullopt;
   try {
     mailbox_ = search_.get();
   } catch (const Error& error) {
     if (!patient_) throw;
     notice("{}; goes on waiting", error.what());
     search(first_pause);
-    return;
+    return std::nullopt;
   }
-  if (!mailbox_) return;
-  if (const auto ending = warm_up(next)) lose(ending->reason, false);
+  return mailbox_ ? warm_up(next) : std::nullopt;
 }
 
-bool Peers::wait(const FrameRequest& first) {
+std::optional<Ending> Peers::wait(const FrameRequest& first) {
   patient_ = false;
-  while (!look(first)) {
-    if (stop_()) return false;
+  std::optional<Ending> failure;
+  for (;;) {
+    const Awaited<bool> found = look(first);
+    if (!found) failure = found.ending();
+    if (!found || *found) break;
+    if (stop_()) return Ending{.cause = Ending::Cause::stopped};
     std::this_thread::sleep_for(milliseconds(2));
   }
   patient_ = true;
-  return true;
+  return failure;
 }
 
 std::optional<Ending> Peers::warm_up(const FrameRequest& frame) {
@@ -136,10 +141,13 @@ void Peers::close(const std::string& reason) {
 
 void Peers::lose(const std::string& reason, bool too_late) {
   const bool was_short = Clock::now() - since_ < short_epoch;
-  too_late_ = too_late && was_short ? too_late_ + 1 : 0;
+  short_epochs_ = was_short ? short_epochs_ + 1 : 0;
   close(reason);
   milliseconds pause(0);
-  if (too_late_ > 1) pause = std::min(max_pause, first_pause * (1 << std::min(too_late_ - 2, 5u)));
+  if (short_epochs_ > 1) {
+    pause = std::min(too_late ? max_pause_for_late : max_pause,
+                     first_pause * (1 << std::min(short_epochs_ - 2, 5u)));
+  }
   search(pause);
 }
 

@@ -31,16 +31,18 @@ class Peers {
   Peers& operator=(const Peers&) = delete;
 
   /// Checks on the search, without waiting. next: the frame to draw next. True once an epoch may begin with
-  /// it; then inbox() is not null, and nothing of the epoch has been sent yet.
-  bool look(const FrameRequest& next);
-  /// Waits for the first epoch; false if this process is to end before that. Throws what Connect throws.
-  [[nodiscard]] bool wait(const FrameRequest& first);
+  /// it; then inbox() is not null, and nothing of the epoch has been sent yet. Where the warm-up fails: why;
+  /// the search has begun anew then.
+  Awaited<bool> look(const FrameRequest& next);
+  /// Waits until the first epoch may begin; otherwise says why it will not begin soon: its warm-up failed, and
+  /// the search has begun anew, or this process is to end. Throws what Connect throws.
+  [[nodiscard]] std::optional<Ending> wait(const FrameRequest& first);
 
   /// The peers' messages, during an epoch; otherwise null.
   Inbox* inbox() { return inbox_ ? &*inbox_ : nullptr; }
   const Inbox* inbox() const { return inbox_ ? &*inbox_ : nullptr; }
 
-  /// Ends the epoch; the search begins anew, after a pause if peers were too late several times in a row.
+  /// Ends the epoch; the search begins anew, after a pause if several in a row were short.
   void lose(const std::string& reason, bool too_late);
   /// Sends a Bye to the connected peers. Empty: the session is over.
   void leave(const std::string& reason);
@@ -49,7 +51,7 @@ class Peers {
 
  private:
   void search(std::chrono::milliseconds pause);
-  void take_up_search(const FrameRequest& next);
+  std::optional<Ending> take_up_search(const FrameRequest& next);
   std::optional<Ending> warm_up(const FrameRequest& frame);
   /// Receives their messages; true when both are ready.
   Awaited<bool> both_ready();
@@ -66,7 +68,7 @@ class Peers {
   std::set<Role> ready_;
   bool patient_ = true;                          ///< whether another attempt to find the peers makes sense
   std::chrono::steady_clock::time_point since_;  ///< of the warm-up, or of the epoch
-  uint32_t too_late_ = 0;                        ///< short epochs in a row that ended so
+  uint32_t short_epochs_ = 0;                    ///< in a row
   uint64_t epochs_ = 0;
 };
 

@@ -47,8 +47,9 @@ class RenderNode {
     first_ = source_.next(numbers_.first);
     if (options_.begin_alone) {
       lost_ = "the render node before this one ended";
-    } else if (!peers_.wait(*first_)) {
-      return;
+    } else if (const auto failure = peers_.wait(*first_)) {
+      if (failure->cause == Ending::Cause::stopped) return;
+      go_on_alone(first_->number, failure->reason);
     }
     clock_.restart();
     while (next_release_ < numbers_.count || !released_.empty()) {
@@ -117,9 +118,13 @@ class RenderNode {
     return std::nullopt;
   }
 
-  void lose(uint32_t frame, const std::string& reason, bool too_late) {
+  void go_on_alone(uint32_t frame, const std::string& reason) {
     notice("render node: frame {}: {}; goes on alone", frame, reason);
     if (lost_.empty()) lost_ = reason;
+  }
+
+  void lose(uint32_t frame, const std::string& reason, bool too_late) {
+    go_on_alone(frame, reason);
     peers_.lose(reason, too_late);
   }
 
@@ -153,7 +158,12 @@ class RenderNode {
     if (const FrameTarget& target = stages_.target();
         target.width() != view.width || target.height() != view.height)
       stages_.resize(view.width, view.height);
-    if (!peers_.inbox() && peers_.look(frame.request)) begin_epoch(number);
+    if (!peers_.inbox()) {
+      const Awaited<bool> found = peers_.look(frame.request);
+      if (found && *found) begin_epoch(number);
+      if (!found && found.ending().cause != Ending::Cause::stopped)
+        go_on_alone(number, found.ending().reason);
+    }
     if (options_.stop()) return std::nullopt;
     if (peers_.inbox()) {
       Awaited<FrameRecord> record = draw_together(frame);

@@ -16,11 +16,17 @@ using Clock = std::chrono::steady_clock;
 using Kind = ConnectOutcome::Kind;
 using std::chrono::milliseconds;
 
+/// What the attempts of one search have in common.
+struct Search {
+  milliseconds timeout;                     ///< for error messages
+  std::map<Role, std::string> last_failure = {};  ///< why a role could not be reached, now or earlier
+  std::set<Role> met = {};                        ///< roles that were connected at some time
+};
+
 /// One attempt of a role to meet both peers.
 class Gathering {
  public:
-  Gathering(const Hello& own, const MakeEndpoint& endpoint, milliseconds timeout,
-            std::map<Role, std::string>& last_failure);
+  Gathering(const Hello& own, const MakeEndpoint& endpoint, Search& search);
   /// Nullopt where a peer left before all had met: then all begin again.
   std::optional<ConnectOutcome> run(Clock::time_point deadline, const std::function<bool()>& stop);
 
@@ -43,8 +49,7 @@ class Gathering {
   void leave(const std::string& reason);
 
   Hello own_;
-  milliseconds timeout_;                       ///< for error messages
-  std::map<Role, std::string>& last_failure_;  ///< why a role could not be reached, now or earlier
+  Search& search_;
   std::unique_ptr<Mailbox> mailbox_ = std::make_unique<Mailbox>();
   std::unique_ptr<Endpoint> endpoint_;
   Callers callers_;
@@ -53,11 +58,9 @@ class Gathering {
   bool peer_went_ = false;
 };
 
-Gathering::Gathering(const Hello& own, const MakeEndpoint& endpoint, milliseconds timeout,
-                     std::map<Role, std::string>& last_failure)
+Gathering::Gathering(const Hello& own, const MakeEndpoint& endpoint, Search& search)
     : own_(own),
-      timeout_(timeout),
-      last_failure_(last_failure),
+      search_(search),
       endpoint_(endpoint(mailbox_->context())),
       callers_(*endpoint_,
                [this](const std::shared_ptr<Link>& caller, const Hello* hello) { heard(caller, hello); }),
@@ -70,7 +73,7 @@ Gathering::Gathering(const Hello& own, const MakeEndpoint& endpoint, millisecond
           [this](Role role, const std::string& why) {
             end(Kind::no_such_host, endpoint_->address_of(role), why);
           },
-          last_failure) {}
+          search.last_failure) {}
 
 std::optional<ConnectOutcome> Gathering::run(Clock::time_point deadline, const std::function<bool()>& stop) {
   if (own_.role != all_roles.back()) callers_.accept();
@@ -125,7 +128,7 @@ void Gathering::look_after_links() {
     end(Kind::session_over, "", "");
     return;
   }
-  last_failure_[first->peer] = first->reason;
+  search_.last_failure[first->peer] = first->reason;
   peer_went_ = true;
 }
 
@@ -138,7 +141,7 @@ void Gathering::heard(const std::shared_ptr<Link>& caller, const Hello* said) {
   if (!problem.empty()) {
     // Our Hello shows the caller the difference; whether it arrives does not matter.
     const std::string ignored = caller->write(reply, encode(reply), milliseconds(0));
-    last_failure_[hello.role] = problem;
+    search_.last_failure[hello.role] = problem;
     return refuse(caller, problem);
   }
   if (mailbox_->has(hello.role, hello.channel)) {
@@ -192,6 +195,7 @@ Hello Gathering::hello_for(Role peer, Channel channel) const {
 void Gathering::join(const std::shared_ptr<Link>& link, const Hello& hello) {
   if (hello.channel == Channel::camera) mailbox_->set_peer_hello(hello);
   mailbox_->add(hello.role, hello.channel, link);
+  search_.met.insert(hello.role);
 }
 
 bool Gathering::complete() {
@@ -212,7 +216,7 @@ bool Gathering::has_all() const {
 }
 
 ConnectOutcome Gathering::missing() const {
-  ConnectOutcome outcome{.kind = Kind::peers_missing, .place = role_name(own_.role)};
+  ConnectOutcome outcome{.kind = Kind::peers_missing, .place = role_name(own_.role), .met = search_.met};
   std::string text;
   for (const Role role : all_roles) {
     if (role == own_.role || (mailbox_->has(role, Channel::camera) && mailbox_->has(role, Channel::nodes)))
@@ -221,10 +225,10 @@ ConnectOutcome Gathering::missing() const {
     text += (text.empty() ? "the " : " and the ") + role_name(role);
     text +=
         role < own_.role ? " at " + endpoint_->address_of(role) : ", awaited at " + endpoint_->own_address();
-    const auto failure = last_failure_.find(role);
-    if (failure != last_failure_.end()) text += " (" + failure->second + ")";
+    const auto failure = search_.last_failure.find(role);
+    if (failure != search_.last_failure.end()) text += " (" + failure->second + ")";
   }
-  outcome.what = fmt::format("after {} ms still without {}", timeout_.count(), text);
+  outcome.what = fmt::format("after {} ms still without {}", search_.timeout.count(), text);
   return outcome;
 }
 
@@ -239,9 +243,9 @@ std::unique_ptr<Mailbox> mailbox_or_error(ConnectOutcome outcome) {
 ConnectOutcome connect_session(const Hello& own, const MakeEndpoint& endpoint, milliseconds timeout,
                                const std::function<bool()>& stop) {
   const auto deadline = Clock::now() + timeout;
-  std::map<Role, std::string> last_failure;
+  Search search{.timeout = timeout};
   for (;;) {
-    if (auto outcome = Gathering(own, endpoint, timeout, last_failure).run(deadline, stop))
+    if (auto outcome = Gathering(own, endpoint, search).run(deadline, stop))
       return std::move(*outcome);
     std::this_thread::sleep_for(redial_pause);
   }

@@ -11,7 +11,6 @@
 #include "raster/certify_raster.hpp"
 #include "render/certify_gl.hpp"
 
-#include <algorithm>
 #include <thread>
 
 namespace triptych {
@@ -98,9 +97,9 @@ std::unique_ptr<Mailbox> SessionConnector::connect_again(const std::function<boo
   using Kind = ConnectOutcome::Kind;
   for (;;) {
     ConnectOutcome outcome = attempt(stop);
-    const bool without_render = std::count(outcome.missing.begin(), outcome.missing.end(), Role::render) != 0;
-    const bool again =
-        outcome.kind == Kind::no_such_host || (outcome.kind == Kind::peers_missing && !without_render);
+    // Between two searches of its own the render node cannot be reached for a moment.
+    const bool again = outcome.kind == Kind::no_such_host ||
+                       (outcome.kind == Kind::peers_missing && outcome.met.count(Role::render) != 0);
     if (!again) return equip(mailbox_or_error(std::move(outcome)));
     if (stop && stop()) return nullptr;
     if (outcome.kind == Kind::no_such_host)

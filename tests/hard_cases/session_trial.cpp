@@ -16,7 +16,7 @@ using nlohmann::json;
 void refuse(const std::string& pack, const std::string& path, const std::string& text, Problems& problems) {
   write_file(path, text);
   for (const std::string command : {"session", "render"}) {
-    std::vector<std::string> arguments = {command, pack, "--path", path};
+    std::vector<std::string> arguments = {command, pack, "--path", path, "--size", "640x360"};
     if (command == "render") arguments.insert(arguments.end(), {"-o", path + ".pictures"});
     test::Program program(arguments);
     const int code = program.wait();

@@ -4,6 +4,7 @@
 #include "render/context.hpp"
 #include "render/flat_model_pass.hpp"
 #include "tests/support/scenes.hpp"
+#include "visibility/shading.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -72,6 +73,24 @@ TEST(PrimaryRays, a_tree_that_does_not_fit_is_not_built) {
   const auto rays = PrimaryRays::build(model);
   ASSERT_TRUE(rays);
   EXPECT_GT(rays->memory_bytes(), model.triangle_count());
+}
+
+TEST(PrimaryRays, that_embree_would_refuse_see_nothing) {
+  const Pack& pack = scenes::pack("room");
+  const FlatModel model = flatten(pack);
+  const auto rays = PrimaryRays::build(model);
+  ASSERT_TRUE(rays);
+  View view = scenes::random_views(pack.skeleton(), 21, 13, 1, 5)[0];
+  const glm::dvec3 eye = view.camera.eye;
+  for (const double far : {1e20, 1e30, 1e40, 1e200}) {
+    view.camera.eye = eye + glm::dvec3(far, 0, 0);
+    rays->draw(view);
+    for (size_t i = 0; i < rays->colors().size(); ++i) ASSERT_EQ(rays->colors()[i], background_bytes[i % 4]);
+  }
+  view.camera.eye = eye;
+  set_orthographic_height(view.camera, 1e30, 1);
+  rays->draw(view);
+  EXPECT_EQ(rays->colors().size(), size_t{4} * 21 * 13);
 }
 
 }  // namespace

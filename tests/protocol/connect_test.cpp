@@ -229,6 +229,16 @@ TEST_F(Session, a_role_that_goes_before_all_have_met_may_come_again) {
   expect_all(render, switch_0, switch_1);
 }
 
+TEST_F(Session, a_role_that_came_and_went_was_met_but_one_that_never_came_was_not) {
+  auto render = start(Role::render, 200ms);
+  const ConnectOutcome outcome =
+      connect_session(sample_hello(Role::switch_0), &switch_port, addresses, 600ms);
+  EXPECT_EQ(outcome.kind, ConnectOutcome::Kind::peers_missing);
+  EXPECT_EQ(outcome.missing, (std::vector{Role::render, Role::switch_1}));
+  EXPECT_EQ(outcome.met, std::set{Role::render});
+  render.get();
+}
+
 TEST_F(Session, waiting_can_be_stopped) {
   std::atomic<bool> stop{false};
   auto waiting = std::async(std::launch::async, [&] {

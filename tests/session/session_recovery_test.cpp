@@ -122,19 +122,24 @@ TEST_F(SessionRecovery, a_role_that_dies_again_and_again_is_given_up) {
 /// Roles that are started by hand, the render node behind a relay.
 class RelayedRoles : public SessionRecovery {
  protected:
-  void play(const std::function<void(Relay&)>& disturb) {
+  /// disturb: is given the relay and the second switch node.
+  void play(const std::function<void(Relay&, const Program&)>& disturb,
+            const std::vector<std::string>& more = {}) {
     const int port = 12000 + 2 * (::getpid() % 8000);
     const std::string listen = "127.0.0.1:" + std::to_string(port),
                       other = "127.0.0.1:" + std::to_string(port + 1);
     Relay relay(port);
     const std::string render = "127.0.0.1:" + std::to_string(relay.port());
-    Program render_node({"role", "render", pack, "--path", path, "--size", "160x120", "--loop",
-                         std::to_string(rounds), "--rate", "100", "--hash", "--listen", listen, "--json",
-                         json});
-    Program switch_0({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render});
-    Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other});
+    Program render_node(with({"role", "render", pack, "--path", path, "--size", "160x120", "--loop",
+                              std::to_string(rounds), "--rate", "100", "--hash", "--listen", listen, "--json",
+                              json},
+                             more));
+    Program switch_0(
+        with({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render}, more));
+    Program switch_1(
+        with({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other}, more));
     wait(std::chrono::milliseconds(1200));
-    disturb(relay);
+    disturb(relay, switch_1);
     EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
     EXPECT_EQ(switch_0.wait(), 0) << switch_0.errors();
     EXPECT_EQ(switch_1.wait(), 0) << switch_1.errors();
@@ -157,7 +162,7 @@ class RelayedRoles : public SessionRecovery {
 };
 
 TEST_F(RelayedRoles, that_are_cut_off_for_a_while_come_back) {
-  play([](Relay& relay) {
+  play([](Relay& relay, const Program&) {
     relay.cut = true;
     wait(std::chrono::milliseconds(1200));
     relay.cut = false;
@@ -165,7 +170,18 @@ TEST_F(RelayedRoles, that_are_cut_off_for_a_while_come_back) {
 }
 
 TEST_F(RelayedRoles, go_on_after_a_byte_was_changed_on_the_way) {
-  play([](Relay& relay) { relay.flip_after = 500; });
+  play([](Relay& relay, const Program&) { relay.flip_after = 500; });
+}
+
+TEST_F(RelayedRoles, wait_for_one_that_stays_away_for_longer_than_they_search) {
+  // The searches of the two that are left end and begin at different times.
+  play(
+      [](Relay&, const Program& switch_1) {
+        switch_1.signal(SIGSTOP);
+        wait(std::chrono::milliseconds(3000));
+        switch_1.signal(SIGCONT);
+      },
+      {"--connect-timeout", "0.6"});
 }
 
 TEST_F(SessionRecovery, roles_killed_and_paused_at_random_leave_nothing_wrong) {

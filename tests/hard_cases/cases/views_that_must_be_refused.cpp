@@ -6,8 +6,8 @@ namespace {
 const InGallery views_that_must_be_refused(
     {.name = "views_that_must_be_refused",
      .group = "views",
-     .breaks = "Cameras of infinite or missing numbers, without direction, without width: one clear line, "
-               "before anything starts.",
+     .breaks = "Cameras of infinite or missing numbers, without direction, without width, narrower than single "
+               "precision holds, or wider than it at the picture's aspect: one clear line, before anything starts.",
      .faults = {},
      .make = [] {
        Trial trial;
@@ -22,6 +22,9 @@ const InGallery views_that_must_be_refused(
              R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "near": 1e999)",
              R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "fov_y_degrees": 180)",
              R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "orthographic_height": 0)",
+             R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "fov_y_degrees": 1e-37)",
+             R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "orthographic_height": 1e-38)",
+             R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "orthographic_height": 1.79e308)",
              R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "off_axis": [1, 1, -1, 1])",
              R"("eye": [0,0,0], "target": [0,0,1], "up": [0,1,0], "off_axis": [-1e308, 1e308, -1, 1])"}) {
          trial.refused_paths.push_back(start + frame + end);
