@@ -23,7 +23,7 @@ function(triptych_room name)
                                          $<BUILD_INTERFACE:triptych_warnings>)
   set_target_properties(triptych_${name} PROPERTIES EXPORT_NAME ${name})
   if(ROOM_SMALL_WORK)  # behind large headers: compile time counts, not run time
-    target_compile_options(triptych_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(triptych_${name} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
   endif()
   if(NOT ROOM_PRECOMPILED)
     set(ROOM_PRECOMPILED room)

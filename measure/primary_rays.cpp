@@ -117,8 +117,7 @@ void trace_packet(const Frame& frame, int left, int bottom) {
     glm::vec3 origin = at(frame.field.origin), direction = at(frame.field.direction);
     float near = frame.field.near;
     const bool in_picture = x < frame.width && y < frame.height;
-    const bool castable =
-        within_embree(origin) && within_embree(direction) && within_embree({near, 0, 0});
+    const bool castable = within_embree(origin) && within_embree(direction) && within_embree({near, 0, 0});
     valid[i] = in_picture && castable ? -1 : 0;
     // Lanes that are not cast must hold rays all the same; from that far away nothing is seen.
     if (!castable) origin = {0, 0, 0}, direction = {0, 0, 1}, near = 0;

@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 
 /// What the attempts of one search have in common.
 struct Search {
-  milliseconds timeout;                     ///< for error messages
+  milliseconds timeout;                           ///< for error messages
   std::map<Role, std::string> last_failure = {};  ///< why a role could not be reached, now or earlier
   std::set<Role> met = {};                        ///< roles that were connected at some time
 };
@@ -245,8 +245,7 @@ ConnectOutcome connect_session(const Hello& own, const MakeEndpoint& endpoint, m
   const auto deadline = Clock::now() + timeout;
   Search search{.timeout = timeout};
   for (;;) {
-    if (auto outcome = Gathering(own, endpoint, search).run(deadline, stop))
-      return std::move(*outcome);
+    if (auto outcome = Gathering(own, endpoint, search).run(deadline, stop)) return std::move(*outcome);
     std::this_thread::sleep_for(redial_pause);
   }
 }

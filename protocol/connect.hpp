@@ -27,7 +27,7 @@ struct ConnectOutcome {
   std::unique_ptr<Mailbox> mailbox = {};  ///< of a role that is connected
   std::string place = {}, what = {};      ///< for the last three kinds: place and text of an Error
   std::vector<Role> missing = {};         ///< for peers_missing: which
-  std::set<Role> met = {};                ///< for peers_missing: which were connected meanwhile, for however short
+  std::set<Role> met = {};  ///< for peers_missing: which were connected meanwhile, for however short
 };
 
 /// The mailbox, or null where the session is over. Error (place, what) for any other outcome.

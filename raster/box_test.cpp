@@ -7,41 +7,113 @@ namespace triptych {
 
 namespace {
 
-/// Pixels whose centres lie between two sides, both included; sides from −1 to 1.
+/// Pixels from first to last, both included.
 struct PixelRange {
   int first, last;
-  PixelRange(float low, float high, int size) {
-    // Floats of the sides are off by less than the margin of the outline, in the largest picture too.
-    const double scale = size * 0.5;
-    first = std::max(0, static_cast<int>(std::ceil((double{low} + 1) * scale - 0.5)));
-    last = std::min(size - 1, static_cast<int>(std::floor((double{high} + 1) * scale - 0.5)));
-  }
 };
+
+/// Pixels whose centres lie between two sides; sides from −1 to 1.
+PixelRange pixels_between(float low, float high, int size) {
+  // Floats of the sides are off by less than the margin of the outline, in the largest picture too.
+  const double scale = size * 0.5;
+  return {std::max(0, static_cast<int>(std::ceil((double{low} + 1) * scale - 0.5))),
+          std::min(size - 1, static_cast<int>(std::floor((double{high} + 1) * scale - 0.5)))};
+}
 
 float centre(int pixel, int size) {
   return (2 * static_cast<float>(pixel) + 1) / static_cast<float>(size) - 1;
 }
 
+/// The test of one rectangle. Where whole tiles decide, they do: in IEEE arithmetic sums and products are
+/// monotone in each operand, so that what a plane gives at the outermost pixel centres of a tile bounds, to
+/// the bit, what it gives at those between them.
+class RectangleTest {
+ public:
+  RectangleTest(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, bool strict)
+      : buffer_(buffer),
+        rectangle_(rectangle),
+        strict_(strict),
+        columns_(pixels_between(rectangle.left, rectangle.right, buffer.width())),
+        rows_(pixels_between(rectangle.bottom, rectangle.top, buffer.height())) {}
+
+  bool passes() const {
+    if (columns_.first > columns_.last || rows_.first > rows_.last) return false;
+    for (int y = rows_.first / DepthTiles::block; y <= rows_.last / DepthTiles::block; ++y) {
+      for (int x = columns_.first / DepthTiles::block; x <= columns_.last / DepthTiles::block; ++x) {
+        if (!behind(rectangle_.planes[0].middle, buffer_.tiles().farthest_of_block(x, y)) &&
+            passes_in_block(x, y))
+          return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// Whether something this deep is hidden by what is there.
+  bool behind(float depth, float there) const { return strict_ ? !(depth > there) : !(depth >= there); }
+
+  /// What of a range lies in a square of so many pixels.
+  static PixelRange within(const PixelRange& range, int square, int side) {
+    return {std::max(range.first, square * side), std::min(range.last, (square + 1) * side - 1)};
+  }
+
+  bool passes_in_block(int block_x, int block_y) const {
+    constexpr int side = DepthTiles::tile;
+    const PixelRange across = within(columns_, block_x, DepthTiles::block),
+                     up = within(rows_, block_y, DepthTiles::block);
+    for (int y = up.first / side; y <= up.last / side; ++y) {
+      for (int x = across.first / side; x <= across.last / side; ++x) {
+        const float there = buffer_.tiles().farthest(x, y);
+        // The level plane alone decides nearly everything.
+        if (behind(rectangle_.planes[0].middle, there)) continue;
+        const PixelRange columns = within(across, x, side), rows = within(up, y, side);
+        if (may_reach(columns, rows, there) && passes_at_pixels(columns, rows)) return true;
+      }
+    }
+    return false;
+  }
+
+  bool may_reach(const PixelRange& columns, const PixelRange& rows, float there) const {
+    const float left = centre(columns.first, buffer_.width()), right = centre(columns.last, buffer_.width()),
+                bottom = centre(rows.first, buffer_.height()), top = centre(rows.last, buffer_.height());
+    const auto most = [&](const auto& plane, const glm::vec2& direction) {
+      return plane.at(direction.x > 0 ? right : left, direction.y > 0 ? top : bottom);
+    };
+    for (const DepthPlane& plane : rectangle_.planes) {
+      const float depth = most(plane, plane.slope);
+      if ((strict_ ? depth <= there : depth < there) || depth < 0) return false;
+    }
+    return std::none_of(rectangle_.cuts.begin(), rectangle_.cuts.end(),
+                        [&](const HalfPlane& cut) { return most(cut, cut.normal) < 0; });
+  }
+
+  bool passes_at_pixels(const PixelRange& columns, const PixelRange& rows) const {
+    for (int row = rows.first; row <= rows.last; ++row) {
+      const float y = centre(row, buffer_.height());
+      for (int column = columns.first; column <= columns.last; ++column) {
+        const float there = buffer_.depth(column, row);
+        if (behind(rectangle_.planes[0].middle, there)) continue;
+        const float x = centre(column, buffer_.width());
+        const float depth = rectangle_.depth(x, y);
+        if (behind(depth, there)) continue;
+        if (depth >= 0 && std::all_of(rectangle_.cuts.begin(), rectangle_.cuts.end(),
+                                      [&](const HalfPlane& cut) { return cut.at(x, y) >= 0; }))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  const VisibilityBuffer& buffer_;
+  const ScreenRectangle& rectangle_;
+  bool strict_;
+  PixelRange columns_, rows_;
+};
+
 }  // namespace
 
 bool may_show(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, bool strict) {
-  const PixelRange columns(rectangle.left, rectangle.right, buffer.width()),
-      rows(rectangle.bottom, rectangle.top, buffer.height());
-  for (int row = rows.first; row <= rows.last; ++row) {
-    const float y = centre(row, buffer.height());
-    for (int column = columns.first; column <= columns.last; ++column) {
-      const float there = buffer.depth(column, row);
-      // The level plane alone decides nearly everything.
-      if (rectangle.planes[0].middle < there) continue;
-      const float x = centre(column, buffer.width());
-      const float depth = rectangle.depth(x, y);
-      if (strict ? !(depth > there) : !(depth >= there)) continue;
-      if (depth >= 0 && std::all_of(rectangle.cuts.begin(), rectangle.cuts.end(),
-                                    [&](const HalfPlane& cut) { return cut.at(x, y) >= 0; }))
-        return true;
-    }
-  }
-  return false;
+  return RectangleTest(buffer, rectangle, strict).passes();
 }
 
 }  // namespace triptych

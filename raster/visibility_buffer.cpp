@@ -16,7 +16,7 @@ constexpr uint64_t batch_size = 16384;
 /// Fewer are not worth waking other threads.
 constexpr uint64_t worth_sharing = 1024;
 /// Bands are whole tiles of so many rows.
-constexpr int32_t tile_rows = 8;
+constexpr int32_t tile_rows = DepthTiles::tile;
 
 /// All of them here where they are few.
 void for_each(size_t count, bool side_by_side, const std::function<void(size_t)>& body) {
@@ -37,6 +37,7 @@ VisibilityBuffer::VisibilityBuffer(int width, int height, bool depth_alone, uint
     : width_(width),
       height_(height),
       depth_alone_(depth_alone),
+      tiles_(width, height),
       slots_(
           std::max<uint64_t>(max_slots, static_cast<uint64_t>(width) * static_cast<uint64_t>(height) + 1)) {
   const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
@@ -50,6 +51,7 @@ VisibilityBuffer::VisibilityBuffer(int width, int height, bool depth_alone, uint
 void VisibilityBuffer::clear() {
   std::fill(words_.begin(), words_.end(), 0);
   std::fill(depths_.begin(), depths_.end(), 0);
+  tiles_.clear();
   slots_.clear();
 }
 
@@ -107,6 +109,11 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   });
   batch_.clear();
   batch_triangles_ = 0;
+  if (depth_alone_) {
+    tiles_.refresh(std::span<const uint32_t>(depths_));
+  } else {
+    tiles_.refresh(std::span<const VisibilityWord>(words_));
+  }
 }
 
 [[gnu::noinline]] void VisibilityBuffer::fill_rows(int32_t first, int32_t last) {
@@ -115,6 +122,8 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
     if (stretch.bottom > last || stretch.top < first) continue;
     for (const WindowTriangle& triangle : stretch.triangles) {
       if (triangle.bottom > last || triangle.top < first) continue;
+      tiles_.mark(triangle.left, triangle.right, std::max(triangle.bottom, first),
+                  std::min(triangle.top, last));
       if (depth_alone_) {
         fill(triangle, first, last, PixelBuffer<uint32_t>{depths_.data(), width_}, DepthWriter{});
       } else {

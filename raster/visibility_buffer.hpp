@@ -1,6 +1,7 @@
 // What is drawn in one frame, pixel by pixel: depth, and the triangle that it is of.
 #pragma once
 
+#include "raster/depth_tiles.hpp"
 #include "raster/fill.hpp"
 #include "raster/geometry_stage.hpp"
 
@@ -36,6 +37,8 @@ class VisibilityBuffer {
   int height() const { return height_; }
   /// Of a pixel; 0 where nothing is.
   float depth(int x, int y) const;
+  /// The farthest depths of tiles, of what is drawn so far.
+  const DepthTiles& tiles() const { return tiles_; }
   /// Null where nothing is. Not of a buffer that keeps depth alone.
   std::optional<SlotTable::Triangle> triangle(int x, int y) const;
   /// The pixel's word, for those who want to know whether two show the same triangle; 0 where nothing is.
@@ -54,6 +57,7 @@ class VisibilityBuffer {
   bool depth_alone_;
   std::vector<VisibilityWord> words_;  ///< empty where depth_alone_
   std::vector<uint32_t> depths_;       ///< empty where not
+  DepthTiles tiles_;
   SlotTable slots_;
   struct BatchEntry {
     DrawnRange range;

@@ -130,10 +130,10 @@ class RelayedRoles : public SessionRecovery {
                       other = "127.0.0.1:" + std::to_string(port + 1);
     Relay relay(port);
     const std::string render = "127.0.0.1:" + std::to_string(relay.port());
-    Program render_node(with({"role", "render", pack, "--path", path, "--size", "160x120", "--loop",
-                              std::to_string(rounds), "--rate", "100", "--hash", "--listen", listen, "--json",
-                              json},
-                             more));
+    Program render_node(
+        with({"role", "render", pack, "--path", path, "--size", "160x120", "--loop", std::to_string(rounds),
+              "--rate", "100", "--hash", "--listen", listen, "--json", json},
+             more));
     Program switch_0(
         with({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render}, more));
     Program switch_1(

@@ -6,8 +6,9 @@ namespace {
 const InGallery views_that_must_be_refused(
     {.name = "views_that_must_be_refused",
      .group = "views",
-     .breaks = "Cameras of infinite or missing numbers, without direction, without width, narrower than single "
-               "precision holds, or wider than it at the picture's aspect: one clear line, before anything starts.",
+     .breaks =
+         "Cameras of infinite or missing numbers, without direction, without width, narrower than single "
+         "precision holds, or wider than it at the picture's aspect: one clear line, before anything starts.",
      .faults = {},
      .make = [] {
        Trial trial;
