@@ -4,6 +4,7 @@
 #include "base/threads.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/number_flags.hpp"
+#include "raster/instruction_set.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -32,6 +33,16 @@ const std::map<std::string, DeviceKind>& device_kinds() {
   static const std::map<std::string, DeviceKind> kinds{
       {"auto", DeviceKind::automatic}, {"gl", DeviceKind::gl}, {"cpu", DeviceKind::cpu}};
   return kinds;
+}
+
+void force_simd(const std::string& word) {
+  std::string here;
+  for (const InstructionSet set : instruction_sets_here()) {
+    const std::string& name = instruction_set_name(set);
+    if (name == word) return force_instruction_set(set);
+    here += (here.empty() ? "" : ", ") + name;
+  }
+  throw CLI::ValidationError("--simd", fmt::format("this processor has no \"{}\", but {}", word, here));
 }
 
 }  // namespace
@@ -63,8 +74,15 @@ void add_device_flags(CLI::App& command, DeviceOptions& device) {
   add_choice_flag(command, "--context", device.context, names,
                   "Where OpenGL comes from; without --device it means --device gl")
       ->default_str("egl");
+  command
+      .add_option_function<std::string>("--simd", force_simd,
+                                        "Vector instructions that the device cpu uses, instead of the widest "
+                                        "that there are; pictures are the same")
+      ->type_name("scalar|sse4.2|avx2|avx512");
   command.parse_complete_callback([&command, &device] {
     resolve_device(command, device);
+    if (device.kind == DeviceKind::gl && command.count("--simd") > 0)
+      throw CLI::ValidationError("--simd", "is of --device cpu: OpenGL chooses its own");
     if (device.kind == DeviceKind::cpu && command.count("--context") > 0)
       throw CLI::ValidationError("--context",
                                  "says where OpenGL comes from, which --device cpu does not use");

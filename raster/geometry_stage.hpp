@@ -1,6 +1,7 @@
 // From a stretch of a chunk to triangles that can be filled.
 #pragma once
 
+#include "raster/simd/kernels.hpp"
 #include "raster/slots.hpp"
 #include "raster/triangle.hpp"
 #include "visibility/screen_bounds.hpp"
@@ -26,6 +27,9 @@ struct GeometryTerms {
   bool orthographic;
   WindowTransform window;
   PictureLimits limits;
+
+  /// For the kernels of an instruction set.
+  TransformTerms of(const PlacedLattice& placed) const;
 
   /// A vertex in clip space, computed in floats (glm::vec4) or, from the same terms, in doubles (glm::dvec4).
   template <typename Position>

@@ -56,23 +56,39 @@ class Shader {
   glm::vec3 light_;
 };
 
-[[gnu::noinline]] void shade_row(const VisibilityBuffer& buffer, const Shader& shader, int y, Rgba* row) {
-  // Neighbours are often of one triangle.
-  uint32_t slot = 0;
-  Rgba color{};
-  bool known = false;
-  for (int x = 0; x < buffer.width(); ++x) {
-    const VisibilityWord word = buffer.word(x, y);
-    if (word == 0) {
-      row[x] = background_bytes;
-      continue;
-    }
-    if (!known || slot_of(word) != slot) {
-      known = true;
-      slot = slot_of(word);
-      color = shader(buffer.find(slot));
-    }
-    row[x] = color;
+/// The colours of triangles that were shaded a short while ago: most show in the row above, too.
+class RecentColors {
+ public:
+  RecentColors(const VisibilityBuffer& buffer, const Shader& shader) : buffer_(buffer), shader_(shader) {
+    // No slot that is looked for in an entry has this number.
+    for (uint32_t i = 0; i < count; ++i) entries_[i].slot = i + 1;
+  }
+  Rgba of(uint32_t slot) {
+    Entry& entry = entries_[slot % count];
+    if (entry.slot != slot) entry = {slot, shader_(buffer_.find(slot))};
+    return entry.color;
+  }
+
+ private:
+  static constexpr uint32_t count = 1024;
+  struct Entry {
+    uint32_t slot;
+    Rgba color;
+  };
+  const VisibilityBuffer& buffer_;
+  const Shader& shader_;
+  std::array<Entry, count> entries_;
+};
+
+[[gnu::noinline]] void shade_row(std::span<const VisibilityWord> words, RecentColors& colors, Rgba* row) {
+  for (size_t x = 0; x < words.size();) {
+    // Neighbours are often of one triangle.
+    const VisibilityWord first = words[x];
+    const Rgba color = first == 0 ? background_bytes : colors.of(slot_of(first));
+    const auto is_same = [first](VisibilityWord word) {
+      return slot_of(word) == slot_of(first) && (word == 0) == (first == 0);
+    };
+    for (; x < words.size() && is_same(words[x]); ++x) row[x] = color;
   }
 }
 
@@ -80,12 +96,13 @@ class Shader {
 
 [[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
   const Shader shader(view);
-  constexpr int rows = 16;
+  constexpr int rows = 32;
   parallel_for(static_cast<size_t>((buffer.height() + rows - 1) / rows), [&](size_t i) {
     const FloatState state;
     const int first = static_cast<int>(i) * rows, end = std::min(first + rows, buffer.height());
+    RecentColors colors(buffer, shader);
     for (int y = first; y < end; ++y)
-      shade_row(buffer, shader, y,
+      shade_row(buffer.row(y), colors,
                 picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width()));
   });
 }

@@ -65,12 +65,12 @@ void set_up_edge(const WindowVertex& from, const WindowVertex& to, size_t edge, 
 bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
             WindowTriangle& triangle) {
   const auto& [a, b, c] = corners;
-  triangle.left = std::max((std::min({a.x, b.x, c.x}) + half - 1) >> subpixel_bits, 0);
-  triangle.right = std::min((std::max({a.x, b.x, c.x}) - half) >> subpixel_bits, limits.width - 1);
-  if (triangle.left > triangle.right) return false;
-  triangle.bottom = std::max((std::min({a.y, b.y, c.y}) + half - 1) >> subpixel_bits, 0);
-  triangle.top = std::min((std::max({a.y, b.y, c.y}) - half) >> subpixel_bits, limits.height - 1);
-  if (triangle.bottom > triangle.top) return false;
+  const PixelBox box = pixel_box(corners, limits);
+  if (box.empty()) return false;
+  triangle.left = box.left;
+  triangle.right = box.right;
+  triangle.bottom = box.bottom;
+  triangle.top = box.top;
   const int64_t area = twice_area(corners);
   if (area == 0) return false;
   // Both sides show; counter-clockwise, the edge functions are positive inside.
@@ -81,6 +81,7 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   const DepthPlaneOf<float> plane = depth_plane<float>(corners);
   triangle.precise.reset();
   triangle.bound = nullptr;
+  triangle.slot = 0;
   triangle.first_x = a.x;
   triangle.first_y = a.y;
   triangle.z = a.depth;

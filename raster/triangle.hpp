@@ -1,9 +1,11 @@
 // A triangle as it is filled: edge functions and depth.
 #pragma once
 
+#include "raster/fill_triangle.hpp"
 #include "raster/window.hpp"
 #include "visibility/depth_bound.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -20,27 +22,15 @@ struct DepthSlopes {
   double x, y;
 };
 
-/// A triangle whose box holds at least one pixel centre of the picture. Pixel (left + i, bottom + j) is
-/// covered where all of edge[k] + step_x[k] · i + step_y[k] · j ≥ 0; an edge's own pixels belong to it where
-/// it is a left or a top one (y up). Its depth there is
-///
-///   clamp((z + slope_y · dy) + slope_x · dx, low, high),   dx, dy: sub-pixels from the first corner
-///
-/// in this order, in floats. Where those might be too coarse, as for slivers and for what the near plane
-/// cuts, `precise` has the slopes, and the depth is computed, in doubles. Where it is not proven to keep the
-/// bound of its piece, `bound` has that, and the farther of both counts.
-struct WindowTriangle {
-  std::array<int64_t, 3> edge;
-  std::array<int32_t, 3> step_x, step_y;
-  int32_t left, right, bottom, top;  ///< pixels, inclusive
-  int32_t first_x, first_y;          ///< the first corner, sub-pixels
-  float z, slope_x, slope_y;         ///< depth there, and what it changes by a sub-pixel
-  float low, high;                   ///< the corners' depths
-  float error;                       ///< what computing its depth at a pixel that it covers may be off by
-  uint32_t slot = 0;
+/// A triangle, and where floats alone do not give its depth. Where they might be too coarse, as for slivers
+/// and for what the near plane cuts, `precise` has the slopes, and the depth is computed, in doubles. Where
+/// it is not proven to keep the bound of its piece, `bound` has that, and the farther of both counts.
+struct WindowTriangle : FillTriangle {
+  float error;  ///< what computing its depth at a pixel that it covers may be off by
   std::optional<DepthSlopes> precise;
   const PixelDepthBound* bound = nullptr;
 
+  bool is_plain() const { return !precise && bound == nullptr; }
   float depth_at(int32_t x, int32_t y) const {
     const int32_t dx = x * subpixels + subpixels / 2 - first_x, dy = y * subpixels + subpixels / 2 - first_y;
     if (precise) return clamped(static_cast<float>((double{z} + precise->y * dy) + precise->x * dx));
@@ -50,6 +40,20 @@ struct WindowTriangle {
  private:
   float clamped(float depth) const { return depth < low ? low : depth > high ? high : depth; }
 };
+
+/// Pixels whose centres lie in the box around a triangle, all inclusive.
+struct PixelBox {
+  int32_t left, right, bottom, top;
+  bool empty() const { return left > right || bottom > top; }
+};
+inline PixelBox pixel_box(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits) {
+  constexpr int32_t half = subpixels / 2;
+  const auto& [a, b, c] = corners;
+  return {std::max((std::min({a.x, b.x, c.x}) + half - 1) >> subpixel_bits, 0),
+          std::min((std::max({a.x, b.x, c.x}) - half) >> subpixel_bits, limits.width - 1),
+          std::max((std::min({a.y, b.y, c.y}) + half - 1) >> subpixel_bits, 0),
+          std::min((std::max({a.y, b.y, c.y}) - half) >> subpixel_bits, limits.height - 1)};
+}
 
 /// False where it covers nothing: it has no area, or lies between pixel centres.
 bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,

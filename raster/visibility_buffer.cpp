@@ -2,6 +2,7 @@
 
 #include "base/threads.hpp"
 #include "raster/float_state.hpp"
+#include "raster/instruction_set.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -117,6 +118,8 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
 }
 
 [[gnu::noinline]] void VisibilityBuffer::fill_rows(int32_t first, int32_t last) {
+  const RasterKernels* kernels = raster_kernels(instruction_set());
+  if (kernels != nullptr && width_ < kernels->min_width) kernels = nullptr;
   for (size_t i = 0; i < batch_.size(); ++i) {
     const StretchTriangles& stretch = triangles_[i];
     if (stretch.bottom > last || stretch.top < first) continue;
@@ -124,9 +127,15 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
       if (triangle.bottom > last || triangle.top < first) continue;
       tiles_.mark(triangle.left, triangle.right, std::max(triangle.bottom, first),
                   std::min(triangle.top, last));
+      const bool by_kernel = kernels != nullptr && triangle.is_plain();
       if (depth_alone_) {
-        fill(triangle, first, last, PixelBuffer<uint32_t>{depths_.data(), width_}, DepthWriter{});
-      } else {
+        if (by_kernel) {
+          kernels->fill_depths(triangle, first, last, depths_.data(), width_);
+        } else {
+          fill(triangle, first, last, PixelBuffer<uint32_t>{depths_.data(), width_}, DepthWriter{});
+        }
+      } else if (!by_kernel || kernels->fill_words(triangle, first, last, words_.data(), width_)) {
+        // Where depths are equal slots are compared; what the kernel has written stays as it is.
         fill(triangle, first, last, PixelBuffer<VisibilityWord>{words_.data(), width_},
              VisibilityWriter{slots_});
       }

@@ -43,6 +43,10 @@ class VisibilityBuffer {
   std::optional<SlotTable::Triangle> triangle(int x, int y) const;
   /// The pixel's word, for those who want to know whether two show the same triangle; 0 where nothing is.
   VisibilityWord word(int x, int y) const { return words_[index(x, y)]; }
+  /// A row of them.
+  std::span<const VisibilityWord> row(int y) const {
+    return std::span(words_).subspan(index(0, y), static_cast<size_t>(width_));
+  }
   SlotTable::Triangle find(uint32_t slot) const { return slots_.find(slot); }
 
  private:

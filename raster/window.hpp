@@ -74,6 +74,11 @@ class WindowTransform {
   /// What |x| and |y| are at most within the guard band, as a share of w.
   float guard_x() const { return guard_x_; }
   float guard_y() const { return guard_y_; }
+  /// From clip space, divided by w, to sub-pixels from the middle; and where that is.
+  float scale_x() const { return scale_x_; }
+  float scale_y() const { return scale_y_; }
+  int32_t middle_x() const { return middle_x_; }
+  int32_t middle_y() const { return middle_y_; }
 
   /// Of a position that is inside.
   WindowVertex apply(const glm::vec4& clip) const {

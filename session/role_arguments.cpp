@@ -3,6 +3,7 @@
 #include "base/inject.hpp"
 #include "base/threads.hpp"
 #include "measure/frame_journal.hpp"
+#include "raster/instruction_set.hpp"
 
 namespace triptych {
 
@@ -24,6 +25,7 @@ Words shared_arguments(const SessionOptions& options, const SessionSetup& setup,
                    options.run.device.test == TestKind::storage ? "storage" : "queries"});
   }
   if (thread_count_limit() > 0) append(words, {"--threads", std::to_string(thread_count_limit())});
+  if (const auto set = forced_instruction_set()) append(words, {"--simd", instruction_set_name(*set)});
   if (!options.timeline.empty()) append(words, {"--timeline"});
   if (!options.record.empty()) append(words, {"--record", options.record.string()});
   if (!key_file.empty()) append(words, {"--key-file", key_file});

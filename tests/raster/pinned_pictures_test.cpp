@@ -3,6 +3,7 @@
 #include "base/hashing.hpp"
 #include "base/threads.hpp"
 #include "lod/cut.hpp"
+#include "raster/instruction_set.hpp"
 #include "raster/raster_device.hpp"
 #include "residency/load_on_demand.hpp"
 #include "tests/support/scenes.hpp"
@@ -62,12 +63,17 @@ TEST(PinnedPictures, are_the_same_bits_on_every_processor_and_with_any_number_of
       {"storeys", 0xdc17953999141fff},   {"triangle", 0x967ae65c48329f7c},
   };
   for (const auto& [name, expected] : pinned) {
-    for (const unsigned threads : {1u, 3u}) {
-      set_thread_count(threads);
-      EXPECT_EQ(checksum_of_pictures(scenes::pack(name)), expected) << name << ", " << threads << " threads";
+    for (const InstructionSet set : instruction_sets_here()) {
+      for (const unsigned threads : {1u, 3u}) {
+        force_instruction_set(set);
+        set_thread_count(threads);
+        EXPECT_EQ(checksum_of_pictures(scenes::pack(name)), expected)
+            << name << ", " << instruction_set_name(set) << ", " << threads << " threads";
+      }
     }
   }
   set_thread_count(0);
+  force_instruction_set(std::nullopt);
   EXPECT_EQ(pinned.size(), scenes::names().size());
 }
 
