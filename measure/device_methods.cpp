@@ -8,6 +8,7 @@
 #include "nodes/injected_rules.hpp"
 #include "nodes/local_pipeline.hpp"
 #include "nodes/picture_stage.hpp"
+#include "visibility/drawable_bounds.hpp"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ void begin_other_view(FrameTarget& target, const Skeleton& skeleton, const Frame
   target.finish();
 }
 
-/// Draws a list of drawables under the frame's view, without looking at what they hide.
+/// Draws a list of drawables under the frame's view.
 class ListMethod : public SpeedMethod {
  public:
   ListMethod(const SpeedDevice& device, std::span<const FrameRequest> frames)
@@ -43,7 +44,7 @@ class ListMethod : public SpeedMethod {
     select_ms_ = stage.milliseconds();
     stage.restart();
     picture_.begin(view, frames_[frame].number);
-    picture_.draw(drawables);
+    draw(view, drawables, picture_);
     picture_.finish();
     draw_ms_ = stage.milliseconds();
   }
@@ -53,6 +54,10 @@ class ListMethod : public SpeedMethod {
  protected:
   /// In draw rank order; good until the next call.
   virtual const std::vector<DrawableId>& list(const FrameView& view) = 0;
+  /// All of them, without looking at what they hide.
+  virtual void draw(const FrameView&, std::span<const DrawableId> drawables, PictureStage& picture) {
+    picture.draw(drawables);
+  }
 
   const Skeleton& skeleton;
 
@@ -64,7 +69,7 @@ class ListMethod : public SpeedMethod {
   double select_ms_ = 0, draw_ms_ = 0;
 };
 
-class FrustumMethod final : public ListMethod {
+class FrustumMethod : public ListMethod {
  public:
   using ListMethod::ListMethod;
   std::string name() const override { return "frustum"; }
@@ -72,6 +77,48 @@ class FrustumMethod final : public ListMethod {
  private:
   const std::vector<DrawableId>& list(const FrameView& view) override { return lister_.list(view); }
   CutLister lister_;
+};
+
+/// The same list, from front to back; what is hidden by those before it is not drawn.
+class FrustumHidepthMethod final : public FrustumMethod {
+ public:
+  FrustumHidepthMethod(const SpeedDevice& device, std::span<const FrameRequest> frames)
+      : FrustumMethod(device, frames), hierarchy_(device.hierarchy) {}
+  std::string name() const override { return "frustum-hidepth"; }
+
+ private:
+  /// So many are tested at once: they hide each other only from batch to batch.
+  static constexpr size_t batch = 64;
+
+  using ListMethod::draw;
+  void draw(const FrameView& view, std::span<const DrawableId> drawables, PictureStage& picture) override {
+    const BoxProjector projector(view, picture.target().margins());
+    for (size_t first = 0; first < drawables.size(); first += batch) {
+      tested_.clear();
+      shown_.clear();
+      rectangles_.clear();
+      ends_.clear();
+      for (const DrawableId id : drawables.subspan(first, std::min(batch, drawables.size() - first))) {
+        const ScreenBounds::Kind kind = append_placement_bounds(hierarchy_, projector, id, rectangles_);
+        if (kind == ScreenBounds::Kind::unbounded) shown_.push_back(id);
+        if (kind != ScreenBounds::Kind::rectangle) continue;
+        tested_.push_back(id);
+        ends_.push_back(static_cast<uint32_t>(rectangles_.size()));
+      }
+      answers_.assign(tested_.size(), 1);
+      picture.target().test(rectangles_, ends_, answers_);
+      for (size_t i = 0; i < tested_.size(); ++i) {
+        if (answers_[i]) shown_.push_back(tested_[i]);
+      }
+      picture.draw(shown_);
+    }
+  }
+
+  const Hierarchy& hierarchy_;
+  std::vector<DrawableId> tested_, shown_;
+  std::vector<ScreenRectangle> rectangles_;
+  std::vector<uint32_t> ends_;
+  std::vector<uint8_t> answers_;
 };
 
 class OracleMethod final : public ListMethod {
@@ -176,6 +223,11 @@ std::unique_ptr<SpeedMethod> make_triptych_method(const SpeedDevice& device,
 std::unique_ptr<SpeedMethod> make_frustum_method(const SpeedDevice& device,
                                                  std::span<const FrameRequest> frames) {
   return std::make_unique<FrustumMethod>(device, frames);
+}
+
+std::unique_ptr<SpeedMethod> make_frustum_hidepth_method(const SpeedDevice& device,
+                                                         std::span<const FrameRequest> frames) {
+  return std::make_unique<FrustumHidepthMethod>(device, frames);
 }
 
 std::unique_ptr<SpeedMethod> make_oracle_method(const SpeedDevice& device,

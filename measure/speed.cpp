@@ -5,6 +5,7 @@
 #include "base/progress.hpp"
 #include "base/signals.hpp"
 #include "measure/model_methods.hpp"
+#include "nodes/device_choice.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -34,6 +35,8 @@ class Contest {
       // The pass loads every chunk that the path draws, for all methods.
       owners_.push_back(owners_of_frames(device, frames));
       if (wants("frustum")) add(make_frustum_method(device, frames));
+      if (wants("frustum-hidepth") && device.name == device_name(DeviceKind::cpu))
+        add(make_frustum_hidepth_method(device, frames));
       if (wants("triptych")) add(make_triptych_method(device, frames));
       if (wants("oracle")) add(make_oracle_method(device, frames, owners_.back()));
     }
@@ -121,7 +124,8 @@ class Contest {
 }  // namespace
 
 const std::vector<std::string>& speed_method_names() {
-  static const std::vector<std::string> names = {"everything", "frustum", "triptych", "oracle", "embree"};
+  static const std::vector<std::string> names = {"everything", "frustum", "frustum-hidepth",
+                                                 "triptych",   "oracle",  "embree"};
   return names;
 }
 

@@ -2,6 +2,7 @@
 
 #include "raster/box_test.hpp"
 #include "raster/float_state.hpp"
+#include "raster/instruction_set.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,8 +150,7 @@ class Scene {
   RasterChunk chunk_;
 };
 
-double pixels_that_depend_on_order() {
-  const Scene one(false), other(true);
+double different_pixels(const Scene& one, const Scene& other) {
   double different = 0;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
@@ -160,6 +160,17 @@ double pixels_that_depend_on_order() {
     }
   }
   return different;
+}
+
+double pixels_that_depend_on_order() { return different_pixels(Scene(false), Scene(true)); }
+
+double pixels_that_depend_on_vectors() {
+  const Scene with_vectors(false);
+  const auto forced = forced_instruction_set();
+  force_instruction_set(InstructionSet::scalar);
+  const Scene without(false);
+  force_instruction_set(forced);
+  return different_pixels(with_vectors, without);
 }
 
 /// Rectangles on pixel borders, a third of them at the very depth that stands at one of their pixels: those
@@ -196,6 +207,7 @@ double hidden_in_front() {
   add("pixels of shared edges not drawn exactly once", fill_rule(), 0, "pixels");
   add("depth is off by at most", depth_rounding(), share_of_depth / 2, "of itself");
   add("pixels that another order of drawing changes", pixels_that_depend_on_order(), 0, "pixels");
+  add("pixels that vectors of this processor change", pixels_that_depend_on_vectors(), 0, "pixels");
   add("boxes in front that the test calls hidden", hidden_in_front(), 0, "of 1000");
   return certificate;
 }

@@ -27,7 +27,7 @@ struct WindowPoints {
   int32_t* inside;
 };
 
-/// Plain functions on plain data: docs/developing.md says why.
+/// Plain functions on plain data, so that their files share no code with others (docs/developing.md).
 struct RasterKernels {
   int32_t min_width;  ///< of pictures, pixels; narrower ones are drawn without
   /// Transforms the first of so many vertices, as many as make whole vectors; how many these are.

@@ -1,5 +1,6 @@
 // What every command line has in common: the words of its flags, and which numbers are none.
 #include "launch/command.hpp"
+#include "raster/instruction_set.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -66,6 +67,26 @@ TEST(CommandLine, the_environment_names_the_device_where_no_flag_does) {
   } catch (const CLI::ValidationError& error) {
     EXPECT_EQ(std::string(error.what()), "TRIPTYCH_DEVICE: \"gpu\" is no device: auto, cpu or gl");
   }
+}
+
+TEST(CommandLine, vector_instructions_are_those_that_the_flag_names) {
+  for (const InstructionSet set : instruction_sets_here()) {
+    device_of("draw --simd " + instruction_set_name(set), nullptr);
+    EXPECT_EQ(forced_instruction_set(), set);
+    EXPECT_EQ(instruction_set(), set);
+  }
+  force_instruction_set(std::nullopt);
+  EXPECT_EQ(instruction_set(), instruction_sets_here().back());
+  EXPECT_THROW(device_of("draw --device gl --simd scalar", nullptr), CLI::ValidationError);
+  force_instruction_set(std::nullopt);
+  try {
+    device_of("draw --simd mmx", nullptr);
+    FAIL() << "no processor of today has them alone";
+  } catch (const CLI::ValidationError& error) {
+    EXPECT_NE(std::string(error.what()).find("has no \"mmx\", but scalar"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(forced_instruction_set(), std::nullopt);
 }
 
 TEST(CommandLine, a_context_that_the_device_does_not_use_is_refused) {

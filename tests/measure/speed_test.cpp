@@ -90,7 +90,7 @@ TEST_F(Speed, each_method_has_every_frame_but_those_of_the_warm_up) {
 
 TEST_F(Speed, the_oracle_draws_no_more_than_triptych_and_that_no_more_than_the_frustum) {
   const std::vector<SpeedSeries> series =
-      measure({.methods = {"oracle", "triptych", "frustum", "everything"}, .warm_up = 0});
+      measure({.methods = {"oracle", "triptych", "frustum", "frustum-hidepth", "everything"}, .warm_up = 0});
   for (const SpeedDevice& on :
        {SpeedDevice{"gl", device.hierarchy(), device.device()}, {"cpu", cpu.hierarchy(), cpu.device()}}) {
     const auto triangles = [&](const std::string& method, size_t frame) {
@@ -107,6 +107,10 @@ TEST_F(Speed, the_oracle_draws_no_more_than_triptych_and_that_no_more_than_the_f
       EXPECT_EQ(triangles("oracle", i), owned);
       EXPECT_LE(owned, triangles("triptych", i));
       EXPECT_LE(triangles("triptych", i), triangles("frustum", i));
+      if (on.name == "cpu") {
+        EXPECT_LE(owned, triangles("frustum-hidepth", i));
+        EXPECT_LE(triangles("frustum-hidepth", i), triangles("frustum", i));
+      }
       EXPECT_LE(triangles("frustum", i), triangles("everything", i));
       oracle += owned;
       frustum += triangles("frustum", i);
@@ -120,7 +124,7 @@ TEST_F(Speed, what_opengl_would_draw_is_null_without_it_and_says_why) {
   const std::vector<SpeedDevice> devices = {{"cpu", cpu.hierarchy(), cpu.device()}};
   const nlohmann::json rows =
       speed_rows(measure_speed(pack, devices, frames, {.no_opengl = "EGL: none here"}));
-  EXPECT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows.size(), 6u);
   for (const nlohmann::json& row : rows) {
     const bool everything = row["method"] == "everything";
     EXPECT_EQ(row["frame_ms"].is_null(), everything) << row;
