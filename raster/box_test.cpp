@@ -1,5 +1,7 @@
 #include "raster/box_test.hpp"
 
+#include "raster/instruction_set.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +36,19 @@ class RectangleTest {
         rectangle_(rectangle),
         strict_(strict),
         columns_(pixels_between(rectangle.left, rectangle.right, buffer.width())),
-        rows_(pixels_between(rectangle.bottom, rectangle.top, buffer.height())) {}
+        rows_(pixels_between(rectangle.bottom, rectangle.top, buffer.height())) {
+    if (kernels_ != nullptr && buffer.width() < kernels_->min_width) kernels_ = nullptr;
+    if (kernels_ == nullptr) return;
+    for (size_t i = 0; i < 4; ++i) {
+      const DepthPlane& plane = rectangle.planes[i];
+      const HalfPlane& cut = rectangle.cuts[i];
+      terms_.planes[i] = {plane.slope.x, plane.slope.y, plane.middle};
+      terms_.cuts[i] = {cut.normal.x, cut.normal.y, cut.offset};
+    }
+    terms_.width = static_cast<float>(buffer.width());
+    terms_.height = static_cast<float>(buffer.height());
+    terms_.strict = strict;
+  }
 
   bool passes() const {
     if (columns_.first > columns_.last || rows_.first > rows_.last) return false;
@@ -88,12 +102,18 @@ class RectangleTest {
   }
 
   bool passes_at_pixels(const PixelRange& columns, const PixelRange& rows) const {
+    if (kernels_ == nullptr) return passes_one_by_one(columns, rows);
+    const PixelRectangle pixels{columns.first, columns.last, rows.first, rows.last};
+    if (!buffer_.depths().empty())
+      return kernels_->test_depths(terms_, buffer_.depths().data(), buffer_.width(), pixels);
+    return kernels_->test_words(terms_, buffer_.words().data(), buffer_.width(), pixels);
+  }
+
+  bool passes_one_by_one(const PixelRange& columns, const PixelRange& rows) const {
     for (int row = rows.first; row <= rows.last; ++row) {
       const float y = centre(row, buffer_.height());
       for (int column = columns.first; column <= columns.last; ++column) {
-        const float there = buffer_.depth(column, row);
-        if (behind(rectangle_.planes[0].middle, there)) continue;
-        const float x = centre(column, buffer_.width());
+        const float there = buffer_.depth(column, row), x = centre(column, buffer_.width());
         const float depth = rectangle_.depth(x, y);
         if (behind(depth, there)) continue;
         if (depth >= 0 && std::all_of(rectangle_.cuts.begin(), rectangle_.cuts.end(),
@@ -108,6 +128,8 @@ class RectangleTest {
   const ScreenRectangle& rectangle_;
   bool strict_;
   PixelRange columns_, rows_;
+  const RasterKernels* kernels_ = raster_kernels(instruction_set());  ///< null where there are none
+  BoxTerms terms_{};                                                  ///< for them
 };
 
 }  // namespace

@@ -117,6 +117,25 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   }
 }
 
+void VisibilityBuffer::fill_depths(const WindowTriangle& triangle, int32_t first, int32_t last,
+                                   const RasterKernels* kernels) {
+  if (kernels != nullptr && triangle.is_plain()) {
+    kernels->fill_depths(triangle, first, last, depths_.data(), width_);
+  } else {
+    fill(triangle, first, last, PixelBuffer<uint32_t>{depths_.data(), width_}, DepthWriter{});
+  }
+}
+
+void VisibilityBuffer::fill_words(const WindowTriangle& triangle, int32_t first, int32_t last,
+                                  const RasterKernels* kernels) {
+  Rows rows{first, last};
+  // Where depths are equal slots are compared; what the kernel has written stays as it is.
+  if (kernels != nullptr && triangle.is_plain())
+    rows = kernels->fill_words(triangle, first, last, words_.data(), width_);
+  fill(triangle, rows.first, rows.last, PixelBuffer<VisibilityWord>{words_.data(), width_},
+       VisibilityWriter{slots_});
+}
+
 [[gnu::noinline]] void VisibilityBuffer::fill_rows(int32_t first, int32_t last) {
   const RasterKernels* kernels = raster_kernels(instruction_set());
   if (kernels != nullptr && width_ < kernels->min_width) kernels = nullptr;
@@ -127,17 +146,10 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
       if (triangle.bottom > last || triangle.top < first) continue;
       tiles_.mark(triangle.left, triangle.right, std::max(triangle.bottom, first),
                   std::min(triangle.top, last));
-      const bool by_kernel = kernels != nullptr && triangle.is_plain();
       if (depth_alone_) {
-        if (by_kernel) {
-          kernels->fill_depths(triangle, first, last, depths_.data(), width_);
-        } else {
-          fill(triangle, first, last, PixelBuffer<uint32_t>{depths_.data(), width_}, DepthWriter{});
-        }
-      } else if (!by_kernel || kernels->fill_words(triangle, first, last, words_.data(), width_)) {
-        // Where depths are equal slots are compared; what the kernel has written stays as it is.
-        fill(triangle, first, last, PixelBuffer<VisibilityWord>{words_.data(), width_},
-             VisibilityWriter{slots_});
+        fill_depths(triangle, first, last, kernels);
+      } else {
+        fill_words(triangle, first, last, kernels);
       }
     }
   }

@@ -37,6 +37,9 @@ class VisibilityBuffer {
   int height() const { return height_; }
   /// Of a pixel; 0 where nothing is.
   float depth(int x, int y) const;
+  /// The pixels, row by row; those of the other kind are empty. A word has the depth's bits above.
+  std::span<const uint32_t> depths() const { return depths_; }
+  std::span<const VisibilityWord> words() const { return words_; }
   /// The farthest depths of tiles, of what is drawn so far.
   const DepthTiles& tiles() const { return tiles_; }
   /// Null where nothing is. Not of a buffer that keeps depth alone.
@@ -56,6 +59,9 @@ class VisibilityBuffer {
   void number(const PlacedStretch& stretch, uint32_t first, uint32_t count);
   void draw_batch(const GeometryTerms& terms);
   void fill_rows(int32_t first, int32_t last);
+  /// Kernels: null where they cannot be used.
+  void fill_depths(const WindowTriangle& triangle, int32_t first, int32_t last, const RasterKernels* kernels);
+  void fill_words(const WindowTriangle& triangle, int32_t first, int32_t last, const RasterKernels* kernels);
 
   int width_, height_;
   bool depth_alone_;

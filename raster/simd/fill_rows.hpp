@@ -1,7 +1,7 @@
 // Filling triangles, some pixels of a row at a time. Included once by the file of each instruction set.
 #pragma once
 
-#include "raster/fill_triangle.hpp"
+#include "raster/simd/kernels.hpp"
 #include "raster/simd/vector.hpp"
 
 namespace triptych {
@@ -10,6 +10,7 @@ namespace {
 /// Writes depths into a row of words that are nothing else.
 struct DepthPixels {
   using Word = uint32_t;
+  [[gnu::always_inline]] void end_row(int32_t) {}
   [[gnu::always_inline]] void write(Word* words, Ints mask, Ints depth) {
     const Ints there = load(words);
     const Ints nearer = (depth > there) & mask;
@@ -17,11 +18,18 @@ struct DepthPixels {
   }
 };
 
-/// Writes words of a depth above a slot. Where depths are equal nothing is written, but `equal` says so.
+/// Writes words of a depth above a slot. Where depths are equal nothing is written, but noted.
 struct VisibilityPixels {
   using Word = uint64_t;
   Ints slot;
-  Ints equal = {};
+  Ints equal = {};  ///< in this row
+  Rows equal_rows = {1, 0};
+  [[gnu::always_inline]] void end_row(int32_t y) {
+    if (!any(equal)) return;
+    equal = Ints{};
+    if (equal_rows.first > equal_rows.last) equal_rows.first = y;
+    equal_rows.last = y;
+  }
   [[gnu::always_inline]] void write(Word* words, Ints mask, Ints depth) {
     const Ints low = load(words), high = load(words + lanes / 2);
     const Ints there = odd(low, high);
@@ -83,6 +91,7 @@ template <typename Pixels>
     if (any(covered)) {
       const auto offset = static_cast<int64_t>(y) * width + x;
       pixels.write(words + offset, covered, row_depth(triangle, y).at(dx));
+      pixels.end_row(y);
     }
     for (int k = 0; k < 3; ++k) edge[k] += triangle.step_y[k];
   }
@@ -127,6 +136,7 @@ template <typename Pixels>
       pixels.write(row + start, (column >= x) & (column <= last),
                    depth.at(column * 256 + (128 - triangle.first_x)));
     }
+    pixels.end_row(y);
   }
 }
 
@@ -149,11 +159,11 @@ void fill_depths(const FillTriangle& triangle, int32_t first_row, int32_t last_r
   fill_rows(triangle, first_row, last_row, words, width, pixels);
 }
 
-bool fill_words(const FillTriangle& triangle, int32_t first_row, int32_t last_row, uint64_t* words,
+Rows fill_words(const FillTriangle& triangle, int32_t first_row, int32_t last_row, uint64_t* words,
                 int32_t width) {
   VisibilityPixels pixels{.slot = splat(static_cast<int32_t>(triangle.slot))};
   fill_rows(triangle, first_row, last_row, words, width, pixels);
-  return any(pixels.equal);
+  return pixels.equal_rows;
 }
 
 }  // namespace
