@@ -63,7 +63,7 @@ const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
   Stopwatch stage;
   occlusion_->begin(frame);
   occlusion_->represent(previous_);
-  occlusion_->finish();
+  if (depth_) occlusion_->finish();  // where it is the picture's target, the picture is not finished yet
   record_.occlusion_representation_ms = stage.milliseconds();
   stage.restart();
   NoSink nobody;
