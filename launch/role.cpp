@@ -24,6 +24,8 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
   role.add_flag(
       "--tell-record", command.tell_record,
       "Print the JSON on standard error, for the session that started this role from another machine");
+  role.add_flag("--keep-trying", command.keep_trying,
+                "Go on searching for peers that do not come in time; the render node draws alone meanwhile");
   role.add_flag("--insecure", command.insecure,
                 "Allow other machines without a key: nothing is encrypted, anybody may take a role");
   role.add_option("--session", command.session, "A number that the roles of one session share")

@@ -66,20 +66,25 @@ std::optional<Ending> Peers::take_up_search(const FrameRequest& next) {
     mailbox_ = search_.get();
   } catch (const Error& error) {
     if (!patient_) throw;
-    notice("{}; goes on waiting", error.what());
+    search_failure_ = error.what();
+    notice("{}; goes on waiting", search_failure_);
     search(first_pause);
     return std::nullopt;
   }
   return mailbox_ ? warm_up(next) : std::nullopt;
 }
 
-std::optional<Ending> Peers::wait(const FrameRequest& first) {
-  patient_ = false;
+std::optional<Ending> Peers::wait(const FrameRequest& first, bool patient) {
+  patient_ = patient;
   std::optional<Ending> failure;
   for (;;) {
     const Awaited<bool> found = look(first);
     if (!found) failure = found.ending();
     if (!found || *found) break;
+    if (!search_failure_.empty()) {
+      failure = Ending{.cause = Ending::Cause::peer_lost, .reason = search_failure_};
+      break;
+    }
     if (stop_()) return Ending{.cause = Ending::Cause::stopped};
     std::this_thread::sleep_for(milliseconds(2));
   }

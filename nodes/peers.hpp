@@ -34,9 +34,10 @@ class Peers {
   /// it; then inbox() is not null, and nothing of the epoch has been sent yet. Where the warm-up fails: why;
   /// the search has begun anew then.
   Awaited<bool> look(const FrameRequest& next);
-  /// Waits until the first epoch may begin; otherwise says why it will not begin soon: its warm-up failed, and
-  /// the search has begun anew, or this process is to end. Throws what Connect throws.
-  [[nodiscard]] std::optional<Ending> wait(const FrameRequest& first);
+  /// Waits until the first epoch may begin; otherwise says why it will not begin soon: its warm-up failed,
+  /// or, if `patient`, Connect did, and the search has begun anew; or this process is to end. If not patient,
+  /// throws what Connect throws.
+  [[nodiscard]] std::optional<Ending> wait(const FrameRequest& first, bool patient);
 
   /// The peers' messages, during an epoch; otherwise null.
   Inbox* inbox() { return inbox_ ? &*inbox_ : nullptr; }
@@ -67,6 +68,7 @@ class Peers {
   std::optional<Inbox> inbox_;
   std::set<Role> ready_;
   bool patient_ = true;                          ///< whether another attempt to find the peers makes sense
+  std::string search_failure_;                   ///< why the last search failed, if one has
   std::chrono::steady_clock::time_point since_;  ///< of the warm-up, or of the epoch
   uint32_t short_epochs_ = 0;                    ///< in a row
   uint64_t epochs_ = 0;

@@ -47,7 +47,7 @@ class RenderNode {
     first_ = source_.next(numbers_.first);
     if (options_.begin_alone) {
       lost_ = "the render node before this one ended";
-    } else if (const auto failure = peers_.wait(*first_)) {
+    } else if (const auto failure = peers_.wait(*first_, options_.patient)) {
       if (failure->cause == Ending::Cause::stopped) return;
       go_on_alone(first_->number, failure->reason);
     }

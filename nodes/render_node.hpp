@@ -21,6 +21,8 @@ struct RenderNodeOptions {
   Peers::Connect connect = {};
   /// Begin without waiting for switch nodes: another render node did so before this one.
   bool begin_alone = false;
+  /// Begin alone, too, where Connect throws before the first epoch, and try again.
+  bool patient = false;
   SessionRules session_rules = {};
   /// Whether this role is to end; asked several times a second.
   std::function<bool()> stop = stop_requested;
@@ -37,8 +39,8 @@ struct RenderNodeSummary {
 /// i+2 is sent when picture i is drawn. Where the visible set of a frame does not arrive in time, or a switch
 /// node is lost, this and the following frames are drawn by the local pipeline in the same context, from the
 /// same cut, until both switch nodes are back; those records say so. A context must be current. Returns after
-/// the last frame, or earlier, after a whole frame, where `stop` says so. Error if the first epoch never
-/// begins.
+/// the last frame, or earlier, after a whole frame, where `stop` says so. Error if Connect throws
+/// before the first epoch and the options are not patient.
 RenderNodeSummary run_render_node(const Pack& pack, FrameSource& source, FrameSink& sink,
                                   const RenderNodeOptions& options);
 

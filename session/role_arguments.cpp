@@ -18,8 +18,8 @@ std::string unmistakable(const std::string& name) { return name.starts_with('-')
 
 Words shared_arguments(const SessionOptions& options, const SessionSetup& setup, const std::string& pack,
                        const std::string& key_file) {
-  Words words = {unmistakable(pack), "--session", std::to_string(setup.session), "--device",
-                 device_name(options.run.device.kind)};
+  Words words = {unmistakable(pack), "--session", std::to_string(setup.session),
+                 "--keep-trying",    "--device",  device_name(options.run.device.kind)};
   if (options.run.device.kind != DeviceKind::cpu) {
     append(words, {"--context", options.run.device.context == ContextKind::egl ? "egl" : "osmesa", "--test",
                    options.run.device.test == TestKind::storage ? "storage" : "queries"});

@@ -16,6 +16,7 @@ struct RoleCommand {
   std::string listen, render_address, switch_0_address;
   std::filesystem::path key_file;
   bool insecure = false, end_with_stdin = false, tell_record = false;
+  bool keep_trying = false;  ///< also where peers do not come in time
   int listen_descriptor = -1;
   CullOptions cull;
   uint64_t session = 0;

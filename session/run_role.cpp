@@ -73,8 +73,9 @@ int run_switch(const RoleCommand& command) {
                                   .cull = command.cull,
                                   .connect =
                                       [&](bool again) {
-                                        return again ? connector.connect_again(stop_requested)
-                                                     : connector.connect(stop_requested);
+                                        return again || command.keep_trying
+                                                   ? connector.connect_again(stop_requested)
+                                                   : connector.connect(stop_requested);
                                       },
                                   .session_rules = injected_rules(command.self)};
   const SwitchNodeSummary done = run_switch_node(pack, command.self, sink, options);
@@ -114,6 +115,7 @@ int run_render(const RoleCommand& command) {
          .cull = command.cull,
          .connect = [&](const std::function<bool()>& stop) { return connector.connect(stop); },
          .begin_alone = command.begin > 0,
+         .patient = command.keep_trying,
          .session_rules = injected_rules(Role::render)});
   }
   RoleRecord record = sink.finish();

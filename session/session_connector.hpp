@@ -28,7 +28,8 @@ class SessionConnector {
   /// session. Error if the peers are not found.
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const;
 
-  /// Connects after a loss: tries again as long as the render node can be reached. Error if a peer differs.
+  /// Tries again as long as the render node can be reached: after a loss, or where the command keeps trying.
+  /// Error if a peer differs.
   std::unique_ptr<Mailbox> connect_again(const std::function<bool()>& stop) const;
 
   /// Records a frame that the render node drew by itself, as a camera that it sent to itself.

@@ -124,7 +124,8 @@ class RelayedRoles : public SessionRecovery {
  protected:
   /// disturb: is given the relay and the second switch node.
   void play(const std::function<void(Relay&, const Program&)>& disturb,
-            const std::vector<std::string>& more = {}) {
+            const std::vector<std::string>& more = {},
+            std::chrono::milliseconds after = std::chrono::milliseconds(1200)) {
     const int port = 12000 + 2 * (::getpid() % 8000);
     const std::string listen = "127.0.0.1:" + std::to_string(port),
                       other = "127.0.0.1:" + std::to_string(port + 1);
@@ -138,7 +139,7 @@ class RelayedRoles : public SessionRecovery {
         with({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render}, more));
     Program switch_1(
         with({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other}, more));
-    wait(std::chrono::milliseconds(1200));
+    wait(after);
     disturb(relay, switch_1);
     EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
     EXPECT_EQ(switch_0.wait(), 0) << switch_0.errors();
@@ -182,6 +183,16 @@ TEST_F(RelayedRoles, wait_for_one_that_stays_away_for_longer_than_they_search) {
         switch_1.signal(SIGCONT);
       },
       {"--connect-timeout", "0.6"});
+}
+
+TEST_F(RelayedRoles, that_keep_trying_begin_without_one_that_hangs_from_the_start) {
+  play(
+      [](Relay&, const Program& switch_1) {
+        switch_1.signal(SIGSTOP);
+        wait(std::chrono::milliseconds(2500));
+        switch_1.signal(SIGCONT);
+      },
+      {"--connect-timeout", "0.6", "--keep-trying"}, std::chrono::milliseconds(0));
 }
 
 TEST_F(SessionRecovery, roles_killed_and_paused_at_random_leave_nothing_wrong) {
