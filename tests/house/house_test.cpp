@@ -237,7 +237,7 @@ const std::vector<std::string> places = {
     R"(launch/(packages\.txt|compile|demo|install))",
     R"(cmake/[\w-]+\.cmake|cmake/precompiled/\w+\.[ch]pp)",
     R"(docs/[\w-]+\.(md|png)|docs/hard-cases/\w+\.png)",
-    R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_names|fuzz/run))",
+    R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_names|fuzz/run|raster/no_weak_symbols))",
     R"(tests/fuzz/findings/README\.md|tests/fuzz/findings/\w+/[\w.-]+)"};
 
 TEST(House, everything_lies_in_its_place_and_no_note_was_left_behind) {
