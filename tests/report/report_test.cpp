@@ -241,9 +241,15 @@ TEST_F(ReportFiles, the_page_tells_each_fault_and_when_it_was_mended) {
                      {"back_at_frame", nullptr}}};
   change("walk", walk);
   const std::string page = report_page(load());
-  for (const char* part : {"switch node 1 lost: &lt;closed&gt;", grouped(1234).c_str(), "5.68", ">56<",
-                           ">789<", grouped(1290).c_str(), "too late", grouped(2345).c_str()})
-    EXPECT_TRUE(holds(page, part)) << part;
+  const std::vector<std::string> parts = {"switch node 1 lost: &lt;closed&gt;",
+                                          grouped(1234),
+                                          "5.68",
+                                          ">56<",
+                                          ">789<",
+                                          grouped(1290),
+                                          "too late",
+                                          grouped(2345)};
+  for (const std::string& part : parts) EXPECT_TRUE(holds(page, part)) << part;
 }
 
 TEST_F(ReportFiles, targets_follow_the_figures_of_their_runs) {
