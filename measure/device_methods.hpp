@@ -30,8 +30,8 @@ std::unique_ptr<SpeedMethod> make_triptych_method(const SpeedDevice& device,
 /// `frustum`: the whole cut in draw rank order, without a test of drawables or boxes.
 std::unique_ptr<SpeedMethod> make_frustum_method(const SpeedDevice& device,
                                                  std::span<const FrameRequest> frames);
-/// `frustum-hidepth`: the same cut in the same order; drawables whose boxes are behind what is drawn so far are
-/// passed over. For devices where that is known without a round trip.
+/// `frustum-hidepth`: the same cut in the same order; drawables whose boxes are behind what is drawn so far
+/// are passed over. For devices where that is known without a round trip.
 std::unique_ptr<SpeedMethod> make_frustum_hidepth_method(const SpeedDevice& device,
                                                          std::span<const FrameRequest> frames);
 /// `oracle`: exactly the given drawables, as if somebody had known them before: what no exact culling on this

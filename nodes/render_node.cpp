@@ -50,6 +50,8 @@ class RenderNode {
     } else if (const auto failure = peers_.wait(*first_, options_.patient)) {
       if (failure->cause == Ending::Cause::stopped) return;
       go_on_alone(first_->number, failure->reason);
+    } else {
+      notice("render node: both switch nodes are here");
     }
     clock_.restart();
     while (next_release_ < numbers_.count || !released_.empty()) {
