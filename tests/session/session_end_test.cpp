@@ -88,7 +88,7 @@ TEST_F(SessionEnd, a_signal_ends_every_role_in_good_order) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
     EXPECT_FALSE(program.anybody_left());
     EXPECT_TRUE(program.complaints().empty()) << program.errors();
-    for (const char* done : {"render node: ", "switch node 0: ", "switch node 1: "})
+    for (const char* done : {"of them by itself", "switch node 0: ", "switch node 1: "})
       EXPECT_NE(program.errors().find(done), std::string::npos) << "what it had done: " << program.errors();
     EXPECT_GE(json_of(json)["frames"], 4);
     expect_whole_pictures();
