@@ -88,7 +88,7 @@ Position GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk& 
           clip.depth.x, -eye_z};
 }
 
-TransformTerms GeometryTerms::of(const PlacedLattice& placed) const {
+TransformTerms GeometryTerms::transform_terms(const PlacedLattice& placed) const {
   TransformTerms terms{.rows = {},
                        .cell = {placed.cell.x, placed.cell.y, placed.cell.z},
                        .frustum = {clip.frustum.x, clip.frustum.y, clip.frustum.z, clip.frustum.w},
@@ -114,7 +114,7 @@ void transform_vertices(const GeometryTerms& terms, const PlacedLattice& placed,
   vertices.resize(count);
   size_t first = 0;
   if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
-    first = static_cast<size_t>(kernels->transform_vertices(terms.of(placed),
+    first = static_cast<size_t>(kernels->transform_vertices(terms.transform_terms(placed),
                                                             {chunk.x.data(), chunk.y.data(), chunk.z.data()},
                                                             static_cast<int32_t>(count), vertices.points()));
   }

@@ -29,7 +29,7 @@ struct GeometryTerms {
   PictureLimits limits;
 
   /// For the kernels of an instruction set.
-  TransformTerms of(const PlacedLattice& placed) const;
+  TransformTerms transform_terms(const PlacedLattice& placed) const;
 
   /// A vertex in clip space, computed in floats (glm::vec4) or, from the same terms, in doubles (glm::dvec4).
   template <typename Position>

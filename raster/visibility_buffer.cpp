@@ -62,8 +62,9 @@ float VisibilityBuffer::depth(int x, int y) const {
 }
 
 std::optional<SlotTable::Triangle> VisibilityBuffer::triangle(int x, int y) const {
-  if (word(x, y) == 0) return std::nullopt;
-  return slots_.find(slot_of(word(x, y)));
+  const VisibilityWord word = words_[index(x, y)];
+  if (word == 0) return std::nullopt;
+  return slots_.find(slot_of(word));
 }
 
 void VisibilityBuffer::draw(const GeometryTerms& terms, std::span<const PlacedStretch> stretches) {

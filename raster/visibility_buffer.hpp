@@ -44,9 +44,7 @@ class VisibilityBuffer {
   const DepthTiles& tiles() const { return tiles_; }
   /// Null where nothing is. Not of a buffer that keeps depth alone.
   std::optional<SlotTable::Triangle> triangle(int x, int y) const;
-  /// The pixel's word, for those who want to know whether two show the same triangle; 0 where nothing is.
-  VisibilityWord word(int x, int y) const { return words_[index(x, y)]; }
-  /// A row of them.
+  /// The words of a row: equal slots are the same triangle; 0 where nothing is.
   std::span<const VisibilityWord> row(int y) const {
     return std::span(words_).subspan(index(0, y), static_cast<size_t>(width_));
   }

@@ -1,16 +1,8 @@
 // Compiled for this instruction set: no code that other files share may be instantiated here.
-#include "raster/simd/fill_rows.hpp"
-#include "raster/simd/kernels.hpp"
-#include "raster/simd/test_pixels.hpp"
-#include "raster/simd/transform_vertices.hpp"
+#include "raster/simd/kernels_here.hpp"
 
 namespace triptych {
 
-extern const RasterKernels avx2_kernels = {.min_width = lanes,
-                                           .transform_vertices = transform_vertices,
-                                           .fill_depths = fill_depths,
-                                           .fill_words = fill_words,
-                                           .test_depths = test_depths,
-                                           .test_words = test_words};
+extern const RasterKernels avx2_kernels = kernels_here;
 
 }  // namespace triptych

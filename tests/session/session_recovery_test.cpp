@@ -187,7 +187,7 @@ TEST_F(RelayedRoles, wait_for_one_that_stays_away_for_longer_than_they_search) {
         wait(std::chrono::milliseconds(3000));
         switch_1.signal(SIGCONT);
       },
-      {"--connect-timeout", "0.6"});
+      {"--connect-timeout", "1", "--keep-trying"});
 }
 
 TEST_F(RelayedRoles, that_keep_trying_begin_without_one_that_hangs_from_the_start) {
@@ -197,7 +197,7 @@ TEST_F(RelayedRoles, that_keep_trying_begin_without_one_that_hangs_from_the_star
         wait(std::chrono::milliseconds(2500));
         switch_1.signal(SIGCONT);
       },
-      {"--connect-timeout", "0.6", "--keep-trying"}, std::chrono::milliseconds(0));
+      {"--connect-timeout", "1", "--keep-trying"}, std::chrono::milliseconds(0));
 }
 
 TEST_F(SessionRecovery, roles_killed_and_paused_at_random_leave_nothing_wrong) {
