@@ -116,8 +116,7 @@ TEST_F(SessionEnd, a_session_that_ignores_hangups_goes_on) {
   ::kill(-program.pid(), SIGHUP);
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   EXPECT_EQ(program.errors().find("told to end"), std::string::npos) << program.errors();
-  EXPECT_EQ(program.errors().find("by itself"), std::string::npos)
-      << "it has ended: " << program.errors();
+  EXPECT_EQ(program.errors().find("by itself"), std::string::npos) << "it has ended: " << program.errors();
   program.signal(SIGTERM);
   EXPECT_EQ(program.wait(std::chrono::seconds(30)), 0) << program.errors();
 }
