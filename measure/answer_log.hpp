@@ -33,6 +33,7 @@ class AnswerRecorder final : public FrameTarget {
   void draw_lines(std::span<const ScreenLine> lines) override { target_.draw_lines(lines); }
   std::vector<uint8_t> read_colors() const override { return target_.read_colors(); }
   std::vector<uint32_t> read_items() const override { return target_.read_items(); }
+  std::span<const uint8_t> colors_in_memory() const override { return target_.colors_in_memory(); }
   bool copy_to_window(int width, int height) const override { return target_.copy_to_window(width, height); }
 
  private:

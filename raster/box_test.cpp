@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace triptych {
 
@@ -26,32 +27,29 @@ float centre(int pixel, int size) {
   return (2 * static_cast<float>(pixel) + 1) / static_cast<float>(size) - 1;
 }
 
+/// The pixels whose centres a rectangle holds.
+struct Extent {
+  PixelRange columns, rows;
+  Extent(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle)
+      : columns(pixels_between(rectangle.left, rectangle.right, buffer.width())),
+        rows(pixels_between(rectangle.bottom, rectangle.top, buffer.height())) {}
+  bool empty() const { return columns.first > columns.last || rows.first > rows.last; }
+};
+
 /// The test of one rectangle. Where whole tiles decide, they do: in IEEE arithmetic sums and products are
 /// monotone in each operand, so that what a plane gives at the outermost pixel centres of a tile bounds, to
 /// the bit, what it gives at those between them.
 class RectangleTest {
  public:
-  RectangleTest(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, bool strict)
+  RectangleTest(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, const Extent& extent,
+                bool strict)
       : buffer_(buffer),
         rectangle_(rectangle),
         strict_(strict),
-        columns_(pixels_between(rectangle.left, rectangle.right, buffer.width())),
-        rows_(pixels_between(rectangle.bottom, rectangle.top, buffer.height())) {
-    if (kernels_ != nullptr && buffer.width() < kernels_->min_width) kernels_ = nullptr;
-    if (kernels_ == nullptr) return;
-    for (size_t i = 0; i < 4; ++i) {
-      const DepthPlane& plane = rectangle.planes[i];
-      const HalfPlane& cut = rectangle.cuts[i];
-      terms_.planes[i] = {plane.slope.x, plane.slope.y, plane.middle};
-      terms_.cuts[i] = {cut.normal.x, cut.normal.y, cut.offset};
-    }
-    terms_.width = static_cast<float>(buffer.width());
-    terms_.height = static_cast<float>(buffer.height());
-    terms_.strict = strict;
-  }
+        columns_(extent.columns),
+        rows_(extent.rows) {}
 
   bool passes() const {
-    if (columns_.first > columns_.last || rows_.first > rows_.last) return false;
     for (int y = rows_.first / DepthTiles::block; y <= rows_.last / DepthTiles::block; ++y) {
       for (int x = columns_.first / DepthTiles::block; x <= columns_.last / DepthTiles::block; ++x) {
         if (!behind(rectangle_.planes[0].middle, buffer_.tiles().farthest_of_block(x, y)) &&
@@ -102,14 +100,6 @@ class RectangleTest {
   }
 
   bool passes_at_pixels(const PixelRange& columns, const PixelRange& rows) const {
-    if (kernels_ == nullptr) return passes_one_by_one(columns, rows);
-    const PixelRectangle pixels{columns.first, columns.last, rows.first, rows.last};
-    if (!buffer_.depths().empty())
-      return kernels_->test_depths(terms_, buffer_.depths().data(), buffer_.width(), pixels);
-    return kernels_->test_words(terms_, buffer_.words().data(), buffer_.width(), pixels);
-  }
-
-  bool passes_one_by_one(const PixelRange& columns, const PixelRange& rows) const {
     for (int row = rows.first; row <= rows.last; ++row) {
       const float y = centre(row, buffer_.height());
       for (int column = columns.first; column <= columns.last; ++column) {
@@ -128,14 +118,34 @@ class RectangleTest {
   const ScreenRectangle& rectangle_;
   bool strict_;
   PixelRange columns_, rows_;
-  const RasterKernels* kernels_ = raster_kernels(instruction_set());  ///< null where there are none
-  BoxTerms terms_{};                                                  ///< for them
 };
+
+/// Planes of both kinds have the layout of PlaneTerms.
+template <typename Planes>
+void copy_planes(const Planes& planes, PlaneTerms (&terms)[4]) {
+  static_assert(sizeof planes == sizeof terms);
+  std::memcpy(terms, planes.data(), sizeof terms);
+}
+
+bool passes_with(const RasterKernels& kernels, const VisibilityBuffer& buffer,
+                 const ScreenRectangle& rectangle, const Extent& extent, bool strict) {
+  BoxTerms terms;
+  copy_planes(rectangle.planes, terms.planes);
+  copy_planes(rectangle.cuts, terms.cuts);
+  terms.strict = strict;
+  return kernels.test_box(terms,
+                          {extent.columns.first, extent.columns.last, extent.rows.first, extent.rows.last},
+                          buffer.source());
+}
 
 }  // namespace
 
 bool may_show(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, bool strict) {
-  return RectangleTest(buffer, rectangle, strict).passes();
+  const Extent extent(buffer, rectangle);
+  if (extent.empty()) return false;
+  if (const RasterKernels* const kernels = raster_kernels(instruction_set()))
+    return passes_with(*kernels, buffer, rectangle, extent, strict);
+  return RectangleTest(buffer, rectangle, extent, strict).passes();
 }
 
 }  // namespace triptych

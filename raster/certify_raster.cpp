@@ -1,12 +1,14 @@
 #include "raster/certify_raster.hpp"
 
 #include "raster/box_test.hpp"
+#include "raster/fill.hpp"
 #include "raster/float_state.hpp"
 #include "raster/instruction_set.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <optional>
 #include <random>
 
 namespace triptych {
@@ -42,11 +44,6 @@ double snapping() {
   return furthest;
 }
 
-struct Counter {
-  using Word = int;
-  void write(Word& word, float, uint32_t) const { ++word; }
-};
-
 /// A grid of triangles whose inner corners lie anywhere: pixels that are not drawn exactly once.
 double fill_rule() {
   constexpr size_t cells = 24;
@@ -67,7 +64,8 @@ double fill_rule() {
   const auto draw = [&](size_t a, size_t b, size_t c) {
     WindowTriangle triangle;
     if (set_up({corners[a], corners[b], corners[c]}, limits, triangle))
-      fill(triangle, 0, side - 1, PixelBuffer<int>{counts.data(), side}, Counter{});
+      for_each_pixel(triangle, 0, side - 1,
+                     [&](int32_t x, int32_t y, float) { ++counts[static_cast<size_t>(y * side + x)]; });
   };
   for (size_t y = 0; y < cells; ++y) {
     for (size_t x = 0; x < cells; ++x) {
@@ -116,16 +114,17 @@ class Scene {
     skeleton_.scene_nodes.push_back({.box = {glm::ivec3(-100000), glm::ivec3(100000)}});
     View view{.camera = {}, .width = side, .height = side};
     const FrameView frame(skeleton_, {view});
+    Chunk chunk;
     for (uint32_t i = 0; i < 300; ++i) {
       for (uint32_t corner = 0; corner < 3; ++corner) {
-        chunk_.x.push_back(static_cast<int32_t>(numbers.number(-4096, 4096)));
-        chunk_.y.push_back(static_cast<int32_t>(numbers.number(-4096, 4096)));
-        chunk_.z.push_back(i % 3 == 0 ? -3000 : static_cast<int32_t>(numbers.number(-9000, -1500)));
-        chunk_.piece.push_back(0);
-        chunk_.corners.push_back(3 * i + corner);
+        const auto x = static_cast<int32_t>(numbers.number(-4096, 4096)),
+                   y = static_cast<int32_t>(numbers.number(-4096, 4096)),
+                   z = i % 3 == 0 ? -3000 : static_cast<int32_t>(numbers.number(-9000, -1500));
+        chunk.vertices.push_back({{x, y, z}});
+        chunk.indices.push_back(3 * i + corner);
       }
-      chunk_.color.push_back(0);
     }
+    chunk_.emplace(chunk);
     const BoxProjector projector(frame, raster_margins);
     const GeometryTerms terms(frame, projector);
     LatticePlacer placer(skeleton_);
@@ -133,7 +132,7 @@ class Scene {
     std::vector<PlacedStretch> stretches;
     for (uint32_t i = 0; i < 300; ++i) {
       stretches.push_back({.rank = {i / 10, i},
-                           .chunk = &chunk_,
+                           .chunk = &*chunk_,
                            .first_triangle = i,
                            .triangle_count = 1,
                            .placed = placer.place(0, 0),
@@ -147,7 +146,7 @@ class Scene {
 
  private:
   Skeleton skeleton_;
-  RasterChunk chunk_;
+  std::optional<RasterChunk> chunk_;
 };
 
 double different_pixels(const Scene& one, const Scene& other) {

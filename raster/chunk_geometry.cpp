@@ -1,25 +1,13 @@
 #include "raster/chunk_geometry.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace triptych {
 
 namespace {
 
-RasterChunk convert(const Chunk& chunk) {
-  RasterChunk result;
-  for (const ChunkVertex& vertex : chunk.vertices) {
-    result.x.push_back(vertex.point.x);
-    result.y.push_back(vertex.point.y);
-    result.z.push_back(vertex.point.z);
-    result.piece.push_back(static_cast<uint8_t>(vertex.piece));
-  }
-  result.corners = chunk.indices;
-  // Colours are of triangles: as in OpenGL, the last corner's.
-  for (size_t i = 2; i < chunk.indices.size(); i += 3)
-    result.color.push_back(chunk.vertices[chunk.indices[i]].color);
-  return result;
-}
+constexpr uint32_t block = 64;  ///< triangles
 
 template <typename Value>
 uint64_t bytes_of(const std::vector<Value>& values) {
@@ -28,9 +16,41 @@ uint64_t bytes_of(const std::vector<Value>& values) {
 
 }  // namespace
 
+RasterChunk::RasterChunk(const Chunk& chunk) {
+  for (const ChunkVertex& vertex : chunk.vertices) {
+    x.push_back(vertex.point.x);
+    y.push_back(vertex.point.y);
+    z.push_back(vertex.point.z);
+    piece.push_back(static_cast<uint8_t>(vertex.piece));
+  }
+  for (size_t i = 0; i + 2 < chunk.indices.size(); i += 3) {
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t vertex = chunk.indices[i + k];
+      corner[k].push_back(vertex);
+      if (i % (3 * block) == 0 && k == 0) ranges_.push_back({vertex, vertex});
+      VertexRange& range = ranges_.back();
+      range = {std::min(range.first, vertex), std::max(range.last, vertex)};
+    }
+    // Colours are of triangles: as in OpenGL, the last corner's.
+    color.push_back(chunk.vertices[chunk.indices[i + 2]].color);
+  }
+  for (auto* const values : {&x, &y, &z}) values->resize(values->size() + spare_vertices);
+  for (auto& values : corner) values.resize(values.size() + spare_vertices);
+}
+
+RasterChunk::VertexRange RasterChunk::vertices(uint32_t first_triangle, uint32_t triangle_count) const {
+  VertexRange result{vertex_count(), 0};
+  if (triangle_count == 0) return result;
+  for (uint32_t i = first_triangle / block; i <= (first_triangle + triangle_count - 1) / block; ++i)
+    result = {std::min(result.first, ranges_[i].first), std::max(result.last, ranges_[i].last)};
+  return result;
+}
+
 uint64_t RasterChunk::bytes() const {
-  return sizeof *this + bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(piece) + bytes_of(corners) +
-         bytes_of(color);
+  uint64_t sum = sizeof *this + bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(piece) + bytes_of(color) +
+                 bytes_of(ranges_);
+  for (const auto& values : corner) sum += bytes_of(values);
+  return sum;
 }
 
 ChunkGeometry::ChunkGeometry(const Skeleton& skeleton, Residency& residency)
@@ -41,7 +61,7 @@ void ChunkGeometry::require(std::span<const DrawItem> items) {
     if (chunks_[item.chunk]) continue;
     residency_.request(item.chunk, 0);
     residency_.pump(std::numeric_limits<double>::infinity());
-    auto chunk = std::make_unique<const RasterChunk>(convert(*residency_.pin(item.chunk)));
+    auto chunk = std::make_unique<const RasterChunk>(*residency_.pin(item.chunk));
     residency_.unpin(item.chunk);
     residency_.evict(item.chunk);  // it has its place here now
     bytes_ += chunk->bytes();

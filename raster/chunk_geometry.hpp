@@ -11,13 +11,28 @@
 
 namespace triptych {
 
-struct RasterChunk {
-  std::vector<int32_t> x, y, z;   ///< of each vertex, on the chunk's lattice
-  std::vector<uint8_t> piece;     ///< of each vertex, index into the chunk's pieces
-  std::vector<uint32_t> corners;  ///< three a triangle: indices of vertices
-  std::vector<uint32_t> color;    ///< of each triangle, index into the palette
+/// What vertices lead to, so that vectors can be read at the last of them.
+inline constexpr size_t spare_vertices = 16;
 
+class RasterChunk {
+ public:
+  explicit RasterChunk(const Chunk& chunk);
+
+  uint32_t vertex_count() const { return static_cast<uint32_t>(piece.size()); }
+  /// The vertices of some triangles, and perhaps others: from first to last, both included.
+  struct VertexRange {
+    uint32_t first, last;
+  };
+  VertexRange vertices(uint32_t first_triangle, uint32_t triangle_count) const;
   uint64_t bytes() const;
+
+  std::vector<int32_t> x, y, z;     ///< of each vertex, on the chunk's lattice; and spare ones
+  std::vector<uint8_t> piece;       ///< of each vertex, index into the chunk's pieces
+  std::vector<uint32_t> corner[3];  ///< of each triangle: indices of vertices; and spare ones
+  std::vector<uint32_t> color;      ///< of each triangle, index into the palette
+
+ private:
+  std::vector<VertexRange> ranges_;  ///< of blocks of triangles
 };
 
 /// The chunks that were asked for so far.

@@ -1,6 +1,7 @@
 #include "raster/depth_tiles.hpp"
 
 #include "base/threads.hpp"
+#include "raster/instruction_set.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,16 +13,14 @@ namespace {
 
 int divide_up(int a, int b) { return (a + b - 1) / b; }
 
-uint32_t depth_bits(uint32_t word) { return word; }
-uint32_t depth_bits(uint64_t word) { return static_cast<uint32_t>(word >> 32); }
+/// What vectors may read beyond the last tile.
+constexpr size_t spare = 16;
 
-/// Positive floats are ordered as their bits are. `whole`: a tile's width, known to the compiler.
-template <int whole, typename Word>
-uint32_t least_bits(const Word* words, size_t stride, int width, int height) {
+/// Positive floats are ordered as their bits are.
+uint32_t least_bits(const uint32_t* depths, size_t stride, int width, int height) {
   uint32_t least = std::numeric_limits<uint32_t>::max();
-  for (int y = 0; y < height; ++y, words += stride) {
-    for (int x = 0; x < (whole > 0 ? whole : width); ++x) least = std::min(least, depth_bits(words[x]));
-  }
+  for (int y = 0; y < height; ++y, depths += stride)
+    least = std::min(least, *std::min_element(depths, depths + width));
   return least;
 }
 
@@ -34,41 +33,58 @@ DepthTiles::DepthTiles(int width, int height)
       rows_(divide_up(height, tile)),
       block_columns_(divide_up(columns_, tiles_of_block)),
       block_rows_(divide_up(rows_, tiles_of_block)),
-      tiles_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_)),
+      tiles_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_) + spare),
       blocks_(static_cast<size_t>(block_columns_) * static_cast<size_t>(block_rows_)),
       marked_(tiles_.size()),
-      row_marked_(static_cast<size_t>(rows_)) {}
+      row_touched_(static_cast<size_t>(rows_)) {}
 
 void DepthTiles::clear() {
   std::fill(tiles_.begin(), tiles_.end(), 0.0f);
   std::fill(blocks_.begin(), blocks_.end(), 0.0f);
   std::fill(marked_.begin(), marked_.end(), uint8_t{0});
-  std::fill(row_marked_.begin(), row_marked_.end(), uint8_t{0});
+  std::fill(row_touched_.begin(), row_touched_.end(), uint8_t{0});
+}
+
+void DepthTiles::touch_rows(int bottom, int top) {
+  std::fill(row_touched_.begin() + bottom / tile, row_touched_.begin() + top / tile + 1, uint8_t{1});
 }
 
 void DepthTiles::mark(int left, int right, int bottom, int top) {
   const int first = left / tile, last = right / tile;
   for (int y = bottom / tile; y <= top / tile; ++y) {
-    row_marked_[static_cast<size_t>(y)] = 1;
     uint8_t* const row = marked_.data() + at(0, y);
     std::fill(row + first, row + last + 1, uint8_t{1});
   }
 }
 
-template <typename Word>
-bool DepthTiles::refresh_row(std::span<const Word> words, int tile_y) {
-  uint8_t& marked = row_marked_[static_cast<size_t>(tile_y)];
-  if (!marked) return false;
-  marked = 0;
-  const auto stride = static_cast<size_t>(width_);
+void DepthTiles::hand_out(FillTarget& target) {
+  target.tiles = tiles_.data();
+  target.marked = marked_.data();
+  target.columns = columns_;
+}
+
+void DepthTiles::hand_out(DepthSource& source) const {
+  source.tiles = tiles_.data();
+  source.columns = columns_;
+  source.blocks = blocks_.data();
+  source.block_columns = block_columns_;
+}
+
+bool DepthTiles::refresh_row(const PixelPlane& depths, int tile_y) {
+  uint8_t& touched = row_touched_[static_cast<size_t>(tile_y)];
+  if (!touched) return false;
+  touched = 0;
+  const RasterKernels* const kernels = raster_kernels(instruction_set());
   const int height = std::min(tile, height_ - tile_y * tile);
-  const Word* const row = words.data() + static_cast<size_t>(tile_y) * tile * stride;
+  const uint32_t* const row = depths.row(tile_y * tile).data();
   for (int x = 0; x < columns_; ++x) {
     if (!marked_[at(x, tile_y)]) continue;
     marked_[at(x, tile_y)] = 0;
     const int width = std::min(tile, width_ - x * tile);
-    const uint32_t bits = width == tile ? least_bits<tile>(row + x * tile, stride, tile, height)
-                                        : least_bits<0>(row + x * tile, stride, width, height);
+    const bool whole = width == tile && height == tile && kernels != nullptr;
+    const uint32_t bits =
+        whole ? kernels->least_of_tile(row + x * tile, depths.stride())
+              : least_bits(row + x * tile, static_cast<size_t>(depths.stride()), width, height);
     tiles_[at(x, tile_y)] = std::bit_cast<float>(bits);
   }
   return true;
@@ -86,24 +102,20 @@ void DepthTiles::refresh_blocks(int block_y) {
   }
 }
 
-template <typename Word>
-void DepthTiles::refresh(std::span<const Word> words) {
+void DepthTiles::refresh(const PixelPlane& depths) {
   const auto refresh_row_of_blocks = [&](size_t i) {
     const int block_y = static_cast<int>(i), first = block_y * tiles_of_block;
     bool changed = false;
-    for (int y = first; y < std::min(first + tiles_of_block, rows_); ++y) changed |= refresh_row(words, y);
+    for (int y = first; y < std::min(first + tiles_of_block, rows_); ++y) changed |= refresh_row(depths, y);
     if (changed) refresh_blocks(block_y);
   };
   // Waking other threads takes longer than a small picture.
   constexpr size_t worth_sharing = size_t{1} << 20;
-  if (words.size() >= worth_sharing) {
+  if (static_cast<size_t>(width_) * static_cast<size_t>(height_) >= worth_sharing) {
     parallel_for(static_cast<size_t>(block_rows_), refresh_row_of_blocks);
   } else {
     for (int i = 0; i < block_rows_; ++i) refresh_row_of_blocks(static_cast<size_t>(i));
   }
 }
-
-template void DepthTiles::refresh(std::span<const uint32_t>);
-template void DepthTiles::refresh(std::span<const uint64_t>);
 
 }  // namespace triptych

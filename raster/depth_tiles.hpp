@@ -1,8 +1,11 @@
 // The farthest depth of each tile of a picture: what is behind it is hidden in the whole tile.
 #pragma once
 
+#include "raster/fill_triangle.hpp"
+#include "raster/pixel_plane.hpp"
+#include "raster/simd/kernels.hpp"
+
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace triptych {
@@ -20,12 +23,16 @@ class DepthTiles {
 
   /// Nothing is drawn.
   void clear();
-  /// Pixels, all inclusive, in which something may have been drawn. Threads may mark different rows of tiles.
+  // Threads may work at different rows of tiles.
+  /// Rows of pixels, inclusive, in which something is going to be drawn.
+  void touch_rows(int bottom, int top);
+  /// Pixels, all inclusive, in which something may have been drawn; their rows are touched.
   void mark(int left, int right, int bottom, int top);
-  /// Looks at the marked tiles again. words: one a pixel, rows from bottom to top, with the bits of a
-  /// positive float in their upper 32 bits (uint64_t), or no more than these (uint32_t).
-  template <typename Word>
-  void refresh(std::span<const Word> words);
+  /// Looks at the marked tiles again. depths: the bits of positive floats.
+  void refresh(const PixelPlane& depths);
+  /// For kernels, which mark and refresh by themselves.
+  void hand_out(FillTarget& target);
+  void hand_out(DepthSource& source) const;
 
   float farthest(int tile_x, int tile_y) const { return tiles_[at(tile_x, tile_y)]; }
   float farthest_of_block(int block_x, int block_y) const {
@@ -37,19 +44,17 @@ class DepthTiles {
   size_t at(int tile_x, int tile_y) const {
     return static_cast<size_t>(tile_y) * static_cast<size_t>(columns_) + static_cast<size_t>(tile_x);
   }
-  template <typename Word>
-  bool refresh_row(std::span<const Word> words, int tile_y);
+  bool refresh_row(const PixelPlane& depths, int tile_y);
   void refresh_blocks(int block_y);
 
   int width_, height_;
   int columns_, rows_;  ///< of tiles
   int block_columns_, block_rows_;
-  std::vector<float> tiles_, blocks_;
-  std::vector<uint8_t> marked_;      ///< of each tile
-  std::vector<uint8_t> row_marked_;  ///< of each row of tiles
+  /// Some more of them than there are: kernels read whole vectors.
+  std::vector<float> tiles_;
+  std::vector<float> blocks_;
+  std::vector<uint8_t> marked_;       ///< of each tile
+  std::vector<uint8_t> row_touched_;  ///< of each row of tiles
 };
-
-extern template void DepthTiles::refresh(std::span<const uint32_t>);
-extern template void DepthTiles::refresh(std::span<const uint64_t>);
 
 }  // namespace triptych

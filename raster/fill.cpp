@@ -39,4 +39,20 @@ RowSpan row_span(const WindowTriangle& triangle, int32_t row) {
   return span;
 }
 
+void fill(const WindowTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target) {
+  for_each_pixel(triangle, first_row, last_row, [&](int32_t x, int32_t y, float depth) {
+    if (!(depth > 0)) return;
+    const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(target.stride) + static_cast<size_t>(x);
+    uint32_t& there = target.depths[pixel];
+    const auto bits = std::bit_cast<uint32_t>(depth);
+    if (bits < there) return;
+    if (target.slots != nullptr) {
+      uint32_t& slot = target.slots[pixel];
+      if (bits == there && !target.precedes(target.order, triangle.slot, slot)) return;
+      slot = triangle.slot;
+    }
+    there = bits;
+  });
+}
+
 }  // namespace triptych

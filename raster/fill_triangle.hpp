@@ -5,13 +5,21 @@
 
 namespace triptych {
 
+/// The depth that pixels of a piece may have at most: PixelDepthBound as plain numbers.
+struct DepthLimit {
+  float x[3], y[3], at[3];
+  float nearest;
+};
+
 /// A triangle whose box holds at least one pixel centre of the picture. Pixel (left + i, bottom + j) is
 /// covered where all of edge[k] + step_x[k] · i + step_y[k] · j ≥ 0; an edge's own pixels belong to it where
 /// it is a left or a top one (y up). Its depth there is
 ///
 ///   clamp((z + slope_y · dy) + slope_x · dx, low, high),   dx, dy: sub-pixels from the first corner
 ///
-/// in this order, in floats.
+/// in this order, in floats. Where those might be too coarse, as for slivers and for what the near plane
+/// cuts, it is `precise`: the sum is made in doubles, of the precise slopes, and rounded to a float once.
+/// Where it is not proven to keep the limit of its piece, `limit` has that, and the farther of both counts.
 struct FillTriangle {
   int64_t edge[3];
   int32_t step_x[3], step_y[3];
@@ -20,6 +28,24 @@ struct FillTriangle {
   float z, slope_x, slope_y;         ///< depth there, and what it changes by a sub-pixel
   float low, high;                   ///< the corners' depths
   uint32_t slot;
+  bool precise;
+  double precise_x, precise_y;
+  const DepthLimit* limit;  ///< or null
+};
+
+/// What triangles are filled into (PixelPlane).
+struct FillTarget {
+  int32_t width, height, stride;
+  uint32_t* depths;  ///< the bits of positive floats; 0 where nothing was drawn
+  uint32_t* slots;   ///< of the triangles that show, or null; without meaning where nothing was drawn
+  /// The farthest depths of tiles of 8 × 8 pixels, `columns` in a row of them (DepthTiles). `marked` are
+  /// those that may hold less than what is there.
+  float* tiles;
+  uint8_t* marked;
+  int32_t columns;
+  /// Which slot wins where depths are equal.
+  const void* order;
+  bool (*precedes)(const void* order, uint32_t slot, uint32_t other);
 };
 
 }  // namespace triptych

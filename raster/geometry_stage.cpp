@@ -9,55 +9,61 @@ namespace triptych {
 
 namespace {
 
-/// The vertices of a chunk in the window: WindowPoints with room.
-struct StageVertices {
+/// Vertices of a chunk in the window, and which of its triangles may be seen. Keeps its room.
+struct Stage {
   std::vector<int32_t> x, y;
   std::vector<float> depth;
-  std::vector<int32_t> inside;
+  std::vector<uint32_t> candidates;
 
-  void resize(size_t count) {
-    x.resize(count);
-    y.resize(count);
-    depth.resize(count);
-    inside.resize(count);
+  void make_room(size_t vertex_count, size_t triangle_count) {
+    const auto grow = [](auto& values, size_t count) {
+      if (values.size() < count) values.resize(count);
+    };
+    grow(x, vertex_count + spare_vertices);
+    grow(y, vertex_count + spare_vertices);
+    grow(depth, vertex_count + spare_vertices);
+    grow(candidates, triangle_count);
   }
-  WindowPoints points() { return {x.data(), y.data(), depth.data(), inside.data()}; }
+  WindowPoints from(size_t vertex) { return {x.data() + vertex, y.data() + vertex, depth.data() + vertex}; }
   WindowVertex operator[](uint32_t i) const { return {x[i], y[i], depth[i]}; }
 };
 
-/// Of corners that are so far behind the bound, at least. Where all of them are behind each plane by more
+/// Wider ones are filled first, and hide many of the others.
+constexpr int32_t large_width = 16;  // pixels
+
+/// Of corners that are so far behind the limit, at least. Where all of them are behind each plane by more
 /// than the depth may be off, so is what lies between them.
-void hold_to(const PixelDepthBound& bound, float least_slack, WindowTriangle& triangle) {
-  if (!(least_slack >= triangle.error)) triangle.bound = &bound;
+void hold_to(const DepthLimit& limit, float least_slack, WindowTriangle& triangle) {
+  if (!(least_slack >= triangle.error)) triangle.limit = &limit;
 }
 
 void add(const WindowTriangle& triangle, StretchTriangles& result) {
-  if (result.triangles.empty()) {
+  if (result.bottom > result.top) {
     result.bottom = triangle.bottom;
     result.top = triangle.top;
   }
   result.bottom = std::min(result.bottom, triangle.bottom);
   result.top = std::max(result.top, triangle.top);
-  result.triangles.push_back(triangle);
+  (triangle.right - triangle.left < large_width ? result.small : result.large).push_back(triangle);
 }
 
 void add_window(const GeometryTerms& terms, const std::array<WindowVertex, 3>& window, uint32_t slot,
-                const PixelDepthBound& bound, StretchTriangles& result) {
+                const DepthLimit& limit, StretchTriangles& result) {
   WindowTriangle triangle;
   if (!set_up(window, terms.limits, triangle)) return;
   triangle.slot = slot;
-  hold_to(bound, std::min({slack(bound, window[0]), slack(bound, window[1]), slack(bound, window[2])}),
+  hold_to(limit, std::min({slack(limit, window[0]), slack(limit, window[1]), slack(limit, window[2])}),
           triangle);
   add(triangle, result);
 }
 
 void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& corners, uint32_t slot,
-                 const PixelDepthBound& bound, StretchTriangles& result) {
+                 const DepthLimit& limit, StretchTriangles& result) {
   const ClippedPolygon polygon = clip_triangle(corners, terms.window);
   for (size_t i = 2; i < polygon.count; ++i) {
     const std::array<WindowVertex, 3> window = {polygon.corners[0], polygon.corners[i - 1],
                                                 polygon.corners[i]};
-    add_window(terms, window, slot, bound, result);
+    add_window(terms, window, slot, limit, result);
   }
 }
 
@@ -109,54 +115,85 @@ TransformTerms GeometryTerms::transform_terms(const PlacedLattice& placed) const
 namespace {
 
 void transform_vertices(const GeometryTerms& terms, const PlacedLattice& placed, const RasterChunk& chunk,
-                        StageVertices& vertices) {
-  const size_t count = chunk.x.size();
-  vertices.resize(count);
-  size_t first = 0;
+                        const RasterChunk::VertexRange& range, Stage& stage) {
   if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
-    first = static_cast<size_t>(kernels->transform_vertices(terms.transform_terms(placed),
-                                                            {chunk.x.data(), chunk.y.data(), chunk.z.data()},
-                                                            static_cast<int32_t>(count), vertices.points()));
+    const size_t first = range.first;
+    kernels->transform_vertices(terms.transform_terms(placed),
+                                {chunk.x.data() + first, chunk.y.data() + first, chunk.z.data() + first},
+                                static_cast<int32_t>(range.last - range.first + 1), stage.from(first));
+    return;
   }
-  for (size_t i = first; i < count; ++i) {
+  for (size_t i = range.first; i <= range.last; ++i) {
     const auto position = terms.to_clip<glm::vec4>(placed, chunk, i);
-    vertices.inside[i] = terms.window.is_inside(position) ? -1 : 0;
-    if (!vertices.inside[i]) continue;
+    if (!terms.window.is_inside(position)) {
+      stage.x[i] = outside_x;
+      continue;
+    }
     const WindowVertex vertex = terms.window.apply(position);
-    vertices.x[i] = vertex.x;
-    vertices.y[i] = vertex.y;
-    vertices.depth[i] = vertex.depth;
+    stage.x[i] = vertex.x;
+    stage.y[i] = vertex.y;
+    stage.depth[i] = vertex.depth;
   }
+}
+
+bool is_outside(const std::array<WindowVertex, 3>& corners) {
+  return corners[0].x == outside_x || corners[1].x == outside_x || corners[2].x == outside_x;
+}
+
+/// Triangles of a range that may cover a pixel, or have to be clipped: their numbers in `stage.candidates`.
+size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, const DepthSource& drawn,
+                       Stage& stage) {
+  const RasterChunk& chunk = *range.chunk;
+  const auto corners = [&](size_t k) { return chunk.corner[k].data() + range.first_triangle; };
+  if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
+    return static_cast<size_t>(kernels->find_candidates(stage.from(0), {corners(0), corners(1), corners(2)},
+                                                        static_cast<int32_t>(range.triangle_count), drawn,
+                                                        stage.candidates.data()));
+  }
+  size_t found = 0;
+  for (uint32_t i = 0; i < range.triangle_count; ++i) {
+    const std::array<WindowVertex, 3> window = {stage[corners(0)[i]], stage[corners(1)[i]],
+                                                stage[corners(2)[i]]};
+    if (is_outside(window) || !pixel_box(window, terms.limits).empty()) stage.candidates[found++] = i;
+  }
+  return found;
 }
 
 }  // namespace
 
 [[gnu::noinline]] void make_triangles(const GeometryTerms& terms, const DrawnRange& range,
-                                      std::span<const LatticeBox> pieces, StretchTriangles& result) {
-  result.triangles.clear();
-  result.bounds.clear();
+                                      std::span<const LatticeBox> pieces, const DepthSource& drawn,
+                                      StretchTriangles& result) {
+  result.small.clear();
+  result.large.clear();
+  result.limits.clear();
   result.bottom = 0;
   result.top = -1;
-  for (const LatticeBox& piece : pieces) result.bounds.push_back(terms.projector->pixel_bound(piece));
+  if (range.triangle_count == 0) return;
+  for (const LatticeBox& piece : pieces)
+    result.limits.push_back(depth_limit(terms.projector->pixel_bound(piece)));
   const RasterChunk& chunk = *range.chunk;
-  static thread_local StageVertices vertices;
-  transform_vertices(terms, range.placed, chunk, vertices);
-  for (uint32_t i = 0; i < range.triangle_count; ++i) {
-    const uint32_t* corners = &chunk.corners[3 * size_t{range.first_triangle + i}];
-    const PixelDepthBound& bound = result.bounds[chunk.piece[corners[0]]];
-    if (!(vertices.inside[corners[0]] & vertices.inside[corners[1]] & vertices.inside[corners[2]])) {
-      std::array<ClipCorner, 3> positions;
-      for (size_t k = 0; k < 3; ++k) {
-        positions[k] = {terms.to_clip<glm::vec4>(range.placed, chunk, corners[k]),
-                        terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k])};
-      }
-      add_clipped(terms, positions, range.first_slot + i, bound, result);
+  static thread_local Stage stage;
+  stage.make_room(chunk.vertex_count(), range.triangle_count);
+  transform_vertices(terms, range.placed, chunk, chunk.vertices(range.first_triangle, range.triangle_count),
+                     stage);
+  const size_t found = find_candidates(terms, range, drawn, stage);
+  for (size_t candidate = 0; candidate < found; ++candidate) {
+    const uint32_t i = stage.candidates[candidate], triangle = range.first_triangle + i;
+    const std::array<uint32_t, 3> corners = {chunk.corner[0][triangle], chunk.corner[1][triangle],
+                                             chunk.corner[2][triangle]};
+    const DepthLimit& limit = result.limits[chunk.piece[corners[0]]];
+    const std::array<WindowVertex, 3> window = {stage[corners[0]], stage[corners[1]], stage[corners[2]]};
+    if (!is_outside(window)) {
+      add_window(terms, window, range.first_slot + i, limit, result);
       continue;
     }
-    const std::array<WindowVertex, 3> window = {vertices[corners[0]], vertices[corners[1]],
-                                                vertices[corners[2]]};
-    if (pixel_box(window, terms.limits).empty()) continue;  // most of them
-    add_window(terms, window, range.first_slot + i, bound, result);
+    std::array<ClipCorner, 3> positions;
+    for (size_t k = 0; k < 3; ++k) {
+      positions[k] = {terms.to_clip<glm::vec4>(range.placed, chunk, corners[k]),
+                      terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k])};
+    }
+    add_clipped(terms, positions, range.first_slot + i, limit, result);
   }
 }
 

@@ -13,9 +13,9 @@ namespace triptych {
 
 /// What one stretch of triangles becomes. Keeps its room from use to use.
 struct StretchTriangles {
-  std::vector<WindowTriangle> triangles;  ///< with their slots
-  std::vector<PixelDepthBound> bounds;    ///< of the chunk's pieces; triangles point to them
-  int32_t bottom = 0, top = -1;           ///< rows that any of them has pixels in
+  std::vector<WindowTriangle> small, large;  ///< with their slots
+  std::vector<DepthLimit> limits;            ///< of the chunk's pieces; triangles point to them
+  int32_t bottom = 0, top = -1;              ///< rows that any of them has pixels in
 };
 
 /// What is the same for all that is drawn into one picture.
@@ -36,9 +36,10 @@ struct GeometryTerms {
   Position to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
 };
 
-/// range: numbered. pieces: boxes of the chunk's pieces, placed. Depths of `triangles` keep the bounds of
-/// their piece: by a proof, or by WindowTriangle::bound. A function of its arguments alone.
+/// range: numbered. pieces: boxes of the chunk's pieces, placed. Depths of `triangles` keep the limits of
+/// their piece: by a proof, or by FillTriangle::limit. Those that lie behind what is drawn already may be
+/// left out. A function of its arguments alone.
 void make_triangles(const GeometryTerms& terms, const DrawnRange& range, std::span<const LatticeBox> pieces,
-                    StretchTriangles& result);
+                    const DepthSource& drawn, StretchTriangles& result);
 
 }  // namespace triptych

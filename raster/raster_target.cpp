@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 
 namespace triptych {
 
@@ -30,21 +29,26 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
 
 [[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables,
                                              VisibilityBuffer& buffer) {
+  // Front to back, so that tiles hide what comes later; the result is the same in any order.
+  ranks_.clear();
+  for (const DrawableId id : drawables) ranks_.push_back(draw_rank(skeleton_, view_->cell, id));
+  std::sort(ranks_.begin(), ranks_.end());
   items_.clear();
-  for (const DrawableId id : drawables) representation_.append(id, items_);
+  for (const DrawRank& rank : ranks_) representation_.append(rank.id, items_);
   geometry_.require(items_);
   stretches_.clear();
   uint64_t triangles = 0;
+  auto rank = ranks_.begin();
   for (const DrawItem& item : items_) {
     const bool same = !stretches_.empty() && stretches_.back().rank.id == item.drawable;
-    PlacedStretch stretch{
-        .rank = same ? stretches_.back().rank : draw_rank(skeleton_, view_->cell, item.drawable),
-        .part = same ? stretches_.back().part + 1 : 0,
-        .chunk = &geometry_.chunk(item.chunk),
-        .first_triangle = item.first_index / 3,
-        .triangle_count = item.index_count / 3,
-        .placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice),
-        .pieces = item.pieces};
+    while (rank->id != item.drawable) ++rank;
+    PlacedStretch stretch{.rank = *rank,
+                          .part = same ? stretches_.back().part + 1 : 0,
+                          .chunk = &geometry_.chunk(item.chunk),
+                          .first_triangle = item.first_index / 3,
+                          .triangle_count = item.index_count / 3,
+                          .placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice),
+                          .pieces = item.pieces};
     triangles += stretch.triangle_count;
     stretches_.push_back(stretch);
   }
@@ -90,20 +94,23 @@ void RasterTarget::draw(std::span<const DrawableId> drawables) {
 void RasterTarget::test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
                         std::span<uint8_t> visible) {
   const bool strict = !view_->rules.non_strict_test;
-  const auto test_one = [&](size_t i) {
+  const auto test_some = [&](size_t begin, size_t end) {
     const FloatState state;
-    const size_t first = i == 0 ? 0 : ends[i - 1];
-    const auto own = rectangles.subspan(first, ends[i] - first);
-    visible[i] = std::any_of(own.begin(), own.end(), [&](const ScreenRectangle& rectangle) {
-      return may_show(buffer_, rectangle, strict);
-    });
+    for (size_t i = begin; i < end; ++i) {
+      const size_t first = i == 0 ? 0 : ends[i - 1];
+      const auto own = rectangles.subspan(first, ends[i] - first);
+      visible[i] = std::any_of(own.begin(), own.end(), [&](const ScreenRectangle& rectangle) {
+        return may_show(buffer_, rectangle, strict);
+      });
+    }
   };
   // Few tests take less time than waking other threads.
-  constexpr size_t worth_sharing = 64;
+  constexpr size_t worth_sharing = 128, share = 32;
   if (ends.size() >= worth_sharing) {
-    parallel_for(ends.size(), test_one);
+    parallel_for((ends.size() + share - 1) / share,
+                 [&](size_t i) { test_some(i * share, std::min((i + 1) * share, ends.size())); });
   } else {
-    for (size_t i = 0; i < ends.size(); ++i) test_one(i);
+    test_some(0, ends.size());
   }
 }
 
@@ -128,12 +135,15 @@ void RasterTarget::draw_lines(std::span<const ScreenLine> lines) {
   triptych::draw_lines(lines, width(), height(), picture_);
 }
 
-std::vector<uint8_t> RasterTarget::read_colors() const {
+std::span<const uint8_t> RasterTarget::colors_in_memory() const {
   assert(has_colors());
   make_picture();
-  std::vector<uint8_t> colors(picture_.size() * sizeof(Rgba));
-  std::memcpy(colors.data(), picture_.data(), colors.size());
-  return colors;
+  return {reinterpret_cast<const uint8_t*>(picture_.data()), picture_.size() * sizeof(Rgba)};
+}
+
+std::vector<uint8_t> RasterTarget::read_colors() const {
+  const std::span<const uint8_t> colors = colors_in_memory();
+  return {colors.begin(), colors.end()};
 }
 
 std::vector<uint32_t> RasterTarget::read_items() const {

@@ -2,6 +2,7 @@
 
 #include "base/threads.hpp"
 #include "raster/float_state.hpp"
+#include "raster/instruction_set.hpp"
 #include "visibility/shading.hpp"
 
 #include <algorithm>
@@ -20,10 +21,9 @@ class Shader {
 
   Rgba operator()(const SlotTable::Triangle& shown) const {
     const RasterChunk& chunk = *shown.range->chunk;
-    const uint32_t* corners = &chunk.corners[3 * size_t{shown.triangle}];
+    const uint32_t from = chunk.corner[0][shown.triangle];
     // Differences of lattice points are exact.
     const auto edge = [&](uint32_t to) {
-      const uint32_t from = corners[0];
       const auto x = static_cast<float>(chunk.x[to] - chunk.x[from]),
                  y = static_cast<float>(chunk.y[to] - chunk.y[from]),
                  z = static_cast<float>(chunk.z[to] - chunk.z[from]);
@@ -31,7 +31,8 @@ class Shader {
       const PlacedLattice& placed = shown.range->placed;
       return glm::vec3(along(placed.rows[0]), along(placed.rows[1]), along(placed.rows[2]));
     };
-    const float lit = light_of(glm::cross(scaled(edge(corners[1])), scaled(edge(corners[2]))));
+    const float lit = light_of(glm::cross(scaled(edge(chunk.corner[1][shown.triangle])),
+                                          scaled(edge(chunk.corner[2][shown.triangle]))));
     Rgba color{0, 0, 0, 255};
     const std::array<uint8_t, 4>& base = palette_[chunk.color[shown.triangle]];
     for (size_t i = 0; i < 3; ++i) color[i] = to_byte(static_cast<float>(base[i]) / 255.0f * lit);
@@ -80,15 +81,27 @@ class RecentColors {
   std::array<Entry, count> entries_;
 };
 
-[[gnu::noinline]] void shade_row(std::span<const VisibilityWord> words, RecentColors& colors, Rgba* row) {
-  for (size_t x = 0; x < words.size();) {
-    // Neighbours are often of one triangle.
-    const VisibilityWord first = words[x];
-    const Rgba color = first == 0 ? background_bytes : colors.of(slot_of(first));
-    const auto is_same = [first](VisibilityWord word) {
-      return slot_of(word) == slot_of(first) && (word == 0) == (first == 0);
-    };
-    for (; x < words.size() && is_same(words[x]); ++x) row[x] = color;
+size_t run_length(const RasterKernels* kernels, std::span<const uint32_t> depths,
+                  std::span<const uint32_t> slots) {
+  if (kernels != nullptr)
+    return static_cast<size_t>(
+        kernels->run_length(depths.data(), slots.data(), static_cast<int32_t>(depths.size())));
+  size_t x = 1;
+  while (x < depths.size() && (depths[x] == 0) == (depths[0] == 0) &&
+         (depths[0] == 0 || slots[x] == slots[0]))
+    ++x;
+  return x;
+}
+
+[[gnu::noinline]] void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
+                                 RecentColors& colors, Rgba* row) {
+  const RasterKernels* const kernels = raster_kernels(instruction_set());
+  // Neighbours are often of one triangle.
+  for (size_t x = 0; x < depths.size();) {
+    const Rgba color = depths[x] == 0 ? background_bytes : colors.of(slots[x]);
+    const size_t end = x + run_length(kernels, depths.subspan(x), slots.subspan(x));
+    std::fill(row + x, row + end, color);
+    x = end;
   }
 }
 
@@ -102,7 +115,7 @@ class RecentColors {
     const int first = static_cast<int>(i) * rows, end = std::min(first + rows, buffer.height());
     RecentColors colors(buffer, shader);
     for (int y = first; y < end; ++y)
-      shade_row(buffer.row(y), colors,
+      shade_row(buffer.depths(y), buffer.slots(y), colors,
                 picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width()));
   });
 }

@@ -47,20 +47,26 @@ bool SlotTable::precedes(uint32_t slot, uint32_t other) const {
   return key(slot) < key(other);
 }
 
-void SlotTable::compact(std::span<VisibilityWord> words) {
+void SlotTable::compact(const PixelPlane& depths, PixelPlane& slots) {
+  const auto for_each_slot = [&](const auto& visit) {
+    for (int y = 0; y < slots.height(); ++y) {
+      const auto held = depths.row(y);
+      const auto row = slots.row(y);
+      for (size_t x = 0; x < row.size(); ++x) {
+        if (held[x] != 0) visit(row[x]);
+      }
+    }
+  };
   scratch_.clear();
-  for (const VisibilityWord word : words) {
-    if (word != 0) scratch_.push_back(slot_of(word));
-  }
+  for_each_slot([&](uint32_t slot) { scratch_.push_back(slot); });
   std::sort(scratch_.begin(), scratch_.end());
   scratch_.erase(std::unique(scratch_.begin(), scratch_.end()), scratch_.end());
   std::vector<Kept> kept;
   for (const uint32_t slot : scratch_) kept.push_back(name_of(slot));
-  for (VisibilityWord& word : words) {
-    if (word == 0) continue;
-    const auto at = std::lower_bound(scratch_.begin(), scratch_.end(), slot_of(word));
-    word = (word & ~VisibilityWord{0xffffffffu}) | static_cast<uint32_t>(at - scratch_.begin());
-  }
+  for_each_slot([&](uint32_t& slot) {
+    const auto at = std::lower_bound(scratch_.begin(), scratch_.end(), slot);
+    slot = static_cast<uint32_t>(at - scratch_.begin());
+  });
   kept_ = std::move(kept);
   compacted_ = ranges_.size();
   next_slot_ = kept_.size();

@@ -3,6 +3,7 @@
 
 #include "lod/draw_rank.hpp"
 #include "raster/chunk_geometry.hpp"
+#include "raster/pixel_plane.hpp"
 #include "visibility/vertex_terms.hpp"
 
 #include <cstdint>
@@ -22,11 +23,6 @@ struct DrawnRange {
   PlacedLattice placed = {};
 };
 
-/// A pixel of the visibility buffer: reversed depth above (a positive float, whose bits order as it does), a
-/// slot below; 0 where nothing was drawn.
-using VisibilityWord = uint64_t;
-inline uint32_t slot_of(VisibilityWord word) { return static_cast<uint32_t>(word); }
-
 /// Numbers the triangles of a frame in the order of drawing: a slot each. Where depths are equal, slots are
 /// compared by what they stand for, so that the picture is a function of what was drawn, and not of the
 /// order.
@@ -40,8 +36,9 @@ class SlotTable {
   uint64_t left() const { return max_slots_ - next_slot_; }
   /// Numbers them; their first slot. Precondition: triangle_count <= left().
   uint32_t add(DrawnRange range);
-  /// Gives new, low numbers to the slots that the buffer names, and forgets the others.
-  void compact(std::span<VisibilityWord> words);
+  /// Gives new, low numbers to the slots of pixels that hold something (whose depth is not 0), and forgets
+  /// the others.
+  void compact(const PixelPlane& depths, PixelPlane& slots);
 
   struct Triangle {
     const DrawnRange* range;

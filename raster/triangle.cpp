@@ -79,8 +79,9 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   set_up_edge(second, third, 1, triangle);
   set_up_edge(third, a, 2, triangle);
   const DepthPlaneOf<float> plane = depth_plane<float>(corners);
-  triangle.precise.reset();
-  triangle.bound = nullptr;
+  triangle.precise = false;
+  triangle.precise_x = triangle.precise_y = 0;
+  triangle.limit = nullptr;
   triangle.slot = 0;
   triangle.first_x = a.x;
   triangle.first_y = a.y;
@@ -92,20 +93,33 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   triangle.high = std::max({a.depth, b.depth, c.depth});
   if (!(triangle.error <= max_float_error * triangle.low)) {
     const DepthPlaneOf<double> precise = depth_plane<double>(corners);
-    triangle.precise = {precise.slope_x, precise.slope_y};
+    triangle.precise = true;
+    triangle.precise_x = precise.slope_x;
+    triangle.precise_y = precise.slope_y;
     triangle.error = static_cast<float>(precise.error) + 2 * unit_roundoff<float> * triangle.high;
   }
   return true;
 }
 
-float slack(const PixelDepthBound& bound, const WindowVertex& corner) {
-  const float x = static_cast<float>(corner.x) / subpixels, y = static_cast<float>(corner.y) / subpixels;
-  float least = bound.at.w - corner.depth;
+DepthLimit depth_limit(const PixelDepthBound& bound) {
+  DepthLimit limit;
   for (int i = 0; i < 3; ++i) {
-    const float along_x = bound.x[i] * x, along_y = bound.y[i] * y;
+    limit.x[i] = bound.x[i];
+    limit.y[i] = bound.y[i];
+    limit.at[i] = bound.at[i];
+  }
+  limit.nearest = bound.at.w;
+  return limit;
+}
+
+float slack(const DepthLimit& limit, const WindowVertex& corner) {
+  const float x = static_cast<float>(corner.x) / subpixels, y = static_cast<float>(corner.y) / subpixels;
+  float least = limit.nearest - corner.depth;
+  for (int i = 0; i < 3; ++i) {
+    const float along_x = limit.x[i] * x, along_y = limit.y[i] * y;
     const float rounding = 4 * unit_roundoff<float> *
-                           (std::abs(along_x) + std::abs(along_y) + std::abs(bound.at[i]) + corner.depth);
-    const float behind = ((along_x + along_y) + bound.at[i]) - corner.depth - rounding;
+                           (std::abs(along_x) + std::abs(along_y) + std::abs(limit.at[i]) + corner.depth);
+    const float behind = ((along_x + along_y) + limit.at[i]) - corner.depth - rounding;
     least = behind < least ? behind : least;
   }
   return least;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 
 namespace triptych {
 
@@ -17,23 +16,14 @@ struct PictureLimits {
   int width = 0, height = 0;
 };
 
-/// How the depth of a triangle changes by a sub-pixel.
-struct DepthSlopes {
-  double x, y;
-};
-
-/// A triangle, and where floats alone do not give its depth. Where they might be too coarse, as for slivers
-/// and for what the near plane cuts, `precise` has the slopes, and the depth is computed, in doubles. Where
-/// it is not proven to keep the bound of its piece, `bound` has that, and the farther of both counts.
+/// A triangle, and what computing its depth at a pixel that it covers may be off by.
 struct WindowTriangle : FillTriangle {
-  float error;  ///< what computing its depth at a pixel that it covers may be off by
-  std::optional<DepthSlopes> precise;
-  const PixelDepthBound* bound = nullptr;
+  float error;
 
-  bool is_plain() const { return !precise && bound == nullptr; }
+  /// Without its limit.
   float depth_at(int32_t x, int32_t y) const {
     const int32_t dx = x * subpixels + subpixels / 2 - first_x, dy = y * subpixels + subpixels / 2 - first_y;
-    if (precise) return clamped(static_cast<float>((double{z} + precise->y * dy) + precise->x * dx));
+    if (precise) return clamped(static_cast<float>((double{z} + precise_y * dy) + precise_x * dx));
     return clamped((z + slope_y * static_cast<float>(dy)) + slope_x * static_cast<float>(dx));
   }
 
@@ -59,15 +49,16 @@ inline PixelBox pixel_box(const std::array<WindowVertex, 3>& corners, const Pict
 bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
             WindowTriangle& triangle);
 
-/// How far behind the bound a corner lies, at least, in depth; negative in front of it.
-float slack(const PixelDepthBound& bound, const WindowVertex& corner);
+DepthLimit depth_limit(const PixelDepthBound& bound);
+/// How far behind the limit a corner lies, at least, in depth; negative in front of it.
+float slack(const DepthLimit& limit, const WindowVertex& corner);
 
-/// The depth that the bound allows at the centre of a pixel.
-inline float bound_at(const PixelDepthBound& bound, int32_t x, int32_t y) {
+/// The depth that the limit allows at the centre of a pixel.
+inline float limit_at(const DepthLimit& limit, int32_t x, int32_t y) {
   const float px = static_cast<float>(x) + 0.5f, py = static_cast<float>(y) + 0.5f;
-  float depth = bound.at.w;
+  float depth = limit.nearest;
   for (int i = 0; i < 3; ++i) {
-    const float plane = (bound.x[i] * px + bound.y[i] * py) + bound.at[i];
+    const float plane = (limit.x[i] * px + limit.y[i] * py) + limit.at[i];
     depth = plane < depth ? plane : depth;
   }
   return depth;

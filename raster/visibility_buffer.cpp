@@ -13,7 +13,7 @@ namespace triptych {
 namespace {
 
 /// Triangles that are set up before they are filled: what stays in the processor's caches.
-constexpr uint64_t batch_size = 16384;
+constexpr uint64_t batch_size = 4096;
 /// Fewer are not worth waking other threads.
 constexpr uint64_t worth_sharing = 1024;
 /// Bands are whole tiles of so many rows.
@@ -38,44 +38,34 @@ VisibilityBuffer::VisibilityBuffer(int width, int height, bool depth_alone, uint
     : width_(width),
       height_(height),
       depth_alone_(depth_alone),
+      depths_(width, height),
+      slots_(depth_alone ? PixelPlane() : PixelPlane(width, height)),
       tiles_(width, height),
-      slots_(
-          std::max<uint64_t>(max_slots, static_cast<uint64_t>(width) * static_cast<uint64_t>(height) + 1)) {
-  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
-  if (depth_alone) {
-    depths_.assign(pixels, 0);
-  } else {
-    words_.assign(pixels, 0);
-  }
-}
+      table_(
+          std::max<uint64_t>(max_slots, static_cast<uint64_t>(width) * static_cast<uint64_t>(height) + 1)) {}
 
 void VisibilityBuffer::clear() {
-  std::fill(words_.begin(), words_.end(), 0);
-  std::fill(depths_.begin(), depths_.end(), 0);
+  depths_.clear();
   tiles_.clear();
-  slots_.clear();
+  table_.clear();
 }
 
-float VisibilityBuffer::depth(int x, int y) const {
-  return std::bit_cast<float>(depth_alone_ ? depths_[index(x, y)]
-                                           : static_cast<uint32_t>(words_[index(x, y)] >> 32));
-}
+float VisibilityBuffer::depth(int x, int y) const { return std::bit_cast<float>(depths_.at(x, y)); }
 
 std::optional<SlotTable::Triangle> VisibilityBuffer::triangle(int x, int y) const {
-  const VisibilityWord word = words_[index(x, y)];
-  if (word == 0) return std::nullopt;
-  return slots_.find(slot_of(word));
+  if (depths_.at(x, y) == 0) return std::nullopt;
+  return table_.find(slots_.at(x, y));
 }
 
 void VisibilityBuffer::draw(const GeometryTerms& terms, std::span<const PlacedStretch> stretches) {
   for (const PlacedStretch& stretch : stretches) {
     for (uint32_t first = 0; first < stretch.triangle_count;) {
-      if (slots_.left() == 0) {
+      if (table_.left() == 0) {
         draw_batch(terms);
-        slots_.compact(words_);
+        table_.compact(depths_, slots_);
       }
       const uint32_t count = static_cast<uint32_t>(
-          std::min<uint64_t>({stretch.triangle_count - first, slots_.left(), batch_size}));
+          std::min<uint64_t>({stretch.triangle_count - first, table_.left(), batch_size}));
       number(stretch, first, count);
       first += count;
       if (batch_triangles_ >= batch_size) draw_batch(terms);
@@ -91,7 +81,7 @@ void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint
                    .triangle_count = count,
                    .chunk = stretch.chunk,
                    .placed = stretch.placed};
-  if (!depth_alone_) range.first_slot = slots_.add(range);
+  if (!depth_alone_) range.first_slot = table_.add(range);
   batch_.push_back({range, stretch.pieces});
   batch_triangles_ += count;
 }
@@ -99,9 +89,11 @@ void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint
 void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   if (batch_.empty()) return;
   if (triangles_.size() < batch_.size()) triangles_.resize(batch_.size());
+  const DepthSource drawn = source();
   const bool side_by_side = thread_count() > 1 && batch_triangles_ >= worth_sharing;
   for_each(batch_.size(), side_by_side,
-           [&](size_t i) { make_triangles(terms, batch_[i].range, batch_[i].pieces, triangles_[i]); });
+           [&](size_t i) { make_triangles(terms, batch_[i].range, batch_[i].pieces, drawn, triangles_[i]); });
+  sort_large();
   const int32_t tiles = (height_ + tile_rows - 1) / tile_rows;
   const int32_t bands = side_by_side ? std::min(tiles, static_cast<int32_t>(thread_count()) * 4) : 1;
   for_each(static_cast<size_t>(bands), side_by_side, [&](size_t i) {
@@ -111,48 +103,63 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   });
   batch_.clear();
   batch_triangles_ = 0;
-  if (depth_alone_) {
-    tiles_.refresh(std::span<const uint32_t>(depths_));
-  } else {
-    tiles_.refresh(std::span<const VisibilityWord>(words_));
-  }
+  tiles_.refresh(depths_);
 }
 
-void VisibilityBuffer::fill_depths(const WindowTriangle& triangle, int32_t first, int32_t last,
-                                   const RasterKernels* kernels) {
-  if (kernels != nullptr && triangle.is_plain()) {
-    kernels->fill_depths(triangle, first, last, depths_.data(), width_);
-  } else {
-    fill(triangle, first, last, PixelBuffer<uint32_t>{depths_.data(), width_}, DepthWriter{});
+void VisibilityBuffer::sort_large() {
+  large_.clear();
+  for (size_t i = 0; i < batch_.size(); ++i) {
+    if (triangles_[i].bottom <= triangles_[i].top) tiles_.touch_rows(triangles_[i].bottom, triangles_[i].top);
+    for (const WindowTriangle& triangle : triangles_[i].large)
+      large_.push_back({triangle.low + triangle.high, &triangle});
   }
+  std::sort(large_.begin(), large_.end(),
+            [](const LargeTriangle& a, const LargeTriangle& b) { return a.depth > b.depth; });
 }
 
-void VisibilityBuffer::fill_words(const WindowTriangle& triangle, int32_t first, int32_t last,
-                                  const RasterKernels* kernels) {
-  Rows rows{first, last};
-  // Where depths are equal slots are compared; what the kernel has written stays as it is.
-  if (kernels != nullptr && triangle.is_plain())
-    rows = kernels->fill_words(triangle, first, last, words_.data(), width_);
-  fill(triangle, rows.first, rows.last, PixelBuffer<VisibilityWord>{words_.data(), width_},
-       VisibilityWriter{slots_});
+FillTarget VisibilityBuffer::target() {
+  FillTarget target{};
+  target.width = width_;
+  target.height = height_;
+  target.stride = depths_.stride();
+  target.depths = depths_.data();
+  target.slots = depth_alone_ ? nullptr : slots_.data();
+  tiles_.hand_out(target);
+  target.order = &table_;
+  target.precedes = [](const void* order, uint32_t slot, uint32_t other) {
+    return static_cast<const SlotTable*>(order)->precedes(slot, other);
+  };
+  return target;
+}
+
+DepthSource VisibilityBuffer::source() const {
+  DepthSource source{};
+  source.width = width_;
+  source.height = height_;
+  source.stride = depths_.stride();
+  source.depths = depths_.data();
+  tiles_.hand_out(source);
+  return source;
 }
 
 [[gnu::noinline]] void VisibilityBuffer::fill_rows(int32_t first, int32_t last) {
-  const RasterKernels* kernels = raster_kernels(instruction_set());
-  if (kernels != nullptr && width_ < kernels->min_width) kernels = nullptr;
+  const RasterKernels* const kernels = raster_kernels(instruction_set());
+  const FillTarget into = target();
+  const auto fill_one = [&](const WindowTriangle& triangle) {
+    const int32_t bottom = std::max(triangle.bottom, first), top = std::min(triangle.top, last);
+    if (bottom > top) return;
+    if (kernels != nullptr) {
+      kernels->fill(triangle, bottom, top, into);
+    } else {
+      tiles_.mark(triangle.left, triangle.right, bottom, top);
+      fill(triangle, bottom, top, into);
+    }
+  };
+  for (const LargeTriangle& large : large_) fill_one(*large.triangle);
   for (size_t i = 0; i < batch_.size(); ++i) {
     const StretchTriangles& stretch = triangles_[i];
     if (stretch.bottom > last || stretch.top < first) continue;
-    for (const WindowTriangle& triangle : stretch.triangles) {
-      if (triangle.bottom > last || triangle.top < first) continue;
-      tiles_.mark(triangle.left, triangle.right, std::max(triangle.bottom, first),
-                  std::min(triangle.top, last));
-      if (depth_alone_) {
-        fill_depths(triangle, first, last, kernels);
-      } else {
-        fill_words(triangle, first, last, kernels);
-      }
-    }
+    for (const WindowTriangle& triangle : stretch.small) fill_one(triangle);
   }
 }
 

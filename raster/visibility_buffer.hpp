@@ -37,36 +37,31 @@ class VisibilityBuffer {
   int height() const { return height_; }
   /// Of a pixel; 0 where nothing is.
   float depth(int x, int y) const;
-  /// The pixels, row by row; those of the other kind are empty. A word has the depth's bits above.
-  std::span<const uint32_t> depths() const { return depths_; }
-  std::span<const VisibilityWord> words() const { return words_; }
+  /// The slots of a row's pixels; without meaning where nothing is. Equal ones are the same triangle.
+  std::span<const uint32_t> slots(int y) const { return slots_.row(y); }
+  /// The bits of their depths; 0 where nothing is.
+  std::span<const uint32_t> depths(int y) const { return depths_.row(y); }
   /// The farthest depths of tiles, of what is drawn so far.
   const DepthTiles& tiles() const { return tiles_; }
+  /// For kernels that test boxes.
+  DepthSource source() const;
   /// Null where nothing is. Not of a buffer that keeps depth alone.
   std::optional<SlotTable::Triangle> triangle(int x, int y) const;
-  /// The words of a row: equal slots are the same triangle; 0 where nothing is.
-  std::span<const VisibilityWord> row(int y) const {
-    return std::span(words_).subspan(index(0, y), static_cast<size_t>(width_));
-  }
-  SlotTable::Triangle find(uint32_t slot) const { return slots_.find(slot); }
+  SlotTable::Triangle find(uint32_t slot) const { return table_.find(slot); }
 
  private:
-  size_t index(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
-  }
   void number(const PlacedStretch& stretch, uint32_t first, uint32_t count);
   void draw_batch(const GeometryTerms& terms);
+  void sort_large();
   void fill_rows(int32_t first, int32_t last);
-  /// Kernels: null where they cannot be used.
-  void fill_depths(const WindowTriangle& triangle, int32_t first, int32_t last, const RasterKernels* kernels);
-  void fill_words(const WindowTriangle& triangle, int32_t first, int32_t last, const RasterKernels* kernels);
+  FillTarget target();
 
   int width_, height_;
   bool depth_alone_;
-  std::vector<VisibilityWord> words_;  ///< empty where depth_alone_
-  std::vector<uint32_t> depths_;       ///< empty where not
+  PixelPlane depths_;
+  PixelPlane slots_;  ///< empty where depth_alone_
   DepthTiles tiles_;
-  SlotTable slots_;
+  SlotTable table_;
   struct BatchEntry {
     DrawnRange range;
     std::span<const LatticeBox> pieces;
@@ -74,6 +69,12 @@ class VisibilityBuffer {
   std::vector<BatchEntry> batch_;
   uint64_t batch_triangles_ = 0;
   std::vector<StretchTriangles> triangles_;  ///< of the batch, at least as many as it has entries
+  /// The large ones among them, nearest first: what lies behind them is found hidden by tiles.
+  struct LargeTriangle {
+    float depth;
+    const WindowTriangle* triangle;
+  };
+  std::vector<LargeTriangle> large_;
 };
 
 }  // namespace triptych

@@ -19,15 +19,13 @@ struct ChunkRange {
   bool loaded() const { return index_count > 0; }
 };
 
-/// What the vertex stage reads for one placement; the same layout as in the shader.
+/// What the vertex stage reads for one placement (render/gl/vertex_layout.cpp).
 struct DrawRecord {
   glm::vec4 rows[3];
   glm::ivec3 cell;
   uint32_t item;
   uint32_t first_bound;  ///< of the chunk's first piece; those of the others follow
-  uint32_t unused[3];
 };
-static_assert(sizeof(DrawRecord) == 80);
 
 struct DrawCommand {
   uint32_t index_count, instance_count, first_index;

@@ -1,8 +1,11 @@
 #include "view/shared_picture.hpp"
 
+#include "base/threads.hpp"
+
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/extensions/XShm.h>
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <dlfcn.h>
@@ -17,6 +20,16 @@ namespace {
 template <typename Function>
 Function* of_glfw(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_DEFAULT, name));
+}
+
+/// From RGBA to BGRX.
+void write_row(const uint8_t* from, size_t width, char* to) {
+  for (size_t x = 0; x < width; ++x) {
+    uint32_t pixel;
+    std::memcpy(&pixel, from + 4 * x, 4);
+    pixel = (pixel & 0xff00ff00u) | ((pixel & 0xffu) << 16) | ((pixel >> 16) & 0xffu);
+    std::memcpy(to + 4 * x, &pixel, 4);
+  }
 }
 
 bool refused = false;
@@ -81,16 +94,13 @@ class SharedPicture::Image {
   /// Pixels of RGBA, rows from bottom to top, become the server's: BGRX, rows from top to bottom.
   void write(const uint8_t* colors) {
     const auto width = static_cast<size_t>(image_->width), height = static_cast<size_t>(image_->height);
-    for (size_t row = 0; row < height; ++row) {
-      const uint8_t* from = colors + (height - 1 - row) * width * 4;
-      char* to = image_->data + row * static_cast<size_t>(image_->bytes_per_line);
-      for (size_t x = 0; x < width; ++x) {
-        uint32_t pixel;
-        std::memcpy(&pixel, from + 4 * x, 4);
-        pixel = (pixel & 0xff00ff00u) | ((pixel & 0xffu) << 16) | ((pixel >> 16) & 0xffu);
-        std::memcpy(to + 4 * x, &pixel, 4);
+    constexpr size_t band = 64;  // rows
+    parallel_for((height + band - 1) / band, [&](size_t i) {
+      for (size_t row = i * band; row < std::min((i + 1) * band, height); ++row) {
+        write_row(colors + (height - 1 - row) * width * 4, width,
+                  image_->data + row * static_cast<size_t>(image_->bytes_per_line));
       }
-    }
+    });
   }
   void put(const Screen& screen) {
     XShmPutImage(display_, screen.window, screen.context, image_, 0, 0, 0, 0,

@@ -190,10 +190,10 @@ Input Window::poll(double patience) { return implementation_->poll(patience); }
 
 std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back) {
   if (!target.copy_to_window(width(), height())) {
-    std::vector<uint8_t> colors = target.read_colors();
+    const std::span<const uint8_t> colors = target.colors_in_memory();
     const bool fits = target.width() == width() && target.height() == height();
     if (fits && implementation_->shared && implementation_->shared->show(colors, width(), height()))
-      return read_back ? colors : std::vector<uint8_t>();
+      return read_back ? std::vector<uint8_t>(colors.begin(), colors.end()) : std::vector<uint8_t>();
     std::optional<WindowPicture>& picture = implementation_->picture;
     if (!picture) picture.emplace();
     picture->show(colors, target.width(), target.height(), width(), height());

@@ -41,11 +41,14 @@ class FrameTarget : public OcclusionTester {
 
   /// width × height × RGBA bytes, of a target with colours.
   virtual std::vector<uint8_t> read_colors() const = 0;
+  /// The same without a copy, good until the next call of anything else; empty where they are not in this
+  /// process's memory, but on a graphics card.
+  virtual std::span<const uint8_t> colors_in_memory() const { return {}; }
   /// width × height of drawable id + 1, 0 where nothing is; of a target with items.
   virtual std::vector<uint32_t> read_items() const = 0;
   /// Copies the colours to the window whose context is current in this thread, of window_width ×
   /// window_height pixels: as much as fits; the rest is background. False, and nothing is done, where the
-  /// target is not OpenGL's: whoever has the window takes read_colors().
+  /// target is not OpenGL's: whoever has the window takes the colours.
   virtual bool copy_to_window(int window_width, int window_height) const = 0;
 };
 

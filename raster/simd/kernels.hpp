@@ -19,17 +19,26 @@ struct TransformTerms {
 struct LatticePoints {
   const int32_t *x, *y, *z;
 };
-/// Of each vertex: sub-pixels, reversed depth, and all bits set where it is inside of the planes that
-/// triangles are clipped at. Where it is not, the others hold nothing.
+/// Of each vertex: sub-pixels and reversed depth. Where it is not inside of the planes that triangles are
+/// clipped at, x is this number, and the others hold nothing.
+constexpr int32_t outside_x = -(1 << 30);
 struct WindowPoints {
   int32_t *x, *y;
   float* depth;
-  int32_t* inside;
 };
-
-/// Rows from first to last, both included; none where first > last.
-struct Rows {
-  int32_t first, last;
+/// What boxes and triangles are tested against: depths as bits, the farthest depths of tiles of 8 × 8 pixels,
+/// so many in a row, and of blocks of 8 × 8 tiles.
+struct DepthSource {
+  const uint32_t* depths;
+  int32_t width, height, stride;
+  const float* tiles;
+  int32_t columns;
+  const float* blocks;
+  int32_t block_columns;
+};
+/// Indices of vertices, one of each array a triangle.
+struct TriangleCorners {
+  const uint32_t *a, *b, *c;
 };
 
 /// x · X + y · Y + offset at (X, Y), in this order.
@@ -39,8 +48,7 @@ struct PlaneTerms {
 /// ScreenRectangle as plain numbers, without its sides.
 struct BoxTerms {
   PlaneTerms planes[4], cuts[4];
-  float width, height;  ///< of the picture, pixels
-  bool strict;          ///< in front of what is there, not at it
+  bool strict;  ///< in front of what is there, not at it
 };
 /// Pixels, all inclusive.
 struct PixelRectangle {
@@ -49,21 +57,24 @@ struct PixelRectangle {
 
 /// Plain functions on plain data, so that their files share no code with others (docs/developing.md).
 struct RasterKernels {
-  int32_t min_width;  ///< of pictures, pixels; narrower ones are drawn without
-  /// Transforms the first of so many vertices, as many as make whole vectors; how many these are.
-  int32_t (*transform_vertices)(const TransformTerms& terms, const LatticePoints& points, int32_t count,
-                                const WindowPoints& result);
-  /// Fills rows first_row to last_row, both included, of a buffer of `width` pixels a row.
-  void (*fill_depths)(const FillTriangle& triangle, int32_t first_row, int32_t last_row, uint32_t* words,
-                      int32_t width);
-  /// The same for words of a depth above a slot. Pixels of equal depth stay as they are; returns the rows
-  /// that have any.
-  Rows (*fill_words)(const FillTriangle& triangle, int32_t first_row, int32_t last_row, uint64_t* words,
-                     int32_t width);
+  /// Transforms so many vertices, and up to `lanes` − 1 after them.
+  void (*transform_vertices)(const TransformTerms& terms, const LatticePoints& points, int32_t count,
+                             const WindowPoints& result);
+  /// Of so many triangles those that may show, or have a corner outside: their numbers, in order, and how
+  /// many these are. The others cover no pixel centre, or lie behind the tiles that they are in. Reads up to
+  /// `lanes` − 1 triangles more.
+  int32_t (*find_candidates)(const WindowPoints& points, const TriangleCorners& corners, int32_t count,
+                             const DepthSource& source, uint32_t* candidates);
+  /// Fills rows first_row to last_row, both included: some of the triangle's, and of the picture's. Tiles
+  /// that it covers are up to date then, others are marked; those that hide it are left alone.
+  void (*fill)(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target);
+  /// The least of 8 × 8 depths, as bits; stride: from one to that above.
+  uint32_t (*least_of_tile)(const uint32_t* depths, int32_t stride);
+  /// So many of the first pixels (at least one of `count`) hold the same slot as the first one; or nothing,
+  /// as it does.
+  int32_t (*run_length)(const uint32_t* depths, const uint32_t* slots, int32_t count);
   /// Whether the box may show at the centre of one of these pixels.
-  bool (*test_depths)(const BoxTerms& box, const uint32_t* words, int32_t width,
-                      const PixelRectangle& pixels);
-  bool (*test_words)(const BoxTerms& box, const uint64_t* words, int32_t width, const PixelRectangle& pixels);
+  bool (*test_box)(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source);
 };
 
 extern const RasterKernels sse42_kernels, avx2_kernels, avx512_kernels;

@@ -1,20 +1,22 @@
 // The kernels of the instruction set that the including file is compiled for.
 #pragma once
 
-#include "raster/simd/fill_rows.hpp"
+#include "raster/simd/fill.hpp"
+#include "raster/simd/find_candidates.hpp"
 #include "raster/simd/kernels.hpp"
-#include "raster/simd/test_pixels.hpp"
+#include "raster/simd/run_length.hpp"
+#include "raster/simd/test_box.hpp"
 #include "raster/simd/transform_vertices.hpp"
 
 namespace triptych {
 namespace {
 
-constexpr RasterKernels kernels_here = {.min_width = lanes,
-                                        .transform_vertices = transform_vertices,
-                                        .fill_depths = fill_depths,
-                                        .fill_words = fill_words,
-                                        .test_depths = test_depths,
-                                        .test_words = test_words};
+constexpr RasterKernels kernels_here = {.transform_vertices = transform_vertices,
+                                        .find_candidates = find_candidates,
+                                        .fill = fill,
+                                        .least_of_tile = least_of_tile,
+                                        .run_length = run_length,
+                                        .test_box = test_box};
 
 }  // namespace
 }  // namespace triptych

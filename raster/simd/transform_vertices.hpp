@@ -15,10 +15,9 @@ namespace {
 
 /// The operations, and their order, of GeometryTerms::to_clip and WindowTransform.
 template <bool orthographic>
-[[gnu::always_inline]] inline int32_t transform(const TransformTerms& terms, const LatticePoints& points,
-                                                int32_t count, const WindowPoints& result) {
-  int32_t i = 0;
-  for (; i + lanes <= count; i += lanes) {
+[[gnu::always_inline]] inline void transform(const TransformTerms& terms, const LatticePoints& points,
+                                             int32_t count, const WindowPoints& result) {
+  for (int32_t i = 0; i < count; i += lanes) {
     const Floats x = to_float(load(points.x + i) + terms.cell[0]),
                  y = to_float(load(points.y + i) + terms.cell[1]),
                  z = to_float(load(points.z + i) + terms.cell[2]);
@@ -41,18 +40,20 @@ template <bool orthographic>
     const Ints inside = (w - clip_z >= 0) & (guard_x - clip_x >= 0) & (guard_x + clip_x >= 0) &
                         (guard_y - clip_y >= 0) & (guard_y + clip_y >= 0);
     const Floats over_w = 1.0f / w;
-    store(to_nearest((clip_x * over_w) * terms.scale_x) + terms.middle_x, result.x + i);
+    store(select(inside, to_nearest((clip_x * over_w) * terms.scale_x) + terms.middle_x, splat(outside_x)),
+          result.x + i);
     store(to_nearest((clip_y * over_w) * terms.scale_y) + terms.middle_y, result.y + i);
     store(bits_of(clip_z * over_w), result.depth + i);
-    store(inside, result.inside + i);
   }
-  return i;
 }
 
-int32_t transform_vertices(const TransformTerms& terms, const LatticePoints& points, int32_t count,
-                           const WindowPoints& result) {
-  return terms.orthographic ? transform<true>(terms, points, count, result)
-                            : transform<false>(terms, points, count, result);
+void transform_vertices(const TransformTerms& terms, const LatticePoints& points, int32_t count,
+                        const WindowPoints& result) {
+  if (terms.orthographic) {
+    transform<true>(terms, points, count, result);
+  } else {
+    transform<false>(terms, points, count, result);
+  }
 }
 
 }  // namespace

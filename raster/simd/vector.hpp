@@ -22,6 +22,10 @@ constexpr int32_t lanes = 4;
 // Compilers make one instruction of each operator: all of them round as IEEE has it.
 using Floats [[gnu::vector_size(lanes * 4)]] = float;
 using Ints [[gnu::vector_size(lanes * 4)]] = int32_t;
+// Of half as many lanes.
+using HalfInts [[gnu::vector_size(lanes * 2)]] = int32_t;
+using HalfFloats [[gnu::vector_size(lanes * 2)]] = float;
+using Doubles [[gnu::vector_size(lanes * 4)]] = double;
 
 [[gnu::always_inline]] inline Ints splat(int32_t value) { return Ints{} + value; }
 [[gnu::always_inline]] inline Floats splat(float value) { return Floats{} + value; }
@@ -30,12 +34,8 @@ using Ints [[gnu::vector_size(lanes * 4)]] = int32_t;
 [[gnu::always_inline]] inline Ints bits_of(Floats value) { return (Ints)value; }
 
 /// Masks have all bits of a lane set, or none.
-[[gnu::always_inline]] inline Ints select(Ints mask, Ints yes, Ints no) {
-  return (mask & yes) | (~mask & no);
-}
-[[gnu::always_inline]] inline Floats select(Ints mask, Floats yes, Floats no) {
-  return (Floats)select(mask, bits_of(yes), bits_of(no));
-}
+[[gnu::always_inline]] inline Ints select(Ints mask, Ints yes, Ints no) { return mask ? yes : no; }
+[[gnu::always_inline]] inline Floats select(Ints mask, Floats yes, Floats no) { return mask ? yes : no; }
 
 template <typename Word>
 [[gnu::always_inline]] inline Ints load(const Word* from) {
@@ -48,54 +48,78 @@ template <typename Word>
   __builtin_memcpy(to, &value, sizeof value);
 }
 
-// to_nearest: of what 32 bits hold. lane_numbers: 0, 1, 2 …; odd: every second lane of two vectors, from the
-// second on; low_pairs, high_pairs: lanes of two vectors in turn, those of their lower or upper halves.
+[[gnu::always_inline]] inline Doubles splat_double(double value) { return Doubles{} + value; }
+[[gnu::always_inline]] inline Doubles to_double(HalfInts value) {
+  return __builtin_convertvector(value, Doubles);
+}
+/// Without what is behind the point.
+[[gnu::always_inline]] inline HalfInts to_int(Doubles value) {
+  return __builtin_convertvector(value, HalfInts);
+}
+/// The lower half of the lanes in doubles, or the upper.
+[[gnu::always_inline]] inline Doubles half(Ints value, bool upper) {
+  HalfInts result;
+  __builtin_memcpy(&result, (const char*)&value + (upper ? sizeof result : 0), sizeof result);
+  return to_double(result);
+}
+
+// join: both halves. gather: of each lane what stands at its index. bits: a bit
+// for each lane of a mask, the first lane's lowest. to_nearest: of what 32 bits hold. lane_numbers: 0, 1, 2 …
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 [[gnu::always_inline]] inline bool any(Ints mask) {
   return _mm512_test_epi32_mask((__m512i)mask, (__m512i)mask) != 0;
 }
+[[gnu::always_inline]] inline uint32_t bits(Ints mask) { return _mm512_movepi32_mask((__m512i)mask); }
 [[gnu::always_inline]] inline Ints to_nearest(Floats value) {
   return (Ints)_mm512_maskz_cvtps_epi32(0xffff, (__m512)value);
 }
+[[gnu::always_inline]] inline Floats join(HalfFloats low, HalfFloats high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
 constexpr Ints lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-[[gnu::always_inline]] inline Ints odd(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
-}
-[[gnu::always_inline]] inline Ints low_pairs(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
-}
-[[gnu::always_inline]] inline Ints high_pairs(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+constexpr HalfInts half_lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+[[gnu::always_inline]] inline Ints gather(const int32_t* from, Ints index) {
+  return (Ints)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff, (__m512i)index, from, 4);
 }
 #elif defined(__AVX2__)
 [[gnu::always_inline]] inline bool any(Ints mask) {
   return !_mm256_testz_si256((__m256i)mask, (__m256i)mask);
 }
+[[gnu::always_inline]] inline uint32_t bits(Ints mask) {
+  return static_cast<uint32_t>(_mm256_movemask_ps((__m256)mask));
+}
 [[gnu::always_inline]] inline Ints to_nearest(Floats value) {
   return (Ints)_mm256_cvtps_epi32((__m256)value);
 }
+[[gnu::always_inline]] inline Floats join(HalfFloats low, HalfFloats high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
 constexpr Ints lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
-[[gnu::always_inline]] inline Ints odd(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
-}
-[[gnu::always_inline]] inline Ints low_pairs(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
-}
-[[gnu::always_inline]] inline Ints high_pairs(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+constexpr HalfInts half_lane_numbers = {0, 1, 2, 3};
+[[gnu::always_inline]] inline Ints gather(const int32_t* from, Ints index) {
+  return (Ints)_mm256_i32gather_epi32(from, (__m256i)index, 4);
 }
 #else
 [[gnu::always_inline]] inline bool any(Ints mask) { return !_mm_testz_si128((__m128i)mask, (__m128i)mask); }
-[[gnu::always_inline]] inline Ints to_nearest(Floats value) { return (Ints)_mm_cvtps_epi32((__m128)value); }
-constexpr Ints lane_numbers = {0, 1, 2, 3};
-[[gnu::always_inline]] inline Ints odd(Ints a, Ints b) { return __builtin_shufflevector(a, b, 1, 3, 5, 7); }
-[[gnu::always_inline]] inline Ints low_pairs(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 0, 4, 1, 5);
+[[gnu::always_inline]] inline uint32_t bits(Ints mask) {
+  return static_cast<uint32_t>(_mm_movemask_ps((__m128)mask));
 }
-[[gnu::always_inline]] inline Ints high_pairs(Ints a, Ints b) {
-  return __builtin_shufflevector(a, b, 2, 6, 3, 7);
+[[gnu::always_inline]] inline Ints to_nearest(Floats value) { return (Ints)_mm_cvtps_epi32((__m128)value); }
+[[gnu::always_inline]] inline Floats join(HalfFloats low, HalfFloats high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
+constexpr Ints lane_numbers = {0, 1, 2, 3};
+constexpr HalfInts half_lane_numbers = {0, 1};
+[[gnu::always_inline]] inline Ints gather(const int32_t* from, Ints index) {
+  const Ints result = {from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
+  return result;
 }
 #endif
+
+/// Both halves, each rounded to nearest.
+[[gnu::always_inline]] inline Floats to_float(Doubles lower, Doubles upper) {
+  return join(__builtin_convertvector(lower, HalfFloats), __builtin_convertvector(upper, HalfFloats));
+}
 
 }  // namespace
 }  // namespace triptych

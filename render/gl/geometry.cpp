@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "render/gl/shaders.hpp"
+#include "render/gl/vertex_layout.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -35,16 +36,11 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
     for (const uint8_t channel : color) colors.push_back(static_cast<float>(channel) / 255);
   }
   glNamedBufferStorage(palette_, static_cast<GLsizeiptr>(colors.size() * sizeof(float)), colors.data(), 0);
-  glVertexArrayAttribIFormat(vertex_array_, 0, 3, GL_INT, 0);
-  glVertexArrayAttribIFormat(vertex_array_, 1, 1, GL_UNSIGNED_INT, 12);
-  for (GLuint attribute = 0; attribute < 2; ++attribute) {
-    glVertexArrayAttribBinding(vertex_array_, attribute, 0);
-    glEnableVertexArrayAttrib(vertex_array_, attribute);
-  }
+  describe_vertices(vertex_array_);
 }
 
 void Geometry::attach_buffers() {
-  glVertexArrayVertexBuffer(vertex_array_, 0, vertices_.buffer, 0, sizeof(ChunkVertex));
+  glVertexArrayVertexBuffer(vertex_array_, vertices_stream, vertices_.buffer, 0, sizeof(ChunkVertex));
   glVertexArrayElementBuffer(vertex_array_, indices_.buffer);
 }
 
@@ -73,7 +69,8 @@ void Geometry::require(std::span<const DrawItem> items) {
   if (changed) attach_buffers();
 }
 
-void Geometry::bind() const {
+void Geometry::bind(GLuint records) const {
+  glVertexArrayVertexBuffer(vertex_array_, records_stream, records, 0, sizeof(DrawRecord));
   glBindVertexArray(vertex_array_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_binding, palette_);
 }

@@ -22,8 +22,8 @@ class Geometry {
 
   /// Bytes of device memory in use.
   uint64_t memory_bytes() const { return vertices_.capacity + indices_.capacity; }
-  /// Binds vertex array and palette for drawing.
-  void bind() const;
+  /// Binds vertex array and palette for drawing. records: a buffer with a DrawRecord for each base instance.
+  void bind(GLuint records) const;
 
  private:
   struct Arena {

@@ -4,6 +4,7 @@
 #include "render/gl/framebuffer.hpp"
 #include "render/gl/rectangle_state.hpp"
 #include "render/gl/shaders.hpp"
+#include "render/gl/vertex_layout.hpp"
 #include "scene/chunk.hpp"
 
 #include <random>
@@ -52,7 +53,7 @@ void RasterProbe::draw(const std::vector<ProbeVertex>& vertices) {
   bind();
   vertices_.upload(std::span<const ProbeVertex>(vertices));
   glUseProgram(triangles_);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, draws_binding, vertices_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, probe_binding, vertices_);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
 }
 
@@ -146,8 +147,7 @@ double passes_that_disagree() {
                                    {0x1.1p-27f, -0x1.3p-25f, 0x1.2p-20f, -0.003f}},
                           .cell = {17, -29, 5},
                           .item = 0,
-                          .first_bound = 0,
-                          .unused = {}};
+                          .first_bound = 0};
   const PixelDepthBound bound{.x = {}, .y = {}, .at = glm::vec4(1)};
   const glm::vec4 white(1);
   GlVertexArray vertex_array;
@@ -156,13 +156,9 @@ double passes_that_disagree() {
   records.upload(std::span(&record, 1));
   bounds.upload(std::span(&bound, 1));
   palette.upload(std::span(&white, 1));
-  glVertexArrayAttribIFormat(vertex_array, 0, 3, GL_INT, 0);
-  glVertexArrayAttribIFormat(vertex_array, 1, 1, GL_UNSIGNED_INT, 12);
-  for (GLuint attribute = 0; attribute < 2; ++attribute) {
-    glVertexArrayAttribBinding(vertex_array, attribute, 0);
-    glEnableVertexArrayAttrib(vertex_array, attribute);
-  }
-  glVertexArrayVertexBuffer(vertex_array, 0, positions, 0, sizeof(ChunkVertex));
+  describe_vertices(vertex_array);
+  glVertexArrayVertexBuffer(vertex_array, vertices_stream, positions, 0, sizeof(ChunkVertex));
+  glVertexArrayVertexBuffer(vertex_array, records_stream, records, 0, sizeof(DrawRecord));
 
   const Framebuffer target(TargetKind::color_and_item, side, side);
   const auto draw = [&](const std::string& fragments) {
@@ -173,7 +169,6 @@ double passes_that_disagree() {
     glUniform2f(glGetUniformLocation(program, "depth"), 0.013f, 0);
     target.bind();
     glBindVertexArray(vertex_array);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, draws_binding, records);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_binding, palette);
     glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()), 1, 0);

@@ -56,8 +56,7 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
   glUseProgram(used.program);
   used.uniforms.set(*view_);
   framebuffer.bind();
-  geometry_.bind();
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, draws_binding, records_);
+  geometry_.bind(records_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
   glDepthMask(GL_TRUE);

@@ -8,7 +8,7 @@
 
 namespace triptych {
 
-inline constexpr GLuint draws_binding = 0;       ///< storage: one DrawRecord a draw
+inline constexpr GLuint probe_binding = 0;       ///< storage: vertices of the rasteriser's probe
 inline constexpr GLuint palette_binding = 1;     ///< storage: colours
 inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under test
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle

@@ -22,33 +22,30 @@ class Scene {
     View view{.camera = {}, .width = width, .height = height};
     set_field_of_view(view.camera, 60, static_cast<double>(width) / height);
     const FrameView frame(skeleton, {view});
+    Chunk chunk;
     for (int i = 0; i < 60; ++i) {
       const glm::dvec3 at(random.number(-3, 3), random.number(-3, 3), random.number(-9, -2));
       for (int corner = 0; corner < 3; ++corner) {
         const glm::dvec3 p = (at + random.vector(-1, 1)) * 1024.0;
-        chunk.x.push_back(static_cast<int32_t>(p.x));
-        chunk.y.push_back(static_cast<int32_t>(p.y));
-        chunk.z.push_back(static_cast<int32_t>(p.z));
-        chunk.piece.push_back(0);
-        chunk.corners.push_back(static_cast<uint32_t>(chunk.corners.size()));
+        chunk.indices.push_back(static_cast<uint32_t>(chunk.vertices.size()));
+        chunk.vertices.push_back({glm::ivec3(p)});
       }
-      chunk.color.push_back(0);
     }
+    const RasterChunk geometry(chunk);
     const BoxProjector projector(frame, raster_margins);
     const GeometryTerms terms(frame, projector);
     LatticePlacer placer(skeleton);
     placer.begin(frame);
     const LatticeBox all = skeleton.scene_nodes[0].box;
     const PlacedStretch stretch{.rank = {},
-                                .chunk = &chunk,
-                                .triangle_count = static_cast<uint32_t>(chunk.color.size()),
+                                .chunk = &geometry,
+                                .triangle_count = static_cast<uint32_t>(chunk.triangle_count()),
                                 .placed = placer.place(0, 0),
                                 .pieces = std::span(&all, 1)};
     buffer.draw(terms, std::span(&stretch, 1));
   }
 
   Skeleton skeleton;
-  RasterChunk chunk;
   VisibilityBuffer buffer;
 };
 

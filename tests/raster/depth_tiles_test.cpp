@@ -14,24 +14,24 @@ namespace {
 using scenes::Random;
 
 struct Picture {
-  Picture(int w, int h)
-      : width(w), height(h), depths(static_cast<size_t>(w) * static_cast<size_t>(h)), tiles(w, h) {}
+  Picture(int w, int h) : width(w), height(h), depths(w, h), tiles(w, h) {}
 
   /// Draws a rectangle where it is nearer.
   void draw(int left, int right, int bottom, int top, float depth) {
     for (int y = bottom; y <= top; ++y) {
       for (int x = left; x <= right; ++x) {
-        uint32_t& there = depths[static_cast<size_t>(y * width + x)];
+        uint32_t& there = depths.at(x, y);
         there = std::max(there, std::bit_cast<uint32_t>(depth));
       }
     }
+    tiles.touch_rows(bottom, top);
     tiles.mark(left, right, bottom, top);
   }
   float farthest(int square_x, int square_y, int side) const {
     float least = 2;
     for (int y = square_y * side; y < std::min(height, (square_y + 1) * side); ++y) {
       for (int x = square_x * side; x < std::min(width, (square_x + 1) * side); ++x)
-        least = std::min(least, std::bit_cast<float>(depths[static_cast<size_t>(y * width + x)]));
+        least = std::min(least, std::bit_cast<float>(depths.at(x, y)));
     }
     return least;
   }
@@ -53,7 +53,7 @@ struct Picture {
   }
 
   int width, height;
-  std::vector<uint32_t> depths;
+  PixelPlane depths;
   DepthTiles tiles;
 };
 
@@ -71,25 +71,24 @@ TEST(DepthTiles, hold_the_farthest_depth_once_refreshed_and_never_more_before) {
       EXPECT_EQ(picture.wrong(true), 0u);
       behind += picture.wrong(false);
       if (draws % 3 != 2) continue;
-      picture.tiles.refresh(std::span<const uint32_t>(picture.depths));
+      picture.tiles.refresh(picture.depths);
       ASSERT_EQ(picture.wrong(false), 0u) << picture.width << "x" << picture.height;
     }
     picture.tiles.clear();
-    std::fill(picture.depths.begin(), picture.depths.end(), 0u);
+    picture.depths.clear();
     EXPECT_EQ(picture.wrong(false), 0u);
   }
   EXPECT_GT(behind, 0u);
 }
 
-TEST(DepthTiles, read_the_upper_half_of_words_of_the_visibility_buffer) {
+TEST(DepthTiles, do_not_count_pixels_beyond_the_picture) {
   Picture picture(70, 9);
-  std::vector<uint64_t> words(picture.depths.size(), uint64_t{std::bit_cast<uint32_t>(0.5f)} << 32 | 7);
-  words[0] = uint64_t{std::bit_cast<uint32_t>(0.25f)} << 32 | 0xffffffff;
-  picture.tiles.mark(0, 69, 0, 8);
-  picture.tiles.refresh(std::span<const uint64_t>(words));
+  picture.draw(0, 69, 0, 8, 0.5f);
+  picture.depths.at(0, 0) = std::bit_cast<uint32_t>(0.25f);
+  picture.tiles.refresh(picture.depths);
   EXPECT_EQ(picture.tiles.farthest(0, 0), 0.25f);
   EXPECT_EQ(picture.tiles.farthest(1, 0), 0.5f);
-  EXPECT_EQ(picture.tiles.farthest(8, 1), 0.5f) << "pixels beyond the picture hold it back";
+  EXPECT_EQ(picture.tiles.farthest(8, 1), 0.5f);
   EXPECT_EQ(picture.tiles.farthest_of_block(0, 0), 0.25f);
   EXPECT_EQ(picture.tiles.farthest_of_block(1, 0), 0.5f);
 }
@@ -103,7 +102,7 @@ TEST(DepthTiles, of_a_picture_that_threads_share_are_the_same) {
                  static_cast<float>(random.number(0.1, 1)));
   }
   set_thread_count(3);
-  picture.tiles.refresh(std::span<const uint32_t>(picture.depths));
+  picture.tiles.refresh(picture.depths);
   set_thread_count(0);
   EXPECT_EQ(picture.wrong(false), 0u);
 }

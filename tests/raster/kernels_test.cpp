@@ -1,11 +1,15 @@
-// Each instruction set writes the bits that the scalar code does, and nothing beyond its rows.
+// Each instruction set writes the bits that the scalar code does, and nothing beyond its rows; and says no
+// more of tiles than is true.
+#include "raster/depth_tiles.hpp"
 #include "raster/fill.hpp"
 #include "raster/instruction_set.hpp"
 #include "tests/raster/whole_number.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace triptych {
 namespace {
@@ -41,13 +45,26 @@ std::array<WindowVertex, 3> random_corners(Random& random, int i, const Size& si
   return corners;
 }
 
-/// Triangles with their slots; some come twice, and meet themselves at equal depths.
-std::vector<WindowTriangle> random_triangles(Random& random, const Size& size, int count) {
+/// What bounds depths here and there, and elsewhere not.
+DepthLimit random_limit(Random& random) {
+  DepthLimit limit{.x = {}, .y = {}, .at = {}, .nearest = 1};
+  for (int i = 0; i < 3; ++i) {
+    limit.x[i] = static_cast<float>(random.number(-0.02, 0.02));
+    limit.y[i] = static_cast<float>(random.number(-0.02, 0.02));
+    limit.at[i] = static_cast<float>(random.number(0.2, 1.2));
+  }
+  return limit;
+}
+
+/// Triangles with their slots; some come twice, and meet themselves at equal depths. Every third has to keep
+/// the limit.
+std::vector<WindowTriangle> random_triangles(Random& random, const Size& size, int count,
+                                             const DepthLimit& limit) {
   std::vector<WindowTriangle> triangles;
   for (int i = 0; i < count; ++i) {
     WindowTriangle triangle;
     if (!set_up(random_corners(random, i, size), {size.width, size.height}, triangle)) continue;
-    triangle.precise.reset();  // what kernels are for
+    if (i % 3 == 0) triangle.limit = &limit;
     for (int copies = i % 5 == 0 ? 2 : 1; copies > 0; --copies) {
       triangle.slot = static_cast<uint32_t>(triangles.size());
       triangles.push_back(triangle);
@@ -56,16 +73,71 @@ std::vector<WindowTriangle> random_triangles(Random& random, const Size& size, i
   return triangles;
 }
 
-/// What triangles are filled into.
-template <typename Word>
-struct Buffer {
-  Buffer(const Size& size, uint64_t pattern)
-      : width(size.width), words(static_cast<size_t>(size.width) * static_cast<size_t>(size.height)) {
-    for (size_t i = 0; i < words.size(); ++i) words[i] = static_cast<Word>(pattern * (i % 3));
+/// What triangles are filled into. Slots of equal depth: the later one wins, or the earlier.
+struct Picture {
+  Picture(const Size& of, bool depth_alone, bool later_wins)
+      : size(of),
+        depths(of.width, of.height),
+        slots(depth_alone ? PixelPlane() : PixelPlane(of.width, of.height)),
+        tiles(of.width, of.height) {
+    target.width = size.width;
+    target.height = size.height;
+    target.stride = depths.stride();
+    target.depths = depths.data();
+    target.slots = depth_alone ? nullptr : slots.data();
+    tiles.hand_out(target);
+    target.order = &ties;
+    target.precedes = later_wins ? [](const void* counter, uint32_t slot, uint32_t other) {
+      ++*static_cast<size_t*>(const_cast<void*>(counter));
+      return slot > other;
+    } : [](const void* counter, uint32_t slot, uint32_t other) {
+      ++*static_cast<size_t*>(const_cast<void*>(counter));
+      return slot < other;
+    };
   }
-  PixelBuffer<Word> pixels() { return {words.data(), width}; }
-  int width;
-  std::vector<Word> words;
+  Picture(const Picture&) = delete;
+
+  /// Depths, and slots of pixels that hold something.
+  std::vector<uint32_t> shown() const {
+    std::vector<uint32_t> result;
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        result.push_back(depths.at(x, y));
+        if (depths.at(x, y) != 0 && !slots.empty()) result.push_back(slots.at(x, y));
+      }
+    }
+    return result;
+  }
+  size_t written() const {
+    size_t count = 0;
+    for (int y = 0; y < size.height; ++y) {
+      for (const uint32_t depth : depths.row(y)) count += depth != 0;
+    }
+    return count;
+  }
+  /// Tiles that are not marked and say something else than the farthest depth, or are and say more.
+  size_t wrong_tiles() const {
+    size_t wrong = 0;
+    for (int y = 0; y * 8 < size.height; ++y) {
+      for (int x = 0; x * 8 < size.width; ++x) {
+        uint32_t least = ~0u;
+        for (int j = y * 8; j < std::min(size.height, y * 8 + 8); ++j) {
+          for (int i = x * 8; i < std::min(size.width, x * 8 + 8); ++i)
+            least = std::min(least, depths.at(i, j));
+        }
+        const auto farthest = std::bit_cast<float>(least);
+        const bool marked = target.marked[y * target.columns + x] != 0;
+        wrong += marked ? tiles.farthest(x, y) > farthest : tiles.farthest(x, y) != farthest;
+      }
+    }
+    return wrong;
+  }
+
+  Size size;
+  size_t ties = 0;  ///< how often slots were compared
+  PixelPlane depths, slots;
+  DepthTiles tiles;
+  FillTarget target{};
 };
 
 class RasterKernelsOf : public testing::TestWithParam<InstructionSet> {
@@ -77,60 +149,55 @@ class RasterKernelsOf : public testing::TestWithParam<InstructionSet> {
     if (std::count(here.begin(), here.end(), GetParam()) == 0) GTEST_SKIP() << "not of this processor";
     kernels = raster_kernels(GetParam());
   }
-  Size random_size() {
-    return {kernels->min_width + whole_number(random, 0, 50), whole_number(random, 1, 40)};
-  }
+  Size random_size() { return {whole_number(random, 1, 60), whole_number(random, 1, 40)}; }
 
   const RasterKernels* kernels = nullptr;
   Random random{11};
 };
 
-TEST_P(RasterKernelsOf, write_the_depths_of_the_scalar_code) {
-  size_t written = 0;
+TEST_P(RasterKernelsOf, fill_as_the_scalar_code_does_and_keep_tiles_true) {
+  size_t written = 0, ties = 0, precise = 0;
   for (int round = 0; round < rounds; ++round) {
     const Size size = random_size();
     const int first = whole_number(random, 0, size.height - 1),
               last = whole_number(random, first, size.height - 1);
-    Buffer<uint32_t> expected(size, 0x3e000000 / 2), found = expected;
-    const std::vector<uint32_t> before = expected.words;
-    for (const WindowTriangle& triangle : random_triangles(random, size, count)) {
+    const bool depth_alone = round % 3 == 0, later_wins = round % 2 == 0;
+    Picture expected(size, depth_alone, later_wins), found(size, depth_alone, later_wins);
+    const DepthLimit limit = random_limit(random);
+    for (const WindowTriangle& triangle : random_triangles(random, size, count, limit)) {
       if (triangle.top < first || triangle.bottom > last) continue;
-      fill(triangle, first, last, expected.pixels(), DepthWriter{});
-      kernels->fill_depths(triangle, first, last, found.words.data(), size.width);
-      ASSERT_EQ(found.words, expected.words) << size.width << "x" << size.height;
+      precise += triangle.precise;
+      fill(triangle, first, last, expected.target);
+      kernels->fill(triangle, first, last, found.target);
+      ASSERT_EQ(found.shown(), expected.shown()) << size.width << "x" << size.height;
+      ASSERT_EQ(found.wrong_tiles(), 0u) << size.width << "x" << size.height;
     }
-    for (size_t i = 0; i < before.size(); ++i) written += before[i] != expected.words[i];
+    written += expected.written();
+    ties += found.ties;
   }
   EXPECT_GT(written, 1000u);
+  EXPECT_GT(ties, 20u);
+  EXPECT_GT(precise, 20u);
 }
 
-TEST_P(RasterKernelsOf, write_the_words_of_the_scalar_code_and_say_where_depths_are_equal) {
-  size_t written = 0, equal = 0;
-  for (int round = 0; round < rounds; ++round) {
-    const Size size = random_size();
-    const int first = whole_number(random, 0, size.height - 1),
-              last = whole_number(random, first, size.height - 1);
-    const std::vector<WindowTriangle> triangles = random_triangles(random, size, count);
-    SlotTable slots(1 << 20);
-    DrawnRange range;
-    range.triangle_count = static_cast<uint32_t>(triangles.size());
-    slots.add(range);
-    const VisibilityWriter writer{slots};
-    Buffer<VisibilityWord> expected(size, 0), found = expected;
-    for (size_t i = 0; i < triangles.size(); ++i) {
-      // Later ones lose at equal depth, so that half of them must be drawn the other way round.
-      const WindowTriangle& triangle = triangles[round % 2 == 0 ? i : triangles.size() - 1 - i];
-      if (triangle.top < first || triangle.bottom > last) continue;
-      fill(triangle, first, last, expected.pixels(), writer);
-      const Rows rows = kernels->fill_words(triangle, first, last, found.words.data(), size.width);
-      equal += rows.first <= rows.last;
-      fill(triangle, rows.first, rows.last, found.pixels(), writer);
-      ASSERT_EQ(found.words, expected.words) << size.width << "x" << size.height;
+TEST_P(RasterKernelsOf, leave_alone_what_tiles_hide) {
+  Picture picture({64, 64}, false, true);
+  const auto draw = [&](float depth) {
+    const auto corner = [depth](int x, int y) { return WindowVertex{x * subpixels, y * subpixels, depth}; };
+    for (const auto& corners : {std::array{corner(0, 0), corner(64, 0), corner(64, 64)},
+                                std::array{corner(0, 0), corner(64, 64), corner(0, 64)}}) {
+      WindowTriangle triangle;
+      ASSERT_TRUE(set_up(corners, {64, 64}, triangle));
+      kernels->fill(triangle, 0, 63, picture.target);
     }
-    for (const VisibilityWord word : expected.words) written += word != 0;
-  }
-  EXPECT_GT(written, 1000u);
-  EXPECT_GT(equal, 20u);
+  };
+  const auto marked = [&] { return std::count(picture.target.marked, picture.target.marked + 64, 1); };
+  draw(0.5f);
+  EXPECT_EQ(marked(), 64);
+  draw(0.25f);
+  EXPECT_EQ(marked(), 0) << "tiles were looked at, and nothing was drawn";
+  draw(0.5f);
+  EXPECT_EQ(marked(), 64) << "what is at the depth of a tile is not hidden by it";
 }
 
 std::string name_of(const testing::TestParamInfo<InstructionSet>& set) {

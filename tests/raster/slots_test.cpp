@@ -1,6 +1,6 @@
 #include "raster/slots.hpp"
 
-#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 
 namespace triptych {
@@ -10,8 +10,6 @@ DrawnRange range(uint64_t distance, DrawableId id, uint32_t triangles, uint32_t 
                  uint32_t first = 0) {
   return {.rank = {distance, id}, .part = part, .first_triangle = first, .triangle_count = triangles};
 }
-
-VisibilityWord word_of(uint32_t slot) { return VisibilityWord{0x3f000000u} << 32 | slot; }
 
 TEST(SlotTable, names_what_was_numbered) {
   SlotTable slots(1000);
@@ -41,28 +39,31 @@ TEST(SlotTable, compaction_keeps_what_pixels_name_and_makes_room) {
   slots.add(range(5, 1, 6));
   slots.add(range(3, 2, 6));
   EXPECT_EQ(slots.left(), 0u);
-  std::vector<VisibilityWord> words = {0, word_of(2), word_of(11), word_of(2), word_of(7)};
+  PixelPlane depths(5, 1), words(5, 1);
+  for (int x = 0; x < 5; ++x) {
+    depths.at(x, 0) = x == 0 ? 0 : 0x3f000000u;  // where nothing is, its slot is none
+    words.at(x, 0) = std::array{77u, 2u, 11u, 2u, 7u}[static_cast<size_t>(x)];
+  }
   std::vector<std::pair<DrawableId, uint32_t>> before, after;
   const auto names = [&](auto& into) {
-    for (const VisibilityWord word : words) {
-      if (word == 0) continue;
-      EXPECT_EQ(word >> 32, 0x3f000000u);
-      const auto found = slots.find(slot_of(word));
+    for (int x = 0; x < 5; ++x) {
+      if (depths.at(x, 0) == 0) continue;
+      const auto found = slots.find(words.at(x, 0));
       into.push_back({found.range->rank.id, found.triangle});
     }
   };
   names(before);
-  slots.compact(words);
+  slots.compact(depths, words);
   names(after);
   EXPECT_EQ(before, after);
-  EXPECT_EQ(words[0], 0u);
   EXPECT_EQ(slots.left(), 9u);
   // Twice, with new ones between.
   const uint32_t slot = slots.add(range(1, 3, 9));
   EXPECT_EQ(slots.find(slot + 8).range->rank.id, 3u);
-  words[0] = word_of(slot + 8);
+  words.at(0, 0) = slot + 8;
+  depths.at(0, 0) = 0x3f000000u;
   before.insert(before.begin(), {3, 8});
-  slots.compact(words);
+  slots.compact(depths, words);
   after.clear();
   names(after);
   EXPECT_EQ(before, after);

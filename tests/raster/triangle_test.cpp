@@ -38,26 +38,24 @@ bool covers(std::array<WindowVertex, 3> corners, int x, int y) {
   return holds(a, b, px, py) && holds(b, c, px, py) && holds(c, a, px, py);
 }
 
-/// Counts what is written, and keeps the depth.
-struct Counting {
-  struct Word {
-    int count = 0;
-    float depth = 0;
-  };
-  void write(Word& word, float depth, uint32_t) const {
-    ++word.count;
-    word.depth = depth;
-  }
+/// How often a pixel was written, and what last.
+struct Written {
+  int count = 0;
+  float depth = 0;
 };
 
-std::vector<Counting::Word> filled(const std::vector<std::array<WindowVertex, 3>>& triangles) {
-  std::vector<Counting::Word> words(static_cast<size_t>(width * height));
+std::vector<Written> filled(const std::vector<std::array<WindowVertex, 3>>& triangles) {
+  std::vector<Written> pixels(static_cast<size_t>(width * height));
   for (const auto& corners : triangles) {
     WindowTriangle triangle;
-    if (set_up(corners, limits, triangle))
-      fill(triangle, 0, height - 1, PixelBuffer<Counting::Word>{words.data(), width}, Counting{});
+    if (!set_up(corners, limits, triangle)) continue;
+    for_each_pixel(triangle, 0, height - 1, [&](int32_t x, int32_t y, float depth) {
+      Written& pixel = pixels[static_cast<size_t>(y * width + x)];
+      ++pixel.count;
+      pixel.depth = depth;
+    });
   }
-  return words;
+  return pixels;
 }
 
 std::array<WindowVertex, 3> random_triangle(Random& random, int i) {
@@ -124,7 +122,7 @@ TEST(RasterTriangle, neighbours_share_their_pixels_without_gap_or_overlap) {
         triangles.push_back({corners[c], corners[d], corners[a]});  // the other way round
       }
     }
-    for (const Counting::Word& word : filled(triangles)) ASSERT_EQ(word.count, 1);
+    for (const Written& word : filled(triangles)) ASSERT_EQ(word.count, 1);
   }
 }
 
@@ -141,7 +139,7 @@ TEST(RasterTriangle, depth_is_as_near_to_the_exact_plane_as_it_says_and_within_i
         static_cast<long double>(b.x - a.x) * (c.y - a.y) - static_cast<long double>(c.x - a.x) * (b.y - a.y);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        const Counting::Word& word = words[static_cast<size_t>(y * width + x)];
+        const Written& word = words[static_cast<size_t>(y * width + x)];
         if (word.count == 0) continue;
         const long double px = x * subpixels + subpixels / 2 - a.x, py = y * subpixels + subpixels / 2 - a.y;
         const long double wb = (px * (c.y - a.y) - py * (c.x - a.x)) / area,
@@ -158,37 +156,37 @@ TEST(RasterTriangle, depth_is_as_near_to_the_exact_plane_as_it_says_and_within_i
   EXPECT_GT(worst, 0.01) << "the bound says nothing";
 }
 
-TEST(RasterTriangle, a_bound_that_corners_keep_by_more_than_the_error_is_kept_at_every_pixel) {
+TEST(RasterTriangle, a_limit_that_corners_keep_by_more_than_the_error_is_kept_at_every_pixel) {
   Random random(4);
   size_t proven = 0, pixels = 0;
   for (int i = 0; i < 4000; ++i) {
     auto corners = random_triangle(random, i);
-    PixelDepthBound bound;
+    DepthLimit limit{.x = {}, .y = {}, .at = {}, .nearest = 1};
     for (int plane = 0; plane < 3; ++plane) {
-      bound.x[plane] = static_cast<float>(random.number(-0.02, 0.02));
-      bound.y[plane] = static_cast<float>(random.number(-0.02, 0.02));
-      bound.at[plane] = static_cast<float>(random.number(0.2, 1.2));
+      limit.x[plane] = static_cast<float>(random.number(-0.02, 0.02));
+      limit.y[plane] = static_cast<float>(random.number(-0.02, 0.02));
+      limit.at[plane] = static_cast<float>(random.number(0.2, 1.2));
     }
-    // Corners right behind the bound.
+    // Corners right behind the limit.
     for (WindowVertex& corner : corners) {
-      const float room = slack(bound, corner) + corner.depth;
+      const float room = slack(limit, corner) + corner.depth;
       corner.depth = std::max(0.001f, room * (1 - static_cast<float>(random.number(0, 1e-4))));
     }
     WindowTriangle triangle;
     if (!set_up(corners, limits, triangle)) continue;
     const float least =
-        std::min({slack(bound, corners[0]), slack(bound, corners[1]), slack(bound, corners[2])});
+        std::min({slack(limit, corners[0]), slack(limit, corners[1]), slack(limit, corners[2])});
     if (!(least >= triangle.error)) continue;
     ++proven;
     const auto words = filled({corners});
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        const Counting::Word& word = words[static_cast<size_t>(y * width + x)];
+        const Written& word = words[static_cast<size_t>(y * width + x)];
         if (word.count == 0) continue;
         ++pixels;
-        // Rounding where the bound is evaluated at the pixel.
-        const float terms = 8 * 0x1p-24f * (std::abs(bound.x[0]) * width + std::abs(bound.y[0]) * height + 2);
-        ASSERT_LE(word.depth, bound_at(bound, x, y) + terms) << "triangle " << i;
+        // Rounding where the limit is evaluated at the pixel.
+        const float terms = 8 * 0x1p-24f * (std::abs(limit.x[0]) * width + std::abs(limit.y[0]) * height + 2);
+        ASSERT_LE(word.depth, limit_at(limit, x, y) + terms) << "triangle " << i;
       }
     }
   }

@@ -1,0 +1,69 @@
+// Triangles that lie between pixel centres or beside the picture are most of what is drawn, and are left out
+// here. Included once by the file of each instruction set.
+#pragma once
+
+#include "raster/simd/kernels.hpp"
+#include "raster/simd/vector.hpp"
+
+namespace triptych {
+namespace {
+
+[[gnu::always_inline]] inline Ints least(Ints a, Ints b, Ints c) {
+  const Ints ab = a < b ? a : b;
+  return ab < c ? ab : c;
+}
+[[gnu::always_inline]] inline Ints most(Ints a, Ints b, Ints c) {
+  const Ints ab = a > b ? a : b;
+  return ab > c ? ab : c;
+}
+
+/// Pixels whose centres lie between (pixel_box() in raster/triangle.hpp).
+struct PixelRanges {
+  Ints first, last;
+  [[gnu::always_inline]] PixelRanges(Ints low, Ints high, int32_t size)
+      : first((low + 127) >> 8), last((high - 128) >> 8) {
+    first = first > 0 ? first : Ints{};
+    last = last < size ? last : splat(size - 1);
+  }
+  [[gnu::always_inline]] Ints hold_some() const { return first <= last; }
+};
+
+/// Those of at most two tiles in each direction that lie strictly behind all of these.
+[[gnu::always_inline]] inline Ints behind_tiles(const PixelRanges& x, const PixelRanges& y, Floats nearest,
+                                                Ints wanted, const DepthSource& source) {
+  const Ints left = x.first >> 3, right = x.last >> 3, bottom = y.first >> 3, top = y.last >> 3;
+  const Ints few = wanted & (right - left <= 1) & (top - bottom <= 1);
+  if (!any(few)) return few;
+  const auto behind = [&](Ints column, Ints row) __attribute__((always_inline)) {
+    // Tile 0, which there always is, for those that are not wanted.
+    const Ints index = select(few, row * source.columns + column, Ints{});
+    return nearest < (Floats)gather(reinterpret_cast<const int32_t*>(source.tiles), index);
+  };
+  return few & behind(left, bottom) & behind(right, bottom) & behind(left, top) & behind(right, top);
+}
+
+int32_t find_candidates(const WindowPoints& points, const TriangleCorners& corners, int32_t count,
+                        const DepthSource& source, uint32_t* candidates) {
+  int32_t found = 0;
+  for (int32_t i = 0; i < count; i += lanes) {
+    const Ints a = load(corners.a + i), b = load(corners.b + i), c = load(corners.c + i);
+    const Ints ax = gather(points.x, a), bx = gather(points.x, b), cx = gather(points.x, c);
+    const Ints ay = gather(points.y, a), by = gather(points.y, b), cy = gather(points.y, c);
+    const PixelRanges x(least(ax, bx, cx), most(ax, bx, cx), source.width),
+        y(least(ay, by, cy), most(ay, by, cy), source.height);
+    const Ints outside = (ax == outside_x) | (bx == outside_x) | (cx == outside_x);
+    Ints wanted = x.hold_some() & y.hold_some() & ~outside & (lane_numbers < count - i);
+    if (any(wanted)) {
+      const auto* const depths = reinterpret_cast<const int32_t*>(points.depth);
+      const Floats nearest = (Floats)most(gather(depths, a), gather(depths, b), gather(depths, c));
+      wanted &= ~behind_tiles(x, y, nearest, wanted, source);
+    }
+    wanted |= outside & (lane_numbers < count - i);
+    for (uint32_t rest = bits(wanted); rest != 0; rest &= rest - 1)
+      candidates[found++] = static_cast<uint32_t>(i + __builtin_ctz(rest));
+  }
+  return found;
+}
+
+}  // namespace
+}  // namespace triptych

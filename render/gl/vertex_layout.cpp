@@ -1,0 +1,35 @@
+#include "render/gl/vertex_layout.hpp"
+
+#include "render/draw_list.hpp"
+#include "scene/chunk.hpp"
+
+#include <cstddef>
+
+namespace triptych {
+
+void describe_vertices(GLuint vertex_array) {
+  GLuint attribute = 0;
+  const auto add = [&](GLuint stream) {
+    glVertexArrayAttribBinding(vertex_array, attribute, stream);
+    glEnableVertexArrayAttrib(vertex_array, attribute);
+    ++attribute;
+  };
+  const auto add_integers = [&](GLuint stream, GLint count, GLenum type, size_t offset) {
+    glVertexArrayAttribIFormat(vertex_array, attribute, count, type, static_cast<GLuint>(offset));
+    add(stream);
+  };
+  add_integers(vertices_stream, 3, GL_INT, offsetof(ChunkVertex, point));
+  add_integers(vertices_stream, 1, GL_UNSIGNED_INT,
+               sizeof(ChunkVertex) - sizeof(uint32_t));  // colour and piece
+  for (size_t row = 0; row < 3; ++row) {
+    glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_FLOAT, GL_FALSE,
+                              static_cast<GLuint>(offsetof(DrawRecord, rows) + row * sizeof(glm::vec4)));
+    add(records_stream);
+  }
+  add_integers(records_stream, 3, GL_INT, offsetof(DrawRecord, cell));
+  add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, item));
+  add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, first_bound));
+  glVertexArrayBindingDivisor(vertex_array, records_stream, 1);
+}
+
+}  // namespace triptych
