@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <memory>
 #include <mutex>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -35,13 +34,17 @@ void set_thread_count(unsigned count) {
     limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
 }
 
-void parallel_for(size_t count, const std::function<void(size_t)>& body) {
+namespace {
+
+/// loop: calls its argument for each index.
+template <typename Loop>
+void run_parallel(const std::function<void(size_t)>& body, const Loop& loop) {
   // Exceptions must not reach TBB: it would also cancel nested work in the bodies, such as the build of an
   // Embree tree, which would then seem to be complete.
   std::atomic<bool> failed = false;
   std::mutex mutex;
   std::exception_ptr first;
-  tbb::parallel_for(size_t{0}, count, [&](size_t i) {
+  loop([&](size_t i) {
     if (failed) return;
     const NearestRounding rounding;  // threads have the mode of the thread that first woke them
     try {
@@ -53,6 +56,26 @@ void parallel_for(size_t count, const std::function<void(size_t)>& body) {
     }
   });
   if (first) std::rethrow_exception(first);
+}
+
+}  // namespace
+
+void parallel_for(size_t count, const std::function<void(size_t)>& body) {
+  run_parallel(body, [&](const auto& one) { tbb::parallel_for(size_t{0}, count, one); });
+}
+
+struct ThreadAffinity::Partitioner {
+  tbb::affinity_partitioner of_tbb;
+};
+ThreadAffinity::ThreadAffinity() : partitioner_(std::make_unique<Partitioner>()) {}
+ThreadAffinity::~ThreadAffinity() = default;
+ThreadAffinity::ThreadAffinity(ThreadAffinity&&) noexcept = default;
+ThreadAffinity& ThreadAffinity::operator=(ThreadAffinity&&) noexcept = default;
+
+void parallel_for(size_t count, const std::function<void(size_t)>& body, ThreadAffinity& affinity) {
+  run_parallel(body, [&](const auto& one) {
+    tbb::parallel_for(size_t{0}, count, one, affinity.partitioner().of_tbb);
+  });
 }
 
 }  // namespace triptych

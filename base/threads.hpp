@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace triptych {
 
@@ -16,5 +17,22 @@ unsigned thread_count();
 /// Calls body(0) … body(count − 1), in any order, side by side, each rounding to nearest; the first exception
 /// is thrown again here.
 void parallel_for(size_t count, const std::function<void(size_t)>& body);
+
+/// Remembers which thread worked at which index, so that what is in a core's caches is found there again.
+class ThreadAffinity {
+ public:
+  ThreadAffinity();
+  ~ThreadAffinity();
+  ThreadAffinity(ThreadAffinity&&) noexcept;
+  ThreadAffinity& operator=(ThreadAffinity&&) noexcept;
+
+  struct Partitioner;
+  Partitioner& partitioner() { return *partitioner_; }
+
+ private:
+  std::unique_ptr<Partitioner> partitioner_;
+};
+/// The same, each index where possible by the thread that had it last time.
+void parallel_for(size_t count, const std::function<void(size_t)>& body, ThreadAffinity& affinity);
 
 }  // namespace triptych

@@ -99,7 +99,8 @@ class FrustumHidepthMethod final : public FrustumMethod {
       rectangles_.clear();
       ends_.clear();
       for (const DrawableId id : drawables.subspan(first, std::min(batch, drawables.size() - first))) {
-        const ScreenBounds::Kind kind = append_placement_bounds(hierarchy_, projector, id, rectangles_);
+        const ScreenBounds::Kind kind =
+            append_placement_bounds(hierarchy_, projector, id, &picture.target(), rectangles_);
         if (kind == ScreenBounds::Kind::unbounded) shown_.push_back(id);
         if (kind != ScreenBounds::Kind::rectangle) continue;
         tested_.push_back(id);

@@ -30,10 +30,12 @@ float centre(int pixel, int size) {
 /// The pixels whose centres a rectangle holds.
 struct Extent {
   PixelRange columns, rows;
-  Extent(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle)
+  template <typename Sides>
+  Extent(const VisibilityBuffer& buffer, const Sides& rectangle)
       : columns(pixels_between(rectangle.left, rectangle.right, buffer.width())),
         rows(pixels_between(rectangle.bottom, rectangle.top, buffer.height())) {}
   bool empty() const { return columns.first > columns.last || rows.first > rows.last; }
+  PixelRectangle pixels() const { return {columns.first, columns.last, rows.first, rows.last}; }
 };
 
 /// The test of one rectangle. Where whole tiles decide, they do: in IEEE arithmetic sums and products are
@@ -133,9 +135,7 @@ bool passes_with(const RasterKernels& kernels, const VisibilityBuffer& buffer,
   copy_planes(rectangle.planes, terms.planes);
   copy_planes(rectangle.cuts, terms.cuts);
   terms.strict = strict;
-  return kernels.test_box(terms,
-                          {extent.columns.first, extent.columns.last, extent.rows.first, extent.rows.last},
-                          buffer.source());
+  return kernels.test_box(terms, extent.pixels(), buffer.source());
 }
 
 }  // namespace
@@ -146,6 +146,21 @@ bool may_show(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, 
   if (const RasterKernels* const kernels = raster_kernels(instruction_set()))
     return passes_with(*kernels, buffer, rectangle, extent, strict);
   return RectangleTest(buffer, rectangle, extent, strict).passes();
+}
+
+bool hides(const VisibilityBuffer& buffer, const ScreenExtent& sides, bool strict) {
+  const Extent extent(buffer, sides);
+  if (extent.empty()) return true;
+  if (const RasterKernels* const kernels = raster_kernels(instruction_set()))
+    return kernels->hides(sides.nearest, strict, extent.pixels(), buffer.source());
+  constexpr int side = DepthTiles::tile;
+  for (int y = extent.rows.first / side; y <= extent.rows.last / side; ++y) {
+    for (int x = extent.columns.first / side; x <= extent.columns.last / side; ++x) {
+      const float there = buffer.tiles().farthest(x, y);
+      if (strict ? sides.nearest > there : sides.nearest >= there) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace triptych

@@ -9,5 +9,8 @@ namespace triptych {
 /// Whether the rectangle is at or in front of the depth (strictly in front of it, where `strict`) at the
 /// centre of some pixel: exact, up to rounding of the rectangle's own planes, which their margins cover.
 bool may_show(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, bool strict);
+/// Whether the farthest depths of tiles alone show that everything within these sides, this deep or deeper,
+/// is hidden.
+bool hides(const VisibilityBuffer& buffer, const ScreenExtent& sides, bool strict);
 
 }  // namespace triptych

@@ -1,6 +1,5 @@
 #include "raster/depth_tiles.hpp"
 
-#include "base/threads.hpp"
 #include "raster/instruction_set.hpp"
 
 #include <algorithm>
@@ -36,17 +35,20 @@ DepthTiles::DepthTiles(int width, int height)
       tiles_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_) + spare),
       blocks_(static_cast<size_t>(block_columns_) * static_cast<size_t>(block_rows_)),
       marked_(tiles_.size()),
-      row_touched_(static_cast<size_t>(rows_)) {}
+      row_touched_(static_cast<size_t>(rows_)),
+      block_touched_(static_cast<size_t>(block_rows_)) {}
 
 void DepthTiles::clear() {
   std::fill(tiles_.begin(), tiles_.end(), 0.0f);
   std::fill(blocks_.begin(), blocks_.end(), 0.0f);
   std::fill(marked_.begin(), marked_.end(), uint8_t{0});
   std::fill(row_touched_.begin(), row_touched_.end(), uint8_t{0});
+  std::fill(block_touched_.begin(), block_touched_.end(), uint8_t{0});
 }
 
 void DepthTiles::touch_rows(int bottom, int top) {
   std::fill(row_touched_.begin() + bottom / tile, row_touched_.begin() + top / tile + 1, uint8_t{1});
+  std::fill(block_touched_.begin() + bottom / block, block_touched_.begin() + top / block + 1, uint8_t{1});
 }
 
 void DepthTiles::mark(int left, int right, int bottom, int top) {
@@ -70,9 +72,9 @@ void DepthTiles::hand_out(DepthSource& source) const {
   source.block_columns = block_columns_;
 }
 
-bool DepthTiles::refresh_row(const PixelPlane& depths, int tile_y) {
+void DepthTiles::refresh_row(const PixelPlane& depths, int tile_y) {
   uint8_t& touched = row_touched_[static_cast<size_t>(tile_y)];
-  if (!touched) return false;
+  if (!touched) return;
   touched = 0;
   const RasterKernels* const kernels = raster_kernels(instruction_set());
   const int height = std::min(tile, height_ - tile_y * tile);
@@ -87,10 +89,9 @@ bool DepthTiles::refresh_row(const PixelPlane& depths, int tile_y) {
               : least_bits(row + x * tile, static_cast<size_t>(depths.stride()), width, height);
     tiles_[at(x, tile_y)] = std::bit_cast<float>(bits);
   }
-  return true;
 }
 
-void DepthTiles::refresh_blocks(int block_y) {
+void DepthTiles::refresh_row_of_blocks(int block_y) {
   const int first = block_y * tiles_of_block, end = std::min(first + tiles_of_block, rows_);
   float* const blocks = blocks_.data() + static_cast<size_t>(block_y) * static_cast<size_t>(block_columns_);
   std::fill(blocks, blocks + block_columns_, std::numeric_limits<float>::infinity());
@@ -102,19 +103,15 @@ void DepthTiles::refresh_blocks(int block_y) {
   }
 }
 
-void DepthTiles::refresh(const PixelPlane& depths) {
-  const auto refresh_row_of_blocks = [&](size_t i) {
-    const int block_y = static_cast<int>(i), first = block_y * tiles_of_block;
-    bool changed = false;
-    for (int y = first; y < std::min(first + tiles_of_block, rows_); ++y) changed |= refresh_row(depths, y);
-    if (changed) refresh_blocks(block_y);
-  };
-  // Waking other threads takes longer than a small picture.
-  constexpr size_t worth_sharing = size_t{1} << 20;
-  if (static_cast<size_t>(width_) * static_cast<size_t>(height_) >= worth_sharing) {
-    parallel_for(static_cast<size_t>(block_rows_), refresh_row_of_blocks);
-  } else {
-    for (int i = 0; i < block_rows_; ++i) refresh_row_of_blocks(static_cast<size_t>(i));
+void DepthTiles::refresh_rows(const PixelPlane& depths, int first, int last) {
+  for (int y = first / tile; y <= last / tile; ++y) refresh_row(depths, y);
+}
+
+void DepthTiles::refresh_blocks() {
+  for (int y = 0; y < block_rows_; ++y) {
+    uint8_t& touched = block_touched_[static_cast<size_t>(y)];
+    if (touched) refresh_row_of_blocks(y);
+    touched = 0;
   }
 }
 

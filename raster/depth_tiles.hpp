@@ -28,8 +28,11 @@ class DepthTiles {
   void touch_rows(int bottom, int top);
   /// Pixels, all inclusive, in which something may have been drawn; their rows are touched.
   void mark(int left, int right, int bottom, int top);
-  /// Looks at the marked tiles again. depths: the bits of positive floats.
-  void refresh(const PixelPlane& depths);
+  /// Looks at the marked tiles of some rows of pixels again; last: the picture's last one, or the last of a
+  /// row of tiles. depths: the bits of positive floats.
+  void refresh_rows(const PixelPlane& depths, int first, int last);
+  /// Looks at the blocks again whose rows were touched: by one thread, when the rows are refreshed.
+  void refresh_blocks();
   /// For kernels, which mark and refresh by themselves.
   void hand_out(FillTarget& target);
   void hand_out(DepthSource& source) const;
@@ -44,8 +47,8 @@ class DepthTiles {
   size_t at(int tile_x, int tile_y) const {
     return static_cast<size_t>(tile_y) * static_cast<size_t>(columns_) + static_cast<size_t>(tile_x);
   }
-  bool refresh_row(const PixelPlane& depths, int tile_y);
-  void refresh_blocks(int block_y);
+  void refresh_row(const PixelPlane& depths, int tile_y);
+  void refresh_row_of_blocks(int block_y);
 
   int width_, height_;
   int columns_, rows_;  ///< of tiles
@@ -53,8 +56,9 @@ class DepthTiles {
   /// Some more of them than there are: kernels read whole vectors.
   std::vector<float> tiles_;
   std::vector<float> blocks_;
-  std::vector<uint8_t> marked_;       ///< of each tile
-  std::vector<uint8_t> row_touched_;  ///< of each row of tiles
+  std::vector<uint8_t> marked_;         ///< of each tile
+  std::vector<uint8_t> row_touched_;    ///< of each row of tiles: not refreshed since
+  std::vector<uint8_t> block_touched_;  ///< of each row of blocks
 };
 
 }  // namespace triptych

@@ -114,6 +114,10 @@ void RasterTarget::test(std::span<const ScreenRectangle> rectangles, std::span<c
   }
 }
 
+bool RasterTarget::hides(const ScreenExtent& extent) const {
+  return triptych::hides(buffer_, extent, !view_->rules.non_strict_test);
+}
+
 void RasterTarget::finish() {
   if (has_colors()) make_picture();
 }

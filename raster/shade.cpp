@@ -1,11 +1,10 @@
 #include "raster/shade.hpp"
 
-#include "base/threads.hpp"
-#include "raster/float_state.hpp"
 #include "raster/instruction_set.hpp"
 #include "visibility/shading.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -81,40 +80,27 @@ class RecentColors {
   std::array<Entry, count> entries_;
 };
 
-size_t run_length(const RasterKernels* kernels, std::span<const uint32_t> depths,
-                  std::span<const uint32_t> slots) {
-  if (kernels != nullptr)
-    return static_cast<size_t>(
-        kernels->run_length(depths.data(), slots.data(), static_cast<int32_t>(depths.size())));
-  size_t x = 1;
-  while (x < depths.size() && (depths[x] == 0) == (depths[0] == 0) &&
-         (depths[0] == 0 || slots[x] == slots[0]))
-    ++x;
-  return x;
-}
-
 [[gnu::noinline]] void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
-                                 RecentColors& colors, Rgba* row) {
-  const RasterKernels* const kernels = raster_kernels(instruction_set());
-  // Neighbours are often of one triangle.
-  for (size_t x = 0; x < depths.size();) {
-    const Rgba color = depths[x] == 0 ? background_bytes : colors.of(slots[x]);
-    const size_t end = x + run_length(kernels, depths.subspan(x), slots.subspan(x));
-    std::fill(row + x, row + end, color);
-    x = end;
+                                 RecentColors& recent, Rgba* row) {
+  if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
+    const SlotColors colors{.background = std::bit_cast<uint32_t>(background_bytes),
+                            .context = &recent,
+                            .of_slot = [](void* context, uint32_t slot) {
+                              return std::bit_cast<uint32_t>(static_cast<RecentColors*>(context)->of(slot));
+                            }};
+    kernels->color_row(colors, depths.data(), slots.data(), static_cast<int32_t>(depths.size()), row);
+    return;
   }
+  for (size_t x = 0; x < depths.size(); ++x) row[x] = depths[x] == 0 ? background_bytes : recent.of(slots[x]);
 }
 
 }  // namespace
 
 [[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
   const Shader shader(view);
-  constexpr int rows = 32;
-  parallel_for(static_cast<size_t>((buffer.height() + rows - 1) / rows), [&](size_t i) {
-    const FloatState state;
-    const int first = static_cast<int>(i) * rows, end = std::min(first + rows, buffer.height());
+  buffer.for_each_band(true, [&](int32_t first, int32_t last) {
     RecentColors colors(buffer, shader);
-    for (int y = first; y < end; ++y)
+    for (int32_t y = first; y <= last; ++y)
       shade_row(buffer.depths(y), buffer.slots(y), colors,
                 picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width()));
   });

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
 
 namespace triptych {
 
@@ -18,19 +17,6 @@ constexpr uint64_t batch_size = 4096;
 constexpr uint64_t worth_sharing = 1024;
 /// Bands are whole tiles of so many rows.
 constexpr int32_t tile_rows = DepthTiles::tile;
-
-/// All of them here where they are few.
-void for_each(size_t count, bool side_by_side, const std::function<void(size_t)>& body) {
-  const auto in_own_state = [&](size_t i) {
-    const FloatState state;
-    body(i);
-  };
-  if (side_by_side) {
-    parallel_for(count, in_own_state);
-  } else {
-    for (size_t i = 0; i < count; ++i) in_own_state(i);
-  }
-}
 
 }  // namespace
 
@@ -45,7 +31,9 @@ VisibilityBuffer::VisibilityBuffer(int width, int height, bool depth_alone, uint
           std::max<uint64_t>(max_slots, static_cast<uint64_t>(width) * static_cast<uint64_t>(height) + 1)) {}
 
 void VisibilityBuffer::clear() {
-  depths_.clear();
+  for_each_band(true, [&](int32_t first, int32_t last) {
+    for (int32_t y = first; y <= last; ++y) std::ranges::fill(depths_.row(y), 0u);
+  });
   tiles_.clear();
   table_.clear();
 }
@@ -91,19 +79,39 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   if (triangles_.size() < batch_.size()) triangles_.resize(batch_.size());
   const DepthSource drawn = source();
   const bool side_by_side = thread_count() > 1 && batch_triangles_ >= worth_sharing;
-  for_each(batch_.size(), side_by_side,
-           [&](size_t i) { make_triangles(terms, batch_[i].range, batch_[i].pieces, drawn, triangles_[i]); });
+  const auto make = [&](size_t i) {
+    const FloatState state;
+    make_triangles(terms, batch_[i].range, batch_[i].pieces, drawn, triangles_[i]);
+  };
+  if (side_by_side) {
+    parallel_for(batch_.size(), make);
+  } else {
+    for (size_t i = 0; i < batch_.size(); ++i) make(i);
+  }
   sort_large();
-  const int32_t tiles = (height_ + tile_rows - 1) / tile_rows;
-  const int32_t bands = side_by_side ? std::min(tiles, static_cast<int32_t>(thread_count()) * 4) : 1;
-  for_each(static_cast<size_t>(bands), side_by_side, [&](size_t i) {
-    const auto band = static_cast<int32_t>(i);
-    fill_rows(tiles * band / bands * tile_rows,
-              std::min(tiles * (band + 1) / bands * tile_rows, height_) - 1);
+  for_each_band(side_by_side, [&](int32_t first, int32_t last) {
+    fill_rows(first, last);
+    tiles_.refresh_rows(depths_, first, last);
   });
+  tiles_.refresh_blocks();
   batch_.clear();
   batch_triangles_ = 0;
-  tiles_.refresh(depths_);
+}
+
+void VisibilityBuffer::for_each_band(bool side_by_side,
+                                     const std::function<void(int32_t, int32_t)>& body) const {
+  const int32_t tiles = (height_ + tile_rows - 1) / tile_rows;
+  const int32_t bands = std::min(tiles, static_cast<int32_t>(thread_count()) * 4);
+  const auto visit = [&](size_t i) {
+    const FloatState state;
+    const auto band = static_cast<int32_t>(i);
+    body(tiles * band / bands * tile_rows, std::min(tiles * (band + 1) / bands * tile_rows, height_) - 1);
+  };
+  if (side_by_side && bands > 1) {
+    parallel_for(static_cast<size_t>(bands), visit, affinity_);
+  } else {
+    for (int32_t i = 0; i < bands; ++i) visit(static_cast<size_t>(i));
+  }
 }
 
 void VisibilityBuffer::sort_large() {

@@ -1,10 +1,12 @@
 // What is drawn in one frame, pixel by pixel: depth, and the triangle that it is of.
 #pragma once
 
+#include "base/threads.hpp"
 #include "raster/depth_tiles.hpp"
 #include "raster/fill.hpp"
 #include "raster/geometry_stage.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <variant>
@@ -47,6 +49,9 @@ class VisibilityBuffer {
   DepthSource source() const;
   /// Null where nothing is. Not of a buffer that keeps depth alone.
   std::optional<SlotTable::Triangle> triangle(int x, int y) const;
+  /// Calls body(first, last) for bands of rows, both included, each by the thread that had it last time,
+  /// where side_by_side; else one after the other here.
+  void for_each_band(bool side_by_side, const std::function<void(int32_t, int32_t)>& body) const;
   SlotTable::Triangle find(uint32_t slot) const { return table_.find(slot); }
 
  private:
@@ -58,6 +63,7 @@ class VisibilityBuffer {
 
   int width_, height_;
   bool depth_alone_;
+  mutable ThreadAffinity affinity_;
   PixelPlane depths_;
   PixelPlane slots_;  ///< empty where depth_alone_
   DepthTiles tiles_;

@@ -7,16 +7,24 @@ constexpr size_t max_placements = 32;
 constexpr size_t max_pieces = 256;
 
 ScreenBounds::Kind append_bounds(const BoxProjector& projector, std::span<const LatticeBox> boxes,
-                                 std::vector<ScreenRectangle>& rectangles) {
+                                 const ExtentTester* tester, std::vector<ScreenRectangle>& rectangles) {
+  using Kind = ScreenBounds::Kind;
   const size_t before = rectangles.size();
+  Kind kind = Kind::off_screen;
   for (const LatticeBox& box : boxes) {
-    const ScreenBounds found = projector.bounds(box);
-    if (found.kind == ScreenBounds::Kind::rectangle) rectangles.push_back(found.rectangle);
-    if (found.kind != ScreenBounds::Kind::unbounded) continue;
-    rectangles.resize(before);
-    return found.kind;
+    const ScreenBounds found = projector.bounds(box, tester);
+    if (found.kind == Kind::unbounded) {
+      rectangles.resize(before);
+      return found.kind;
+    }
+    if (found.kind == Kind::rectangle) {
+      rectangles.push_back(found.rectangle);
+      kind = Kind::rectangle;
+    } else if (found.kind == Kind::hidden && kind == Kind::off_screen) {
+      kind = Kind::hidden;
+    }
   }
-  return rectangles.size() > before ? ScreenBounds::Kind::rectangle : ScreenBounds::Kind::off_screen;
+  return kind;
 }
 }  // namespace
 
@@ -26,24 +34,25 @@ bool has_pieces(const Hierarchy& hierarchy, DrawableId id) {
 }
 
 ScreenBounds::Kind append_placement_bounds(const Hierarchy& hierarchy, const BoxProjector& projector,
-                                           DrawableId id, std::vector<ScreenRectangle>& rectangles) {
-  const ScreenBounds whole = projector.bounds(hierarchy.scene_node_of(id).box);
-  if (whole.kind == ScreenBounds::Kind::off_screen) return whole.kind;
+                                           DrawableId id, const ExtentTester* tester,
+                                           std::vector<ScreenRectangle>& rectangles) {
+  const LatticeBox& whole = hierarchy.scene_node_of(id).box;
   const std::span<const LatticeBox> boxes = hierarchy.placed(id).placements;
-  if (boxes.size() <= max_placements) return append_bounds(projector, boxes, rectangles);
-  if (whole.kind == ScreenBounds::Kind::rectangle) rectangles.push_back(whole.rectangle);
-  return whole.kind;
+  if (boxes.size() > max_placements) return append_bounds(projector, {&whole, 1}, tester, rectangles);
+  if (boxes.size() > 1 && projector.is_off_screen(whole)) return ScreenBounds::Kind::off_screen;
+  return append_bounds(projector, boxes, tester, rectangles);
 }
 
 ScreenBounds::Kind append_drawable_bounds(const Hierarchy& hierarchy, const BoxProjector& projector,
                                           DrawableId id, std::vector<ScreenRectangle>& rectangles) {
-  if (!has_pieces(hierarchy, id)) return append_placement_bounds(hierarchy, projector, id, rectangles);
-  return append_bounds(projector, hierarchy.placed(id).pieces, rectangles);
+  if (!has_pieces(hierarchy, id))
+    return append_placement_bounds(hierarchy, projector, id, nullptr, rectangles);
+  return append_bounds(projector, hierarchy.placed(id).pieces, nullptr, rectangles);
 }
 
 DrawableBounds placement_bounds(const Hierarchy& hierarchy, const BoxProjector& projector, DrawableId id) {
   DrawableBounds bounds;
-  bounds.kind = append_placement_bounds(hierarchy, projector, id, bounds.rectangles);
+  bounds.kind = append_placement_bounds(hierarchy, projector, id, nullptr, bounds.rectangles);
   return bounds;
 }
 

@@ -14,12 +14,15 @@ bool has_pieces(const Hierarchy& hierarchy, DrawableId id);
 
 /// Appends what the occlusion test draws for a drawable: a rectangle for each placement on the screen, or,
 /// for a drawable of more than 32 placements, one for its scene node's box. Returns `unbounded` where any
-/// box is, `off_screen` where all are (then nothing is appended), and `rectangle` otherwise: the content is
-/// within the rectangles.
+/// box is, `off_screen` where all are, and `rectangle` otherwise: what of the content is not hidden is within
+/// the rectangles. Boxes that `tester`, if there is one, knows to be hidden have none; `hidden` where no
+/// other is on the screen.
 ScreenBounds::Kind append_placement_bounds(const Hierarchy& hierarchy, const BoxProjector& projector,
-                                           DrawableId id, std::vector<ScreenRectangle>& rectangles);
+                                           DrawableId id, const ExtentTester* tester,
+                                           std::vector<ScreenRectangle>& rectangles);
 
-/// The same for each piece on the screen, if has_pieces(); append_placement_bounds() otherwise.
+/// The same for each piece on the screen, if has_pieces(); append_placement_bounds() otherwise. No tester is
+/// asked.
 ScreenBounds::Kind append_drawable_bounds(const Hierarchy& hierarchy, const BoxProjector& projector,
                                           DrawableId id, std::vector<ScreenRectangle>& rectangles);
 

@@ -40,11 +40,12 @@ const CullResult& HardwareCull::run(const FrameView& view, LazyCut& cut, Occlusi
   view_ = &view;
   cut_ = &cut;
   projector_ = &projector;
+  tester_ = &tester;
   begin(represented, previous);
   push(0);
   do {
     fill_batch();
-    test_batch(tester);
+    test_batch();
     if (!found_.empty() && !queue_.empty()) tester.draw(found_);
     found_.clear();
     decide();
@@ -129,7 +130,8 @@ void HardwareCull::fill_batch() {
     }
     const ScreenBounds::Kind kind = append_bounds(next, inner);
     if (kind == ScreenBounds::Kind::off_screen) continue;
-    if (kind == ScreenBounds::Kind::rectangle) {
+    // What is known to be hidden has no rectangles: its test says so, and counts.
+    if (kind == ScreenBounds::Kind::rectangle || kind == ScreenBounds::Kind::hidden) {
       tested_.push_back(next);
       ends_.push_back(static_cast<uint32_t>(rectangles_.size()));
     } else if (inner) {
@@ -143,7 +145,7 @@ void HardwareCull::fill_batch() {
 
 ScreenBounds::Kind HardwareCull::append_bounds(QueueEntry& entry, bool inner) {
   if (!inner) return append_bounds_of(entry);
-  const ScreenBounds bounds = projector_->bounds(skeleton_.scene_nodes[entry.node].box);
+  const ScreenBounds bounds = projector_->bounds(skeleton_.scene_nodes[entry.node].box, tester_);
   if (bounds.kind == ScreenBounds::Kind::rectangle) rectangles_.push_back(bounds.rectangle);
   return bounds.kind;
 }
@@ -154,11 +156,12 @@ ScreenBounds::Kind HardwareCull::append_bounds_of(QueueEntry& entry) {
   const DrawableId id = cut_->choice(entry.node);
   if (!has_pieces(hierarchy_, id)) {
     entry.boxes = Boxes::all;
-    return append_placement_bounds(hierarchy_, *projector_, id, rectangles_);
+    return append_placement_bounds(hierarchy_, *projector_, id, tester_, rectangles_);
   }
   const size_t first = rectangles_.size();
   if (entry.boxes == Boxes::placements && !was_visible_.marked(id)) {
-    const ScreenBounds::Kind kind = append_placement_bounds(hierarchy_, *projector_, id, rectangles_);
+    const ScreenBounds::Kind kind =
+        append_placement_bounds(hierarchy_, *projector_, id, tester_, rectangles_);
     if (kind != ScreenBounds::Kind::unbounded) return kind;
   }
   const ScreenBounds::Kind kind = append_drawable_bounds(hierarchy_, *projector_, id, rectangles_);
@@ -171,10 +174,10 @@ ScreenBounds::Kind HardwareCull::append_bounds_of(QueueEntry& entry) {
   return kind;
 }
 
-void HardwareCull::test_batch(OcclusionTester& tester) {
+void HardwareCull::test_batch() {
   if (tested_.empty()) return;
   answers_.assign(tested_.size(), 1);
-  tester.test(rectangles_, ends_, answers_);
+  tester_->test(rectangles_, ends_, answers_);
   ++result_.batches;
   result_.tests += tested_.size();
   bool too_many = false;

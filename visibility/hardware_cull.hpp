@@ -78,7 +78,7 @@ class HardwareCull {
   void fill_batch();
   ScreenBounds::Kind append_bounds(QueueEntry& entry, bool inner);
   ScreenBounds::Kind append_bounds_of(QueueEntry& entry);
-  void test_batch(OcclusionTester& tester);
+  void test_batch();
   void judge(QueueEntry tested, bool passed, bool& too_many);
   void decide();
   void emit(CullSink& sink);
@@ -102,6 +102,7 @@ class HardwareCull {
   const FrameView* view_ = nullptr;
   LazyCut* cut_ = nullptr;
   const BoxProjector* projector_ = nullptr;
+  OcclusionTester* tester_ = nullptr;
   size_t batch_ = 0, next_previous_ = 0, found_visible_ = 0;
 };
 

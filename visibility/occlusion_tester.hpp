@@ -11,9 +11,11 @@
 namespace triptych {
 
 /// Holds one occlusion representation: the depth of what was drawn under one view.
-class OcclusionTester {
+class OcclusionTester : public ExtentTester {
  public:
-  virtual ~OcclusionTester() = default;
+  /// Whether test() would say so of every rectangle with these sides and this first plane: for less than a
+  /// test. False where that is not known without one.
+  bool hides(const ScreenExtent&) const override { return false; }
 
   /// What bounds of the boxes that are tested here must leave room for.
   virtual DeviceMargins margins() const { return {}; }

@@ -37,22 +37,33 @@ BoxProjector::BoxProjector(const FrameView& view, const DeviceMargins& margins)
       focal_length_(view.focal_length),
       faces_(view, margins) {}
 
-ScreenBounds BoxProjector::bounds(const LatticeBox& box) const {
+ScreenBounds BoxProjector::bounds(const LatticeBox& box, const ExtentTester* tester) const {
   const NearestRounding rounding;
   const Box model_box = lattice_->box(box);  // exact
   const Extent found = extent(model_box);
   if (found.beyond) return {.kind = ScreenBounds::Kind::off_screen, .rectangle = {}};
-  ScreenRectangle rectangle{.left = static_cast<float>(found.left),
-                            .bottom = static_cast<float>(found.bottom),
-                            .right = static_cast<float>(found.right),
-                            .top = static_cast<float>(found.top),
+  const ScreenExtent sides{.left = static_cast<float>(found.left),
+                           .bottom = static_cast<float>(found.bottom),
+                           .right = static_cast<float>(found.right),
+                           .top = static_cast<float>(found.top),
+                           .nearest = static_cast<float>(found.nearest)};
+  if (tester != nullptr && tester->hides(sides)) return {.kind = ScreenBounds::Kind::hidden, .rectangle = {}};
+  ScreenRectangle rectangle{.left = sides.left,
+                            .bottom = sides.bottom,
+                            .right = sides.right,
+                            .top = sides.top,
                             .planes = {},
                             .cuts = silhouette(std::span(found.corners).first(found.count), found.margin)};
-  rectangle.planes[0].middle = static_cast<float>(found.nearest);
+  rectangle.planes[0].middle = sides.nearest;
   const auto faces = faces_.of(model_box, rules_.bounds_margin ? 2 : 0);
   std::copy(faces.begin(), faces.end(), rectangle.planes.begin() + 1);
   if (says_nothing(rectangle)) return {};
   return {.kind = ScreenBounds::Kind::rectangle, .rectangle = rectangle};
+}
+
+bool BoxProjector::is_off_screen(const LatticeBox& box) const {
+  const NearestRounding rounding;
+  return extent(lattice_->box(box)).beyond;
 }
 
 DepthBound BoxProjector::depth_bound(const LatticeBox& box) const {

@@ -32,9 +32,24 @@ struct ScreenRectangle {
   }
 };
 
+/// The sides of a rectangle, and its first plane.
+struct ScreenExtent {
+  float left = -1, bottom = -1, right = 1, top = 1;
+  float nearest = 1;
+};
+
+/// Knows of some extents that everything within them is hidden.
+class ExtentTester {
+ public:
+  virtual ~ExtentTester() = default;
+  /// Whether all that is within the sides, and as far as `nearest` or farther, is certainly hidden.
+  virtual bool hides(const ScreenExtent& extent) const = 0;
+};
+
 struct ScreenBounds {
   enum class Kind : uint8_t {
     off_screen,  ///< covers no pixel centre
+    hidden,      ///< certainly, as an ExtentTester knew
     unbounded,   ///< may be right before the eye, at every pixel: visible without a test
     rectangle,   ///< the rectangle holds
   };
@@ -50,8 +65,10 @@ struct ScreenBounds {
 class BoxProjector {
  public:
   explicit BoxProjector(const FrameView& view, const DeviceMargins& margins = {});
-  /// What the occlusion test draws.
-  ScreenBounds bounds(const LatticeBox& box) const;
+  /// What the occlusion test draws. tester: asked before the rectangle is made, which takes longer.
+  ScreenBounds bounds(const LatticeBox& box, const ExtentTester* tester = nullptr) const;
+  /// Whether the box covers no pixel centre.
+  bool is_off_screen(const LatticeBox& box) const;
   /// What fragments of the box's content are held to.
   DepthBound depth_bound(const LatticeBox& box) const;
   /// The same over pixels; no bound where FrameRules::fragment_bound is off.

@@ -50,10 +50,8 @@ template <bool plain>
   RowDepth<plain> depth(triangle);
   for (int32_t y = bottom; y <= top; ++y) {
     const Ints covered = (edge[0] | edge[1] | edge[2]) >= 0;
-    if (any(covered)) {
-      depth.go_to(y);
-      pixels.write(int64_t{y} * stride + x, covered, depth.at(columns));
-    }
+    depth.go_to(y);
+    pixels.write(int64_t{y} * stride + x, covered, depth.at(columns));
     for (int k = 0; k < 3; ++k) edge[k] += triangle.step_y[k];
   }
 }

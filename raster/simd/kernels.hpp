@@ -55,6 +55,13 @@ struct PixelRectangle {
   int32_t left, right, bottom, top;
 };
 
+/// What pixels become: 4 bytes each.
+struct SlotColors {
+  uint32_t background;
+  void* context;
+  uint32_t (*of_slot)(void* context, uint32_t slot);
+};
+
 /// Plain functions on plain data, so that their files share no code with others (docs/developing.md).
 struct RasterKernels {
   /// Transforms so many vertices, and up to `lanes` − 1 after them.
@@ -70,9 +77,11 @@ struct RasterKernels {
   void (*fill)(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target);
   /// The least of 8 × 8 depths, as bits; stride: from one to that above.
   uint32_t (*least_of_tile)(const uint32_t* depths, int32_t stride);
-  /// So many of the first pixels (at least one of `count`) hold the same slot as the first one; or nothing,
-  /// as it does.
-  int32_t (*run_length)(const uint32_t* depths, const uint32_t* slots, int32_t count);
+  /// Colours the pixels of a row (PixelPlane).
+  void (*color_row)(const SlotColors& colors, const uint32_t* depths, const uint32_t* slots, int32_t count,
+                    void* row);
+  /// Whether tiles alone hide everything this deep, or deeper, at these pixels.
+  bool (*hides)(float nearest, bool strict, const PixelRectangle& pixels, const DepthSource& source);
   /// Whether the box may show at the centre of one of these pixels.
   bool (*test_box)(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source);
 };

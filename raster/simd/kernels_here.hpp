@@ -1,10 +1,10 @@
 // The kernels of the instruction set that the including file is compiled for.
 #pragma once
 
+#include "raster/simd/color_row.hpp"
 #include "raster/simd/fill.hpp"
 #include "raster/simd/find_candidates.hpp"
 #include "raster/simd/kernels.hpp"
-#include "raster/simd/run_length.hpp"
 #include "raster/simd/test_box.hpp"
 #include "raster/simd/transform_vertices.hpp"
 
@@ -15,7 +15,8 @@ constexpr RasterKernels kernels_here = {.transform_vertices = transform_vertices
                                         .find_candidates = find_candidates,
                                         .fill = fill,
                                         .least_of_tile = least_of_tile,
-                                        .run_length = run_length,
+                                        .color_row = color_row,
+                                        .hides = hides,
                                         .test_box = test_box};
 
 }  // namespace

@@ -19,13 +19,11 @@ class Pixels {
   /// depth: bits. Positive ones are ordered as floats are; the others are not above zero.
   [[gnu::always_inline]] void write(int64_t pixel, Ints mask, Ints depth) {
     const Ints there = load(depths_ + pixel);
+    // Branches cost more than storing what was there: which pixels are nearer is hard to foresee.
     const Ints nearer = (depth > there) & mask;
-    if (any(nearer)) {
-      store(select(nearer, depth, there), depths_ + pixel);
-      if (slots_ != nullptr)
-        store(select(nearer, splat(static_cast<int32_t>(slot_)), load(slots_ + pixel)), slots_ + pixel);
-    }
+    store(select(nearer, depth, there), depths_ + pixel);
     if (slots_ == nullptr) return;
+    store(select(nearer, splat(static_cast<int32_t>(slot_)), load(slots_ + pixel)), slots_ + pixel);
     for (uint32_t equal = bits((depth == there) & (depth > 0) & mask); equal != 0; equal &= equal - 1) {
       uint32_t& other = slots_[pixel + __builtin_ctz(equal)];
       if (precedes(other)) other = slot_;

@@ -79,22 +79,45 @@ namespace {
   return false;
 }
 
-bool test_box(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source) {
+/// Calls test(pixels) for those parts of rows of tiles in which blocks do not hide all that is this deep,
+/// until it is true; whether it was.
+template <typename Test>
+[[gnu::always_inline]] inline bool any_tile_row(float nearest, bool strict, const PixelRectangle& pixels,
+                                                const DepthSource& source, const Test& test) {
   constexpr int32_t side = 8, block = 64;  // pixels
   for (int32_t y = pixels.bottom / block; y <= pixels.top / block; ++y) {
     const float* const blocks = source.blocks + int64_t{y} * source.block_columns;
     bool hidden = true;
     for (int32_t x = pixels.left / block; hidden && x <= pixels.right / block; ++x)
-      hidden = box.strict ? !(box.planes[0].offset > blocks[x]) : !(box.planes[0].offset >= blocks[x]);
+      hidden = strict ? !(nearest > blocks[x]) : !(nearest >= blocks[x]);
     if (hidden) continue;
     const int32_t end = (y + 1) * block - 1 < pixels.top ? (y + 1) * block - 1 : pixels.top;
     for (int32_t row = y * block > pixels.bottom ? y * block : pixels.bottom; row <= end;) {
       const int32_t row_end = (row / side + 1) * side - 1 < end ? (row / side + 1) * side - 1 : end;
-      if (test_tile_row(box, {pixels.left, pixels.right, row, row_end}, source)) return true;
+      if (test(PixelRectangle{pixels.left, pixels.right, row, row_end})) return true;
       row = row_end + 1;
     }
   }
   return false;
+}
+
+bool hides(float nearest, bool strict, const PixelRectangle& pixels, const DepthSource& source) {
+  constexpr int32_t side = 8;
+  const int32_t first = pixels.left / side, last = pixels.right / side;
+  return !any_tile_row(nearest, strict, pixels, source, [&](const PixelRectangle& row) {
+    const float* const tiles = source.tiles + int64_t{row.bottom / side} * source.columns;
+    for (int32_t x = first; x <= last; x += lanes) {
+      const Floats there = (Floats)load(tiles + x);
+      const Ints open = strict ? nearest > there : nearest >= there;
+      if (any(open & (lane_numbers <= last - x))) return true;
+    }
+    return false;
+  });
+}
+
+bool test_box(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source) {
+  return any_tile_row(box.planes[0].offset, box.strict, pixels, source,
+                      [&](const PixelRectangle& row) { return test_tile_row(box, row, source); });
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ struct Picture {
     tiles.touch_rows(bottom, top);
     tiles.mark(left, right, bottom, top);
   }
+  void refresh() {
+    tiles.refresh_rows(depths, 0, height - 1);
+    tiles.refresh_blocks();
+  }
   float farthest(int square_x, int square_y, int side) const {
     float least = 2;
     for (int y = square_y * side; y < std::min(height, (square_y + 1) * side); ++y) {
@@ -71,7 +75,7 @@ TEST(DepthTiles, hold_the_farthest_depth_once_refreshed_and_never_more_before) {
       EXPECT_EQ(picture.wrong(true), 0u);
       behind += picture.wrong(false);
       if (draws % 3 != 2) continue;
-      picture.tiles.refresh(picture.depths);
+      picture.refresh();
       ASSERT_EQ(picture.wrong(false), 0u) << picture.width << "x" << picture.height;
     }
     picture.tiles.clear();
@@ -85,7 +89,7 @@ TEST(DepthTiles, do_not_count_pixels_beyond_the_picture) {
   Picture picture(70, 9);
   picture.draw(0, 69, 0, 8, 0.5f);
   picture.depths.at(0, 0) = std::bit_cast<uint32_t>(0.25f);
-  picture.tiles.refresh(picture.depths);
+  picture.refresh();
   EXPECT_EQ(picture.tiles.farthest(0, 0), 0.25f);
   EXPECT_EQ(picture.tiles.farthest(1, 0), 0.5f);
   EXPECT_EQ(picture.tiles.farthest(8, 1), 0.5f);
@@ -93,7 +97,7 @@ TEST(DepthTiles, do_not_count_pixels_beyond_the_picture) {
   EXPECT_EQ(picture.tiles.farthest_of_block(1, 0), 0.5f);
 }
 
-TEST(DepthTiles, of_a_picture_that_threads_share_are_the_same) {
+TEST(DepthTiles, may_be_refreshed_in_bands) {
   Picture picture(1100, 1000);
   Random random(4);
   for (int draws = 0; draws < 40; ++draws) {
@@ -101,9 +105,11 @@ TEST(DepthTiles, of_a_picture_that_threads_share_are_the_same) {
     picture.draw(left, whole_number(random, left, 1099), bottom, whole_number(random, bottom, 999),
                  static_cast<float>(random.number(0.1, 1)));
   }
-  set_thread_count(3);
-  picture.tiles.refresh(picture.depths);
-  set_thread_count(0);
+  parallel_for(5, [&](size_t i) {
+    const int first = static_cast<int>(i) * 200;
+    picture.tiles.refresh_rows(picture.depths, first, first + 199);
+  });
+  picture.tiles.refresh_blocks();
   EXPECT_EQ(picture.wrong(false), 0u);
 }
 
