@@ -47,7 +47,9 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box, const ExtentTester* tes
                            .right = static_cast<float>(found.right),
                            .top = static_cast<float>(found.top),
                            .nearest = static_cast<float>(found.nearest)};
-  if (tester != nullptr && tester->hides(sides)) return {.kind = ScreenBounds::Kind::hidden, .rectangle = {}};
+  // What may be as near as can be is shown without a test, whatever is there.
+  if (tester != nullptr && sides.nearest < 1 && tester->hides(sides))
+    return {.kind = ScreenBounds::Kind::hidden, .rectangle = {}};
   ScreenRectangle rectangle{.left = sides.left,
                             .bottom = sides.bottom,
                             .right = sides.right,

@@ -50,7 +50,7 @@ class Scene {
 };
 
 TEST(BoxTest, says_what_a_look_at_every_pixel_says) {
-  size_t shown = 0, hidden = 0;
+  size_t shown = 0, hidden = 0, hidden_by_tiles = 0;
   for (const auto& [width, height] : {std::pair(64, 64), {61, 37}, {7, 5}, {1, 1}, {200, 3}, {150, 140}}) {
     const Scene scene(width, height, 1, false), depths(width, height, 1, true);
     Random random(2);
@@ -94,6 +94,11 @@ TEST(BoxTest, says_what_a_look_at_every_pixel_says) {
           for (const bool strict : {false, true}) {
             ASSERT_EQ(may_show(*buffer, rectangle, strict), expected[strict])
                 << width << "x" << height << " " << i << " " << instruction_set_name(set);
+            const ScreenExtent sides{rectangle.left, rectangle.bottom, rectangle.right, rectangle.top,
+                                     rectangle.planes[0].middle};
+            const bool known = hides(*buffer, sides, strict);
+            ASSERT_FALSE(known && expected[strict]) << width << "x" << height << " " << i;
+            hidden_by_tiles += known;
           }
         }
       }
@@ -103,6 +108,7 @@ TEST(BoxTest, says_what_a_look_at_every_pixel_says) {
   }
   EXPECT_GT(shown, 500u);
   EXPECT_GT(hidden, 500u);
+  EXPECT_GT(hidden_by_tiles, 500u);
 }
 
 TEST(BoxTest, a_box_at_the_very_depth_that_is_there_shows_and_strictly_it_does_not) {

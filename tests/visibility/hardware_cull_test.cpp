@@ -39,6 +39,29 @@ class FakeTester : public OcclusionTester {
   std::function<bool(const ScreenRectangle&)> answer_;
 };
 
+/// As FakeTester, but what is hidden by a rule over extents it may know without a test.
+class KnowingTester final : public FakeTester {
+ public:
+  KnowingTester(std::function<bool(const ScreenRectangle&)> answer, bool knows)
+      : FakeTester([answer = std::move(answer)](const ScreenRectangle& r) {
+          return !is_hidden({r.left, r.bottom, r.right, r.top, r.planes[0].middle}) && answer(r);
+        }),
+        knows_(knows) {}
+  bool hides(const ScreenExtent& extent) const override {
+    const bool known = knows_ && is_hidden(extent);
+    known_ += known;
+    return known;
+  }
+  size_t known() const { return known_; }
+
+ private:
+  static bool is_hidden(const ScreenExtent& extent) {
+    return static_cast<int>(std::abs(extent.left - extent.top) * 1000 + extent.nearest * 1e5f) % 2 == 0;
+  }
+  bool knows_;
+  mutable size_t known_ = 0;
+};
+
 /// Leaves every answer as it found it.
 class SilentTester : public OcclusionTester {
  public:
@@ -167,6 +190,23 @@ TEST_P(HardwareCulling, spends_one_test_on_a_hidden_subtree) {
     EXPECT_EQ(result.tests, testable) << "frame " << frame;
     EXPECT_EQ(result.hidden_subtrees, subtrees) << "frame " << frame;
   }
+}
+
+TEST_P(HardwareCulling, decides_the_same_where_the_tester_knows_beforehand_what_is_hidden) {
+  VisibleSet previous;
+  size_t known_beforehand = 0;
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    KnowingTester knowing(some, true), asked(some, false);
+    const CullResult one = cull(frame, knowing, previous, 7), other = cull(frame, asked, previous, 7);
+    EXPECT_EQ(one.visible, other.visible) << "frame " << frame;
+    EXPECT_EQ(one.tests, other.tests);
+    EXPECT_EQ(one.hidden_subtrees, other.hidden_subtrees);
+    EXPECT_EQ(knowing.drawn, asked.drawn);
+    EXPECT_LE(knowing.boxes.size(), asked.boxes.size());
+    known_beforehand += knowing.known();
+    previous = one.visible;
+  }
+  EXPECT_GT(known_beforehand, 0u);
 }
 
 TEST_P(HardwareCulling, sends_packets_that_add_up_to_the_new_set_in_draw_rank_order) {
