@@ -69,8 +69,6 @@ struct ThreadAffinity::Partitioner {
 };
 ThreadAffinity::ThreadAffinity() : partitioner_(std::make_unique<Partitioner>()) {}
 ThreadAffinity::~ThreadAffinity() = default;
-ThreadAffinity::ThreadAffinity(ThreadAffinity&&) noexcept = default;
-ThreadAffinity& ThreadAffinity::operator=(ThreadAffinity&&) noexcept = default;
 
 void parallel_for(size_t count, const std::function<void(size_t)>& body, ThreadAffinity& affinity) {
   run_parallel(body, [&](const auto& one) {

@@ -23,8 +23,6 @@ class ThreadAffinity {
  public:
   ThreadAffinity();
   ~ThreadAffinity();
-  ThreadAffinity(ThreadAffinity&&) noexcept;
-  ThreadAffinity& operator=(ThreadAffinity&&) noexcept;
 
   struct Partitioner;
   Partitioner& partitioner() { return *partitioner_; }

@@ -17,7 +17,7 @@ namespace triptych {
 /// might, and never more. After Greene, Kass and Miller, *Hierarchical Z-buffer visibility* (1993).
 class DepthTiles {
  public:
-  static constexpr int tile = 8, tiles_of_block = 8, block = tile * tiles_of_block;
+  static constexpr int tile = tile_side, block = block_side, tiles_of_block = block / tile;
 
   DepthTiles(int width, int height);
 

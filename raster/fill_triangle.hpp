@@ -5,6 +5,9 @@
 
 namespace triptych {
 
+/// Tiles are squares of so many pixels, blocks of 8 × 8 tiles (DepthTiles).
+constexpr int32_t tile_side = 8, block_side = 64;
+
 /// The depth that pixels of a piece may have at most: PixelDepthBound as plain numbers.
 struct DepthLimit {
   float x[3], y[3], at[3];

@@ -88,6 +88,9 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   } else {
     for (size_t i = 0; i < batch_.size(); ++i) make(i);
   }
+  for (size_t i = 0; i < batch_.size(); ++i) {
+    if (triangles_[i].bottom <= triangles_[i].top) tiles_.touch_rows(triangles_[i].bottom, triangles_[i].top);
+  }
   sort_large();
   for_each_band(side_by_side, [&](int32_t first, int32_t last) {
     fill_rows(first, last);
@@ -101,23 +104,22 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
 void VisibilityBuffer::for_each_band(bool side_by_side,
                                      const std::function<void(int32_t, int32_t)>& body) const {
   const int32_t tiles = (height_ + tile_rows - 1) / tile_rows;
-  const int32_t bands = std::min(tiles, static_cast<int32_t>(thread_count()) * 4);
+  const int32_t bands = side_by_side ? std::min(tiles, static_cast<int32_t>(thread_count()) * 4) : 1;
   const auto visit = [&](size_t i) {
     const FloatState state;
     const auto band = static_cast<int32_t>(i);
     body(tiles * band / bands * tile_rows, std::min(tiles * (band + 1) / bands * tile_rows, height_) - 1);
   };
-  if (side_by_side && bands > 1) {
+  if (bands > 1) {
     parallel_for(static_cast<size_t>(bands), visit, affinity_);
   } else {
-    for (int32_t i = 0; i < bands; ++i) visit(static_cast<size_t>(i));
+    visit(0);
   }
 }
 
 void VisibilityBuffer::sort_large() {
   large_.clear();
   for (size_t i = 0; i < batch_.size(); ++i) {
-    if (triangles_[i].bottom <= triangles_[i].top) tiles_.touch_rows(triangles_[i].bottom, triangles_[i].top);
     for (const WindowTriangle& triangle : triangles_[i].large)
       large_.push_back({triangle.low + triangle.high, &triangle});
   }

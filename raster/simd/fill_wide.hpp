@@ -46,9 +46,6 @@ struct TileRowSpans {
   return spans;
 }
 
-[[gnu::always_inline]] inline int32_t lesser(int32_t a, int32_t b) { return a < b ? a : b; }
-[[gnu::always_inline]] inline int32_t greater(int32_t a, int32_t b) { return a > b ? a : b; }
-
 template <bool plain>
 [[gnu::always_inline]] inline void fill_span(const RowDepth<plain>& depth, int32_t y, int32_t first,
                                              int32_t last, Pixels& pixels) {

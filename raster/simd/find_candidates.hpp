@@ -31,7 +31,8 @@ struct PixelRanges {
 /// Those of at most two tiles in each direction that lie strictly behind all of these.
 [[gnu::always_inline]] inline Ints behind_tiles(const PixelRanges& x, const PixelRanges& y, Floats nearest,
                                                 Ints wanted, const DepthSource& source) {
-  const Ints left = x.first >> 3, right = x.last >> 3, bottom = y.first >> 3, top = y.last >> 3;
+  const Ints left = x.first / tile_side, right = x.last / tile_side, bottom = y.first / tile_side,
+             top = y.last / tile_side;
   const Ints few = wanted & (right - left <= 1) & (top - bottom <= 1);
   if (!any(few)) return few;
   const auto behind = [&](Ints column, Ints row) __attribute__((always_inline)) {

@@ -50,7 +50,7 @@ namespace {
 /// bounds, to the bit, what it gives between.
 [[gnu::always_inline]] inline bool test_tile_row(const BoxTerms& box, const PixelRectangle& pixels,
                                                  const DepthSource& source) {
-  constexpr int32_t side = 8;
+  constexpr int32_t side = tile_side;
   const float* const tiles = source.tiles + int64_t{pixels.bottom / side} * source.columns;
   const int32_t last = pixels.right / side;
   for (int32_t first = pixels.left / side; first <= last; first += lanes) {
@@ -71,8 +71,8 @@ namespace {
     for (const PlaneTerms& cut : box.cuts) open &= most(cut) >= 0;
     for (uint32_t rest = bits(open); rest != 0; rest &= rest - 1) {
       const int32_t from = (first + __builtin_ctz(rest)) * side, to = from + side - 1;
-      const PixelRectangle inside = {from > pixels.left ? from : pixels.left,
-                                     to < pixels.right ? to : pixels.right, pixels.bottom, pixels.top};
+      const PixelRectangle inside = {greater(from, pixels.left), lesser(to, pixels.right), pixels.bottom,
+                                     pixels.top};
       if (test_pixels(box, inside, source)) return true;
     }
   }
@@ -84,16 +84,16 @@ namespace {
 template <typename Test>
 [[gnu::always_inline]] inline bool any_tile_row(float nearest, bool strict, const PixelRectangle& pixels,
                                                 const DepthSource& source, const Test& test) {
-  constexpr int32_t side = 8, block = 64;  // pixels
+  constexpr int32_t side = tile_side, block = block_side;
   for (int32_t y = pixels.bottom / block; y <= pixels.top / block; ++y) {
     const float* const blocks = source.blocks + int64_t{y} * source.block_columns;
     bool hidden = true;
     for (int32_t x = pixels.left / block; hidden && x <= pixels.right / block; ++x)
       hidden = strict ? !(nearest > blocks[x]) : !(nearest >= blocks[x]);
     if (hidden) continue;
-    const int32_t end = (y + 1) * block - 1 < pixels.top ? (y + 1) * block - 1 : pixels.top;
-    for (int32_t row = y * block > pixels.bottom ? y * block : pixels.bottom; row <= end;) {
-      const int32_t row_end = (row / side + 1) * side - 1 < end ? (row / side + 1) * side - 1 : end;
+    const int32_t end = lesser((y + 1) * block - 1, pixels.top);
+    for (int32_t row = greater(y * block, pixels.bottom); row <= end;) {
+      const int32_t row_end = lesser((row / side + 1) * side - 1, end);
       if (test(PixelRectangle{pixels.left, pixels.right, row, row_end})) return true;
       row = row_end + 1;
     }
@@ -102,7 +102,7 @@ template <typename Test>
 }
 
 bool hides(float nearest, bool strict, const PixelRectangle& pixels, const DepthSource& source) {
-  constexpr int32_t side = 8;
+  constexpr int32_t side = tile_side;
   const int32_t first = pixels.left / side, last = pixels.right / side;
   return !any_tile_row(nearest, strict, pixels, source, [&](const PixelRectangle& row) {
     const float* const tiles = source.tiles + int64_t{row.bottom / side} * source.columns;

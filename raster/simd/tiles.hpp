@@ -8,7 +8,7 @@
 namespace triptych {
 namespace {
 
-constexpr int32_t tile = 8;  ///< pixels
+constexpr int32_t tile = tile_side;
 
 uint32_t least_of_tile(const uint32_t* depths, int32_t stride) {
   using Row [[gnu::vector_size(tile * 4)]] = uint32_t;  // positive floats are ordered as their bits are

@@ -33,6 +33,10 @@ using Doubles [[gnu::vector_size(lanes * 4)]] = double;
 /// The bits of floats.
 [[gnu::always_inline]] inline Ints bits_of(Floats value) { return (Ints)value; }
 
+// The standard library's would be shared with other files.
+[[gnu::always_inline]] inline int32_t lesser(int32_t a, int32_t b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline int32_t greater(int32_t a, int32_t b) { return a > b ? a : b; }
+
 /// Masks have all bits of a lane set, or none.
 [[gnu::always_inline]] inline Ints select(Ints mask, Ints yes, Ints no) { return mask ? yes : no; }
 [[gnu::always_inline]] inline Floats select(Ints mask, Floats yes, Floats no) { return mask ? yes : no; }
