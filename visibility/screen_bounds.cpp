@@ -3,10 +3,10 @@
 #include "base/rounding.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <span>
 
 namespace triptych {
 
@@ -19,6 +19,30 @@ constexpr double float_rounding = 0x1p-19;
 constexpr double max_narrow_tangent = 8;
 /// Boxes whose nearest corner is within this factor of the near plane count as touching it.
 constexpr double near_margin = 1.001;
+
+/// The corners of a box in eye axes, relative to the reference: sums of what each axis contributes, so that
+/// eight corners take 18 products.
+struct EyeCorners {
+  EyeCorners(const Box& box, const glm::dvec3& reference, const glm::dmat3& rotation, bool in_doubles) {
+    low = in_doubles ? box.lo - reference : glm::dvec3(glm::vec3(box.lo) - glm::vec3(reference));
+    high = in_doubles ? box.hi - reference : glm::dvec3(glm::vec3(box.hi) - glm::vec3(reference));
+    std::array<std::array<glm::dvec3, 2>, 3> along;
+    for (int axis = 0; axis < 3; ++axis)
+      along[static_cast<size_t>(axis)] = {rotation[axis] * low[axis], rotation[axis] * high[axis]};
+    for (size_t i = 0; i < 8; ++i) {
+      const glm::dvec3 corner = along[0][i & 1] + along[1][i >> 1 & 1] + along[2][i >> 2];
+      x[i] = corner.x;
+      y[i] = corner.y;
+      z[i] = corner.z;
+    }
+  }
+
+  /// The distance to the corner that is furthest away.
+  double furthest() const { return glm::length(glm::max(glm::abs(low), glm::abs(high))); }
+
+  glm::dvec3 low, high;  ///< in model axes
+  std::array<double, 8> x, y, z;
+};
 
 /// Whether the rectangle's depth is the nearest possible, at its middle and its corners.
 bool says_nothing(const ScreenRectangle& r) {
@@ -35,7 +59,15 @@ BoxProjector::BoxProjector(const FrameView& view, const DeviceMargins& margins)
       clip_(view.clip),
       rotation_(view.rotation),
       focal_length_(view.focal_length),
-      faces_(view, margins) {}
+      faces_(view, margins) {
+  const NearestRounding rounding;
+  call_apart([&] {
+    const Camera& camera = view_.camera;
+    const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);
+    screen_scale_ = 2.0 / (high - low);
+    screen_shift_ = -(low + high) / (high - low);
+  });
+}
 
 ScreenBounds BoxProjector::bounds(const LatticeBox& box, const ExtentTester* tester) const {
   const NearestRounding rounding;
@@ -55,7 +87,7 @@ ScreenBounds BoxProjector::bounds(const LatticeBox& box, const ExtentTester* tes
                             .right = sides.right,
                             .top = sides.top,
                             .planes = {},
-                            .cuts = silhouette(std::span(found.corners).first(found.count), found.margin)};
+                            .cuts = outline(found)};
   rectangle.planes[0].middle = sides.nearest;
   const auto faces = faces_.of(model_box, rules_.bounds_margin ? 2 : 0);
   std::copy(faces.begin(), faces.end(), rectangle.planes.begin() + 1);
@@ -85,31 +117,42 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 }
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::perspective_extent(const Box& model_box) const {
-  double min_depth = 1e300, max_depth = -1e300, max_tangent = 0, furthest = 0;
+  const EyeCorners corners(model_box, clip_.reference, rotation_, rules_.double_bounds);
+  double min_depth = 1e300, max_depth = -1e300, max_tangent_squared = 0;
+  glm::dvec2 lo(1e300), hi(-1e300);
   Extent seen;
-  for (int i = 0; i < 8; ++i) {
-    glm::dvec3 relative = model_box.corner(i) - clip_.reference;
-    if (!rules_.double_bounds) relative = glm::vec3(model_box.corner(i)) - glm::vec3(clip_.reference);
-    const glm::dvec3 corner = rotation_ * relative;
-    const double depth = -corner.z;
-    furthest = std::max(furthest, glm::length(corner));
+  for (size_t i = 0; i < 8; ++i) {
+    const double depth = -corners.z[i];
     min_depth = std::min(min_depth, depth);
     max_depth = std::max(max_depth, depth);
-    if (depth <= 0) continue;
-    seen.corners[seen.count++] = glm::dvec2(corner) / depth;
-    max_tangent = std::max(max_tangent, glm::length(corner) / depth);
   }
+  const double furthest = corners.furthest();
   if (max_depth + furthest * vertex_rounding < clip_.near / near_margin) return {.beyond = true};
-  if (min_depth < clip_.near * near_margin) {
+  seen.has_outline = min_depth >= clip_.near * near_margin;
+  if (!seen.has_outline) {
     if (rules_.near_plane_refines) return {};
     min_depth = max_depth;
   }
+  for (size_t i = 0; i < 8; ++i) {
+    const double depth = -corners.z[i];
+    if (depth <= 0) continue;
+    const double per_depth = 1 / depth;
+    const glm::dvec2 corner = glm::dvec2(corners.x[i], corners.y[i]) * per_depth;
+    seen.corners[i] = corner;
+    lo = glm::min(lo, corner);
+    hi = glm::max(hi, corner);
+    max_tangent_squared = std::max(max_tangent_squared, corner.x * corner.x + corner.y * corner.y + 1);
+  }
   // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
   // (p and w).
-  const double rounding = 2 * float_rounding * max_tangent * max_tangent * focal_length_;
-  if (!(rounding <= 0.25 || max_tangent <= max_narrow_tangent)) return {};
+  const double rounding = 2 * float_rounding * max_tangent_squared * focal_length_;
+  if (!(rounding <= 0.25 || max_tangent_squared <= max_narrow_tangent * max_narrow_tangent)) return {};
+  for (int axis = 0; axis < 3; ++axis) {
+    seen.facing[static_cast<size_t>(axis)] = {corners.low[axis] > 0, corners.high[axis] < 0};
+  }
   const double margin = rules_.bounds_margin ? 1 + share_of_depth : 1;
-  return on_screen(seen, clip_.depth(min_depth) * margin, rounding);
+  put_on_screen(seen, lo, hi, clip_.depth(min_depth) * margin, rounding);
+  return seen;
 }
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::parallel_extent(const Box& box) const {
@@ -129,30 +172,45 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   if (depth - reach.z < clip_.near + touch) return {};
   const double margin = rules_.bounds_margin ? touch / clip_.range : 0;
   Extent seen;
-  for (int i = 0; i < 8; ++i)
-    seen.corners[seen.count++] = glm::dvec2(rotation_ * (box.corner(i) - clip_.reference));
-  return on_screen(seen, clip_.depth(depth - reach.z) + margin, 2 * rounding * focal_length_);
+  const EyeCorners corners(box, clip_.reference, rotation_, true);
+  glm::dvec2 lo(1e300), hi(-1e300);
+  for (size_t i = 0; i < 8; ++i) {
+    seen.corners[i] = {corners.x[i], corners.y[i]};
+    lo = glm::min(lo, seen.corners[i]);
+    hi = glm::max(hi, seen.corners[i]);
+  }
+  seen.has_outline = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double backward = rotation_[axis].z;
+    seen.facing[static_cast<size_t>(axis)] = {backward<0, backward> 0};
+  }
+  put_on_screen(seen, lo, hi, clip_.depth(depth - reach.z) + margin, 2 * rounding * focal_length_);
+  return seen;
 }
 
-BoxProjector::Extent BoxProjector::on_screen(Extent seen, double depth, double rounding) const {
-  const Camera& camera = view_.camera;
+std::array<HalfPlane, 4> BoxProjector::outline(const Extent& extent) const {
+  if (!extent.has_outline) return {};
+  std::array<glm::dvec2, 8> corners;
+  for (size_t i = 0; i < 8; ++i) corners[i] = on_screen(extent.corners[i]);
+  return silhouette(corners, extent.facing, extent.margin);
+}
+
+void BoxProjector::put_on_screen(Extent& extent, const glm::dvec2& lo, const glm::dvec2& hi, double depth,
+                                 double rounding) const {
   const double pixels = rules_.bounds_margin ? std::max(margins_.outline, margins_.roundings * rounding) : 0;
-  if (!std::isfinite(pixels)) return {};
-  seen.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
-  const glm::dvec2 low(camera.left, camera.bottom), high(camera.right, camera.top);
-  glm::dvec2 lo(1e300), hi(-1e300);
-  for (glm::dvec2& corner : std::span(seen.corners).first(seen.count)) {
-    corner = 2.0 * (corner - low) / (high - low) - 1.0;
-    lo = glm::min(lo, corner - seen.margin);
-    hi = glm::max(hi, corner + seen.margin);
+  if (!std::isfinite(pixels)) {
+    extent = {};
+    return;
   }
-  if (lo.x > 1 || hi.x < -1 || lo.y > 1 || hi.y < -1) return {.beyond = true};
-  seen.left = std::max(lo.x, -1.0);
-  seen.bottom = std::max(lo.y, -1.0);
-  seen.right = std::min(hi.x, 1.0);
-  seen.top = std::min(hi.y, 1.0);
-  seen.nearest = std::min(1.0, depth);
-  return seen;
+  extent.margin = {2 * pixels / view_.width, 2 * pixels / view_.height};
+  const glm::dvec2 low = on_screen(lo) - extent.margin, high = on_screen(hi) + extent.margin;
+  extent.beyond = low.x > 1 || high.x < -1 || low.y > 1 || high.y < -1;
+  if (extent.beyond) return;
+  extent.left = std::max(low.x, -1.0);
+  extent.bottom = std::max(low.y, -1.0);
+  extent.right = std::min(high.x, 1.0);
+  extent.top = std::min(high.y, 1.0);
+  extent.nearest = std::min(1.0, depth);
 }
 
 }  // namespace triptych

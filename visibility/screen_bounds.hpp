@@ -80,15 +80,20 @@ class BoxProjector {
     bool beyond = false;  ///< off the screen
     double left = -1, bottom = -1, right = 1, top = 1;
     double nearest = 1;
-    std::array<glm::dvec2, 8> corners{};  ///< the first `count`, on the screen; none where that is not known
-    size_t count = 0;
-    glm::dvec2 margin{0};  ///< by how much content may be drawn beyond them
+    std::array<glm::dvec2, 8> corners{};  ///< as tangents; orthographic: in model units
+    FacingSides facing{};
+    bool has_outline = false;  ///< whether corners and sides are known
+    glm::dvec2 margin{0};      ///< by how much content may be drawn beyond them
   };
   Extent extent(const Box& box) const;
   Extent perspective_extent(const Box& box) const;
   Extent parallel_extent(const Box& box) const;
-  /// Completes an extent whose corners are set (as tangents; orthographic: in model units).
-  Extent on_screen(Extent corners, double depth, double rounding) const;
+  /// Completes an extent with these corners of its rectangle, as of a box's.
+  void put_on_screen(Extent& extent, const glm::dvec2& lo, const glm::dvec2& hi, double depth,
+                     double rounding) const;
+  /// To normalised device coordinates.
+  glm::dvec2 on_screen(const glm::dvec2& corner) const { return corner * screen_scale_ + screen_shift_; }
+  std::array<HalfPlane, 4> outline(const Extent& extent) const;
 
   const Lattice* lattice_;
   DeviceMargins margins_;
@@ -97,6 +102,7 @@ class BoxProjector {
   ClipSpace clip_;
   glm::dmat3 rotation_;
   double focal_length_;
+  glm::dvec2 screen_scale_, screen_shift_;
   FacePlanes faces_;
 };
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <glm/vec2.hpp>
-#include <span>
 
 namespace triptych {
 
@@ -15,13 +14,15 @@ struct HalfPlane {
   float at(float x, float y) const { return normal.x * x + normal.y * y + offset; }
 };
 
-/// The most points that silhouette() takes.
-inline constexpr size_t max_outline_points = 16;
+/// Which faces of a box face the eye, axis by axis: the one at its low corner, the one at its high corner.
+using FacingSides = std::array<std::array<bool, 2>, 3>;
 
-/// Half-planes that hold all the points: for each corner of the rectangle around them the side of their
-/// convex hull that cuts the most off there, if any does. They are moved outwards, so that each holds
-/// whatever is at most `margin` away from a point, horizontally and vertically. Points in normalised device
+/// Half-planes that hold a box: for each corner of the rectangle around it the edge of its outline that cuts
+/// the most off there, if any does. The outline are edges between faces that face the eye and others. The
+/// half-planes are moved outwards, so that each holds whatever is at most `margin` away from the box,
+/// horizontally and vertically. corners: Box::corner(0) to (7), all before the eye, in normalised device
 /// coordinates.
-std::array<HalfPlane, 4> silhouette(std::span<const glm::dvec2> points, const glm::dvec2& margin);
+std::array<HalfPlane, 4> silhouette(const std::array<glm::dvec2, 8>& corners, const FacingSides& facing,
+                                    const glm::dvec2& margin);
 
 }  // namespace triptych
