@@ -31,6 +31,7 @@ enum class Fault {
   unflipped_mirror,        ///< mirrored placements keep their winding
   shared_shears,           ///< meshes are shared under transforms that floats cannot place exactly
   exact_frustum,           ///< the cut leaves out what is behind the frustum's planes by less than rounding
+  backs_nearby,            ///< backs are left out even where the eye is among them
   slow_render_node,        ///< the render node is slow with each packet and frame: no picture may change
   slow_switch_node,        ///< the same for switch node 1
 };

@@ -14,14 +14,17 @@ int run(const std::filesystem::path& file, const std::filesystem::path& json) {
   const Pack pack(file);
   const CheckReport report = check_pack(pack);
   for (const std::string& message : report.messages) fmt::print("{}\n", message);
-  fmt::print("{} drawables checked, {} not; violations: {} bounds, {} boxes, {} monotonicity, {} checksums\n",
-             report.drawables_checked, report.drawables_not_checked, report.bound_violations,
-             report.box_violations, report.monotonicity_violations, report.checksum_errors);
+  fmt::print(
+      "{} drawables checked, {} not; violations: {} bounds, {} boxes, {} monotonicity, {} outsides, {} "
+      "checksums\n",
+      report.drawables_checked, report.drawables_not_checked, report.bound_violations, report.box_violations,
+      report.monotonicity_violations, report.outward_violations, report.checksum_errors);
   write_json(json, {{"drawables_checked", report.drawables_checked},
                     {"drawables_not_checked", report.drawables_not_checked},
                     {"bound_violations", report.bound_violations},
                     {"box_violations", report.box_violations},
                     {"monotonicity_violations", report.monotonicity_violations},
+                    {"outward_violations", report.outward_violations},
                     {"checksum_errors", report.checksum_errors},
                     {"bound_over_measured", to_json(report.bound_over_measured)}});
   if (!report.sound()) {

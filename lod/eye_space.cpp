@@ -44,6 +44,18 @@ EyeSpace::Direction EyeSpace::direction(const glm::dvec3& eye) const {
   return {eye, glm::abs(glm::transpose(rotation_) * eye), glm::length(eye)};
 }
 
+double EyeSpace::rounding(const glm::dvec3& centre, const glm::dvec3& half) const {
+  if (orthographic_) return rounding_of_size * (diagonal_ + glm::length(glm::dvec2(centre)));
+  return vertex_rounding * (glm::length(centre) + glm::length(half));
+}
+
+bool EyeSpace::is_beyond_near(const LatticeBox& box) const {
+  const Box model_box = lattice_->box(box);
+  const glm::dvec3 centre = rotation_ * ((model_box.lo + model_box.hi) * 0.5 - eye_);
+  const glm::dvec3 half = (model_box.hi - model_box.lo) * 0.5;
+  return -centre.z - glm::dot(axes_[2].absolute, half) - 2 * rounding(centre, half) > near_;
+}
+
 EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   const Box model_box = lattice_->box(box);
   const glm::dvec3 centre = rotation_ * ((model_box.lo + model_box.hi) * 0.5 - eye_);
@@ -51,10 +63,9 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
   const auto reach = [&](const Direction& along) { return glm::dot(along.absolute, half); };
   const double depth = -centre.z, depth_reach = reach(axes_[2]);
   EyeBounds bounds{.min_depth = depth - depth_reach};
-  const double share = rules_.frustum_margin ? 1 : 0;
+  const double margin = rules_.frustum_margin ? rounding(centre, half) : 0;
   if (orthographic_) {
     // Inside the frustum: left ≤ x ≤ right, bottom ≤ y ≤ top.
-    const double margin = share * rounding_of_size * (diagonal_ + glm::length(glm::dvec2(centre)));
     const double x = reach(axes_[0]) + margin, y = reach(axes_[1]) + margin;
     bounds.outside = depth + depth_reach + margin < near_ || centre.x + x < left_ || centre.x - x > right_ ||
                      centre.y + y < bottom_ || centre.y - y > top_;
@@ -62,7 +73,6 @@ EyeBounds EyeSpace::bounds(const LatticeBox& box) const {
     return bounds;
   }
   // Pixel centres are inside the picture, so snapping does not matter.
-  const double margin = share * vertex_rounding * (glm::length(centre) + glm::length(half));
   const auto beyond = [&](const Direction& side) {
     return glm::dot(side.eye, centre) + reach(side) + side.length * margin < 0;
   };

@@ -33,6 +33,9 @@ class EyeSpace {
   /// rotation: view.rotation().
   EyeSpace(const Skeleton& skeleton, const View& view, const glm::dmat3& rotation, const FrameRules& rules);
   EyeBounds bounds(const LatticeBox& box) const;
+  /// Whether all of the box is beyond the near plane, by more than rounding can bring it back: then the eye
+  /// is outside of it, and nothing in it is cut.
+  bool is_beyond_near(const LatticeBox& box) const;
 
  private:
   /// A direction of eye space and, in model axes, its absolute value: a box's reach along it is a dot
@@ -42,6 +45,8 @@ class EyeSpace {
     double length = 0;
   };
   Direction direction(const glm::dvec3& eye) const;
+  /// By how much what is drawn of a box may be elsewhere.
+  double rounding(const glm::dvec3& centre, const glm::dvec3& half) const;
 
   const Lattice* lattice_;
   glm::dvec3 eye_;

@@ -22,9 +22,11 @@ struct FrameRules {
   bool retest_hidden = true;   ///< what was hidden one frame ago is tested like everything else
   bool show_all_found = true;  ///< every drawable that is found visible is shown
   // The device
-  bool non_strict_test = true;   ///< a box at exactly the representation's depth shows
-  bool fragment_bound = true;    ///< fragments nearer than their piece's box are dropped
-  bool double_positions = true;  ///< geometry is placed from double-precision coordinates
+  bool non_strict_test = true;      ///< a box at exactly the representation's depth shows
+  bool fragment_bound = true;       ///< fragments nearer than their piece's box are dropped
+  bool double_positions = true;     ///< geometry is placed from double-precision coordinates
+  bool leave_out_backs = true;      ///< backs of outward triangles (Chunk::outward) are not drawn
+  bool backs_need_distance = true;  ///< they are where the near plane reaches what they belong to
   bool operator==(const FrameRules&) const = default;
 };
 

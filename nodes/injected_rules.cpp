@@ -19,7 +19,8 @@ FrameRules injected_frame_rules() {
           .show_all_found = !injected(Fault::withheld_id),
           .non_strict_test = !injected(Fault::strict_depth_test),
           .fragment_bound = !injected(Fault::no_fragment_bound),
-          .double_positions = !injected(Fault::float_positions)};
+          .double_positions = !injected(Fault::float_positions),
+          .backs_need_distance = !injected(Fault::backs_nearby)};
 }
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 #include "preprocess/encode_chunk.hpp"
 
 #include "base/bytes.hpp"
+#include "preprocess/outward.hpp"
 
 #include <meshoptimizer.h>
 
@@ -10,6 +11,19 @@ namespace {
 
 /// In vertices. Graphics cards hold more or fewer; what matters is that recently used indices come again.
 constexpr unsigned cache_size = 16;
+
+/// Chunk::outward_runs.
+std::vector<uint32_t> runs_of(const std::vector<bool>& outward) {
+  std::vector<uint32_t> ends;
+  bool current = false;
+  for (uint32_t i = 0; i < outward.size(); ++i) {
+    if (outward[i] == current) continue;
+    ends.push_back(i);
+    current = outward[i];
+  }
+  if (current) ends.push_back(static_cast<uint32_t>(outward.size()));
+  return ends;
+}
 
 }  // namespace
 
@@ -28,9 +42,14 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   std::vector<uint8_t> vertex_bytes(meshopt_encodeVertexBufferBound(vertices.size(), sizeof(ChunkVertex)));
   vertex_bytes.resize(meshopt_encodeVertexBuffer(vertex_bytes.data(), vertex_bytes.size(), vertices.data(),
                                                  vertices.size(), sizeof(ChunkVertex)));
+  std::vector<glm::ivec3> points;
+  for (const ChunkVertex& vertex : vertices) points.push_back(vertex.point);
+  const std::vector<uint32_t> runs = runs_of(outward_triangles(points, indices));
   ByteWriter writer;
   writer.write(static_cast<uint32_t>(vertices.size()));
   writer.write(static_cast<uint32_t>(indices.size() / 3));
+  writer.write(static_cast<uint32_t>(runs.size()));
+  writer.write_all(std::span<const uint32_t>(runs));
   writer.write(static_cast<uint32_t>(vertex_bytes.size()));
   writer.write_all(std::span<const uint8_t>(vertex_bytes));
   writer.write_all(std::span<const uint8_t>(index_bytes));

@@ -8,8 +8,9 @@
 
 namespace triptych {
 
-/// Reorders for the vertex cache and compresses with meshoptimizer's codecs (Arseny Kapoulkine). Degenerate
-/// triangles stay. The chunk must hold at least one triangle, indices in range.
+/// Finds out which triangles are outward, reorders for the vertex cache and compresses with meshoptimizer's
+/// codecs (Arseny Kapoulkine). Degenerate triangles stay. The chunk must hold at least one triangle, indices
+/// in range.
 std::vector<std::byte> encode_chunk(const Chunk& chunk);
 
 }  // namespace triptych

@@ -80,6 +80,7 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
 void PackWriter::finish(StoredSkeleton skeleton) {
   skeleton.surrounding.chunks = std::move(chunks_);
   std::vector<PackSection> table = {{.type = geometry_type,
+                                     .version = geometry_version,
                                      .offset = sizeof(PackHeader),
                                      .size = file_.size() - sizeof(PackHeader),
                                      .checksum = geometry_checksum(skeleton.surrounding.chunks)}};

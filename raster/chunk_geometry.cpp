@@ -34,6 +34,10 @@ RasterChunk::RasterChunk(const Chunk& chunk) {
     // Colours are of triangles: as in OpenGL, the last corner's.
     color.push_back(chunk.vertices[chunk.indices[i + 2]].color);
   }
+  outward.resize(color.size() / 32 + 2);
+  const std::vector<bool> is_outward = chunk.outward();
+  for (size_t i = 0; i < is_outward.size(); ++i) outward[i / 32] |= uint32_t{is_outward[i]} << i % 32;
+  has_outward = chunk.outward_runs.size() > 0;
   for (auto* const values : {&x, &y, &z}) values->resize(values->size() + spare_vertices);
   for (auto& values : corner) values.resize(values.size() + spare_vertices);
 }
@@ -48,7 +52,7 @@ RasterChunk::VertexRange RasterChunk::vertices(uint32_t first_triangle, uint32_t
 
 uint64_t RasterChunk::bytes() const {
   uint64_t sum = sizeof *this + bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(piece) + bytes_of(color) +
-                 bytes_of(ranges_);
+                 bytes_of(outward) + bytes_of(ranges_);
   for (const auto& values : corner) sum += bytes_of(values);
   return sum;
 }

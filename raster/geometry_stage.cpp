@@ -141,20 +141,28 @@ bool is_outside(const std::array<WindowVertex, 3>& corners) {
 }
 
 /// Triangles of a range that may cover a pixel, or have to be clipped: their numbers in `stage.candidates`.
+/// Whether it is outward, and shows its back.
+bool faces_away(const DrawnRange& range, uint32_t triangle, const std::array<WindowVertex, 3>& corners) {
+  if (range.front == 0 || !range.chunk->is_outward(triangle)) return false;
+  return range.front > 0 ? twice_area(corners) < 0 : twice_area(corners) > 0;
+}
+
 size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, const DepthSource& drawn,
                        Stage& stage) {
   const RasterChunk& chunk = *range.chunk;
   const auto corners = [&](size_t k) { return chunk.corner[k].data() + range.first_triangle; };
   if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
-    return static_cast<size_t>(kernels->find_candidates(stage.from(0), {corners(0), corners(1), corners(2)},
-                                                        static_cast<int32_t>(range.triangle_count), drawn,
-                                                        stage.candidates.data()));
+    return static_cast<size_t>(kernels->find_candidates(
+        stage.from(0), {corners(0), corners(1), corners(2)}, static_cast<int32_t>(range.triangle_count),
+        {chunk.outward.data(), range.first_triangle, range.front}, drawn, stage.candidates.data()));
   }
   size_t found = 0;
   for (uint32_t i = 0; i < range.triangle_count; ++i) {
     const std::array<WindowVertex, 3> window = {stage[corners(0)[i]], stage[corners(1)[i]],
                                                 stage[corners(2)[i]]};
-    if (is_outside(window) || !pixel_box(window, terms.limits).empty()) stage.candidates[found++] = i;
+    if (is_outside(window) ||
+        (!pixel_box(window, terms.limits).empty() && !faces_away(range, range.first_triangle + i, window)))
+      stage.candidates[found++] = i;
   }
   return found;
 }

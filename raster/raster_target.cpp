@@ -5,6 +5,7 @@
 #include "raster/box_test.hpp"
 #include "raster/float_state.hpp"
 #include "raster/lines.hpp"
+#include "visibility/facing.hpp"
 #include "visibility/shading.hpp"
 
 #include <algorithm>
@@ -48,7 +49,10 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
                           .first_triangle = item.first_index / 3,
                           .triangle_count = item.index_count / 3,
                           .placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice),
+                          .front = 0,
                           .pieces = item.pieces};
+    if (stretch.chunk->has_outward)
+      stretch.front = outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
     triangles += stretch.triangle_count;
     stretches_.push_back(stretch);
   }

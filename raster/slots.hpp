@@ -19,6 +19,7 @@ struct DrawnRange {
   uint32_t first_triangle = 0;  ///< of the chunk
   uint32_t triangle_count = 0;
   uint32_t first_slot = 0;
+  int32_t front = 0;  ///< outward_front()
   const RasterChunk* chunk = nullptr;
   PlacedLattice placed = {};
 };

@@ -10,12 +10,6 @@ namespace {
 
 constexpr int32_t half = subpixels / 2;
 
-/// Positive where the corners go round counter-clockwise.
-int64_t twice_area(const std::array<WindowVertex, 3>& corners) {
-  const auto& [a, b, c] = corners;
-  return int64_t{b.x - a.x} * int64_t{c.y - a.y} - int64_t{c.x - a.x} * int64_t{b.y - a.y};
-}
-
 /// Where floats may be off by more, of the depth, depths are computed in doubles: half of what bounds allow.
 constexpr float max_float_error = static_cast<float>(share_of_depth / 2);
 

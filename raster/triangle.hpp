@@ -45,6 +45,12 @@ inline PixelBox pixel_box(const std::array<WindowVertex, 3>& corners, const Pict
           std::min((std::max({a.y, b.y, c.y}) - half) >> subpixel_bits, limits.height - 1)};
 }
 
+/// In sub-pixels; positive where the corners go round counter-clockwise.
+inline int64_t twice_area(const std::array<WindowVertex, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  return int64_t{b.x - a.x} * int64_t{c.y - a.y} - int64_t{c.x - a.x} * int64_t{b.y - a.y};
+}
+
 /// False where it covers nothing: it has no area, or lies between pixel centres.
 bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
             WindowTriangle& triangle);

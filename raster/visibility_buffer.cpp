@@ -67,6 +67,7 @@ void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint
                    .part = stretch.part,
                    .first_triangle = stretch.first_triangle + first,
                    .triangle_count = count,
+                   .front = stretch.front,
                    .chunk = stretch.chunk,
                    .placed = stretch.placed};
   if (!depth_alone_) range.first_slot = table_.add(range);

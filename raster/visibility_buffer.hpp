@@ -21,6 +21,7 @@ struct PlacedStretch {
   const RasterChunk* chunk = nullptr;
   uint32_t first_triangle = 0, triangle_count = 0;
   PlacedLattice placed = {};
+  int32_t front = 0;  ///< DrawnRange::front
   std::span<const LatticeBox> pieces;
 };
 

@@ -1,5 +1,7 @@
 #include "render/draw_list.hpp"
 
+#include "visibility/facing.hpp"
+
 #include <algorithm>
 
 namespace triptych {
@@ -8,12 +10,25 @@ void DrawList::clear() {
   records.clear();
   bounds.clear();
   commands.clear();
+  groups.clear();
   triangles = 0;
 }
 
 void DrawListBuilder::begin(const FrameView& view) {
+  view_ = view;
   placer_.begin(view);
   projector_.emplace(view);
+}
+
+void DrawListBuilder::add_command(const ChunkRange& range, int32_t front, uint32_t first_triangle,
+                                  uint32_t end, DrawList& list) {
+  list.commands.push_back({.index_count = 3 * (end - first_triangle),
+                           .instance_count = 1,
+                           .first_index = range.first_index + 3 * first_triangle,
+                           .base_vertex = static_cast<int32_t>(range.base_vertex),
+                           .base_instance = static_cast<uint32_t>(list.records.size())});
+  if (list.groups.empty() || list.groups.back().front != front) list.groups.push_back({front, 0});
+  ++list.groups.back().count;
 }
 
 void DrawListBuilder::append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items,
@@ -22,11 +37,21 @@ void DrawListBuilder::append(std::span<const ChunkRange> ranges, std::span<const
     const ChunkRange& range = ranges[item.chunk];
     if (!range.loaded()) continue;
     const PlacedLattice placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice);
-    list.commands.push_back({.index_count = item.index_count,
-                             .instance_count = 1,
-                             .first_index = range.first_index + item.first_index,
-                             .base_vertex = static_cast<int32_t>(range.base_vertex),
-                             .base_instance = static_cast<uint32_t>(list.records.size())});
+    const int32_t front = range.outward_runs.empty()
+                              ? 0
+                              : outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
+    const uint32_t first = item.first_index / 3, end = first + item.index_count / 3;
+    if (front == 0) {
+      add_command(range, 0, first, end, list);
+    } else {
+      uint32_t begin = first;
+      for (size_t run = 0; run <= range.outward_runs.size() && begin < end; ++run) {
+        const uint32_t run_end =
+            run < range.outward_runs.size() ? std::clamp(range.outward_runs[run], begin, end) : end;
+        if (run_end > begin) add_command(range, run % 2 == 1 ? front : 0, begin, run_end, list);
+        begin = run_end;
+      }
+    }
     DrawRecord record{};
     record.item = item.drawable;
     record.first_bound = static_cast<uint32_t>(list.bounds.size());

@@ -1,5 +1,5 @@
-// Drawables as OpenGL draws them: one indirect command and one record per placement, in the order given, and
-// the bounds of its pieces.
+// Drawables as OpenGL draws them: one record per placement, in the order given, the bounds of its pieces, and
+// an indirect command; several where backs of some of its triangles are left out.
 #pragma once
 
 #include "lod/representation.hpp"
@@ -16,6 +16,7 @@ namespace triptych {
 /// Where a chunk lies in the device's buffers; empty if it is not loaded.
 struct ChunkRange {
   uint32_t first_index = 0, index_count = 0, base_vertex = 0;
+  std::vector<uint32_t> outward_runs = {};  ///< Chunk::outward_runs
   bool loaded() const { return index_count > 0; }
 };
 
@@ -33,10 +34,17 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
+/// Commands that follow each other and show the same sides of triangles.
+struct DrawGroup {
+  int32_t front = 0;  ///< outward_front(); 0 draws both sides
+  uint32_t count = 0;
+};
+
 struct DrawList {
   std::vector<DrawRecord> records;
   std::vector<PixelDepthBound> bounds;
   std::vector<DrawCommand> commands;
+  std::vector<DrawGroup> groups;
   uint64_t triangles = 0;
 
   /// Empties it and keeps its memory.
@@ -53,8 +61,12 @@ class DrawListBuilder {
   void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, DrawList& list);
 
  private:
+  static void add_command(const ChunkRange& range, int32_t front, uint32_t first_triangle, uint32_t end,
+                          DrawList& list);
+
   const Skeleton& skeleton_;
   LatticePlacer placer_;
+  std::optional<FrameView> view_;
   std::optional<BoxProjector> projector_;
 };
 

@@ -6,6 +6,17 @@
 
 namespace triptych {
 
+std::vector<bool> Chunk::outward() const {
+  std::vector<bool> result;
+  bool current = false;
+  for (const uint32_t end : outward_runs) {
+    result.resize(end, current);
+    current = !current;
+  }
+  result.resize(triangle_count());
+  return result;
+}
+
 LatticeBox Chunk::box() const {
   LatticeBox box;
   for (const ChunkVertex& vertex : vertices) box.extend(vertex.point);
@@ -31,9 +42,15 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
     fail(place, "holds {} vertices and {} triangles instead of {} and {}", vertex_count, triangle_count,
          info.vertex_count, info.triangle_count);
   }
+  auto outward_runs = reader.read_all<uint32_t>(reader.read<uint32_t>());
+  for (uint32_t last = 0; const uint32_t end : outward_runs) {
+    if (end < last || end > triangle_count)
+      fail(place, "has a run of triangles that ends at {} of {}, after {}", end, triangle_count, last);
+    last = end;
+  }
   const auto vertex_bytes = reader.read_all<uint8_t>(reader.read<uint32_t>());
   const auto index_bytes = reader.read_all<uint8_t>(reader.left());
-  Chunk chunk;
+  Chunk chunk{.vertices = {}, .indices = {}, .outward_runs = std::move(outward_runs)};
   chunk.vertices.resize(vertex_count);
   chunk.indices.resize(size_t{triangle_count} * 3);
   if (meshopt_decodeVertexBuffer(chunk.vertices.data(), vertex_count, sizeof(ChunkVertex),

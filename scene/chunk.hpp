@@ -29,8 +29,14 @@ inline constexpr size_t max_chunk_pieces = 256;
 struct Chunk {
   std::vector<ChunkVertex> vertices;
   std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise from outside
+  /// Where runs of triangles end: of those that are not known to be outward, of those that are, and so on in
+  /// turn; those after the last run are not. Outward ones belong to a closed surface whose backs nobody
+  /// outside of it sees (preprocess/outward.hpp).
+  std::vector<uint32_t> outward_runs = {};
 
   size_t triangle_count() const { return indices.size() / 3; }
+  /// The runs, triangle by triangle.
+  std::vector<bool> outward() const;
   LatticeBox box() const;
   /// The boxes of the pieces, if there are several; empty if there is only one.
   std::vector<LatticeBox> pieces() const;

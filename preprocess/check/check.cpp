@@ -5,6 +5,7 @@
 #include "base/rounding.hpp"
 #include "base/threads.hpp"
 #include "preprocess/check/check_distances.hpp"
+#include "preprocess/outward.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +82,12 @@ class Checking {
     }
     std::vector<std::string> damage(users.size());
     std::vector<std::vector<DrawableId>> outside(users.size());
+    std::vector<uint8_t> turned(users.size());
     Progress progress("check: chunks", users.size());
     parallel_for(users.size(), [&](size_t i) {
       try {
         const Chunk chunk = pack_.read_chunk(static_cast<uint32_t>(i));
+        turned[i] = !is_outward_as_said(chunk);
         for (const auto& [id, transform] : users[i]) {
           if (leaves_box(chunk, skeleton_.lattices[skeleton_.chunks[i].lattice], id, transform))
             outside[i].push_back(id);
@@ -99,11 +102,24 @@ class Checking {
         ++report_.checksum_errors;
         if (report_.messages.size() < options_.messages) report_.messages.push_back(damage[i]);
       }
+      if (turned[i] != 0) {
+        violation(report_.outward_violations,
+                  "chunk {}: triangles are not proven to be outward, and are said to be", i);
+      }
       for (const DrawableId id : outside[i]) {
         violation(report_.box_violations, "drawable {}: chunk {} leaves the box of scene node {}", id, i,
                   skeleton_.drawables[id].scene_node);
       }
     }
+  }
+
+  static bool is_outward_as_said(const Chunk& chunk) {
+    if (chunk.outward_runs.empty()) return true;
+    std::vector<glm::ivec3> points;
+    for (const ChunkVertex& vertex : chunk.vertices) points.push_back(vertex.point);
+    const std::vector<bool> claimed = chunk.outward(), proven = outward_triangles(points, chunk.indices);
+    return std::equal(claimed.begin(), claimed.end(), proven.begin(), proven.end(),
+                      [](bool said, bool is) { return is || !said; });
   }
 
   bool leaves_box(const Chunk& chunk, const Lattice& lattice, DrawableId id, uint32_t transform_index) const {

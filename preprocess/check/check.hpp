@@ -28,6 +28,8 @@ struct CheckReport {
   uint64_t box_violations = 0;
   /// Errors that shrink along a scene node's drawables or towards the root.
   uint64_t monotonicity_violations = 0;
+  /// Chunks with triangles that are said to be outward (Chunk::outward) and are not proven to be.
+  uint64_t outward_violations = 0;
   uint64_t checksum_errors = 0;  ///< chunks that do not verify or do not decode
   /// Error over measured distance, of simplified drawables whose measured distance exceeds the lattice's
   /// rounding.
@@ -35,7 +37,9 @@ struct CheckReport {
   std::vector<std::string> messages;  ///< the first violations, each with its place
 
   bool sound() const {
-    return bound_violations + box_violations + monotonicity_violations + checksum_errors == 0;
+    return bound_violations + box_violations + monotonicity_violations + outward_violations +
+               checksum_errors ==
+           0;
   }
 };
 

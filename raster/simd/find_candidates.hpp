@@ -43,8 +43,26 @@ struct PixelRanges {
   return few & behind(left, bottom) & behind(right, bottom) & behind(left, top) & behind(right, top);
 }
 
+/// Those of the lanes from triangle i on that are outward.
+[[gnu::always_inline]] inline Ints are_outward(const OutwardTriangles& outward, int32_t i) {
+  const uint32_t first = outward.first + static_cast<uint32_t>(i);
+  uint64_t word;
+  __builtin_memcpy(&word, outward.bits + first / 32, sizeof word);
+  const Ints bits = splat(static_cast<int32_t>(word >> first % 32));
+  return (bits >> lane_numbers & 1) != 0;
+}
+
+/// Those whose area has another sign. Differences of corners are below 2²⁴: doubles hold products exactly,
+/// and floats keep the sign of a whole number.
+[[gnu::always_inline]] inline Ints face_away(Ints x1, Ints y1, Ints x2, Ints y2, int32_t front) {
+  const auto area = [&](bool upper) __attribute__((always_inline)) {
+    return half(x1, upper) * half(y2, upper) - half(x2, upper) * half(y1, upper);
+  };
+  return to_float(area(false), area(true)) * splat(static_cast<float>(front)) < 0;
+}
+
 int32_t find_candidates(const WindowPoints& points, const TriangleCorners& corners, int32_t count,
-                        const DepthSource& source, uint32_t* candidates) {
+                        const OutwardTriangles& outward, const DepthSource& source, uint32_t* candidates) {
   int32_t found = 0;
   for (int32_t i = 0; i < count; i += lanes) {
     const Ints a = load(corners.a + i), b = load(corners.b + i), c = load(corners.c + i);
@@ -54,6 +72,10 @@ int32_t find_candidates(const WindowPoints& points, const TriangleCorners& corne
         y(least(ay, by, cy), most(ay, by, cy), source.height);
     const Ints outside = (ax == outside_x) | (bx == outside_x) | (cx == outside_x);
     Ints wanted = x.hold_some() & y.hold_some() & ~outside & (lane_numbers < count - i);
+    if (outward.front != 0) {
+      const Ints checked = wanted & are_outward(outward, i);
+      if (any(checked)) wanted &= ~(checked & face_away(bx - ax, by - ay, cx - ax, cy - ay, outward.front));
+    }
     if (any(wanted)) {
       const auto* const depths = reinterpret_cast<const int32_t*>(points.depth);
       const Floats nearest = (Floats)most(gather(depths, a), gather(depths, b), gather(depths, c));

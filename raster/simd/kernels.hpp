@@ -41,6 +41,14 @@ struct TriangleCorners {
   const uint32_t *a, *b, *c;
 };
 
+/// Which of the triangles may be left out where they face away: those with a bit from bit `first` on, if
+/// their area has not this sign, positive where corners go round counter-clockwise. None where `front` is 0.
+struct OutwardTriangles {
+  const uint32_t* bits;
+  uint32_t first;
+  int32_t front;
+};
+
 /// x · X + y · Y + offset at (X, Y), in this order.
 struct PlaneTerms {
   float x, y, offset;
@@ -68,10 +76,11 @@ struct RasterKernels {
   void (*transform_vertices)(const TransformTerms& terms, const LatticePoints& points, int32_t count,
                              const WindowPoints& result);
   /// Of so many triangles those that may show, or have a corner outside: their numbers, in order, and how
-  /// many these are. The others cover no pixel centre, or lie behind the tiles that they are in. Reads up to
-  /// `lanes` − 1 triangles more.
+  /// many these are. The others cover no pixel centre, lie behind the tiles that they are in, or face away.
+  /// Reads up to `lanes` − 1 triangles more, and 31 bits.
   int32_t (*find_candidates)(const WindowPoints& points, const TriangleCorners& corners, int32_t count,
-                             const DepthSource& source, uint32_t* candidates);
+                             const OutwardTriangles& outward, const DepthSource& source,
+                             uint32_t* candidates);
   /// Fills rows first_row to last_row, both included: some of the triangle's, and of the picture's. Tiles
   /// that it covers are up to date then, others are marked; those that hide it are left alone.
   void (*fill)(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target);

@@ -52,7 +52,7 @@ void Geometry::upload(uint32_t chunk, const Chunk& geometry) {
   }
   ranges_[chunk] = {static_cast<uint32_t>(index / sizeof(uint32_t)),
                     static_cast<uint32_t>(geometry.indices.size()),
-                    static_cast<uint32_t>(vertex / sizeof(ChunkVertex))};
+                    static_cast<uint32_t>(vertex / sizeof(ChunkVertex)), geometry.outward_runs};
 }
 
 void Geometry::require(std::span<const DrawItem> items) {

@@ -20,6 +20,16 @@ GlProgram make_pass(TargetKind kind, Projection projection) {
   return make_program("colour and item", vertex, color_and_item_fragment_shader());
 }
 
+/// Of triangles whose fronts go round so; 0: both.
+void show_sides(int32_t front) {
+  if (front == 0) {
+    glDisable(GL_CULL_FACE);
+    return;
+  }
+  glEnable(GL_CULL_FACE);
+  glCullFace(front > 0 ? GL_BACK : GL_FRONT);
+}
+
 }  // namespace
 
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
@@ -61,8 +71,14 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal
-  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr,
-                              static_cast<GLsizei>(list_.commands.size()), 0);
+  uintptr_t offset = 0;
+  for (const DrawGroup& group : list_.groups) {
+    show_sides(group.front);
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
+                                static_cast<GLsizei>(group.count), 0);
+    offset += group.count * sizeof(DrawCommand);
+  }
+  show_sides(0);
   return list_.triangles;
 }
 

@@ -22,6 +22,7 @@ struct Trial {
   bool stands_still = false;  ///< all views are the same: nothing may change after the first frames
   bool oriented = false;      ///< closed meshes, their outsides out: levels of detail must not turn them over
   bool slivers = false;       ///< has triangles whose depth leaves their box, and with it the picture
+  bool thin = false;          ///< backs have the depth of the fronts before them somewhere, to a float
   size_t left_out = 0;        ///< placements that the build has to count as left out
   size_t max_drawables = ~size_t{0};  ///< that the build may come to
   /// Another model and other views that must give the same pictures, pixel for pixel.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace triptych {
 namespace {
@@ -28,6 +29,7 @@ Chunk random_chunk(uint32_t seed) {
       const glm::ivec3 point((at + size * random.vector(-1, 1)) * 1024.0);
       chunk.vertices.push_back({.point = point, .color = 0, .piece = i % 2});
     }
+    if (i % 3 == 0 || i % 70 == 0) chunk.outward_runs.push_back(i);
   }
   return chunk;
 }
@@ -56,11 +58,12 @@ class Stage {
     tiles_.hand_out(source_);
   }
 
-  std::vector<WindowTriangle> make(InstructionSet set, uint32_t first, uint32_t count) {
+  std::vector<WindowTriangle> make(InstructionSet set, uint32_t first, uint32_t count, int32_t front = 0) {
     const DrawnRange range{.rank = {},
                            .first_triangle = first,
                            .triangle_count = count,
                            .first_slot = 1000,
+                           .front = front,
                            .chunk = &chunk_,
                            .placed = placer_->place(0, 0)};
     const std::array<LatticeBox, 2> pieces = {skeleton_.scene_nodes[0].box, skeleton_.scene_nodes[0].box};
@@ -75,6 +78,8 @@ class Stage {
                      [](const WindowTriangle& a, const WindowTriangle& b) { return a.slot < b.slot; });
     return triangles;
   }
+
+  bool is_outward(uint32_t triangle) const { return chunk_.is_outward(triangle); }
 
   /// As if something stood so far away in every tile.
   void hide_beyond(float depth) {
@@ -106,12 +111,13 @@ TEST(GeometryStage, makes_the_same_triangles_with_every_instruction_set) {
   size_t made = 0, precise = 0;
   for (uint32_t seed = 1; seed <= 20; ++seed) {
     Stage stage(seed % 4 == 0, seed);
+    const int32_t front = static_cast<int32_t>(seed % 3) - 1;
     for (const auto& [first, count] : {std::pair(0u, 500u), {3u, 1u}, {63u, 130u}, {499u, 1u}, {77u, 0u}}) {
-      const std::vector<WindowTriangle> expected = stage.make(InstructionSet::scalar, first, count);
+      const std::vector<WindowTriangle> expected = stage.make(InstructionSet::scalar, first, count, front);
       made += expected.size();
       for (const WindowTriangle& triangle : expected) precise += triangle.precise;
       for (const InstructionSet set : instruction_sets_here()) {
-        const std::vector<WindowTriangle> found = stage.make(set, first, count);
+        const std::vector<WindowTriangle> found = stage.make(set, first, count, front);
         ASSERT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end(), same))
             << instruction_set_name(set) << " " << seed << " " << first << "+" << count;
       }
@@ -119,6 +125,28 @@ TEST(GeometryStage, makes_the_same_triangles_with_every_instruction_set) {
   }
   EXPECT_GT(made, 2000u);
   EXPECT_GT(precise, 20u);
+}
+
+TEST(GeometryStage, leaves_out_backs_of_what_is_outward_and_is_not_clipped) {
+  size_t one_side = 0, both = 0;
+  for (uint32_t seed = 1; seed <= 10; ++seed) {
+    Stage stage(false, seed);
+    const auto slots = [&](int32_t front) {
+      std::set<uint32_t> found;
+      for (const WindowTriangle& triangle : stage.make(InstructionSet::scalar, 0, 500, front))
+        found.insert(triangle.slot);
+      return found;
+    };
+    const std::set<uint32_t> ahead = slots(1), mirrored = slots(-1);
+    for (const uint32_t slot : slots(0)) {
+      const bool outward = stage.is_outward(slot - 1000);
+      EXPECT_TRUE(ahead.contains(slot) || mirrored.contains(slot));
+      EXPECT_TRUE(outward || (ahead.contains(slot) && mirrored.contains(slot)));
+      if (outward) ++(ahead.contains(slot) != mirrored.contains(slot) ? one_side : both);
+    }
+  }
+  EXPECT_GT(one_side, 200u);
+  EXPECT_GT(both, 2u) << "of those that are clipped";
 }
 
 TEST(GeometryStage, leaves_out_only_what_lies_behind_tiles) {

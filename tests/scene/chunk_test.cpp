@@ -82,6 +82,20 @@ TEST(Chunk, what_is_encoded_is_shown_again_with_its_winding) {
   }
 }
 
+TEST(Chunk, what_is_outward_is_known_again_triangle_by_triangle) {
+  Chunk chunk = test::grid_chunk({-5, 3, 7}, 4, 3, 2, 1);
+  const auto first = static_cast<uint32_t>(chunk.vertices.size());
+  for (const glm::ivec3& point : {glm::ivec3(0, 0, 20), {5, 0, 20}, {0, 5, 20}, {0, 0, 25}})
+    chunk.vertices.push_back({.point = point, .color = 2, .piece = 0});
+  for (const uint32_t index : {0u, 2u, 1u, 0u, 1u, 3u, 1u, 2u, 3u, 2u, 0u, 3u})
+    chunk.indices.push_back(first + index);
+  const Chunk again = decoded(chunk, encode_chunk(chunk), info_of(chunk), 7);
+  const std::vector<bool> outward = again.outward();
+  ASSERT_EQ(outward.size(), again.triangle_count());
+  for (size_t i = 0; i < again.triangle_count(); ++i)
+    EXPECT_EQ(outward[i], again.vertices[again.indices[3 * i]].color == 2) << i;
+}
+
 TEST(Chunk, degenerate_triangles_stay) {
   Chunk chunk = test::grid_chunk({0, 0, 0}, 1, 1);
   chunk.indices.insert(chunk.indices.end(), {0, 0, 1, 2, 2, 2});

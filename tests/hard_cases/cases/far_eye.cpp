@@ -11,6 +11,7 @@ const InGallery far_eye(
      .faults = {},
      .make = [] {
        Trial trial;
+       trial.thin = true;
        trial.model = small_house();
        for (int i = 0; i < 6; ++i) {
          const glm::dvec3 from = glm::normalize(glm::dvec3(1, 0.2 * i - 0.5, 0.7));

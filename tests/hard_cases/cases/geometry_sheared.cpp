@@ -10,6 +10,7 @@ const InGallery geometry_sheared({.name = "geometry_sheared",
                                   .faults = {"shared-shears"},
                                   .make = [] {
                                     Trial trial;
+                                    trial.thin = true;
                                     const glm::dmat3 shear(glm::dvec3(1, 0, 0), glm::dvec3(1, 1e-6, 0),
                                                            glm::dvec3(0, 0, 1));
                                     Mesh mesh = awkward::box({-2, -2, -2}, {2, 2, 2});

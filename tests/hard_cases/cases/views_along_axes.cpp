@@ -10,6 +10,7 @@ const InGallery views_along_axes(
      .faults = {},
      .make = [] {
        Trial trial;
+       trial.thin = true;
        trial.model = snapped(Maker().clutter(80, {-4, -4, -4}, {4, 4, 4}, 1.5, 11).model(), 0.125);
        for (int axis = 0; axis < 3; ++axis) {
          glm::dvec3 along(0), up(0);

@@ -10,6 +10,7 @@ const InGallery views_telescope(
      .faults = {},
      .make = [] {
        Trial trial;
+       trial.thin = true;
        trial.model = small_house();
        for (int i = 0; i < 6; ++i)
          trial.views.push_back(look({-3000, 400.0 * i, 900}, {8, 4, 1.5}, 0.1, {}, 1));

@@ -5,6 +5,7 @@
 #include "preprocess/check/check_surfaces.hpp"
 #include "tests/support/small_pack.hpp"
 
+#include <array>
 #include <atomic>
 #include <fstream>
 #include <glm/geometric.hpp>
@@ -90,6 +91,28 @@ TEST(Check, an_error_that_shrinks_is_found_along_a_node_and_towards_the_root) {
   pack = small_pack();
   pack.skeleton.drawables[2].error = 0.6;  // the root promises 0.5
   EXPECT_EQ(check(pack).monotonicity_violations, 1u);
+}
+
+TEST(Check, triangles_that_are_said_to_be_outward_and_are_not_are_found) {
+  const SmallPack pack = small_pack();
+  const auto file = write_pack(pack);
+  PackWriter writer(file);
+  for (size_t i = 0; i < pack.chunks.size(); ++i) {
+    EncodedChunk chunk(pack.chunks[i]);
+    if (i == 1) {  // two triangles of a flat square: a run of none, a run of two
+      constexpr size_t runs = 8;
+      chunk.bytes[runs] = std::byte{2};
+      constexpr std::array lie = {std::byte{0}, std::byte{0}, std::byte{0}, std::byte{0},
+                                  std::byte{2}, std::byte{0}, std::byte{0}, std::byte{0}};
+      chunk.bytes.insert(chunk.bytes.begin() + runs + 4, lie.begin(), lie.end());
+    }
+    writer.add_chunk(chunk, pack.chunk_lattices[i]);
+  }
+  writer.finish(pack.skeleton);
+  const CheckReport report = check_pack(Pack(file), {.points = 100'000});
+  EXPECT_EQ(report.outward_violations, 1u);
+  EXPECT_EQ(report.checksum_errors, 0u);
+  EXPECT_FALSE(report.sound());
 }
 
 TEST(Check, a_damaged_chunk_is_counted_and_what_hangs_on_it_is_not_checked) {

@@ -1,0 +1,18 @@
+// Which triangles show the outside of something solid: from outside of it, their backs are never seen.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// For each triangle whether it is proven to belong to a surface that is closed, that meets itself in corners
+/// at most, and whose triangles go round counter-clockwise where they are seen from outside. Points with one
+/// place are one. The proof is exact, but does not find every such surface: it is given up where edges have
+/// more than two triangles, or too many boxes of triangles overlap. points: within ±2^29. indices: three a
+/// triangle.
+std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::span<const uint32_t> indices);
+
+}  // namespace triptych
