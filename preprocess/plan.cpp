@@ -5,6 +5,7 @@
 #include "base/threads.hpp"
 #include "model/read_mesh.hpp"
 #include "preprocess/placements.hpp"
+#include "preprocess/strays.hpp"
 #include "preprocess/transforms.hpp"
 
 #include <algorithm>
@@ -207,6 +208,7 @@ BuildPlan make_plan(const Model& model, const BuildOptions& options) {
   const double extent = diagonal(plan.box());
   if (extent < min_extent)
     fail(model.name(), "is {} units large, which is less than numbers bear: give it other units", extent);
+  if (const auto warning = stray_warning(model, plan)) plan.warnings.push_back(*warning);
   return plan;
 }
 

@@ -101,8 +101,9 @@ struct Skeleton {
   uint32_t levels() const;  ///< the longest path from the root to a leaf, in scene nodes
   /// Length of the root box's diagonal, model units.
   double diagonal() const;
-  /// The near plane where a path names none: small against the model, far from where depth loses its
-  /// precision.
+  /// The near plane where a path names none: small against each part of the model that stands alone, so that
+  /// what lies far away does not move it. Depth keeps its precision however near it is. May look at every
+  /// scene node: to be asked once.
   double default_near() const;
 };
 

@@ -12,12 +12,10 @@ namespace triptych {
 
 namespace {
 
-Walker start(const Pack& pack, const ViewerOptions& options) {
+Walker start(const Pack& pack, const ViewerOptions& options, double near) {
   const Skeleton& skeleton = pack.skeleton();
-  if (options.path) {
-    return {options.path->view(0, 1, 1, skeleton.default_near()).camera, skeleton.diagonal()};
-  }
-  return Walker::before(skeleton.lattice().box(skeleton.scene_nodes.front().box), skeleton.default_near());
+  if (options.path) return {options.path->view(0, 1, 1, near).camera, skeleton.diagonal()};
+  return Walker::before(skeleton.lattice().box(skeleton.scene_nodes.front().box), near);
 }
 
 }  // namespace
@@ -33,7 +31,11 @@ std::string viewer_help() {
 }
 
 Viewer::Viewer(const Pack& pack, ViewerOptions options)
-    : pack_(pack), options_(std::move(options)), window_(options_.window), walker_(start(pack, options_)) {
+    : pack_(pack),
+      near_(pack.skeleton().default_near()),
+      options_(std::move(options)),
+      window_(options_.window),
+      walker_(start(pack, options_, near_)) {
   if (options_.path) exact_ = options_.path->frames.front();
 }
 
@@ -89,7 +91,7 @@ void Viewer::take(Command command) {
 View Viewer::view() const {
   if (!exact_) return walker_.view(window_.width(), window_.height());
   const Path path{{*exact_}};
-  return path.view(0, window_.width(), window_.height(), pack_.skeleton().default_near());
+  return path.view(0, window_.width(), window_.height(), near_);
 }
 
 FrameRequest Viewer::next_frame() {

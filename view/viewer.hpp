@@ -56,6 +56,7 @@ class Viewer {
   void save(const std::vector<uint8_t>& colors);
 
   const Pack& pack_;
+  const double near_;  ///< the near plane where the path names none
   ViewerOptions options_;
   Window window_;
   Walker walker_;
