@@ -19,6 +19,7 @@ pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 pkg_check_modules(OSMESA REQUIRED osmesa)  # its header: context_osmesa.cpp loads the library itself
 pkg_check_modules(TINYGLTF REQUIRED IMPORTED_TARGET tinygltf)
+pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET minizip)
 pkg_check_modules(JPEG REQUIRED IMPORTED_TARGET libjpeg)
 find_path(ASIO_INCLUDE_DIR asio.hpp REQUIRED)
