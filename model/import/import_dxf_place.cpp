@@ -13,7 +13,7 @@ namespace triptych {
 namespace {
 
 constexpr uint32_t layer_zero = 0;
-constexpr int max_depth = 64;
+constexpr size_t max_depth = 256;
 constexpr uint64_t max_placements = 10'000'000;
 
 /// What the content of a block takes over from its insert.
@@ -30,7 +30,7 @@ class Placing {
 
   void run() {
     place_model_space();
-    for (const DxfInsert& insert : drawing_.model_space.inserts) place_insert(insert, to_model_, {}, 0);
+    for (const DxfInsert& insert : drawing_.model_space.inserts) place_insert(insert, to_model_, {});
     for (const auto& [layer, count] : hidden_) {
       const DxfLayer& hidden = drawing_.layers[layer];
       target_.warn(fmt::format("faces and inserts on the layer \"{}\" are not drawn, since it is {}",
@@ -133,7 +133,7 @@ class Placing {
     return found->second;
   }
 
-  void place_insert(const DxfInsert& insert, const Affine& outer, const Inherited& inherited, int depth) {
+  void place_insert(const DxfInsert& insert, const Affine& outer, const Inherited& inherited) {
     const Inherited inner{layer_of(insert.style, inherited), color_of(insert.style, inherited)};
     if (drawing_.layers[inner.layer].frozen) return count_hidden(inner.layer, 1);
     const auto found = drawing_.blocks.find(insert.block);
@@ -144,7 +144,8 @@ class Placing {
       return target_.warn(fmt::format("inserts of an external drawing were skipped; import it beside: {}",
                                       one_line(block.name.substr(0, 80))));
     }
-    if (depth >= max_depth) return target_.warn("inserts within themselves were skipped");
+    if (std::find(open_.begin(), open_.end(), &block) != open_.end() || open_.size() >= max_depth)
+      return target_.warn("inserts within themselves were skipped");
     if (block.triangles.empty() && block.inserts.empty()) return;
     const auto mesh = mesh_of(block, inner);
     const Affine to_base({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -block.base);
@@ -160,7 +161,9 @@ class Placing {
           continue;
         }
         if (mesh) target_.add_instance(*mesh, placed);
-        for (const DxfInsert& nested : block.inserts) place_insert(nested, placed, inner, depth + 1);
+        open_.push_back(&block);
+        for (const DxfInsert& nested : block.inserts) place_insert(nested, placed, inner);
+        open_.pop_back();
       }
     }
   }
@@ -172,6 +175,7 @@ class Placing {
   std::map<const DxfBlock*, bool> inherits_;  ///< whether the mesh depends on the insert
   std::map<std::pair<const DxfBlock*, Inherited>, std::optional<uint32_t>> meshes_;
   std::map<uint32_t, uint64_t> hidden_;  ///< faces and inserts by layer
+  std::vector<const DxfBlock*> open_;    ///< those that hold what is being placed
   uint64_t hidden_elsewhere_ = 0, placements_ = 0;
 };
 

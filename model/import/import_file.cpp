@@ -179,6 +179,8 @@ void FileImport::finish() {
     why += why.empty() ? ": " : "; ";
     why += warning.starts_with(own) ? warning.substr(own.size()) : warning;
   }
+  constexpr size_t longest = 280;
+  if (why.size() > longest) why = why.substr(0, longest - 4) + " ...";
   fail(place(), "holds no triangles{}", why);
 }
 

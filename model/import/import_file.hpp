@@ -32,6 +32,8 @@ class FileImport {
   /// there is none.
   std::shared_ptr<const StreamSource> beside(std::string_view name);
   void unpacks(PackedFile packed);
+  /// What was unpacked; null if the file is read as it is.
+  const PackedFile* unpacked() const { return packed_.name.empty() ? nullptr : &packed_; }
   const ImportOptions& options() const { return options_; }
   /// The place of errors: the file's name as it was given.
   std::string place() const { return file_.string(); }
@@ -97,6 +99,7 @@ void import_obj(FileImport& target);
 void import_ply(FileImport& target);
 void import_stl(FileImport& target);
 void import_dxf(FileImport& target);
+void import_3mf(FileImport& target);
 void import_other(FileImport& target);  ///< all formats that triptych-import reads
 
 /// The files that a model file refers to, textures included. Error for a file that cannot be opened.

@@ -77,7 +77,7 @@ class ObjImport {
   };
 
   void read_statement(std::string_view whole) {
-    std::string_view line = without_comment(whole, false);
+    std::string_view line = without_comment(whole, true);
     const std::string_view word = take_word(line);
     const auto behind_word = static_cast<size_t>(word.data() + word.size() - whole.data());
     const auto name = [&] { return trimmed(without_comment(whole, true).substr(behind_word)); };
@@ -85,7 +85,7 @@ class ObjImport {
     if (word == "v") {
       read_vertex(line);
     } else if (word == "f" || word == "fo") {
-      read_face(line);
+      read_face(without_comment(line, false));
     } else if (word == "o" || word == "g") {
       spool_.begin_mesh(std::string(name()));
     } else if (word == "usemtl") {

@@ -36,7 +36,7 @@ void import_other(FileImport& target) {
     target.says_up(convention.up);
     if (convention.unit) target.says_unit(std::nullopt);
   }
-  Converted converted = convert_model(target.file(), target.options());
+  Converted converted = convert_model(target.file(), target.unpacked(), target.options());
   for (std::string& warning : converted.warnings) target.remark(std::move(warning));
   import_gltf(target, std::move(converted.glb));
 }

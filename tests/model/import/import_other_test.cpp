@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <sstream>
+#include <zlib.h>
 
 namespace triptych {
 namespace {
@@ -112,6 +114,38 @@ TEST(ImportOther, collada_and_fbx_files_say_their_unit_and_axes_and_share_their_
   EXPECT_EQ(twice.meshes.size(), 1u);
   ASSERT_EQ(twice.instances.size(), 2u);
   expect_near(placed_corners(twice).at(4), {11 * 0.0254, 0, 0});
+}
+
+TEST(ImportOther, the_axes_of_fbx_files_are_turned_to_y_up_with_their_front_to_the_viewer) {
+  const auto corner = [](const std::string& axes) {
+    std::string text = fbx;
+    const std::string up = "\t\tP: \"UpAxis\", \"int\", \"Integer\", \"\",2\n";
+    text.replace(text.find(up), up.size(), "");
+    std::string properties;
+    std::istringstream pairs(axes);
+    for (std::string name, value; pairs >> name >> value;)
+      properties += "\t\tP: \"" + name + "\", \"int\", \"Integer\", \"\"," + value + "\n";
+    const std::string unit = "\t\tP: \"UnitScaleFactor\"";
+    text.insert(text.find(unit), properties);
+    text.replace(text.find(",2.54"), 5, ",100");
+    return placed_corners(import_text("a.fbx", text)).at(2);  // 0 2 3 in the file
+  };
+  expect_near(corner(""), {0, 2, 3});
+  expect_near(corner("UpAxis 2 FrontAxis 1 FrontAxisSign -1 CoordAxis 0 CoordAxisSign 1"), {0, 3, -2});
+  expect_near(corner("UpAxis 2 FrontAxis 0 FrontAxisSign 1 CoordAxis 1 CoordAxisSign 1"), {2, 3, 0});
+  expect_near(corner("UpAxis 0 FrontAxis 2 FrontAxisSign 1 CoordAxis 1 CoordAxisSign -1"), {-2, 0, 3});
+  expect_near(corner("UpAxis 1 UpAxisSign -1 CoordAxis 0 CoordAxisSign -1"), {0, -2, 3});
+}
+
+TEST(ImportOther, a_byte_order_mark_and_gzip_around_a_file_are_taken_off) {
+  EXPECT_EQ(import_text("a.off", "\xef\xbb\xbf" + off).source_triangles(), 2u);
+  const auto file = write_model("packed", "");
+  const gzFile out = gzopen(file.c_str(), "wb");
+  gzwrite(out, off.data(), static_cast<unsigned>(off.size()));
+  gzclose(out);
+  const auto renamed = file.parent_path() / "a.off.gz";
+  std::filesystem::rename(file, renamed);
+  EXPECT_EQ(import_model({renamed}).source_triangles(), 2u);
 }
 
 TEST(ImportOther, x_and_off_files_are_read_and_concave_faces_cut_properly) {
