@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace triptych {
@@ -57,10 +58,7 @@ class ObjImport {
       }
       read_statement(line);
     }
-    if (vertices_named_ > spool_.vertex_count()) {
-      fail(target_.line_place(furthest_line_), "names vertex {} of {}", vertices_named_,
-           spool_.vertex_count());
-    }
+    add_missing_vertices();
     spool_.finish();
     for (const auto& [name, material] : materials_) {
       if (!material.defined)
@@ -99,11 +97,39 @@ class ObjImport {
     }
   }
 
+  /// One warning for all of a kind, with the first one's line.
+  void warn_once(std::string& first, std::string what) {
+    if (first.empty()) first = std::move(what);
+    target_.warn(first);
+  }
+
+  /// Vertices that faces name and the file does not hold (it was cut, or faces are damaged) are not finite,
+  /// so that only the triangles that use them are lost. Error where they are too many for that.
+  void add_missing_vertices() {
+    constexpr uint64_t most = uint64_t{1} << 16;
+    const uint64_t known = spool_.vertex_count();
+    if (vertices_named_ <= known) return;
+    if (vertices_named_ - known > most)
+      fail(target_.line_place(furthest_line_), "names vertex {} of {}", vertices_named_, known);
+    target_.remark(
+        fmt::format("line {} names vertex {} of {}; triangles with vertices that are not there are dropped",
+                    furthest_line_, vertices_named_, known));
+    while (spool_.vertex_count() < vertices_named_)
+      spool_.add_vertex(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+  }
+
+  /// One without three numbers is kept as not finite: the numbers of all others stay what they are.
   void read_vertex(std::string_view line) {
     glm::dvec3 position;
     for (int i = 0; i < 3; ++i) {
       const auto number = to_number(take_word(line));
-      if (!number) fail(reader_.line_place(), "a vertex needs three numbers");
+      if (!number) {
+        warn_once(first_bad_vertex_,
+                  fmt::format("vertices lack three numbers, the first in line {}; their triangles "
+                              "are dropped",
+                              reader_.line()));
+        return spool_.add_vertex(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+      }
       position[i] = *number;
     }
     int further = 0;
@@ -115,19 +141,22 @@ class ObjImport {
   void read_face(std::string_view line) {
     corners_.clear();
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-      corners_.push_back(vertex_index(word));
+      const auto vertex = vertex_index(word);
+      if (!vertex) return;
+      corners_.push_back(*vertex);
     }
     spool_.add_face(corners_, material_);
   }
 
-  /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0.
-  uint32_t vertex_index(std::string_view word) {
+  /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0. Nothing, and a warning, if it is none.
+  std::optional<uint32_t> vertex_index(std::string_view word) {
     const auto number = to_integer(word.substr(0, word.find('/')));
-    if (!number) fail(reader_.line_place(), "\"{}\" is not a corner of a face", word.substr(0, 40));
+    if (!number)
+      return bad_face(fmt::format("has \"{}\" for a corner", one_line(std::string(word.substr(0, 40)))));
     const auto known = static_cast<int64_t>(spool_.vertex_count());
     const int64_t index = *number < 0 ? known + *number : *number - 1;
     if (*number == 0 || index < 0 || index >= std::numeric_limits<uint32_t>::max()) {
-      fail(reader_.line_place(), "names vertex {} of {}", *number, known);
+      return bad_face(fmt::format("names vertex {} of {}", *number, known));
     }
     const auto vertex = static_cast<uint32_t>(index);
     if (vertex >= vertices_named_) {  // it may be defined later in the file; checked at the end
@@ -135,6 +164,12 @@ class ObjImport {
       furthest_line_ = reader_.line();
     }
     return vertex;
+  }
+
+  std::nullopt_t bad_face(const std::string& why) {
+    warn_once(first_bad_face_, fmt::format("faces cannot be read and were skipped; the first, in line {}, {}",
+                                           reader_.line(), why));
+    return std::nullopt;
   }
 
   void skip_statement(std::string_view word) {
@@ -231,6 +266,7 @@ class ObjImport {
   std::set<std::string> skipped_;  ///< kinds of statements that are not understood
   std::vector<uint32_t> corners_;
   uint32_t material_ = 0;
+  std::string first_bad_vertex_, first_bad_face_;    ///< warnings
   uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest vertex number of a face, and its line
 };
 

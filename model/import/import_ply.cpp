@@ -21,24 +21,31 @@ class PlyValues {
   PlyValues(ImportReader& reader, PlyEncoding encoding, std::string name)
       : reader_(reader), encoding_(encoding), name_(std::move(name)) {}
 
-  /// In ASCII each record begins a line, and goes on in the next one where that ends too soon; empty lines
-  /// are skipped.
+  /// ASCII is read word by word, as other readers do: a record may go over lines, and a line may hold
+  /// several.
   void begin_record() {
-    if (encoding_ != PlyEncoding::ascii) return;
-    while (trimmed(line_).empty()) {
-      if (!reader_.next_line(line_)) fail(place(), "the file ends too soon");
-    }
+    if (encoding_ == PlyEncoding::ascii) several_in_line_ = several_in_line_ || !trimmed(line_).empty();
   }
 
-  void end_record() {
-    if (encoding_ != PlyEncoding::ascii) return;
-    if (!trimmed(line_).empty()) fail(place(), "more values than the element has properties");
-    line_ = {};
+  /// After the last record: what is left. Error where records did not fit their lines and something is left:
+  /// then lines hold values that the header does not name, and what was read is not what was meant.
+  void finish(FileImport& target) {
+    if (encoding_ != PlyEncoding::ascii)
+      return target.warn("bytes after the last element were skipped", reader_.left());
+    uint64_t lines = trimmed(line_).empty() ? 0 : 1;
+    if (lines > 0) several_in_line_ = true;
+    while (reader_.next_line(line_)) lines += trimmed(line_).empty() ? 0 : 1;
+    if (lines > 0 && several_in_line_)
+      fail(name_, "lines hold more values than their elements have properties ({} lines are left at the end)",
+           lines);
+    target.warn("lines after the last element were skipped", lines);
   }
 
   double read(PlyType type) {
     if (encoding_ == PlyEncoding::ascii) {
-      begin_record();
+      while (trimmed(line_).empty()) {
+        if (!reader_.next_line(line_)) fail(place(), "the file ends too soon");
+      }
       const auto number = to_number(take_word(line_));
       if (!number) fail(place(), "a number is missing");
       return *number;
@@ -93,6 +100,7 @@ class PlyValues {
   PlyEncoding encoding_;
   std::string name_;
   std::string_view line_;
+  bool several_in_line_ = false;  ///< whether a record began within a line
 };
 
 /// Which properties of a vertex hold x, y and z.
@@ -137,7 +145,6 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
         if (k == at[static_cast<size_t>(axis)]) position[axis] = value;
       }
     }
-    values.end_record();
     spool.add_vertex(position);
   }
 }
@@ -160,7 +167,6 @@ void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& val
         corner = static_cast<uint32_t>(values.read_index(property.type, vertex_count - 1, "a face's vertex"));
       }
     }
-    values.end_record();
     spool.add_face(corners, 0);
   }
 }
@@ -200,7 +206,6 @@ void read_strips(const PlyElement& element, uint64_t vertex_count, PlyValues& va
       }
       add_strip(strip, spool);
     }
-    values.end_record();
   }
 }
 
@@ -320,12 +325,10 @@ void import_ply(FileImport& target) {
       for (uint64_t i = 0; i < element.count; ++i) {
         values.begin_record();
         for (const PlyProperty& property : element.properties) values.skip(property);
-        values.end_record();
       }
     }
   }
-  if (header.encoding != PlyEncoding::ascii)
-    target.warn("bytes after the last element were skipped", reader.left());
+  values.finish(target);
   spool.finish();
 }
 

@@ -100,6 +100,9 @@ TEST(ImportGltfLenient, chunks_and_bytes_behind_those_of_a_binary_file_are_passe
   std::string file = test::glb(square(), square_bytes());
   EXPECT_TRUE(
       warns(test::import_text("a.glb", file + "1234567"), "7 bytes after the last chunk were skipped"));
+  const uint32_t longer = 0x7fffffff;
+  std::memcpy(file.data() + 8, &longer, sizeof(longer));
+  EXPECT_TRUE(warns(test::import_text("a.glb", file), "the header says 2147483647 bytes"));
 }
 
 void bind_to_joints(json& document, const std::string& extra_nodes) {
@@ -202,6 +205,7 @@ TEST(ImportGltfLenient, primitives_that_draco_compressed_are_unpacked) {
   write_model("draco.bin", std::string(buffer.size(), 'x'));
   EXPECT_NE(json_error(document).find("KHR_draco_mesh_compression: its data cannot be unpacked"),
             std::string::npos);
+  test::expect_robust("a.glb", test::glb(document, {buffer.data(), buffer.size()}));
 }
 
 }  // namespace
