@@ -14,6 +14,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
@@ -63,7 +64,9 @@ aiColor4D linear_color(const aiColor4D& color) {
 
 json material_of(const aiMaterial& material, ConversionNotes& notes) {
   aiColor4D color(0.8f, 0.8f, 0.8f, 1);
-  if (material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
+  // Assimp makes one of this name up where a file has none.
+  const bool made_up = std::string_view(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME;
+  if (!made_up && material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
     if (material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) color = linear_color(color);
   float opacity = 1;
   if (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) color.a = opacity;

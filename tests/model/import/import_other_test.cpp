@@ -137,6 +137,45 @@ TEST(ImportOther, the_axes_of_fbx_files_are_turned_to_y_up_with_their_front_to_t
   expect_near(corner("UpAxis 1 UpAxisSign -1 CoordAxis 0 CoordAxisSign -1"), {0, -2, 3});
 }
 
+TEST(ImportOther, diffuse_colours_of_collada_and_fbx_are_those_displayed) {
+  std::string dae = collada;
+  const auto insert_before = [](std::string& text, const std::string& place, const std::string& what) {
+    text.insert(text.find(place), what);
+  };
+  insert_before(dae, "<library_geometries>",
+                "<library_effects><effect id=\"e\"><profile_COMMON><technique "
+                "sid=\"c\"><lambert><diffuse><color>0.5 1 0 1"
+                "</color></diffuse></lambert></technique></profile_COMMON></effect></"
+                "library_effects><library_materials>"
+                "<material id=\"m\"><instance_effect url=\"#e\"/></material></library_materials>");
+  dae.replace(dae.find("<triangles count"), 16, "<triangles material=\"s\" count");
+  const std::string placed = "<instance_geometry url=\"#g\"/></node><node id=\"k\">";
+  dae.replace(
+      dae.find(placed), placed.size(),
+      "<instance_geometry url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" "
+      "target=\"#m\"/></technique_common></bind_material></instance_geometry></node><node id=\"k\">");
+  std::string with_material = fbx;
+  insert_before(with_material, "\tModel: 2,",
+                "\tMaterial: 3, \"Material::m\", \"\" {\n\t\tVersion: 102\n\t\tShadingModel: "
+                "\"lambert\"\n\t\tProperties70:  "
+                "{\n\t\t\tP: \"DiffuseColor\", \"Color\", \"\", \"A\",0.5,1,0\n\t\t}\n\t}\n");
+  insert_before(
+      with_material, "\t\tGeometryVersion",
+      "\t\tLayerElementMaterial: 0 {\n\t\t\tVersion: 101\n\t\t\tName: \"\"\n\t\t\tMappingInformationType: "
+      "\"AllSame\"\n\t\t\tReferenceInformationType: \"IndexToDirect\"\n\t\t\tMaterials: *1 {\n\t\t\t\ta: "
+      "0\n\t\t\t}\n\t\t}\n\t\tLayer: 0 {\n\t\t\tVersion: 100\n\t\t\tLayerElement:  {\n\t\t\t\tType: "
+      "\"LayerElementMaterial\"\n\t\t\t\tTypedIndex: 0\n\t\t\t}\n\t\t}\n");
+  insert_before(with_material, "C: \"OO\",1,2", "C: \"OO\",3,2\n\t");
+  const Model plain = import_text("plain.fbx", fbx);
+  EXPECT_EQ(plain.materials[plain.meshes[0].triangles[0].material].base_color, Material().base_color);
+  for (const auto& file : {write_model("c.dae", dae), write_model("c.fbx", with_material)}) {
+    const Model model = import_model({file});
+    const glm::vec4 color = model.materials[model.meshes[0].triangles[0].material].base_color;
+    EXPECT_LT(glm::length(color - glm::vec4(0.2140411f, 1, 0, 1)), 1e-4f)
+        << file << " " << color.r << " " << color.g;
+  }
+}
+
 TEST(ImportOther, a_byte_order_mark_and_gzip_around_a_file_are_taken_off) {
   EXPECT_EQ(import_text("a.off", "\xef\xbb\xbf" + off).source_triangles(), 2u);
   const auto file = write_model("packed", "");
