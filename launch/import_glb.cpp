@@ -2,6 +2,7 @@
 
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
+#include "model/import/display_color.hpp"
 #include "model/import/triangulate.hpp"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
@@ -53,10 +55,19 @@ uint64_t triangle_count(const aiMesh& mesh) {
   return count;
 }
 
+/// Diffuse colours are what is displayed.
+aiColor4D linear_color(const aiColor4D& color) {
+  const glm::vec4 linear = from_display_color(static_cast<double>(color.r), static_cast<double>(color.g),
+                                              static_cast<double>(color.b));
+  return {linear.r, linear.g, linear.b, color.a};
+}
+
 json material_of(const aiMaterial& material, ConversionNotes& notes) {
   aiColor4D color(0.8f, 0.8f, 0.8f, 1);
-  if (material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
-    material.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+  // Assimp makes one of this name up where a file has none.
+  const bool made_up = std::string_view(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME;
+  if (!made_up && material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
+    if (material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) color = linear_color(color);
   float opacity = 1;
   if (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) color.a = opacity;
   json factor = json::array();
@@ -122,12 +133,15 @@ json matrix_of(const aiMatrix4x4& m, const std::string& place) {
 }
 
 /// In glTF a node holds one mesh: further ones become children.
-json nodes_of(const aiScene& scene, const Layout& layout, double metres, bool z_up,
+json nodes_of(const aiScene& scene, const Layout& layout, const glm::dmat3& to_model,
               const std::string& place) {
   json nodes = json::array();
-  json root = {{"scale", {metres, metres, metres}}, {"children", {1}}};
-  if (z_up) root["rotation"] = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
-  nodes.push_back(root);
+  json matrix = json::array();
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row)
+      matrix.push_back(column < 3 && row < 3 ? to_model[column][row] : column == row ? 1.0 : 0.0);
+  }
+  nodes.push_back({{"matrix", matrix}, {"children", {1}}});
   struct Open {
     const aiNode* node;
     size_t index;
@@ -183,7 +197,7 @@ void write_mesh(const aiMesh& mesh, Output& output, const std::string& place, Co
 
 }  // namespace
 
-void write_glb(const aiScene& scene, double metres, bool z_up, int descriptor, const std::string& place,
+void write_glb(const aiScene& scene, const glm::dmat3& to_model, int descriptor, const std::string& place,
                ConversionNotes& notes) {
   if (!scene.mRootNode) fail(place, "holds no scene");
   const Layout layout = lay_out(scene, notes);
@@ -193,7 +207,7 @@ void write_glb(const aiScene& scene, double metres, bool z_up, int descriptor, c
     materials.push_back(material_of(*scene.mMaterials[i], notes));
   json document = {{"asset", {{"version", "2.0"}}}, {"buffers", {{{"byteLength", layout.bytes}}}},
                    {"bufferViews", layout.views},   {"accessors", layout.accessors},
-                   {"meshes", layout.meshes},       {"nodes", nodes_of(scene, layout, metres, z_up, place)},
+                   {"meshes", layout.meshes},       {"nodes", nodes_of(scene, layout, to_model, place)},
                    {"scenes", {{{"nodes", {0}}}}},  {"scene", 0}};
   if (!materials.empty()) document["materials"] = materials;
   std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);

@@ -3,7 +3,7 @@
 
 #include <assimp/scene.h>
 #include <cstdint>
-#include <functional>
+#include <glm/mat3x3.hpp>
 #include <map>
 #include <string>
 
@@ -13,9 +13,9 @@ namespace triptych {
 using ConversionNotes = std::map<std::string, uint64_t>;
 
 /// Writes nodes, meshes as triangles, and base colours to an open file. Transforms are doubles in the file;
-/// `metres` scales to metres, `z_up` turns to y up. Error (place) for a scene that is too large for the
+/// `to_model` scales to metres and turns to y up. Error (place) for a scene that is too large for the
 /// format or has indices out of range.
-void write_glb(const aiScene& scene, double metres, bool z_up, int descriptor, const std::string& place,
+void write_glb(const aiScene& scene, const glm::dmat3& to_model, int descriptor, const std::string& place,
                ConversionNotes& notes);
 
 /// The largest coordinate and offset in the scene.

@@ -15,9 +15,12 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <locale>
 #include <new>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <sys/resource.h>
@@ -35,8 +38,17 @@ class Warnings : public Assimp::LogStream {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
     // "Warn,  T4321: what"
     if (const size_t colon = text.find(": "); colon != std::string::npos) text.erase(0, colon + 2);
+    if (is_false_alarm(text)) return;
     if (known_.size() < most && known_.insert(text).second)
       fmt::print(stderr, "warning: {}\n", short_line(text));
+  }
+  /// What Assimp says of files that are as they should be.
+  static bool is_false_alarm(const std::string& text) {
+    for (const char* harmless : {"no Definitions dictionary found", "setting default material",
+                                 "Ignored file of", "unsupported type CONTENT_TYPES"}) {
+      if (text.find(harmless) != std::string::npos) return true;
+    }
+    return false;
   }
   static std::string short_line(const std::string& text) { return one_line(text.substr(0, 160)); }
 
@@ -64,29 +76,57 @@ void limit_memory(uint64_t bytes) {
   std::set_new_handler(out_of_memory);
 }
 
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return extension;
+std::string lower_case(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
 }
 
-/// The unit and axes of an FBX file, which Assimp does not apply itself.
-struct FbxConvention {
-  double metres = 1;
-  bool z_up = false;
-};
+/// The file's bytes behind a UTF-8 byte order mark; nothing if it can be read where it is. Assimp takes the
+/// mark for a part of the first word, except in XML. `unpacked`: the name does not say the format.
+std::optional<std::string> bytes_to_read(const std::string& file, bool unpacked) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string beginning(4, '\0');
+  stream.read(beginning.data(), 4);
+  const bool marked = beginning.starts_with("\xef\xbb\xbf") && beginning[3] != '<';
+  if (!marked && !unpacked) return std::nullopt;
+  stream.clear();
+  stream.seekg(marked ? 3 : 0);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
 
-FbxConvention fbx_convention(const aiScene& scene) {
-  FbxConvention convention{0.01, false};
-  if (!scene.mMetaData) return convention;
+/// From the unit and axes of an FBX file, which Assimp does not apply itself, to metres and y up: the axis
+/// that the file calls "coord" goes right, the one that it calls "front" comes forward.
+glm::dmat3 fbx_to_model(const aiScene& scene) {
   double centimetres = 1;
-  float single = 1;
-  if (scene.mMetaData->Get("UnitScaleFactor", single)) centimetres = static_cast<double>(single);
-  scene.mMetaData->Get("UnitScaleFactor", centimetres);
-  if (std::isfinite(centimetres) && centimetres > 0) convention.metres = centimetres / 100;
-  int32_t up = 1;
-  convention.z_up = scene.mMetaData->Get("UpAxis", up) && up == 2;
-  return convention;
+  const auto number = [&](const char* name, int32_t otherwise) {
+    int32_t value = otherwise;
+    return scene.mMetaData && scene.mMetaData->Get(name, value) ? value : otherwise;
+  };
+  if (scene.mMetaData) {
+    float single = 1;
+    if (scene.mMetaData->Get("UnitScaleFactor", single)) centimetres = static_cast<double>(single);
+    scene.mMetaData->Get("UnitScaleFactor", centimetres);
+  }
+  if (!std::isfinite(centimetres) || !(centimetres > 0)) centimetres = 1;
+  struct Axis {
+    int32_t axis, sign;
+  };
+  Axis up{number("UpAxis", 1), number("UpAxisSign", 1)};
+  if (up.axis < 0 || up.axis > 2) up.axis = 1;
+  Axis front{number("FrontAxis", 2), number("FrontAxisSign", 1)};
+  Axis right{number("CoordAxis", 0), number("CoordAxisSign", 1)};
+  const auto is_axis = [](const Axis& axis) { return axis.axis >= 0 && axis.axis <= 2; };
+  if (!is_axis(front) || !is_axis(right) || front.axis == up.axis || right.axis == up.axis ||
+      front.axis == right.axis) {  // only one axis is given: the others are what is usual with it
+    front = up.axis == 2 ? Axis{1, -1} : Axis{2, 1};
+    right = up.axis == 0 ? Axis{1, -1} : Axis{0, 1};
+  }
+  glm::dmat3 to_model(0);
+  const auto point = [&](const Axis& from, int to) {
+    to_model[from.axis][to] = (from.sign < 0 ? -1 : 1) * centimetres / 100;
+  };
+  point(right, 0), point(up, 1), point(front, 2);
+  return to_model;
 }
 
 void note_precision(const aiScene& scene) {
@@ -100,21 +140,28 @@ void note_precision(const aiScene& scene) {
       largest, static_cast<double>(next) - static_cast<double>(single));
 }
 
-void convert(const std::string& file) {
+/// `unpacked_extension`: that of a file whose name does not have it; empty where it has.
+void convert(const std::string& file, const std::string& unpacked_extension) {
   Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
   Assimp::DefaultLogger::get()->attachStream(new Warnings, Assimp::Logger::Warn | Assimp::Logger::Err);
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file, 0);
+  const std::string extension = lower_case(
+      unpacked_extension.empty() ? std::filesystem::path(file).extension().string() : unpacked_extension);
+  const auto bytes = bytes_to_read(file, !unpacked_extension.empty());
+  const aiScene* scene =
+      bytes ? importer.ReadFileFromMemory(bytes->data(), bytes->size(), 0,
+                                          extension.substr(std::min<size_t>(1, extension.size())).c_str())
+            : importer.ReadFile(file, 0);
   if (!scene) {
     const std::string why = importer.GetErrorString();
     if (why.find("bad_alloc") != std::string::npos) out_of_memory();
     fail("Assimp", "{}", Warnings::short_line(why));
   }
-  const FbxConvention convention = extension_of(file) == ".fbx" ? fbx_convention(*scene) : FbxConvention{};
+  const glm::dmat3 to_model = extension == ".fbx" ? fbx_to_model(*scene) : glm::dmat3(1);
   ConversionNotes notes;
   if (scene->mNumAnimations > 0) notes["animations are not played"] = scene->mNumAnimations;
   constexpr int output = 3;
-  write_glb(*scene, convention.metres, convention.z_up, output, "Assimp's scene", notes);
+  write_glb(*scene, to_model, output, "Assimp's scene", notes);
   note_precision(*scene);
   for (const auto& [what, count] : notes) fmt::print(stderr, "warning: {} {}\n", count, what);
 }
@@ -138,8 +185,11 @@ int main(int count, char** arguments) {
       print_formats();
       return 0;
     }
-    if (count != 4 || first != "--memory") {
-      fmt::print(stderr, "triptych: usage: triptych-import --memory BYTES FILE 3>FILE.glb, or --formats\n");
+    const bool unpacked = count == 6 && std::string_view(arguments[3]) == "--as";
+    if ((count != 4 && !unpacked) || first != "--memory") {
+      fmt::print(stderr,
+                 "triptych: usage: triptych-import --memory BYTES [--as .EXTENSION] FILE 3>FILE.glb, or "
+                 "--formats\n");
       return 2;
     }
     uint64_t bytes = 0;
@@ -147,7 +197,7 @@ int main(int count, char** arguments) {
     if (std::from_chars(limit.data(), limit.data() + limit.size(), bytes).ec != std::errc())
       fail("--memory", "\"{}\" is not a number of bytes", limit);
     limit_memory(bytes);
-    convert(arguments[3]);
+    convert(arguments[count - 1], unpacked ? arguments[4] : "");
     std::fflush(nullptr);
     ::_exit(0);  // destroying a large scene takes time, and Assimp leaks memory
   } catch (const std::exception& error) {

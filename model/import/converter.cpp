@@ -79,12 +79,27 @@ std::string listen(int errors, double seconds) {
   return said;
 }
 
+/// The bytes in a file without a name.
+Descriptor as_file(const std::shared_ptr<const StreamSource>& source, const ImportOptions& options) {
+  Descriptor file = open_unnamed_file(options.temporary_folder);
+  SourceReader reader(source);
+  std::vector<std::byte> block(size_t{1} << 20);
+  for (uint64_t offset = 0; offset < source->size();) {
+    const auto count = static_cast<size_t>(std::min<uint64_t>(block.size(), source->size() - offset));
+    reader.read(offset, std::span(block).first(count));
+    write_all(file.number(), std::span(block).first(count), source->name());
+    offset += count;
+  }
+  return file;
+}
+
 /// The child's message, which a damaged file may have caused, as one line of printable characters.
 std::string plain(std::string_view line) { return one_line(std::string(line.substr(0, 200))); }
 
 }  // namespace
 
-Converted convert_model(const std::filesystem::path& file, const ImportOptions& options) {
+Converted convert_model(const std::filesystem::path& file, const PackedFile* unpacked,
+                        const ImportOptions& options) {
   const std::string place = file.string();
   StreamSource exists(file);  // Error if it does not
   const std::filesystem::path program = options.converter.empty() ? beside_this_program() : options.converter;
@@ -93,13 +108,22 @@ Converted convert_model(const std::filesystem::path& file, const ImportOptions& 
 
   Descriptor output = open_unnamed_file(options.temporary_folder);
   Pipe errors = open_pipe(place);
-  const Program reader{
-      .file = program.string(),
-      .words = {program.string(), "--memory", std::to_string(options.converter_bytes), place},
-      .descriptors = {{output.number(), 3}, {errors.write.number(), STDERR_FILENO}},
-      .death_signal = SIGKILL,
-      .default_signals = {},
-      .ignored_signals = {}};
+  Descriptor input;
+  std::vector<std::string> words = {program.string(), "--memory", std::to_string(options.converter_bytes)};
+  std::vector<Program::Handed> handed = {{output.number(), 3}, {errors.write.number(), STDERR_FILENO}};
+  if (unpacked) {
+    input = as_file(unpacked->content, options);
+    words.insert(words.end(), {"--as", unpacked->name.extension().string(), "/proc/self/fd/4"});
+    handed.push_back({input.number(), 4});
+  } else {
+    words.push_back(place);
+  }
+  const Program reader{.file = program.string(),
+                       .words = std::move(words),
+                       .descriptors = std::move(handed),
+                       .death_signal = SIGKILL,
+                       .default_signals = {},
+                       .ignored_signals = {}};
   Child child(start_program(reader, program.string()));
   errors.write.close();
   const Stopwatch stopwatch;

@@ -24,27 +24,40 @@ struct Format {
 
 constexpr std::array formats = {
     Format{".gltf", import_gltf, files_beside_gltf}, Format{".glb", import_gltf, files_beside_gltf},
-    Format{".obj", import_obj, files_beside_obj}, Format{".ply", import_ply, nothing_beside},
-    Format{".stl", import_stl, nothing_beside}};
+    Format{".obj", import_obj, files_beside_obj},    Format{".ply", import_ply, nothing_beside},
+    Format{".stl", import_stl, nothing_beside},      Format{".dxf", import_dxf, nothing_beside},
+    Format{".3mf", import_3mf, nothing_beside}};
 
 /// The extensions of Assimp's readers that hold models. Formats with only animation, and those with a reader
 /// of our own, are left out; a test compares the list with that of triptych-import.
 constexpr std::array converted = {
-    ".3d",     ".3ds",   ".3mf",  ".ac",      ".ac3d", ".acc", ".amf",  ".ase",  ".ask", ".assbin",
-    ".b3d",    ".blend", ".bsp",  ".cob",     ".dae",  ".dxf", ".enff", ".fbx",  ".hmp", ".ifc",
-    ".ifczip", ".iqm",   ".irr",  ".irrmesh", ".lwo",  ".lws", ".lxo",  ".md2",  ".md3", ".md5mesh",
-    ".mdc",    ".mdl",   ".mesh", ".ms3d",    ".ndo",  ".nff", ".off",  ".ogex", ".pk3", ".pmx",
-    ".prj",    ".q3o",   ".q3s",  ".raw",     ".scn",  ".sib", ".smd",  ".step", ".stp", ".ter",
-    ".uc",     ".x",     ".x3d",  ".x3db",    ".xgl",  ".zae", ".zgl"};
+    ".3d",  ".3ds",  ".ac",   ".ac3d", ".acc", ".amf",     ".ase", ".ask",    ".assbin", ".b3d",  ".blend",
+    ".bsp", ".cob",  ".dae",  ".enff", ".fbx", ".hmp",     ".ifc", ".ifczip", ".iqm",    ".irr",  ".irrmesh",
+    ".lwo", ".lws",  ".lxo",  ".md2",  ".md3", ".md5mesh", ".mdc", ".mdl",    ".mesh",   ".ms3d", ".ndo",
+    ".nff", ".off",  ".ogex", ".pk3",  ".pmx", ".prj",     ".q3o", ".q3s",    ".raw",    ".scn",  ".sib",
+    ".smd", ".step", ".stp",  ".ter",  ".uc",  ".x",       ".x3d", ".x3db",   ".xgl",    ".zae",  ".zgl"};
 
-Format format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
+/// The format that the name's extension says.
+std::optional<Format> known_format(const std::filesystem::path& name) {
+  std::string extension = name.extension().string();
   for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   for (const Format& format : formats) {
     if (extension == format.extension) return format;
   }
   if (const auto* other = std::find(converted.begin(), converted.end(), extension); other != converted.end())
-    return {*other, import_other, nothing_beside};
+    return Format{*other, import_other, nothing_beside};
+  return std::nullopt;
+}
+
+bool is_model(const std::filesystem::path& name) { return known_format(name).has_value(); }
+
+bool has_own_reader(const std::filesystem::path& name) {
+  const auto format = known_format(name);
+  return format && format->import != import_other;
+}
+
+Format format_of(const std::filesystem::path& file, const std::filesystem::path& name) {
+  if (const auto known = known_format(name)) return *known;
   std::string own;
   for (const Format& format : formats) own += fmt::format("{}{}", own.empty() ? "" : ", ", format.extension);
   fail(file.string(),
@@ -66,14 +79,22 @@ namespace {
 
 Model import(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
   if (files.empty()) fail("import", "no model file was named");
-  for (const auto& file : files) format_of(file);  // before the first long read
+  std::vector<PackedFile> packed;  // all are looked at before the first long read
+  for (const auto& file : files) {
+    packed.push_back(is_packed(file) ? find_packed(file, is_model, has_own_reader) : PackedFile{});
+    format_of(file, packed.back().name.empty() ? file : packed.back().name);
+  }
   PositionCache::limit_all(options.position_cache_bytes);
   Model model;
   model.materials.emplace_back();
   Progress progress("import", files.size());
-  for (const auto& file : files) {
-    FileImport target(file, model, options);
-    format_of(file).import(target);
+  for (size_t i = 0; i < files.size(); ++i) {
+    FileImport target(files[i], model, options);
+    if (is_packed(files[i])) {
+      unpack(files[i], packed[i], options);
+      target.unpacks(std::move(packed[i]));
+    }
+    format_of(files[i], target.model_name()).import(target);
     target.finish();
     progress.advance();
   }
@@ -89,7 +110,8 @@ Model import_model(const std::vector<std::filesystem::path>& files, const Import
 std::vector<std::filesystem::path> files_of_models(const std::vector<std::filesystem::path>& models) {
   std::vector<std::filesystem::path> files = models;
   for (const auto& model : models) {
-    const auto beside = format_of(model).files_beside(model);
+    if (is_packed(model)) continue;
+    const auto beside = format_of(model, model).files_beside(model);
     files.insert(files.end(), beside.begin(), beside.end());
   }
   return files;

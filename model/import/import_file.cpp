@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/unnamed_file.hpp"
+#include "model/import/beside.hpp"
 #include "model/import/stored_mesh.hpp"
 
 #include <algorithm>
@@ -63,6 +64,19 @@ FileImport::FileImport(std::filesystem::path file, Model& model, const ImportOpt
 
 std::string FileImport::line_place(uint64_t line) const { return fmt::format("{}: line {}", place(), line); }
 
+std::shared_ptr<const StreamSource> FileImport::content() {
+  if (!packed_.content) packed_.content = std::make_shared<StreamSource>(file_);
+  return packed_.content;
+}
+
+std::shared_ptr<const StreamSource> FileImport::beside(std::string_view name) {
+  if (packed_.archive) return packed_.archive->beside(packed_.name, name, options_);
+  const auto found = find_beside(file_.parent_path(), name);
+  return found ? std::make_shared<StreamSource>(*found) : nullptr;
+}
+
+void FileImport::unpacks(PackedFile packed) { packed_ = std::move(packed); }
+
 void FileImport::warn(std::string_view what, uint64_t count) {
   if (count == 0) return;
   const auto known = std::find_if(warnings_.begin(), warnings_.end(),
@@ -102,6 +116,10 @@ void FileImport::take_warnings(const MeshStream& stream) {
 uint32_t FileImport::add_material(const Material& material) {
   model_.materials.push_back(material);
   return static_cast<uint32_t>(model_.materials.size() - 1);
+}
+
+void FileImport::set_material(uint32_t index, const Material& material) {
+  model_.materials[index] = material;
 }
 
 std::optional<uint32_t> FileImport::add_mesh(Mesh mesh) {
@@ -161,6 +179,8 @@ void FileImport::finish() {
     why += why.empty() ? ": " : "; ";
     why += warning.starts_with(own) ? warning.substr(own.size()) : warning;
   }
+  constexpr size_t longest = 280;
+  if (why.size() > longest) why = why.substr(0, longest - 4) + " ...";
   fail(place(), "holds no triangles{}", why);
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/import/import.hpp"
 #include "model/import/import_limits.hpp"
+#include "model/import/packed_file.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -15,7 +16,6 @@
 namespace triptych {
 
 class SpoolFile;
-class StreamSource;
 
 /// Collects what one file adds to the model, and counts what is left out.
 class FileImport {
@@ -23,6 +23,17 @@ class FileImport {
   FileImport(std::filesystem::path file, Model& model, const ImportOptions& options = {});
 
   const std::filesystem::path& file() const { return file_; }
+  /// Its name, within an archive the member's: its extension says the format.
+  const std::filesystem::path& model_name() const { return packed_.name.empty() ? file_ : packed_.name; }
+  /// What the importer reads: the file, or what a .gz or .zip holds (model/import/packed_file.hpp). Error
+  /// (the path) if it cannot be opened.
+  std::shared_ptr<const StreamSource> content();
+  /// Another file that the model names (model/import/beside.hpp), from the same folder or archive; null where
+  /// there is none.
+  std::shared_ptr<const StreamSource> beside(std::string_view name);
+  void unpacks(PackedFile packed);
+  /// What was unpacked; null if the file is read as it is.
+  const PackedFile* unpacked() const { return packed_.name.empty() ? nullptr : &packed_; }
   const ImportOptions& options() const { return options_; }
   /// The place of errors: the file's name as it was given.
   std::string place() const { return file_.string(); }
@@ -49,6 +60,8 @@ class FileImport {
   void take_warnings(const MeshStream& stream);
 
   uint32_t add_material(const Material& material);
+  /// Of one that add_material returned.
+  void set_material(uint32_t index, const Material& material);
   /// Whether a mesh of so many triangles should stay in its file.
   bool should_stream(uint64_t triangles) const;
   /// How many more triangles may be held in memory.
@@ -69,6 +82,7 @@ class FileImport {
   uint32_t push_mesh(Mesh mesh);
 
   std::filesystem::path file_;
+  PackedFile packed_;
   Model& model_;
   ImportOptions options_;
   size_t first_instance_, first_group_instance_, first_warning_;
@@ -84,6 +98,8 @@ void import_gltf(FileImport& target);  ///< .gltf and .glb
 void import_obj(FileImport& target);
 void import_ply(FileImport& target);
 void import_stl(FileImport& target);
+void import_dxf(FileImport& target);
+void import_3mf(FileImport& target);
 void import_other(FileImport& target);  ///< all formats that triptych-import reads
 
 /// The files that a model file refers to, textures included. Error for a file that cannot be opened.

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -16,22 +17,23 @@ namespace {
 /// First `inner`, then `outer`.
 Affine compose(const Affine& outer, const Affine& inner) { return outer * glm::dmat4(inner); }
 
-Affine from_parts(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale,
-                  const std::string& place) {
+/// A rotation without a length turns nothing.
+Affine from_parts(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
   const double length = glm::length(rotation);
-  if (!(length > 0) || !std::isfinite(length)) fail(place, "the rotation has no length or is not finite");
-  const glm::dmat3 turn = glm::mat3_cast(rotation / length);
+  const bool turns = length > 0 && std::isfinite(length);
+  const glm::dmat3 turn = turns ? glm::mat3_cast(rotation / length) : glm::dmat3(1);
   return Affine(turn[0] * scale.x, turn[1] * scale.y, turn[2] * scale.z, translation);
 }
 
-Affine local_transform(const tinygltf::Node& node, const std::string& place) {
+}  // namespace
+
+Affine gltf_local_transform(const GltfNode& node, const std::string& place) {
   const auto expect = [&](const std::vector<double>& values, size_t count, const char* what) {
     if (!values.empty() && values.size() != count) fail(place, "a {} of {} numbers", what, values.size());
     return !values.empty();
   };
-  if (expect(node.matrix, 16, "matrix")) {
+  if (expect(node.matrix, 16, "matrix")) {  // its last row was rounded, or is of no use
     const auto& m = node.matrix;
-    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) fail(place, "a matrix that is not affine");
     return Affine(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[12], m[13], m[14]);
   }
   glm::dvec3 translation{0}, scale{1};
@@ -41,7 +43,17 @@ Affine local_transform(const tinygltf::Node& node, const std::string& place) {
   if (expect(node.rotation, 4, "rotation"))
     rotation = glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
   if (expect(node.scale, 3, "scale")) scale = {node.scale[0], node.scale[1], node.scale[2]};
-  return from_parts(translation, rotation, scale, place);
+  return from_parts(translation, rotation, scale);
+}
+
+namespace {
+
+/// Whether the last row of a node's matrix is that of an affine transform, but for rounding.
+bool is_affine(const GltfNode& node) {
+  constexpr double rounding = 1e-3;
+  const auto& m = node.matrix;
+  return m.size() != 16 || (std::abs(m[3]) < rounding && std::abs(m[7]) < rounding &&
+                            std::abs(m[11]) < rounding && std::abs(m[15] - 1) < rounding);
 }
 
 bool is_finite(const Affine& transform) {
@@ -54,16 +66,16 @@ bool is_finite(const Affine& transform) {
 }
 
 /// The transforms of EXT_mesh_gpu_instancing, relative to their node.
-std::vector<Affine> instance_transforms(const GltfFile& gltf, const tinygltf::Value& extension,
+std::vector<Affine> instance_transforms(const GltfFile& gltf,
+                                        const std::map<std::string, int64_t>& attributes,
                                         const std::string& place) {
   static constexpr std::array names = {"TRANSLATION", "ROTATION", "SCALE"};
-  const tinygltf::Value& attributes = extension.Get("attributes");
   std::array<std::optional<GltfAccessor>, 3> parts;
   std::optional<size_t> count;
   for (size_t i = 0; i < parts.size(); ++i) {
-    if (!attributes.IsObject() || !attributes.Has(names[i])) continue;
-    if (!attributes.Get(names[i]).IsInt()) fail(place, "{} names no accessor", names[i]);
-    parts[i].emplace(gltf, attributes.Get(names[i]).GetNumberAsInt(), place);
+    const auto found = attributes.find(names[i]);
+    if (found == attributes.end()) continue;
+    parts[i].emplace(gltf, found->second, place);
     parts[i]->load();
     if (parts[i]->components() != (i == 1 ? 4 : 3))
       fail(place, "{} of {} components", names[i], parts[i]->components());
@@ -83,7 +95,7 @@ std::vector<Affine> instance_transforms(const GltfFile& gltf, const tinygltf::Va
       rotation = glm::dquat(parts[1]->component(i, 3), parts[1]->component(i, 0), parts[1]->component(i, 1),
                             parts[1]->component(i, 2));
     }
-    transforms.push_back(from_parts(vector(0, i, 0), rotation, vector(2, i, 1), place));
+    transforms.push_back(from_parts(vector(0, i, 0), rotation, vector(2, i, 1)));
   }
   return transforms;
 }
@@ -94,10 +106,10 @@ std::string node_place(const FileImport& target, size_t node) {
 
 /// The parent of each node, −1 where it has none. Checks that every node has at most one, and that there are
 /// no cycles.
-std::vector<int> check_tree(const tinygltf::Model& gltf, const FileImport& target) {
+std::vector<int> check_tree(const GltfDocument& gltf, const FileImport& target) {
   std::vector<int> parents(gltf.nodes.size(), -1);
   for (size_t i = 0; i < gltf.nodes.size(); ++i) {
-    for (const int child : gltf.nodes[i].children) {
+    for (const int64_t child : gltf.nodes[i].children) {
       if (child < 0 || static_cast<size_t>(child) >= parents.size())
         fail(node_place(target, i), "names node {} of {}", child, parents.size());
       int& parent = parents[static_cast<size_t>(child)];
@@ -105,9 +117,9 @@ std::vector<int> check_tree(const tinygltf::Model& gltf, const FileImport& targe
       parent = static_cast<int>(i);
     }
   }
-  std::vector<int> open;
+  std::vector<int64_t> open;
   for (size_t i = 0; i < parents.size(); ++i) {
-    if (parents[i] == -1) open.push_back(static_cast<int>(i));
+    if (parents[i] == -1) open.push_back(static_cast<int64_t>(i));
   }
   std::vector<bool> reached(parents.size());
   while (!open.empty()) {
@@ -122,45 +134,68 @@ std::vector<int> check_tree(const tinygltf::Model& gltf, const FileImport& targe
   return parents;
 }
 
-/// The roots of the default scene; every node without a parent where the file names no default scene.
-std::vector<int> scene_roots(const tinygltf::Model& gltf, const std::vector<int>& parents,
-                             const FileImport& target) {
-  std::vector<int> roots;
-  if (gltf.defaultScene == -1) {
+/// The roots of the scene that is drawn: the default one, or the first one; every node without a parent where
+/// the file has no scenes.
+std::vector<size_t> scene_roots(const GltfDocument& gltf, const std::vector<int>& parents,
+                                FileImport& target) {
+  std::vector<size_t> roots;
+  if (gltf.scenes.empty() && gltf.default_scene == -1) {
     for (size_t i = 0; i < parents.size(); ++i) {
-      if (parents[i] == -1) roots.push_back(static_cast<int>(i));
+      if (parents[i] == -1) roots.push_back(i);
     }
     return roots;
   }
-  if (gltf.defaultScene < 0 || static_cast<size_t>(gltf.defaultScene) >= gltf.scenes.size()) {
-    fail(target.place(), "names scene {} of {}", gltf.defaultScene, gltf.scenes.size());
-  }
+  const int64_t scene = std::max<int64_t>(gltf.default_scene, 0);
+  if (static_cast<size_t>(scene) >= gltf.scenes.size())
+    fail(target.place(), "names scene {} of {}", scene, gltf.scenes.size());
+  target.warn("scenes beside the one that is shown first were not imported", gltf.scenes.size() - 1);
   std::vector<bool> named(parents.size());
-  for (const int node : gltf.scenes[static_cast<size_t>(gltf.defaultScene)].nodes) {
+  for (const int64_t node : gltf.scenes[static_cast<size_t>(scene)]) {
     if (node < 0 || static_cast<size_t>(node) >= parents.size())
       fail(target.place(), "the scene names node {} of {}", node, parents.size());
-    if (parents[static_cast<size_t>(node)] != -1)
-      fail(node_place(target, static_cast<size_t>(node)), "is a root of the scene, but has a parent");
-    if (named[static_cast<size_t>(node)])
-      fail(node_place(target, static_cast<size_t>(node)), "is a root of the scene twice");
-    named[static_cast<size_t>(node)] = true;
-    roots.push_back(node);
+    const auto root = static_cast<size_t>(node);
+    if (parents[root] != -1) fail(node_place(target, root), "is a root of the scene, but has a parent");
+    if (named[root]) {
+      target.warn("nodes are named twice by their scene; they are placed once");
+      continue;
+    }
+    named[root] = true;
+    roots.push_back(root);
   }
   return roots;
+}
+
+/// Of every node below the roots the transform to the scene.
+std::vector<Affine> global_transforms(const GltfDocument& gltf, const std::vector<int>& parents,
+                                      const FileImport& target) {
+  std::vector<Affine> globals(gltf.nodes.size(), Affine(1));
+  std::vector<size_t> open;
+  for (size_t i = 0; i < parents.size(); ++i) {
+    if (parents[i] == -1) open.push_back(i);
+  }
+  while (!open.empty()) {
+    const size_t node = open.back();
+    open.pop_back();
+    const Affine local = gltf_local_transform(gltf.nodes[node], node_place(target, node));
+    globals[node] = parents[node] == -1 ? local : compose(globals[static_cast<size_t>(parents[node])], local);
+    for (const int64_t child : gltf.nodes[node].children) open.push_back(static_cast<size_t>(child));
+  }
+  return globals;
 }
 
 /// Places the content of a tree of nodes, in the model or in a group.
 class Placer {
  public:
-  Placer(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes, const GltfGroups& groups)
-      : gltf_(gltf), target_(target), meshes_(meshes), groups_(groups) {}
+  Placer(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes, const GltfGroups& groups,
+         std::vector<Affine> globals)
+      : gltf_(gltf), target_(target), meshes_(meshes), groups_(groups), globals_(std::move(globals)) {}
 
   void place_groups() {
     for (size_t group = 0; group < groups_.nodes.size(); ++group) {
       into_ = Group();
       uses_ = groups_.uses[group];
       // Depth first from a node that is the group; that node's own transform belongs to the placement.
-      walk({{static_cast<int>(groups_.nodes[group]), Affine(1)}}, true);
+      walk({{groups_.nodes[group], Affine(1)}}, true);
       const bool empty = into_->instances.empty() && into_->groups.empty();
       numbers_.push_back(empty ? GltfGroups::none : target_.add_group(std::move(*into_)));
     }
@@ -168,7 +203,7 @@ class Placer {
     uses_ = 1;
   }
 
-  void place_scene(const std::vector<int>& roots) {
+  void place_scene(const std::vector<size_t>& roots) {
     std::vector<Open> open;
     for (size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], Affine(1)});
     walk(std::move(open), false);
@@ -176,7 +211,7 @@ class Placer {
 
  private:
   struct Open {
-    int node;
+    size_t node;
     Affine transform;
   };
 
@@ -185,19 +220,27 @@ class Placer {
     while (!open.empty()) {  // depth first, in the file's order
       const Open next = open.back();
       open.pop_back();
-      const auto index = static_cast<size_t>(next.node);
+      const size_t index = next.node;
       Affine transform = next.transform;
       if (!inside) {
-        transform = compose(transform, local_transform(gltf_.model.nodes[index], node_place(target_, index)));
+        transform =
+            compose(transform, gltf_local_transform(gltf_.model.nodes[index], node_place(target_, index)));
         if (const uint32_t group = groups_.of_node[index]; group != GltfGroups::none) {
           place_group(group, transform);
           continue;
         }
       }
       inside = false;
+      if (!gltf_.model.nodes[index].visible) {
+        target_.warn("nodes that the file hides were not imported, nor what is below them", uses_);
+        continue;
+      }
+      if (!is_affine(gltf_.model.nodes[index]))
+        target_.warn("nodes have a matrix that is not affine; its last row was left out", uses_);
       place_node(index, transform);
       const auto& children = gltf_.model.nodes[index].children;
-      for (size_t i = children.size(); i-- > 0;) open.push_back({children[i], transform});
+      for (size_t i = children.size(); i-- > 0;)
+        open.push_back({static_cast<size_t>(children[i]), transform});
     }
   }
 
@@ -205,12 +248,11 @@ class Placer {
     const auto& node = gltf_.model.nodes[index];
     if (node.mesh == -1) return;
     const std::string place = node_place(target_, index);
+    if (node.skin >= 0 && place_skinned(node, place)) return;
     const auto mesh = meshes_.mesh(node.mesh, place);
     if (!mesh) return target_.warn("nodes place a mesh without triangles", uses_);
     std::vector<Affine> placements = {Affine(1)};
-    const auto instancing = node.extensions.find("EXT_mesh_gpu_instancing");
-    if (instancing != node.extensions.end())
-      placements = instance_transforms(gltf_, instancing->second, place);
+    if (node.instancing) placements = instance_transforms(gltf_, *node.instancing, place);
     for (const Affine& placement : placements) {
       const Affine placed = compose(transform, placement);
       if (!is_finite(placed)) {
@@ -221,6 +263,43 @@ class Placer {
         target_.add_instance(*mesh, placed);
       }
     }
+  }
+
+  /// Only its joints move a skinned mesh. Where they all move it alike, which is how most files are at rest,
+  /// the mesh stays as it is. False if the skin cannot be read.
+  bool place_skinned(const GltfNode& node, const std::string& place) {
+    std::vector<Affine> joints;
+    std::optional<uint32_t> mesh;
+    Affine transform(1);
+    try {
+      joints = gltf_joint_transforms(gltf_, node.skin, globals_, place);
+      if (joints.empty() || !meshes_.has_joints(node.mesh)) return false;
+      const bool alike = std::all_of(joints.begin(), joints.end(),
+                                     [&](const Affine& joint) { return are_close(joint, joints.front()); });
+      if (alike) transform = joints.front();
+      mesh =
+          alike ? meshes_.mesh(node.mesh, place) : meshes_.skinned_mesh(node.mesh, joints, node.skin, place);
+    } catch (const Error& error) {
+      target_.warn("skins cannot be read; their meshes are placed by their nodes");
+      return false;
+    }
+    if (mesh && is_finite(transform)) {
+      target_.add_instance(*mesh, transform);
+    } else {
+      target_.warn(mesh ? not_finite : "nodes place a mesh without triangles");
+    }
+    return true;
+  }
+
+  static bool are_close(const Affine& a, const Affine& b) {
+    double size = 0, distance = 0;
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        size = std::max(size, std::abs(b[column][row]));
+        distance = std::max(distance, std::abs(a[column][row] - b[column][row]));
+      }
+    }
+    return distance <= 1e-5 * size;
   }
 
   void place_group(uint32_t group, const Affine& transform) {
@@ -241,6 +320,7 @@ class Placer {
   FileImport& target_;
   GltfMeshes& meshes_;
   const GltfGroups& groups_;
+  std::vector<Affine> globals_;    ///< of every node to the scene, if there are skins
   std::optional<Group> into_;      ///< nullopt: the model
   uint64_t uses_ = 1;              ///< how many places in the scene the current content has
   std::vector<uint32_t> numbers_;  ///< of groups in the model
@@ -249,9 +329,12 @@ class Placer {
 }  // namespace
 
 void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes) {
-  const std::vector<int> roots = scene_roots(gltf.model, check_tree(gltf.model, target), target);
+  const std::vector<int> parents = check_tree(gltf.model, target);
+  const std::vector<size_t> roots = scene_roots(gltf.model, parents, target);
   const GltfGroups groups = find_gltf_groups(gltf.model, roots, target.options());
-  Placer placer(gltf, target, meshes, groups);
+  std::vector<Affine> globals;
+  if (!gltf.model.skins.empty()) globals = global_transforms(gltf.model, parents, target);
+  Placer placer(gltf, target, meshes, groups, std::move(globals));
   placer.place_groups();
   placer.place_scene(roots);
 }
@@ -259,18 +342,19 @@ void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& mesh
 void import_gltf(FileImport& target) {
   target.says_up(UpAxis::y);
   target.says_unit(LengthUnit::metre);
-  import_gltf(target, std::make_shared<StreamSource>(target.file()));
+  import_gltf(target, target.content());
 }
 
 void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source) {
   const GltfFile gltf = load_gltf(target, source);
   for (const GltfBuffer& buffer : gltf.buffers) {
-    if (buffer.source != source && buffer.source->has_file()) target.also_reads(buffer.source->name());
+    if (buffer.source && buffer.source != source && buffer.source->has_file())
+      target.also_reads(buffer.source->name());
   }
   GltfMeshes meshes(gltf, target);
   place_gltf_nodes(gltf, target, meshes);
   target.warn("meshes are placed nowhere in the scene and were not imported", meshes.unused_count());
-  target.warn("animations are not played", gltf.model.animations.size());
+  target.warn("animations are not played", gltf.model.animations);
 }
 
 }  // namespace triptych

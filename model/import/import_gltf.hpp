@@ -1,19 +1,19 @@
-// The inner seams of the glTF importer. tinygltf parses the JSON, without buffers and images; all ranges are
-// checked here, since tinygltf checks none.
+// The inner seams of the glTF importer. Its JSON is a GltfDocument; buffers stay in their files. All
+// references and ranges are checked where they are used.
 #pragma once
 
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
 #include "model/import/import_file.hpp"
+#include "model/import/import_gltf_document.hpp"
 #include "model/import/mesh_stream_indexed.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <tiny_gltf.h>
 #include <vector>
 
 namespace triptych {
@@ -22,12 +22,29 @@ namespace triptych {
 struct GltfBuffer {
   std::shared_ptr<const StreamSource> source;
   uint64_t offset = 0, size = 0;
+  std::string missing = {};  ///< why there is no source
 };
 
 struct GltfFile {
-  tinygltf::Model model;  ///< without its buffers and images
+  GltfDocument model;  ///< without its buffers and images
   std::vector<GltfBuffer> buffers;
+  ImportOptions options;
+  /// Views that were compressed, once they were needed.
+  mutable std::map<size_t, GltfBuffer> unpacked_views;
 };
+
+/// The bytes of a buffer view, unpacked if it is compressed. Error (place) for a reference or a range that
+/// leaves what it refers to, or data that cannot be unpacked.
+GltfBuffer gltf_view_bytes(const GltfFile& gltf, int64_t view, const std::string& place);
+std::vector<std::byte> read_gltf_bytes(const GltfBuffer& range);
+
+/// The triangles and positions of a primitive that Draco compressed, in memory.
+struct GltfDracoMesh {
+  IndexTable indices;
+  PositionTable positions;
+};
+/// Error (place) if they cannot be unpacked.
+GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& draco, const std::string& place);
 
 /// Parses a .gltf or .glb file. Error (file) for one that does not parse, lacks a buffer, or requires an
 /// extension that is not known.
@@ -38,16 +55,16 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
 std::string take_buffers(std::string& json, const std::string& place);
 /// The files that buffers and images of the JSON text name; invalid values are ignored.
 std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place);
-/// Finds what the JSON value "buffers" names. Files are looked for in the folder, and a buffer without an URI
-/// is `binary`, the second chunk of a binary file.
-std::vector<GltfBuffer> find_buffers(const std::string& json, const std::string& folder,
-                                     const std::optional<GltfBuffer>& binary, const std::string& place);
+/// Finds what the JSON value "buffers" names. Files are looked for beside the target, and a buffer without an
+/// URI is `binary`, the second chunk of a binary file.
+std::vector<GltfBuffer> find_buffers(const std::string& json, FileImport& target,
+                                     const std::optional<GltfBuffer>& binary);
 
 /// The elements of one accessor, sparse ones included. Construction checks every range (Error, place), so
 /// that element 0 … count() − 1 never leaves the buffer.
 class GltfAccessor {
  public:
-  GltfAccessor(const GltfFile& gltf, int accessor, const std::string& place);
+  GltfAccessor(const GltfFile& gltf, int64_t accessor, const std::string& place);
 
   size_t count() const { return count_; }
   int components() const { return components_; }
@@ -78,28 +95,40 @@ class GltfMeshes {
  public:
   GltfMeshes(const GltfFile& gltf, FileImport& target);
   /// The model's index of the file's mesh; nothing if it holds no triangles. Error for an index out of range.
-  std::optional<uint32_t> mesh(int index, const std::string& place);
+  std::optional<uint32_t> mesh(int64_t index, const std::string& place);
+  /// The mesh as its skin's joints hold it at rest; to be placed as it is, whatever its node's transform.
+  std::optional<uint32_t> skinned_mesh(int64_t index, const std::vector<Affine>& joints, int64_t skin,
+                                       const std::string& place);
+  /// Whether a primitive of the mesh is bound to joints.
+  bool has_joints(int64_t index) const;
   size_t unused_count() const;
 
  private:
   /// A primitive whose ranges are checked.
   struct Part {
     IndexedPart triangles;
-    int positions = -1;  ///< accessor
+    int64_t positions = -1;                 ///< accessor
+    std::optional<PositionTable> unpacked;  ///< in place of the accessor
+    const GltfPrimitive* primitive = nullptr;
     bool can_stream = false;
   };
+  /// Where a vertex is moved to; null: nowhere.
+  using Move = std::function<glm::dvec3(uint32_t vertex, const glm::dvec3& position)>;
   /// Positions of an accessor by number: from its file, or in memory.
   struct Positions {
-    GltfAccessor accessor;
+    std::optional<GltfAccessor> accessor;  ///< nullopt: all is in the cache
     std::unique_ptr<PositionCache> cache;
     glm::dvec3 at(uint32_t vertex);
   };
   std::optional<uint32_t> read_mesh(size_t index);
-  std::optional<Part> read_primitive(const tinygltf::Primitive& primitive, const std::string& place);
-  void read_indices(const tinygltf::Primitive& primitive, const std::string& place, Part& part);
-  void read_triangles(const Part& part, Mesh& mesh);
-  Positions& positions(int accessor, const std::string& place);
-  void read_material(const tinygltf::Material& material);
+  std::vector<Part> read_parts(size_t index);
+  std::optional<Part> read_primitive(const GltfPrimitive& primitive, const std::string& place);
+  void read_indices(const GltfPrimitive& primitive, const std::string& place, Part& part);
+  bool read_draco(const GltfPrimitive& primitive, const std::string& place, Part& part);
+  void read_triangles(const Part& part, const Move& move, Mesh& mesh);
+  Move skinning(const Part& part, const std::vector<Affine>& joints);
+  Positions& positions(int64_t accessor, const std::string& place);
+  void read_material(const GltfMaterial& material);
 
   const GltfFile& gltf_;
   FileImport& target_;
@@ -107,7 +136,9 @@ class GltfMeshes {
   std::vector<bool> known_;                      ///< whether the mesh was requested
   std::vector<std::optional<uint32_t>> meshes_;  ///< the file's to the model's
   std::vector<uint32_t> renamed_;  ///< an accessor's vertex to the mesh's, while a primitive is read
-  int last_accessor_ = -1;
+  std::map<std::pair<int64_t, int64_t>, std::optional<uint32_t>> skinned_;  ///< by mesh and skin
+  std::string first_damage_;  ///< the warning of primitives that cannot be read
+  int64_t last_accessor_ = -1;
   std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor
 };
 
@@ -127,8 +158,16 @@ struct GltfGroups {
 /// without the transform of the topmost one. All of them together must place as much as the options require
 /// (ImportOptions::find_groups), and they must have at least two places: a subtree that is only part of
 /// another group, once, is not a group. `roots`: of a tree. Reads no geometry.
-GltfGroups find_gltf_groups(const tinygltf::Model& gltf, const std::vector<int>& roots,
+GltfGroups find_gltf_groups(const GltfDocument& gltf, const std::vector<size_t>& roots,
                             const ImportOptions& options);
+
+/// The transform of a node relative to its parent. Error (place) for lists of the wrong length.
+Affine gltf_local_transform(const GltfNode& node, const std::string& place);
+
+/// Of each joint of a skin the transform of its vertices to the scene, as the nodes stand at rest. `globals`:
+/// of every node to the scene. Error (place) for references out of range.
+std::vector<Affine> gltf_joint_transforms(const GltfFile& gltf, int64_t skin,
+                                          const std::vector<Affine>& globals, const std::string& place);
 
 /// Walks the scene's node tree and places its meshes, EXT_mesh_gpu_instancing included, and what repeats as
 /// groups. Error for nodes that are out of range, have several parents or form a cycle.

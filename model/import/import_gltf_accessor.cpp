@@ -2,6 +2,7 @@
 #include "model/import/import_gltf.hpp"
 
 #include <cstring>
+#include <map>
 
 namespace triptych {
 
@@ -13,96 +14,72 @@ constexpr size_t max_implied_count = size_t{1} << 24;
 
 size_t component_bytes(int type, const std::string& place) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case gltf_byte:
+    case gltf_unsigned_byte:
       return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case gltf_short:
+    case gltf_unsigned_short:
       return 2;
-    case TINYGLTF_COMPONENT_TYPE_INT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+    case gltf_int:
+    case gltf_unsigned_int:
+    case gltf_float:
       return 4;
-    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+    case gltf_double:
       return 8;
     default:
       fail(place, "component type {} is not known", type);
   }
 }
 
-int component_count(int type, const std::string& place) {
-  switch (type) {
-    case TINYGLTF_TYPE_SCALAR:
-      return 1;
-    case TINYGLTF_TYPE_VEC2:
-      return 2;
-    case TINYGLTF_TYPE_VEC3:
-      return 3;
-    case TINYGLTF_TYPE_VEC4:
-      return 4;
-    default:
-      fail(place, "a matrix where a scalar or a vector is expected");
-  }
+int component_count(const std::string& type, const std::string& place) {
+  static const std::map<std::string, int> counts = {
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+  const auto found = counts.find(type);
+  if (found == counts.end())
+    fail(place, "a type of elements that is not expected: \"{}\"", type.substr(0, 20));
+  return found->second;
 }
 
 /// The bytes of `count` elements at an offset of a buffer view; Error if they leave the view, or the view its
 /// buffer.
-GltfBuffer checked_range(const GltfFile& gltf, int view_index, size_t offset, size_t count, size_t element,
-                         size_t stride, const std::string& place) {
-  const auto& views = gltf.model.bufferViews;
-  if (view_index < 0 || static_cast<size_t>(view_index) >= views.size()) {
-    fail(place, "names buffer view {} of {}", view_index, views.size());
-  }
-  const auto& view = views[static_cast<size_t>(view_index)];
-  if (view.buffer < 0 || static_cast<size_t>(view.buffer) >= gltf.buffers.size()) {
-    fail(place, "buffer view {} names buffer {} of {}", view_index, view.buffer, gltf.buffers.size());
-  }
-  const GltfBuffer& buffer = gltf.buffers[static_cast<size_t>(view.buffer)];
-  if (view.byteOffset > buffer.size || view.byteLength > buffer.size - view.byteOffset) {
-    fail(place, "buffer view {} goes beyond its buffer of {} bytes", view_index, buffer.size);
-  }
-  const bool fits = count == 0 || (offset <= view.byteLength && element <= view.byteLength - offset &&
-                                   count - 1 <= (view.byteLength - offset - element) / stride);
-  if (!fits)
-    fail(place, "{} elements go beyond buffer view {} of {} bytes", count, view_index, view.byteLength);
-  if (count == 0) return {buffer.source, buffer.offset, 0};
-  return {buffer.source, buffer.offset + view.byteOffset + offset, (count - 1) * stride + element};
+GltfBuffer checked_range(const GltfFile& gltf, int64_t view_index, size_t offset, size_t count,
+                         size_t element, size_t stride, const std::string& place) {
+  const GltfBuffer view = gltf_view_bytes(gltf, view_index, place);
+  const bool fits = count == 0 || (offset <= view.size && element <= view.size - offset &&
+                                   count - 1 <= (view.size - offset - element) / stride);
+  if (!fits) fail(place, "{} elements go beyond buffer view {} of {} bytes", count, view_index, view.size);
+  if (count == 0) return {view.source, view.offset, 0};
+  return {view.source, view.offset + offset, (count - 1) * stride + element};
 }
 
-std::vector<std::byte> read_range(const GltfBuffer& range) {
-  std::vector<std::byte> bytes(range.size);
-  SourceReader(range.source).read(range.offset, bytes);
-  return bytes;
-}
-
-size_t stride_of(const GltfFile& gltf, int view_index, size_t element, const std::string& place) {
-  const auto& views = gltf.model.bufferViews;
+size_t stride_of(const GltfFile& gltf, int64_t view_index, size_t element, const std::string& place) {
+  const auto& views = gltf.model.views;
   if (view_index < 0 || static_cast<size_t>(view_index) >= views.size()) return element;
-  const size_t stride = views[static_cast<size_t>(view_index)].byteStride;
+  const auto& view = views[static_cast<size_t>(view_index)];
+  const size_t stride = view.meshopt ? view.meshopt->stride : view.stride;
   if (stride != 0 && stride < element) fail(place, "elements of {} bytes at a stride of {}", element, stride);
   return stride == 0 ? element : stride;
 }
 
 bool is_index_type(int type) {
-  return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-         type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  return type == gltf_unsigned_byte || type == gltf_unsigned_short || type == gltf_unsigned_int;
 }
 
 ScalarType scalar_type_of(int type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case gltf_byte:
       return ScalarType::int8;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case gltf_unsigned_byte:
       return ScalarType::uint8;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case gltf_short:
       return ScalarType::int16;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case gltf_unsigned_short:
       return ScalarType::uint16;
-    case TINYGLTF_COMPONENT_TYPE_INT:
+    case gltf_int:
       return ScalarType::int32;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case gltf_unsigned_int:
       return ScalarType::uint32;
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+    case gltf_float:
       return ScalarType::float32;
     default:
       return ScalarType::float64;
@@ -111,44 +88,39 @@ ScalarType scalar_type_of(int type) {
 
 }  // namespace
 
-GltfAccessor::GltfAccessor(const GltfFile& gltf, int accessor_index, const std::string& file_place) {
+GltfAccessor::GltfAccessor(const GltfFile& gltf, int64_t accessor_index, const std::string& file_place) {
   const auto& accessors = gltf.model.accessors;
   if (accessor_index < 0 || static_cast<size_t>(accessor_index) >= accessors.size()) {
     fail(file_place, "names accessor {} of {}", accessor_index, accessors.size());
   }
   const std::string place = fmt::format("{} accessor {}", file_place, accessor_index);
   const auto& accessor = accessors[static_cast<size_t>(accessor_index)];
-  component_type_ = accessor.componentType;
+  component_type_ = accessor.component_type;
   components_ = component_count(accessor.type, place);
-  normalized_ = accessor.normalized && component_type_ < TINYGLTF_COMPONENT_TYPE_FLOAT;
-  sparse_ = accessor.sparse.isSparse;
+  normalized_ = accessor.normalized && component_type_ < gltf_float;
+  sparse_ = accessor.sparse.has_value();
   count_ = accessor.count;
   element_bytes_ = component_bytes(component_type_, place) * static_cast<size_t>(components_);
-  stride_ = stride_of(gltf, accessor.bufferView, element_bytes_, place);
-  if (accessor.bufferView >= 0 || !sparse_) {
-    data_ =
-        checked_range(gltf, accessor.bufferView, accessor.byteOffset, count_, element_bytes_, stride_, place);
+  stride_ = stride_of(gltf, accessor.view, element_bytes_, place);
+  if (accessor.view >= 0 || !sparse_) {
+    data_ = checked_range(gltf, accessor.view, accessor.offset, count_, element_bytes_, stride_, place);
   } else if (count_ > max_implied_count) {
     fail(place, "{} elements without a buffer view", count_);
   }
   if (!sparse_) return;
-  const auto& sparse = accessor.sparse;
-  if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
-    fail(place, "a negative count or offset");
-  if (!is_index_type(sparse.indices.componentType))
-    fail(place, "sparse indices of component type {}", sparse.indices.componentType);
-  const auto sparse_count = static_cast<size_t>(sparse.count);
-  const size_t index_bytes = component_bytes(sparse.indices.componentType, place);
-  const auto indices = read_range(checked_range(gltf, sparse.indices.bufferView,
-                                                static_cast<size_t>(sparse.indices.byteOffset), sparse_count,
-                                                index_bytes, index_bytes, place));
-  sparse_values_ =
-      checked_range(gltf, sparse.values.bufferView, static_cast<size_t>(sparse.values.byteOffset),
-                    sparse_count, element_bytes_, element_bytes_, place);
-  sparse_indices_.resize(sparse_count);
-  for (size_t i = 0; i < sparse_count; ++i) {
+  const GltfSparse& sparse = *accessor.sparse;
+  if (!is_index_type(sparse.indices_type))
+    fail(place, "sparse indices of component type {}", sparse.indices_type);
+  if (sparse.count > count_) fail(place, "{} sparse elements of {}", sparse.count, count_);
+  const size_t index_bytes = component_bytes(sparse.indices_type, place);
+  const auto indices = read_gltf_bytes(checked_range(gltf, sparse.indices_view, sparse.indices_offset,
+                                                     sparse.count, index_bytes, index_bytes, place));
+  sparse_values_ = checked_range(gltf, sparse.values_view, sparse.values_offset, sparse.count, element_bytes_,
+                                 element_bytes_, place);
+  sparse_indices_.resize(sparse.count);
+  for (size_t i = 0; i < sparse_indices_.size(); ++i) {
     sparse_indices_[i] = static_cast<uint32_t>(
-        load_scalar(indices.data() + i * index_bytes, scalar_type_of(sparse.indices.componentType), false));
+        load_scalar(indices.data() + i * index_bytes, scalar_type_of(sparse.indices_type), false));
     const bool rising = i == 0 || sparse_indices_[i] > sparse_indices_[i - 1];
     if (!rising || sparse_indices_[i] >= count_)
       fail(place, "sparse indices must rise and stay below {}", count_);
@@ -184,7 +156,7 @@ void GltfAccessor::load() {
     }
   }
   if (sparse_indices_.empty()) return;
-  const auto values = read_range(sparse_values_);
+  const auto values = read_gltf_bytes(sparse_values_);
   for (size_t i = 0; i < sparse_indices_.size(); ++i) {
     std::memcpy(elements_.data() + sparse_indices_[i] * element_bytes_, values.data() + i * element_bytes_,
                 element_bytes_);

@@ -1,5 +1,4 @@
-// From the bytes of a .gltf or .glb file to tinygltf's model. The one source file that holds tinygltf's code.
-#define TINYGLTF_IMPLEMENTATION
+// From the bytes of a .gltf or .glb file to its JSON and its binary chunk.
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "model/import/import_gltf.hpp"
@@ -23,82 +22,96 @@ struct Container {
   std::optional<GltfBuffer> binary;
 };
 
-/// The content of a binary glTF file, whose container is checked to the byte.
+/// The content of a binary glTF file: its first chunk is JSON, the second one binary data; further chunks and
+/// what stands behind the length that the header says are passed over.
 Container open_binary(const std::shared_ptr<const StreamSource>& source, const SourceReader& reader,
-                      const std::string& place) {
+                      const std::string& place, FileImport* target) {
   constexpr uint32_t json_kind = 0x4e4f534a, binary_kind = 0x004e4942;
-  const uint64_t size = source->size();
-  if (size < 20) fail(place, "the file ends within its header of 20 bytes");
+  if (source->size() < 20) fail(place, "the file ends within its header of 20 bytes");
   if (word_at(reader, 4) != 2)
     fail(place, "is binary glTF of version {}; only 2 is known", word_at(reader, 4));
-  if (word_at(reader, 8) != size)
-    fail(place, "says that it holds {} bytes, but has {}", word_at(reader, 8), size);
+  const uint64_t promised = word_at(reader, 8);
+  const uint64_t size = promised < 20 ? source->size() : std::min(promised, source->size());
+  if (target && size != promised)
+    target->remark(fmt::format("the header says {} bytes, the file holds {}", promised, source->size()));
+  if (target) target->warn("bytes after the last chunk were skipped", source->size() - size);
   const uint64_t json_bytes = word_at(reader, 12);
   if (word_at(reader, 16) != json_kind) fail(place, "byte 16: the first chunk is not JSON");
   if (json_bytes == 0 || json_bytes > size - 20)
     fail(place, "byte 12: a chunk of {} bytes goes beyond the file", json_bytes);
-  if (json_bytes % 4 != 0) fail(place, "byte 12: a chunk of {} bytes is not a multiple of 4", json_bytes);
   Container container{std::string(json_bytes, ' '), std::nullopt};
   reader.read(20, std::as_writable_bytes(std::span(container.json)));
-  const uint64_t next = 20 + json_bytes, left = size - next;
-  if (left == 0) return container;
-  if (left < 12) fail(place, "byte {}: the file ends within a chunk", next);
-  const uint64_t binary_bytes = word_at(reader, next);
-  if (word_at(reader, next + 4) != binary_kind)
-    fail(place, "byte {}: the second chunk is not binary data", next);
-  if (binary_bytes > left - 8)
-    fail(place, "byte {}: a chunk of {} bytes goes beyond the file", next, binary_bytes);
-  container.binary = GltfBuffer{source, next + 8, binary_bytes};
+  while (!container.json.empty() && container.json.back() == '\0') container.json.pop_back();
+  for (uint64_t next = 20 + json_bytes; size - next >= 8;) {
+    uint64_t bytes = word_at(reader, next);
+    const bool is_binary = word_at(reader, next + 4) == binary_kind;
+    constexpr uint64_t padding = 3;  // which some programs count, but do not write
+    if (bytes > size - next - 8 && bytes - (size - next - 8) <= padding) bytes = size - next - 8;
+    if (bytes > size - next - 8) {
+      if (!is_binary) break;
+      fail(place, "byte {}: a chunk of {} bytes goes beyond the file", next, bytes);
+    }
+    if (is_binary) {
+      container.binary = GltfBuffer{source, next + 8, bytes};
+      break;
+    }
+    if (target) target->warn("chunks of an unknown kind were skipped");
+    next += 8 + bytes;
+  }
   return container;
 }
 
-Container open_container(const std::shared_ptr<const StreamSource>& source, const std::string& place) {
+Container open_container(const std::shared_ptr<const StreamSource>& source, const std::string& place,
+                         FileImport* target) {
   const SourceReader reader(source);
   std::string beginning(std::min<uint64_t>(4, source->size()), ' ');
   reader.read(0, std::as_writable_bytes(std::span(beginning)));
-  if (beginning == "glTF") return open_binary(source, reader, place);
+  if (beginning == "glTF") return open_binary(source, reader, place, target);
   if (source->size() > std::numeric_limits<uint32_t>::max()) fail(place, "is JSON of more than 4 GiB");
   Container container{std::string(source->size(), ' '), std::nullopt};
   reader.read(0, std::as_writable_bytes(std::span(container.json)));
   return container;
 }
 
-/// Shortens a message of tinygltf, which may have many lines and repeat whole data URIs.
-std::string short_line(std::string message) {
-  while (!message.empty() && (message.back() == '\n' || message.back() == ' ')) message.pop_back();
-  if (message.size() > 160) message = message.substr(0, 120) + " ...";
-  return message.empty() ? "does not parse" : one_line(message);
-}
-
-/// Makes sure that tinygltf opens no file: buffers were taken out of its text, and images are not drawn.
-bool no_file(const std::string&, void*) { return false; }
-
-bool read_nothing(std::vector<unsigned char>*, std::string* message, const std::string& path, void*) {
-  *message = path + " was not expected";
+/// Extensions without which a file is drawn all the same: they add to what is there.
+bool may_be_ignored(const std::string& name) {
+  for (const char* known :
+       {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility",
+        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    if (name == known) return true;
+  }
   return false;
 }
 
-bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
-                void*) {
-  return true;
+/// Whether anything in the file is compressed as the extension says.
+bool is_used(const GltfDocument& gltf, const std::string& extension) {
+  if (extension != "KHR_draco_mesh_compression")
+    return std::any_of(gltf.views.begin(), gltf.views.end(),
+                       [](const GltfView& view) { return view.meshopt; });
+  return std::any_of(gltf.meshes.begin(), gltf.meshes.end(), [](const GltfMesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                       [](const GltfPrimitive& primitive) { return primitive.draco.has_value(); });
+  });
 }
 
-void check_extensions(const tinygltf::Model& gltf, FileImport& target) {
-  for (const std::string& name : gltf.extensionsRequired) {
-    if (name == "KHR_mesh_quantization" || name == "EXT_mesh_gpu_instancing" || name == "KHR_lights_punctual")
-      continue;
-    if (!name.starts_with("KHR_materials_") && !name.starts_with("KHR_texture_") &&
-        !name.starts_with("EXT_texture_")) {
-      fail(target.place(), "requires the extension {}, which is not supported", name.substr(0, 80));
+void check_extensions(const GltfDocument& gltf, FileImport& target) {
+  for (const std::string& name : gltf.required_extensions) {
+    const std::string shown = one_line(name.substr(0, 80));
+    if (name.ends_with("_compression") && may_be_ignored(name)) {
+      // Some tool dropped the extension's objects: what is left would be read as geometry, and is noise.
+      if (!is_used(gltf, name))
+        fail(target.place(), "requires {}, but says of nothing how it is compressed; export it again", shown);
+    } else if (!may_be_ignored(name)) {
+      target.warn(
+          fmt::format("extension is required that is not known, what it adds is not drawn: {}", shown));
     }
-    target.warn(fmt::format("extension is required that is not drawn yet: {}", name));
   }
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> files_beside_gltf(const std::filesystem::path& file) {
-  const auto container = open_container(std::make_shared<StreamSource>(file), file.string());
+  const auto container = open_container(std::make_shared<StreamSource>(file), file.string(), nullptr);
   std::vector<std::filesystem::path> files;
   for (const std::string& name : names_in_gltf(container.json, file.string()))
     files.push_back(file.parent_path() / name);
@@ -107,30 +120,23 @@ std::vector<std::filesystem::path> files_beside_gltf(const std::filesystem::path
 
 GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>& source) {
   const std::string place = target.place();
-  auto [json, binary] = open_container(source, place);
+  auto [json, binary] = open_container(source, place, &target);
   const std::string buffers = take_buffers(json, place);
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(skip_image, nullptr);
-  loader.SetFsCallbacks({no_file, tinygltf::ExpandFilePath, read_nothing, tinygltf::WriteWholeFile, nullptr});
-  const std::string folder = std::filesystem::absolute(target.file()).parent_path().string();
   GltfFile gltf;
-  std::string errors, warnings;
-  bool parsed = false;
-  try {
-    parsed = loader.LoadASCIIFromString(&gltf.model, &errors, &warnings, json.data(),
-                                        static_cast<unsigned>(json.size()), folder);
-    json = {};
-    if (parsed) gltf.buffers = find_buffers(buffers, folder, binary, place);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {  // tinygltf and its JSON throw on some values of the wrong type
-    fail(place, "{}", short_line(error.what()));
-  }
-  // tinygltf skips primitives that it does not understand, but reports them.
-  if (!parsed || !errors.empty()) fail(place, "{}", short_line(errors));
-  if (const std::string& version = gltf.model.asset.version; !version.starts_with("2."))
-    fail(place, "is glTF of version {}; only 2 is known", short_line(version));
+  gltf.options = target.options();
+  gltf.model = parse_gltf(json, place);
+  json = {};
+  gltf.buffers = find_buffers(buffers, target, binary);
+  if (const std::string& version = gltf.model.version; !version.starts_with("2"))
+    fail(place, "is glTF of version {}; only 2 is known", one_line(version.substr(0, 20)));
   check_extensions(gltf.model, target);
+  constexpr size_t most = 8;
+  size_t kinds = 0;
+  for (const auto& [member, count] : gltf.model.misread)
+    target.warn(++kinds > most ? "further members of the file are of a wrong type and were skipped"
+                               : fmt::format("members \"{}\" are of a wrong type and were skipped",
+                                             one_line(member.substr(0, 40))),
+                count);
   return gltf;
 }
 

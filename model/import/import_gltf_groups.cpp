@@ -13,20 +13,20 @@ namespace {
 struct Kind {
   std::vector<uint32_t> children;  ///< kinds, each with a smaller number than this one
   uint64_t placements = 0, triangles = 0;
-  int node = 0;  ///< the first node of this kind
+  size_t node = 0;  ///< the first node of this kind
 };
 
-uint64_t elements(const tinygltf::Model& gltf, int accessor) {
+uint64_t elements(const GltfDocument& gltf, int64_t accessor) {
   return accessor >= 0 && static_cast<size_t>(accessor) < gltf.accessors.size()
              ? gltf.accessors[static_cast<size_t>(accessor)].count
              : 0;
 }
 
 /// As counted by the file; whether that is right is found when it is read.
-uint64_t triangles_of(const tinygltf::Model& gltf, int mesh) {
+uint64_t triangles_of(const GltfDocument& gltf, int64_t mesh) {
   if (mesh < 0 || static_cast<size_t>(mesh) >= gltf.meshes.size()) return 0;
   uint64_t triangles = 0;
-  for (const tinygltf::Primitive& primitive : gltf.meshes[static_cast<size_t>(mesh)].primitives) {
+  for (const GltfPrimitive& primitive : gltf.meshes[static_cast<size_t>(mesh)].primitives) {
     const auto positions = primitive.attributes.find("POSITION");
     if (positions == primitive.attributes.end()) continue;
     triangles += elements(gltf, primitive.indices >= 0 ? primitive.indices : positions->second) / 3;
@@ -35,22 +35,19 @@ uint64_t triangles_of(const tinygltf::Model& gltf, int mesh) {
 }
 
 /// Writes the accessors of EXT_mesh_gpu_instancing; returns how many placements they are; 1 without any.
-uint64_t write_instancing(const tinygltf::Model& gltf, const tinygltf::Node& node, ByteWriter& key) {
-  const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
-  key.write(static_cast<uint8_t>(found != node.extensions.end()));
-  if (found == node.extensions.end() || !found->second.Get("attributes").IsObject()) return 1;
-  const tinygltf::Value& attributes = found->second.Get("attributes");
+uint64_t write_instancing(const GltfDocument& gltf, const GltfNode& node, ByteWriter& key) {
+  key.write(static_cast<uint8_t>(node.instancing.has_value()));
+  if (!node.instancing) return 1;
   uint64_t count = 1;
-  for (const std::string& name : attributes.Keys()) {
-    const tinygltf::Value& accessor = attributes.Get(name);
+  for (const auto& [name, accessor] : *node.instancing) {
     key.write_text(name);
-    key.write(accessor.IsInt() ? accessor.GetNumberAsInt() : -1);
-    if (accessor.IsInt()) count = std::max(count, elements(gltf, accessor.GetNumberAsInt()));
+    key.write(accessor);
+    count = std::max(count, elements(gltf, accessor));
   }
   return count;
 }
 
-void write_transform(const tinygltf::Node& node, ByteWriter& key) {
+void write_transform(const GltfNode& node, ByteWriter& key) {
   for (const auto* values : {&node.matrix, &node.translation, &node.rotation, &node.scale}) {
     key.write(static_cast<uint32_t>(values->size()));
     key.write_all(std::span<const double>(*values));
@@ -59,11 +56,11 @@ void write_transform(const tinygltf::Node& node, ByteWriter& key) {
 
 class Kinds {
  public:
-  explicit Kinds(const tinygltf::Model& gltf) : of_node(gltf.nodes.size(), GltfGroups::none), gltf_(gltf) {}
+  explicit Kinds(const GltfDocument& gltf) : of_node(gltf.nodes.size(), GltfGroups::none), gltf_(gltf) {}
 
   /// Finds the kind of every node below.
-  void add_tree(int root) {
-    std::vector<std::pair<int, bool>> open = {{root, false}};  // whether its children are known
+  void add_tree(size_t root) {
+    std::vector<std::pair<size_t, bool>> open = {{root, false}};  // whether its children are known
     while (!open.empty()) {
       const auto [node, known] = open.back();
       open.pop_back();
@@ -72,7 +69,8 @@ class Kinds {
         continue;
       }
       open.emplace_back(node, true);
-      for (const int child : gltf_.nodes[static_cast<size_t>(node)].children) open.emplace_back(child, false);
+      for (const int64_t child : gltf_.nodes[node].children)
+        open.emplace_back(static_cast<size_t>(child), false);
     }
   }
 
@@ -80,18 +78,21 @@ class Kinds {
   std::vector<Kind> kinds;
 
  private:
-  void add_node(int index) {
-    const tinygltf::Node& node = gltf_.nodes[static_cast<size_t>(index)];
+  void add_node(size_t index) {
+    const GltfNode& node = gltf_.nodes[index];
     Kind kind;
     kind.node = index;
     ByteWriter key;
     key.write(node.mesh);
+    key.write(static_cast<uint8_t>(node.visible));
+    // What a skin moves stands where its joints are: no two such nodes are equal.
+    key.write(node.skin >= 0 ? static_cast<int64_t>(index) : int64_t{-1});
     const uint64_t placements = write_instancing(gltf_, node, key);
-    if (node.mesh >= 0) {
+    if (node.mesh >= 0 && node.visible) {
       kind.placements = placements;
       kind.triangles = placements * triangles_of(gltf_, node.mesh);
     }
-    for (const int child : node.children) {
+    for (const int64_t child : node.children) {
       const uint32_t of_child = of_node[static_cast<size_t>(child)];
       write_transform(gltf_.nodes[static_cast<size_t>(child)], key);
       key.write(of_child);
@@ -104,29 +105,29 @@ class Kinds {
         known_.try_emplace(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()),
                            static_cast<uint32_t>(kinds.size()));
     if (inserted) kinds.push_back(std::move(kind));
-    of_node[static_cast<size_t>(index)] = found->second;
+    of_node[index] = found->second;
   }
 
-  const tinygltf::Model& gltf_;
+  const GltfDocument& gltf_;
   std::unordered_map<std::string, uint32_t> known_;
 };
 
 }  // namespace
 
-GltfGroups find_gltf_groups(const tinygltf::Model& gltf, const std::vector<int>& roots,
+GltfGroups find_gltf_groups(const GltfDocument& gltf, const std::vector<size_t>& roots,
                             const ImportOptions& options) {
   GltfGroups groups;
   groups.of_node.assign(gltf.nodes.size(), GltfGroups::none);
   if (!options.find_groups) return groups;
   Kinds found(gltf);
-  for (const int root : roots) found.add_tree(root);
+  for (const size_t root : roots) found.add_tree(root);
   const std::vector<Kind>& kinds = found.kinds;
   // How often each kind occurs where everything that repeats is stored once, and how often in the whole
   // scene. From the topmost down: a kind's number is larger than those of its children.
   std::vector<uint64_t> said(kinds.size(), 0), uses(kinds.size(), 0);
-  for (const int root : roots) {
-    ++said[found.of_node[static_cast<size_t>(root)]];
-    ++uses[found.of_node[static_cast<size_t>(root)]];
+  for (const size_t root : roots) {
+    ++said[found.of_node[root]];
+    ++uses[found.of_node[root]];
   }
   std::vector<uint8_t> is_group(kinds.size(), 0);
   for (size_t i = kinds.size(); i-- > 0;) {

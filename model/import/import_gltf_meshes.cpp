@@ -11,12 +11,10 @@ namespace {
 
 constexpr uint32_t unnamed = std::numeric_limits<uint32_t>::max();
 
-void warn_of_attributes(const tinygltf::Primitive& primitive, FileImport& target) {
+void warn_of_attributes(const GltfPrimitive& primitive, FileImport& target) {
   if (primitive.attributes.count("COLOR_0"))
     target.warn("primitives with vertex colours, which are not drawn yet");
-  if (primitive.attributes.count("JOINTS_0"))
-    target.warn("primitives with a skin, drawn as stored in the file");
-  if (!primitive.targets.empty()) target.warn("primitives with morph targets, drawn as stored in the file");
+  if (primitive.has_targets) target.warn("primitives with morph targets, drawn as stored in the file");
 }
 
 }  // namespace
@@ -26,20 +24,16 @@ GltfMeshes::GltfMeshes(const GltfFile& gltf, FileImport& target)
   for (const auto& material : gltf.model.materials) read_material(material);
 }
 
-void GltfMeshes::read_material(const tinygltf::Material& material) {
-  const auto& factor = material.pbrMetallicRoughness.baseColorFactor;
-  const std::string place = fmt::format("{}: material {}", target_.place(), materials_.size());
-  if (factor.size() != 4) fail(place, "a base colour of {} numbers", factor.size());
+void GltfMeshes::read_material(const GltfMaterial& material) {
   Material result;
-  for (int i = 0; i < 4; ++i) {
-    result.base_color[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
-  }
-  if (material.pbrMetallicRoughness.baseColorTexture.index >= 0) target_.warn("textures are not drawn yet");
-  if (material.alphaMode != "OPAQUE") target_.warn("transparent materials are drawn opaque");
+  for (int i = 0; i < 4; ++i)
+    result.base_color[i] = static_cast<float>(material.base_color[static_cast<size_t>(i)]);
+  if (material.textured) target_.warn("textures are not drawn yet");
+  if (material.transparent) target_.warn("transparent materials are drawn opaque");
   materials_.push_back(target_.add_material(result));
 }
 
-std::optional<uint32_t> GltfMeshes::mesh(int index, const std::string& place) {
+std::optional<uint32_t> GltfMeshes::mesh(int64_t index, const std::string& place) {
   if (index < 0 || static_cast<size_t>(index) >= meshes_.size())
     fail(place, "names mesh {} of {}", index, meshes_.size());
   const auto i = static_cast<size_t>(index);
@@ -54,69 +48,131 @@ size_t GltfMeshes::unused_count() const {
   return static_cast<size_t>(std::count(known_.begin(), known_.end(), false));
 }
 
+bool GltfMeshes::has_joints(int64_t index) const {
+  if (index < 0 || static_cast<size_t>(index) >= meshes_.size()) return false;
+  const auto& primitives = gltf_.model.meshes[static_cast<size_t>(index)].primitives;
+  return std::any_of(primitives.begin(), primitives.end(), [](const GltfPrimitive& primitive) {
+    return primitive.attributes.count("JOINTS_0") > 0;
+  });
+}
+
+/// The primitives that hold triangles; those that cannot be read are counted, with what is wrong with the
+/// first.
+std::vector<GltfMeshes::Part> GltfMeshes::read_parts(size_t index) {
+  std::vector<Part> parts;
+  const auto& primitives = gltf_.model.meshes[index].primitives;
+  for (size_t i = 0; i < primitives.size(); ++i) {
+    try {
+      auto part = read_primitive(primitives[i], fmt::format("mesh {} primitive {}", index, i));
+      if (part && part->triangles.triangle_count() > 0) parts.push_back(std::move(*part));
+    } catch (const Error& error) {
+      if (first_damage_.empty())
+        first_damage_ =
+            fmt::format("primitives cannot be read and were skipped, the first: {}", error.what());
+      target_.warn(first_damage_);
+    }
+  }
+  for (Part& part : parts)
+    part.triangles.place = fmt::format("{}: {}", target_.place(), part.triangles.place);
+  return parts;
+}
+
 std::optional<uint32_t> GltfMeshes::read_mesh(size_t index) {
   const auto& source = gltf_.model.meshes[index];
-  std::vector<Part> parts;
+  std::vector<Part> parts = read_parts(index);
   uint64_t triangles = 0;
   bool can_stream = true;
-  for (size_t i = 0; i < source.primitives.size(); ++i) {
-    auto part = read_primitive(source.primitives[i],
-                               fmt::format("{}: mesh {} primitive {}", target_.place(), index, i));
-    if (!part || part->triangles.triangle_count() == 0) continue;
-    triangles += part->triangles.triangle_count();
-    can_stream = can_stream && part->can_stream;
-    parts.push_back(std::move(*part));
+  for (const Part& part : parts) {
+    triangles += part.triangles.triangle_count();
+    can_stream = can_stream && part.can_stream;
   }
   if (parts.empty()) return std::nullopt;
   if (can_stream && target_.should_stream(triangles)) {
     std::vector<IndexedStream::Part> streamed;
     for (Part& part : parts) {
-      const GltfAccessor positions(gltf_, part.positions, part.triangles.place);
-      streamed.push_back({std::move(part.triangles), positions.positions()});
+      PositionTable positions = part.unpacked
+                                    ? *part.unpacked
+                                    : GltfAccessor(gltf_, part.positions, part.triangles.place).positions();
+      streamed.push_back({std::move(part.triangles), std::move(positions)});
     }
     return target_.add_stream(source.name, std::make_shared<IndexedStream>(std::move(streamed)));
   }
   Mesh mesh{.name = source.name, .positions = {}, .triangles = {}};
   mesh.triangles.reserve(triangles);
-  for (const Part& part : parts) read_triangles(part, mesh);
+  for (const Part& part : parts) read_triangles(part, nullptr, mesh);
   return target_.add_mesh(std::move(mesh));
 }
 
-std::optional<GltfMeshes::Part> GltfMeshes::read_primitive(const tinygltf::Primitive& primitive,
+std::optional<uint32_t> GltfMeshes::skinned_mesh(int64_t index, const std::vector<Affine>& joints,
+                                                 int64_t skin, const std::string& place) {
+  if (index < 0 || static_cast<size_t>(index) >= meshes_.size())
+    fail(place, "names mesh {} of {}", index, meshes_.size());
+  const auto [found, added] = skinned_.try_emplace({index, skin});
+  if (!added) return found->second;
+  known_[static_cast<size_t>(index)] = true;
+  Mesh mesh{.name = gltf_.model.meshes[static_cast<size_t>(index)].name, .positions = {}, .triangles = {}};
+  for (const Part& part : read_parts(static_cast<size_t>(index)))
+    read_triangles(part, skinning(part, joints), mesh);
+  return found->second = target_.add_mesh(std::move(mesh));
+}
+
+std::optional<GltfMeshes::Part> GltfMeshes::read_primitive(const GltfPrimitive& primitive,
                                                            const std::string& place) {
-  if (primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode <= TINYGLTF_MODE_LINE_STRIP) {
+  constexpr int64_t points = 0, line_strip = 3, list = 4, strip = 5, fan = 6;
+  if (primitive.mode >= points && primitive.mode <= line_strip) {
     target_.warn("primitives of points or lines were skipped");
     return std::nullopt;
   }
-  if (primitive.mode < TINYGLTF_MODE_TRIANGLES || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-    fail(place, "mode {} is not known", primitive.mode);
-  }
+  if (primitive.mode < list || primitive.mode > fan) fail(place, "mode {} is not known", primitive.mode);
   const auto attribute = primitive.attributes.find("POSITION");
   if (attribute == primitive.attributes.end()) {
     target_.warn("primitives without positions were skipped");
     return std::nullopt;
   }
-  const GltfAccessor positions(gltf_, attribute->second, place);
-  if (positions.components() != 3) fail(place, "positions of {} components", positions.components());
-  if (positions.count() >= unnamed) fail(place, "more vertices than 32 bits can index");
-  if (primitive.material < -1 || primitive.material >= static_cast<int>(materials_.size())) {
+  if (primitive.material < -1 || primitive.material >= static_cast<int64_t>(materials_.size())) {
     fail(place, "names material {} of {}", primitive.material, materials_.size());
   }
   warn_of_attributes(primitive, target_);
-  Part part{{}, attribute->second, positions.can_stream()};
-  part.triangles.vertex_count = positions.count();
+  Part part;
+  part.primitive = &primitive;
+  part.positions = attribute->second;
   part.triangles.material = primitive.material < 0 ? 0 : materials_[static_cast<size_t>(primitive.material)];
   part.triangles.place = place;
-  part.triangles.mode = primitive.mode == TINYGLTF_MODE_TRIANGLES        ? TriangleMode::list
-                        : primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ? TriangleMode::strip
-                                                                         : TriangleMode::fan;
+  part.triangles.mode = primitive.mode == list    ? TriangleMode::list
+                        : primitive.mode == strip ? TriangleMode::strip
+                                                  : TriangleMode::fan;
+  if (primitive.draco && read_draco(primitive, place, part)) return part;
+  const GltfAccessor positions(gltf_, attribute->second, place);
+  if (positions.components() != 3) fail(place, "positions of {} components", positions.components());
+  if (positions.count() >= unnamed) fail(place, "more vertices than 32 bits can index");
+  part.triangles.vertex_count = positions.count();
+  part.can_stream = positions.can_stream();
   read_indices(primitive, place, part);
   if (part.triangles.mode == TriangleMode::list)
     target_.warn("indices are left over after the last triangle", part.triangles.index_count() % 3);
   return part;
 }
 
-void GltfMeshes::read_indices(const tinygltf::Primitive& primitive, const std::string& place, Part& part) {
+/// False where the data cannot be unpacked, but the file holds them uncompressed too.
+bool GltfMeshes::read_draco(const GltfPrimitive& primitive, const std::string& place, Part& part) {
+  try {
+    GltfDracoMesh mesh = unpack_draco(gltf_, *primitive.draco, place);
+    part.triangles.vertex_count = mesh.positions.count;
+    part.triangles.indices = std::move(mesh.indices);
+    part.triangles.mode = TriangleMode::list;
+    part.unpacked = std::move(mesh.positions);
+    part.can_stream = true;
+    return true;
+  } catch (const Error&) {
+    const auto& accessors = gltf_.model.accessors;
+    const bool has_copy = part.positions >= 0 && static_cast<size_t>(part.positions) < accessors.size() &&
+                          accessors[static_cast<size_t>(part.positions)].view >= 0;
+    if (!has_copy) throw;
+    return false;
+  }
+}
+
+void GltfMeshes::read_indices(const GltfPrimitive& primitive, const std::string& place, Part& part) {
   if (primitive.indices < -1)
     fail(place, "names accessor {} of {}", primitive.indices, gltf_.model.accessors.size());
   if (primitive.indices == -1) return;
@@ -133,14 +189,15 @@ void GltfMeshes::read_indices(const tinygltf::Primitive& primitive, const std::s
 
 glm::dvec3 GltfMeshes::Positions::at(uint32_t vertex) {
   if (cache) return cache->at(vertex);
-  return {accessor.component(vertex, 0), accessor.component(vertex, 1), accessor.component(vertex, 2)};
+  return {accessor->component(vertex, 0), accessor->component(vertex, 1), accessor->component(vertex, 2)};
 }
 
-GltfMeshes::Positions& GltfMeshes::positions(int accessor, const std::string& place) {
+GltfMeshes::Positions& GltfMeshes::positions(int64_t accessor, const std::string& place) {
   if (last_accessor_ == accessor) return *last_positions_;
+  last_accessor_ = -1;
   last_positions_.reset();
   last_positions_.emplace(Positions{GltfAccessor(gltf_, accessor, place), nullptr});
-  GltfAccessor& positions = last_positions_->accessor;
+  GltfAccessor& positions = *last_positions_->accessor;
   if (positions.can_stream()) {
     last_positions_->cache = std::make_unique<PositionCache>(positions.positions());
   } else {
@@ -151,8 +208,11 @@ GltfMeshes::Positions& GltfMeshes::positions(int accessor, const std::string& pl
 }
 
 /// Reads the triangles, and those vertices of the accessor that they use.
-void GltfMeshes::read_triangles(const Part& part, Mesh& mesh) {
-  Positions& source = positions(part.positions, part.triangles.place);
+void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) {
+  std::optional<Positions> unpacked;
+  if (part.unpacked)
+    unpacked.emplace(Positions{std::nullopt, std::make_unique<PositionCache>(*part.unpacked)});
+  Positions& source = unpacked ? *unpacked : positions(part.positions, part.triangles.place);
   std::vector<std::array<uint32_t, 3>> triangles;
   uint32_t lowest = unnamed, highest = 0;
   IndexedTriangles reader(part.triangles);
@@ -175,7 +235,8 @@ void GltfMeshes::read_triangles(const Part& part, Mesh& mesh) {
         if (mesh.positions.size() >= unnamed)
           fail(part.triangles.place, "more vertices than 32 bits can index");
         name = static_cast<uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(source.at(corners[k]));
+        const glm::dvec3 position = source.at(corners[k]);
+        mesh.positions.push_back(move ? move(corners[k], position) : position);
       }
       triangle.vertices[k] = name;
     }

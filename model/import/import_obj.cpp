@@ -1,27 +1,41 @@
 // OBJ, line by line: vertices, faces, objects and groups, and base colours from material libraries.
 #include "base/error.hpp"
+#include "base/one_line.hpp"
+#include "model/import/beside.hpp"
+#include "model/import/display_color.hpp"
 #include "model/import/import_file.hpp"
 #include "model/import/import_reader.hpp"
 #include "model/import/mesh_spool.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
+#include <map>
+#include <optional>
+#include <set>
 
 namespace triptych {
 
 namespace {
 
-std::filesystem::path beside(const std::filesystem::path& file, std::string_view name) {
-  std::string portable(name);
-  std::replace(portable.begin(), portable.end(), '\\', '/');
-  return file.parent_path() / portable;
+/// The text before a comment. In numbers any # begins one; names hold it too ("Material#25"), so there it
+/// must stand behind a blank.
+std::string_view without_comment(std::string_view line, bool names) {
+  for (size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
+    if (!names || at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t') return line.substr(0, at);
+  }
+  return line;
 }
 
-/// The files that a statement names: one with blanks in its name, or several.
-std::vector<std::string_view> names_in(std::string_view names, const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(beside(file, names), error)) return {names};
+/// Whether the line goes on in the next one: a backslash at the end of a comment says nothing.
+bool continues(std::string_view line) {
+  return line.ends_with('\\') && line.find('#') == std::string_view::npos;
+}
+
+/// The files that a statement names, one with blanks in its name or several: `is_there` decides.
+template <typename IsThere>
+std::vector<std::string_view> names_in(std::string_view names, const IsThere& is_there) {
+  names = trimmed(names);
+  if (is_there(names)) return {names};
   std::vector<std::string_view> words;
   for (std::string_view name = take_word(names); !name.empty(); name = take_word(names))
     words.push_back(name);
@@ -30,55 +44,92 @@ std::vector<std::string_view> names_in(std::string_view names, const std::filesy
 
 class ObjImport {
  public:
-  explicit ObjImport(FileImport& target) : target_(target), reader_(target.file()), spool_(target) {}
+  explicit ObjImport(FileImport& target) : target_(target), reader_(target.content()), spool_(target) {}
 
   void run() {
     std::string_view line;
     std::string joined;
     while (reader_.next_line(line)) {
-      if (line.ends_with('\\')) {  // continues in the next line
+      if (continues(line)) {
         joined.assign(line);
-        while (joined.ends_with('\\') && reader_.next_line(line))
+        while (continues(joined) && reader_.next_line(line))
           joined.replace(joined.size() - 1, 1, " ").append(line);
         line = joined;
       }
       read_statement(line);
     }
-    if (vertices_named_ > spool_.vertex_count()) {
-      fail(target_.line_place(furthest_line_), "names vertex {} of {}", vertices_named_,
-           spool_.vertex_count());
-    }
+    add_missing_vertices();
     spool_.finish();
+    for (const auto& [name, material] : materials_) {
+      if (!material.defined)
+        target_.warn("uses of a material that no library defines; drawn in the default colour",
+                     material.uses);
+    }
   }
 
  private:
-  void read_statement(std::string_view line) {
-    if (const size_t comment = line.find('#'); comment != std::string_view::npos)
-      line = line.substr(0, comment);
+  struct NamedMaterial {
+    uint32_t number = 0;   ///< in the model
+    bool defined = false;  ///< by a library, which may be named after its uses
+    uint64_t uses = 0;
+  };
+
+  void read_statement(std::string_view whole) {
+    std::string_view line = without_comment(whole, true);
     const std::string_view word = take_word(line);
+    const auto behind_word = static_cast<size_t>(word.data() + word.size() - whole.data());
+    const auto name = [&] { return trimmed(without_comment(whole, true).substr(behind_word)); };
     if (word.empty() || word == "vt" || word == "vn" || word == "vp" || word == "s") return;
     if (word == "v") {
       read_vertex(line);
     } else if (word == "f" || word == "fo") {
-      read_face(line);
+      read_face(without_comment(line, false));
     } else if (word == "o" || word == "g") {
-      spool_.begin_mesh(std::string(trimmed(line)));
+      spool_.begin_mesh(std::string(name()));
     } else if (word == "usemtl") {
-      use_material(std::string(trimmed(line)));
+      use_material(std::string(name()));
     } else if (word == "mtllib") {
-      read_libraries(trimmed(line));
+      read_libraries(name());
     } else if (word == "l" || word == "p") {
       target_.warn("lines or points were skipped");
     } else {
-      target_.warn("statements are not understood and were skipped");
+      skip_statement(word);
     }
   }
 
+  /// One warning for all of a kind, with the first one's line.
+  void warn_once(std::string& first, std::string what) {
+    if (first.empty()) first = std::move(what);
+    target_.warn(first);
+  }
+
+  /// Vertices that faces name and the file does not hold (it was cut, or faces are damaged) are not finite,
+  /// so that only the triangles that use them are lost. Error where they are too many for that.
+  void add_missing_vertices() {
+    constexpr uint64_t most = uint64_t{1} << 16;
+    const uint64_t known = spool_.vertex_count();
+    if (vertices_named_ <= known) return;
+    if (vertices_named_ - known > most)
+      fail(target_.line_place(furthest_line_), "names vertex {} of {}", vertices_named_, known);
+    target_.remark(
+        fmt::format("line {} names vertex {} of {}; triangles with vertices that are not there are dropped",
+                    furthest_line_, vertices_named_, known));
+    while (spool_.vertex_count() < vertices_named_)
+      spool_.add_vertex(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+  }
+
+  /// One without three numbers is kept as not finite: the numbers of all others stay what they are.
   void read_vertex(std::string_view line) {
     glm::dvec3 position;
     for (int i = 0; i < 3; ++i) {
       const auto number = to_number(take_word(line));
-      if (!number) fail(reader_.line_place(), "a vertex needs three numbers");
+      if (!number) {
+        warn_once(first_bad_vertex_,
+                  fmt::format("vertices lack three numbers, the first in line {}; their triangles "
+                              "are dropped",
+                              reader_.line()));
+        return spool_.add_vertex(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+      }
       position[i] = *number;
     }
     int further = 0;
@@ -90,19 +141,22 @@ class ObjImport {
   void read_face(std::string_view line) {
     corners_.clear();
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-      corners_.push_back(vertex_index(word));
+      const auto vertex = vertex_index(word);
+      if (!vertex) return;
+      corners_.push_back(*vertex);
     }
     spool_.add_face(corners_, material_);
   }
 
-  /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0.
-  uint32_t vertex_index(std::string_view word) {
+  /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0. Nothing, and a warning, if it is none.
+  std::optional<uint32_t> vertex_index(std::string_view word) {
     const auto number = to_integer(word.substr(0, word.find('/')));
-    if (!number) fail(reader_.line_place(), "\"{}\" is not a corner of a face", word.substr(0, 40));
+    if (!number)
+      return bad_face(fmt::format("has \"{}\" for a corner", one_line(std::string(word.substr(0, 40)))));
     const auto known = static_cast<int64_t>(spool_.vertex_count());
     const int64_t index = *number < 0 ? known + *number : *number - 1;
     if (*number == 0 || index < 0 || index >= std::numeric_limits<uint32_t>::max()) {
-      fail(reader_.line_place(), "names vertex {} of {}", *number, known);
+      return bad_face(fmt::format("names vertex {} of {}", *number, known));
     }
     const auto vertex = static_cast<uint32_t>(index);
     if (vertex >= vertices_named_) {  // it may be defined later in the file; checked at the end
@@ -112,32 +166,60 @@ class ObjImport {
     return vertex;
   }
 
+  std::nullopt_t bad_face(const std::string& why) {
+    warn_once(first_bad_face_, fmt::format("faces cannot be read and were skipped; the first, in line {}, {}",
+                                           reader_.line(), why));
+    return std::nullopt;
+  }
+
+  void skip_statement(std::string_view word) {
+    constexpr size_t most = 8;  // kinds that are named
+    const std::string kind(word.substr(0, 20));
+    if (skipped_.size() < most) skipped_.insert(kind);
+    target_.warn(skipped_.count(kind) > 0
+                     ? fmt::format("statements \"{}\" are not understood and were skipped", one_line(kind))
+                     : "statements of further kinds are not understood and were skipped");
+  }
+
+  NamedMaterial& material_named(const std::string& name) {
+    const auto [found, added] = materials_.try_emplace(name);
+    if (added) found->second.number = target_.add_material(Material());
+    return found->second;
+  }
+
   void use_material(const std::string& name) {
-    const auto found = materials_.find(name);
-    material_ = found == materials_.end() ? 0 : found->second;
-    if (found == materials_.end())
-      target_.warn("uses of a material that no library defines; drawn in the default colour");
+    NamedMaterial& material = material_named(name);
+    ++material.uses;
+    material_ = material.number;
   }
 
   void read_libraries(std::string_view names) {
-    for (const std::string_view name : names_in(names, target_.file())) {
-      const std::filesystem::path library = beside(target_.file(), name);
-      std::error_code error;
-      if (std::filesystem::is_regular_file(library, error)) {
+    for (const std::string_view name :
+         names_in(names, [&](std::string_view file) { return target_.beside(file) != nullptr; })) {
+      if (const auto library = target_.beside(name)) {
         read_library(library);
       } else {
-        target_.warn(fmt::format("material library is missing: {}", name));
+        target_.warn(
+            fmt::format("material library is missing: {}", one_line(std::string(name.substr(0, 80)))));
       }
     }
   }
 
-  void read_library(const std::filesystem::path& file) {
+  /// What follows in the file uses the library's material; so does what came before, if it had none.
+  void define(const std::string& name, const Material& material) {
+    NamedMaterial& named = material_named(name);
+    if (named.defined) named = {.number = target_.add_material(Material())};
+    named.defined = true;
+    target_.set_material(named.number, material);
+  }
+
+  void read_library(const std::shared_ptr<const StreamSource>& file) {
     ImportReader library(file);
-    target_.also_reads(file);
+    if (file->has_file()) target_.also_reads(file->name());
     Material material;
     std::string name;
     const auto finish = [&] {
-      if (!name.empty()) materials_[name] = target_.add_material(material);
+      if (!name.empty()) define(name, material);
     };
     std::string_view line;
     while (library.next_line(line)) {
@@ -145,9 +227,9 @@ class ObjImport {
       if (word == "newmtl") {
         finish();
         material = {};
-        name = std::string(trimmed(line));
+        name = std::string(trimmed(without_comment(line, true)));
       } else if (word == "Kd") {
-        read_color(line, library, material);
+        read_color(line, material);
       } else if (word == "d" || word == "Tr") {
         const auto number = to_number(take_word(line));  // "d -halo 0.5" has a word first
         if (number)
@@ -161,30 +243,30 @@ class ObjImport {
     finish();
   }
 
-  void read_color(std::string_view line, const ImportReader& library, Material& material) {
+  void read_color(std::string_view line, Material& material) {
     std::array<double, 3> color;
     for (size_t i = 0; i < 3; ++i) {
       const std::string_view word = take_word(line);
-      if (i > 0 && word.empty()) {  // one number stands for all three
-        color[i] = color[0];
-        continue;
-      }
-      const auto number = to_number(word);
       if (i == 0 && (word == "xyz" || word == "spectral"))
         return target_.warn("colours in a space other than RGB are not drawn");
-      if (!number || !(std::abs(*number) <= max_import_coordinate))
-        fail(library.line_place(), "a colour needs three numbers");
-      color[i] = std::clamp(*number, 0.0, 1.0);
+      const auto number = to_number(word);
+      // One number stands for all three.
+      color[i] = i > 0 && word.empty() ? color[0] : number.value_or(std::numeric_limits<double>::quiet_NaN());
+      if (!std::isfinite(color[i])) return target_.warn("colours without three numbers are not drawn");
     }
-    for (int i = 0; i < 3; ++i) material.base_color[i] = static_cast<float>(color[static_cast<size_t>(i)]);
+    const float alpha = material.base_color.a;
+    material.base_color = from_display_color(color[0], color[1], color[2]);
+    material.base_color.a = alpha;
   }
 
   FileImport& target_;
   ImportReader reader_;
   MeshSpool spool_;
-  std::unordered_map<std::string, uint32_t> materials_;
+  std::map<std::string, NamedMaterial> materials_;
+  std::set<std::string> skipped_;  ///< kinds of statements that are not understood
   std::vector<uint32_t> corners_;
   uint32_t material_ = 0;
+  std::string first_bad_vertex_, first_bad_face_;    ///< warnings
   uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest vertex number of a face, and its line
 };
 
@@ -193,13 +275,16 @@ class ObjImport {
 void import_obj(FileImport& target) { ObjImport(target).run(); }
 
 namespace {
-/// Adds the files named by statements whose first word is `wanted`.
+/// Adds the files named by statements whose first word is `wanted`, whether or not they exist.
 void add_named(const std::filesystem::path& file, bool (*wanted)(std::string_view),
                std::vector<std::filesystem::path>& files) {
   ImportReader reader(file);
+  const auto folder = file.parent_path();
   for (std::string_view line; reader.next_line(line);) {
     if (!wanted(take_word(line))) continue;
-    for (const std::string_view name : names_in(trimmed(line), file)) files.push_back(beside(file, name));
+    for (const std::string_view name :
+         names_in(line, [&](std::string_view whole) { return find_beside(folder, whole).has_value(); }))
+      files.push_back(find_beside(folder, name).value_or(folder / name));
   }
 }
 }  // namespace

@@ -23,20 +23,20 @@ constexpr std::array conventions = {
     Convention{".fbx", true, std::nullopt}, Convention{".ifc", true, UpAxis::z},
     Convention{".ifczip", true, UpAxis::z}, Convention{".step", true, UpAxis::z},
     Convention{".stp", true, UpAxis::z},    Convention{".3ds", false, UpAxis::z},
-    Convention{".prj", false, UpAxis::z},   Convention{".dxf", false, UpAxis::z},
-    Convention{".ase", false, UpAxis::z},   Convention{".ask", false, UpAxis::z}};
+    Convention{".prj", false, UpAxis::z},   Convention{".ase", false, UpAxis::z},
+    Convention{".ask", false, UpAxis::z}};
 
 }  // namespace
 
 void import_other(FileImport& target) {
-  std::string extension = target.file().extension().string();
+  std::string extension = target.model_name().extension().string();
   for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   for (const Convention& convention : conventions) {
     if (extension != convention.extension) continue;
     target.says_up(convention.up);
     if (convention.unit) target.says_unit(std::nullopt);
   }
-  Converted converted = convert_model(target.file(), target.options());
+  Converted converted = convert_model(target.file(), target.unpacked(), target.options());
   for (std::string& warning : converted.warnings) target.remark(std::move(warning));
   import_gltf(target, std::move(converted.glb));
 }

@@ -21,22 +21,31 @@ class PlyValues {
   PlyValues(ImportReader& reader, PlyEncoding encoding, std::string name)
       : reader_(reader), encoding_(encoding), name_(std::move(name)) {}
 
-  /// In ASCII each record has its own line; empty lines are skipped.
+  /// ASCII is read word by word, as other readers do: a record may go over lines, and a line may hold
+  /// several.
   void begin_record() {
-    if (encoding_ != PlyEncoding::ascii) return;
-    while (trimmed(line_).empty()) {
-      if (!reader_.next_line(line_)) fail(place(), "the file ends too soon");
-    }
+    if (encoding_ == PlyEncoding::ascii) several_in_line_ = several_in_line_ || !trimmed(line_).empty();
   }
 
-  void end_record() {
-    if (encoding_ != PlyEncoding::ascii) return;
-    if (!trimmed(line_).empty()) fail(place(), "more values than the element has properties");
-    line_ = {};
+  /// After the last record: what is left. Error where records did not fit their lines and something is left:
+  /// then lines hold values that the header does not name, and what was read is not what was meant.
+  void finish(FileImport& target) {
+    if (encoding_ != PlyEncoding::ascii)
+      return target.warn("bytes after the last element were skipped", reader_.left());
+    uint64_t lines = trimmed(line_).empty() ? 0 : 1;
+    if (lines > 0) several_in_line_ = true;
+    while (reader_.next_line(line_)) lines += trimmed(line_).empty() ? 0 : 1;
+    if (lines > 0 && several_in_line_)
+      fail(name_, "lines hold more values than their elements have properties ({} lines are left at the end)",
+           lines);
+    target.warn("lines after the last element were skipped", lines);
   }
 
   double read(PlyType type) {
     if (encoding_ == PlyEncoding::ascii) {
+      while (trimmed(line_).empty()) {
+        if (!reader_.next_line(line_)) fail(place(), "the file ends too soon");
+      }
       const auto number = to_number(take_word(line_));
       if (!number) fail(place(), "a number is missing");
       return *number;
@@ -53,16 +62,26 @@ class PlyValues {
     return static_cast<uint64_t>(value);
   }
 
+  /// A vertex's number; nothing for -1, in an unsigned type its largest value.
+  std::optional<uint32_t> read_vertex_or_end(PlyType type, uint64_t vertex_count) {
+    const double value = read(type);
+    const double largest = type == PlyType::uint8    ? 255
+                           : type == PlyType::uint16 ? 65535
+                           : type == PlyType::uint32 ? 4294967295
+                                                     : -1;
+    if (value == -1 || (value == largest && value >= static_cast<double>(vertex_count))) return std::nullopt;
+    if (!(value >= 0 && value < static_cast<double>(vertex_count)) || value != std::floor(value))
+      fail(place(), "a strip's vertex is {}, and must be from 0 to {}", value, vertex_count - 1);
+    return static_cast<uint32_t>(value);
+  }
+
   /// The length of a list, checked against what the file can still hold.
   uint64_t read_length(const PlyProperty& property) {
     const uint64_t smallest = encoding_ == PlyEncoding::ascii ? 1 : scalar_bytes(property.type);
-    const uint64_t left = encoding_ == PlyEncoding::ascii ? line_.size() : reader_.left();
     const uint64_t length =
         read_index(*property.count_type, std::numeric_limits<uint32_t>::max(), "a list's length");
-    if (length > left / smallest) {
-      fail(place(), "the {} ends within a list of {} values",
-           encoding_ == PlyEncoding::ascii ? "line" : "file", length);
-    }
+    const uint64_t left = reader_.left() + (encoding_ == PlyEncoding::ascii ? line_.size() : 0);
+    if (length > left / smallest) fail(place(), "the file ends within a list of {} values", length);
     return length;
   }
 
@@ -81,6 +100,7 @@ class PlyValues {
   PlyEncoding encoding_;
   std::string name_;
   std::string_view line_;
+  bool several_in_line_ = false;  ///< whether a record began within a line
 };
 
 /// Which properties of a vertex hold x, y and z.
@@ -104,7 +124,7 @@ std::array<size_t, 3> coordinates_of(const PlyElement& element, FileImport& targ
 size_t corner_list_of(const PlyElement& element, uint64_t vertex_count, const FileImport& target) {
   const auto list = element.find({"vertex_indices", "vertex_index"});
   if (!list || !element.properties[*list].count_type)
-    fail(target.place(), "element \"face\" has no list \"vertex_indices\"");
+    fail(target.place(), "element \"{}\" has no list \"vertex_indices\"", element.name);
   if (vertex_count == 0) fail(target.place(), "faces without vertices");
   return *list;
 }
@@ -125,7 +145,6 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
         if (k == at[static_cast<size_t>(axis)]) position[axis] = value;
       }
     }
-    values.end_record();
     spool.add_vertex(position);
   }
 }
@@ -148,8 +167,45 @@ void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& val
         corner = static_cast<uint32_t>(values.read_index(property.type, vertex_count - 1, "a face's vertex"));
       }
     }
-    values.end_record();
     spool.add_face(corners, 0);
+  }
+}
+
+/// Adds the triangles between the corners from `begin` on: every second one turns the other way.
+void add_strip(std::span<const uint32_t> strip, MeshSpool& spool) {
+  for (size_t i = 2; i < strip.size(); ++i) {
+    const uint32_t a = strip[i - 2], b = strip[i - 1], c = strip[i];
+    if (a == b || b == c || c == a) continue;  // joins two strips
+    spool.add_face(i % 2 == 0 ? std::array{a, b, c} : std::array{b, a, c}, 0);
+  }
+}
+
+/// Lists of strips, each of which ends with −1 or with its list.
+void read_strips(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
+                 MeshSpool& spool) {
+  if (element.count == 0) return;
+  const size_t list = corner_list_of(element, vertex_count, target);
+  std::vector<uint32_t> strip;
+  for (uint64_t i = 0; i < element.count; ++i) {
+    values.begin_record();
+    for (size_t k = 0; k < element.properties.size(); ++k) {
+      const PlyProperty& property = element.properties[k];
+      if (k != list) {
+        values.skip(property);
+        continue;
+      }
+      strip.clear();
+      for (uint64_t left = values.read_length(property); left > 0; --left) {
+        const auto vertex = values.read_vertex_or_end(property.type, vertex_count);
+        if (vertex) {
+          strip.push_back(*vertex);
+          continue;
+        }
+        add_strip(strip, spool);
+        strip.clear();
+      }
+      add_strip(strip, spool);
+    }
   }
 }
 
@@ -175,6 +231,7 @@ bool can_stream(const PlyHeader& header) {
     const auto record = element.record_bytes();
     if (element.name == "vertex" && (!record || !offset_known || *record > PositionTable::max_stride))
       return false;
+    if (element.name == "tristrips" && element.count > 0) return false;
     if (element.name == "face" && !offset_known) return false;
     faces = faces || element.name == "face";
     offset_known = offset_known && record;
@@ -183,7 +240,7 @@ bool can_stream(const PlyHeader& header) {
 }
 
 void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count, FileImport& target) {
-  const auto source = std::make_shared<StreamSource>(target.file());
+  const auto source = target.content();
   PositionTable vertices;
   FaceTable faces{.source = source, .element = {}, .material = {}, .end = source->size()};
   for (const PlyElement& element : header.elements) {
@@ -216,7 +273,7 @@ void warn_of_unused(const PlyHeader& header, FileImport& target) {
   static constexpr std::array colours = {"red",   "green",       "blue",
                                          "alpha", "diffuse_red", "r"};  // have a warning
   for (const PlyElement& element : header.elements) {
-    if (element.name != "vertex" && element.name != "face") continue;
+    if (element.name != "vertex" && element.name != "face" && element.name != "tristrips") continue;
     std::string names;
     for (const PlyProperty& property : element.properties) {
       const bool known = std::count(used.begin(), used.end(), property.name) > 0 ||
@@ -243,13 +300,13 @@ uint64_t count_of(const PlyHeader& header, const std::string& name, const FileIm
 }  // namespace
 
 void import_ply(FileImport& target) {
-  ImportReader reader(target.file());
+  ImportReader reader(target.content());
   const PlyHeader header = read_ply_header(reader);
-  if (count_of(header, "tristrips", target) > 0)
-    fail(target.place(), "holds triangle strips, which are not supported");
   const uint64_t vertex_count = count_of(header, "vertex", target);
   const uint64_t face_count = count_of(header, "face", target);
-  if (face_count == 0) fail(target.place(), "holds no triangles");
+  if (face_count == 0 && count_of(header, "tristrips", target) == 0)
+    fail(target.place(), "holds no triangles: {} points, which are not drawn", vertex_count);
+  target.warn("statements of the header are not understood and were skipped", header.unknown_statements);
   warn_of_unused(header, target);
   if (can_stream(header) && target.should_stream(face_count))
     return add_stream(header, reader.offset(), vertex_count, target);
@@ -261,17 +318,17 @@ void import_ply(FileImport& target) {
       read_vertices(element, values, target, spool);
     } else if (element.name == "face") {
       read_faces(element, vertex_count, values, target, spool);
+    } else if (element.name == "tristrips") {
+      read_strips(element, vertex_count, values, target, spool);
     } else {
       target.warn(fmt::format("records of the element \"{}\" were skipped", element.name), element.count);
       for (uint64_t i = 0; i < element.count; ++i) {
         values.begin_record();
         for (const PlyProperty& property : element.properties) values.skip(property);
-        values.end_record();
       }
     }
   }
-  if (header.encoding != PlyEncoding::ascii)
-    target.warn("bytes after the last element were skipped", reader.left());
+  values.finish(target);
   spool.finish();
 }
 

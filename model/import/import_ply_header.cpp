@@ -48,7 +48,8 @@ PlyElement read_element(std::string_view line, const ImportReader& reader) {
 PlyEncoding read_encoding(std::string_view line, const ImportReader& reader) {
   const std::string_view encoding = take_word(line);
   const std::string_view version = take_word(line);
-  if (version != "1.0") fail(reader.line_place(), "version \"{}\" is not known", version.substr(0, 40));
+  if (!version.empty() && !version.starts_with("1."))
+    fail(reader.line_place(), "version \"{}\" is not known", version.substr(0, 40));
   if (encoding == "ascii") return PlyEncoding::ascii;
   if (encoding == "binary_little_endian") return PlyEncoding::little_endian;
   if (encoding == "binary_big_endian") return PlyEncoding::big_endian;
@@ -119,7 +120,7 @@ PlyHeader read_ply_header(ImportReader& reader) {
       check_promises(header, reader);
       return header;
     } else {
-      fail(reader.line_place(), "\"{}\" is not a statement of a PLY header", word.substr(0, 40));
+      ++header.unknown_statements;
     }
   }
   fail(reader.line_place(), "the file ends within its header");

@@ -35,6 +35,7 @@ enum class PlyEncoding { ascii, little_endian, big_endian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
+  uint64_t unknown_statements = 0;  ///< lines that were skipped
 };
 
 /// Reads up to "end_header". Error (line) for a header that is damaged or declares more data than the file

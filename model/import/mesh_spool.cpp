@@ -1,7 +1,6 @@
 #include "model/import/mesh_spool.hpp"
 
 #include "base/error.hpp"
-#include "base/unnamed_file.hpp"
 #include "model/import/mesh_stream_faces.hpp"
 #include "model/import/triangulate.hpp"
 
@@ -12,32 +11,8 @@
 namespace triptych {
 
 namespace {
-constexpr size_t block_bytes = size_t{1} << 20;
 constexpr uint64_t max_in_memory = uint64_t{1} << 18;
 }  // namespace
-
-void ByteSpool::append(std::span<const std::byte> bytes) {
-  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-  if (file_.is_open() && buffer_.size() >= block_bytes) flush();
-}
-
-void ByteSpool::move_to_file(const std::filesystem::path& folder) {
-  name_ = folder.empty() ? "the folder for temporary files" : folder.string();
-  file_ = open_unnamed_file(folder);
-  flush();
-}
-
-void ByteSpool::flush() {
-  write_all(file_.number(), buffer_, name_ + ": a temporary file");
-  written_ += buffer_.size();
-  buffer_.clear();
-  if (buffer_.capacity() > 4 * block_bytes) buffer_.shrink_to_fit();
-}
-
-std::shared_ptr<const StreamSource> ByteSpool::take_file(const std::string& name) {
-  flush();
-  return std::make_shared<StreamSource>(name, std::move(file_));
-}
 
 void MeshSpool::add_vertex(const glm::dvec3& position) {
   if (vertex_count() == std::numeric_limits<uint32_t>::max())

@@ -1,40 +1,16 @@
 // Collects the vertices and faces of a file that cannot be streamed into meshes.
 #pragma once
 
-#include "base/descriptor.hpp"
+#include "model/import/byte_spool.hpp"
 #include "model/import/import_file.hpp"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace triptych {
-
-class StreamSource;
-
-/// Bytes that are appended: in memory at first, then in a temporary file that was unlinked, so that nothing
-/// is left of it however the program ends.
-class ByteSpool {
- public:
-  void append(std::span<const std::byte> bytes);
-  uint64_t size() const { return written_ + buffer_.size(); }
-  /// Moves all bytes, and those that follow, to a file in the folder. Error (folder) if that fails.
-  void move_to_file(const std::filesystem::path& folder);
-  /// The bytes in memory: all of them before move_to_file.
-  std::span<const std::byte> bytes() const { return buffer_; }
-  /// Returns the file, under the name that errors and warnings use; nothing may be appended after that.
-  std::shared_ptr<const StreamSource> take_file(const std::string& name);
-
- private:
-  void flush();
-  std::string name_;
-  Descriptor file_;
-  uint64_t written_ = 0;
-  std::vector<std::byte> buffer_;
-};
 
 /// Takes vertices and faces in any order, and places the meshes in the end: in memory where they are few, at
 /// most 262,144 triangles and vertices and what is left of ImportOptions::max_in_memory, otherwise as

@@ -89,6 +89,17 @@ void write_text_formats() {
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
         "1e9\nendloop\nendfacet\n"
         "endsolid a\n");
+  write("dxf/insert.dxf",
+        "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nA\n62\n-"
+        "1\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nT\n0\n3DFACE\n"
+        "8\nA\n10\n0\n20\n0\n11\n1\n12\n0\n22\n1\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2"
+        "\nT\n"
+        "50\n30\n70\n2\n44\n3\n0\nPOLYLINE\n70\n64\n0\nVERTEX\n70\n192\n10\n1\n0\nVERTEX\n70\n128\n71\n1\n0\n"
+        "SEQEND\n"
+        "0\nLWPOLYLINE\n39\n2\n43\n1\n10\n0\n20\n0\n42\n1\n10\n4\n20\n0\n0\nMESH\n92\n1\n10\n0\n20\n0\n30\n0"
+        "\n93\n1\n"
+        "90\n1\n0\nENDSEC\n0\nEOF\n");
+  write("3mf/empty.3mf", std::string("PK\5\6") + std::string(18, '\0'));
   ByteWriter stl;
   stl.write_all(std::span<const char>(std::string(80, 's')));
   stl.write(1u);

@@ -1,8 +1,7 @@
-#include "import_support.hpp"
+#include "gltf_support.hpp"
 
 #include <cmath>
 #include <glm/vec4.hpp>
-#include <nlohmann/json.hpp>
 
 namespace triptych {
 namespace {
@@ -10,57 +9,15 @@ namespace {
 using nlohmann::json;
 using test::append;
 using test::expect_robust;
+using test::glb;
 using test::import_error;
+using test::import_json;
 using test::import_text;
+using test::json_error;
+using test::square;
+using test::square_bytes;
 using test::warns;
 using test::write_model;
-
-/// Four corners of a square as floats (48 bytes), then indices 0 1 2 2 1 3 as 16 bits (12 bytes).
-std::string square_bytes() {
-  std::string bytes;
-  for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 1.f, 0.f}) append(bytes, value);
-  for (const int index : {0, 1, 2, 2, 1, 3}) append(bytes, static_cast<uint16_t>(index));
-  return bytes;
-}
-
-/// A glTF document of one square mesh on one node; its buffer is square.bin.
-json square() {
-  return json::parse(R"({
-    "asset": {"version": "2.0"},
-    "buffers": [{"byteLength": 60, "uri": "square.bin"}],
-    "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
-    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
-                  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
-    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 0.75]}}],
-    "meshes": [{"name": "square", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
-    "nodes": [{"mesh": 0}],
-    "scenes": [{"nodes": [0]}],
-    "scene": 0})");
-}
-
-Model import_json(const json& document) {
-  write_model("square.bin", square_bytes());
-  return import_text("a.gltf", document.dump());
-}
-
-std::string json_error(const json& document) {
-  write_model("square.bin", square_bytes());
-  return import_error("a.gltf", document.dump());
-}
-
-std::string glb(json document, std::string bytes) {
-  document["buffers"] = {{{"byteLength", bytes.size()}}};
-  std::string text = document.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  bytes.resize((bytes.size() + 3) / 4 * 4);
-  std::string file = "glTF";
-  append(file, 2u);
-  append(file, static_cast<uint32_t>(28 + text.size() + bytes.size()));
-  append(file, static_cast<uint32_t>(text.size()));
-  file += "JSON" + text;
-  append(file, static_cast<uint32_t>(bytes.size()));
-  return file + std::string("BIN\0", 4) + bytes;
-}
 
 TEST(ImportGltf, a_mesh_comes_with_its_positions_triangles_and_base_colour) {
   const Model model = import_json(square());
@@ -90,12 +47,15 @@ TEST(ImportGltf, transforms_are_composed_in_double_down_the_tree) {
   EXPECT_EQ(model.instances[1].transform[2], glm::dvec3(0, 0, -1));
 }
 
-TEST(ImportGltf, without_a_default_scene_every_root_is_placed_and_with_one_only_its_own) {
+TEST(ImportGltf, one_scene_is_placed_the_default_or_the_first_and_every_root_where_there_is_none) {
   json document = square();
   document["nodes"] = json::parse(R"([{"mesh": 0}, {"children": [2]}, {"mesh": 0}])");
   EXPECT_EQ(import_json(document).instances.size(), 1u);
+  document["scenes"] = json::parse(R"([{"nodes": [0]}, {"nodes": [1]}])");
   document.erase("scene");
-  EXPECT_EQ(import_json(document).instances.size(), 2u);
+  const Model first = import_json(document);
+  EXPECT_EQ(first.instances.size(), 1u);
+  EXPECT_TRUE(warns(first, "1 scenes beside the one that is shown first were not imported"));
   document.erase("scenes");
   EXPECT_EQ(import_json(document).instances.size(), 2u);
 }
@@ -211,7 +171,7 @@ TEST(ImportGltf, every_range_is_checked) {
     change(document);
     const std::string error = json_error(document);
     EXPECT_NE(error, "");
-    return error;
+    return error.substr(std::min(error.size(), error.find("mesh 0")));
   };
   EXPECT_EQ(refused([](json& d) { d["accessors"][0]["count"] = 5; }).substr(0, 19), "mesh 0 primitive 0 ");
   refused([](json& d) { d["accessors"][0]["count"] = 1000000000000ull; });
@@ -232,7 +192,6 @@ TEST(ImportGltf, every_range_is_checked) {
   refused([](json& d) { d["meshes"][0]["primitives"][0]["mode"] = 9; });
   refused([](json& d) { d["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 99; });
   refused([](json& d) { d["nodes"][0]["matrix"] = {1, 2, 3}; });
-  refused([](json& d) { d["nodes"][0]["rotation"] = {0, 0, 0, 0}; });
   refused([](json& d) { d["scene"] = 4; });
   EXPECT_EQ(refused([](json& d) {
               d["accessors"][1]["bufferView"] = 0, d["accessors"][1]["byteOffset"] = 12;
@@ -256,7 +215,7 @@ TEST(ImportGltf, a_binary_file_that_is_cut_or_lies_about_its_lengths_is_refused)
   for (size_t length = 0; length < whole.size(); ++length)
     ASSERT_NE(import_error("a.glb", whole.substr(0, length)), "") << length;
   EXPECT_NE(import_error("a.glb", std::string("glTF\x02\0\0\0\xff\xff\xff\x7f", 12)), "");
-  for (const size_t at : {size_t{8}, size_t{12}, whole.find("BIN") - 4}) {
+  for (const size_t at : {size_t{12}, whole.find("BIN") - 4}) {
     for (const uint32_t value : {0u, 0x7fffffffu, 0xffffffffu, 0xfffffffcu}) {
       std::string damaged = whole;
       std::memcpy(damaged.data() + at, &value, sizeof(value));

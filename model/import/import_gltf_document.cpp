@@ -1,0 +1,252 @@
+#include "model/import/import_gltf_document.hpp"
+
+#include "base/error.hpp"
+#include "base/one_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace triptych {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Reads members of objects; counts those of the wrong type.
+class MemberReader {
+ public:
+  explicit MemberReader(std::map<std::string, uint64_t>& misread) : misread_(misread) {}
+
+  /// The member, or null where there is none.
+  static const Json* find(const Json& object, const char* name) {
+    if (!object.is_object()) return nullptr;
+    const auto found = object.find(name);
+    return found == object.end() ? nullptr : &*found;
+  }
+
+  int64_t integer(const Json& object, const char* name, int64_t otherwise) {
+    const Json* value = find(object, name);
+    return value ? whole(*value, name, otherwise) : otherwise;
+  }
+  /// Whole numbers may be written as 5.0.
+  int64_t whole(const Json& value, const char* name, int64_t otherwise) {
+    if (value.is_number_unsigned() && value.get<uint64_t>() <= uint64_t{1} << 62) return value.get<int64_t>();
+    if (value.is_number_integer() && !value.is_number_unsigned()) return value.get<int64_t>();
+    if (value.is_number_float() && std::abs(value.get<double>()) < 1e15 &&
+        value.get<double>() == std::floor(value.get<double>()))
+      return static_cast<int64_t>(value.get<double>());
+    ++misread_[name];
+    return otherwise;
+  }
+  /// What is no size is one that no buffer has, so that its use is an error.
+  uint64_t size(const Json& object, const char* name) {
+    const Json* value = find(object, name);
+    if (!value) return 0;
+    if (value->is_number_unsigned()) return value->get<uint64_t>();
+    const int64_t number = whole(*value, name, -1);
+    return number < 0 ? ~uint64_t{0} : static_cast<uint64_t>(number);
+  }
+  std::string text(const Json& object, const char* name) {
+    const Json* value = find(object, name);
+    if (!value) return "";
+    if (value->is_string()) return value->get<std::string>();
+    ++misread_[name];
+    return "";
+  }
+  bool flag(const Json& object, const char* name, bool otherwise) {
+    const Json* value = find(object, name);
+    if (!value) return otherwise;
+    if (value->is_boolean()) return value->get<bool>();
+    ++misread_[name];
+    return otherwise;
+  }
+  /// The list's entries; an empty one where there is none.
+  const Json& list(const Json& object, const char* name) {
+    static const Json none = Json::array();
+    const Json* value = find(object, name);
+    if (!value) return none;
+    if (value->is_array()) return *value;
+    ++misread_[name];
+    return none;
+  }
+  std::vector<int64_t> integers(const Json& object, const char* name) {
+    std::vector<int64_t> numbers;
+    for (const Json& value : list(object, name)) numbers.push_back(whole(value, name, -1));
+    return numbers;
+  }
+  std::vector<double> numbers(const Json& object, const char* name) {
+    std::vector<double> numbers;
+    for (const Json& value : list(object, name)) {
+      if (!value.is_number()) ++misread_[name];
+      numbers.push_back(value.is_number() ? value.get<double>() : std::nan(""));
+    }
+    return numbers;
+  }
+  std::map<std::string, int64_t> references(const Json& object, const char* name) {
+    std::map<std::string, int64_t> references;
+    const Json* value = find(object, name);
+    if (!value) return references;
+    if (!value->is_object()) ++misread_[name];
+    if (value->is_object()) {
+      for (const auto& [key, number] : value->items()) references[key] = whole(number, name, -1);
+    }
+    return references;
+  }
+  static const Json* extension(const Json& object, const char* name) {
+    const Json* extensions = find(object, "extensions");
+    return extensions ? find(*extensions, name) : nullptr;
+  }
+
+ private:
+  std::map<std::string, uint64_t>& misread_;
+};
+
+class DocumentParser {
+ public:
+  explicit DocumentParser(GltfDocument& document) : document_(document), members_(document.misread) {}
+
+  void parse(const Json& json) {
+    if (const Json* asset = MemberReader::find(json, "asset"))
+      document_.version = members_.text(*asset, "version");
+    for (const Json& entry : members_.list(json, "bufferViews")) document_.views.push_back(view(entry));
+    for (const Json& entry : members_.list(json, "accessors")) document_.accessors.push_back(accessor(entry));
+    for (const Json& entry : members_.list(json, "materials")) document_.materials.push_back(material(entry));
+    for (const Json& entry : members_.list(json, "meshes")) document_.meshes.push_back(mesh(entry));
+    for (const Json& entry : members_.list(json, "nodes")) document_.nodes.push_back(node(entry));
+    for (const Json& entry : members_.list(json, "skins"))
+      document_.skins.push_back(
+          {members_.integers(entry, "joints"), members_.integer(entry, "inverseBindMatrices", -1)});
+    for (const Json& entry : members_.list(json, "scenes"))
+      document_.scenes.push_back(members_.integers(entry, "nodes"));
+    document_.default_scene = members_.integer(json, "scene", -1);
+    for (const Json& entry : members_.list(json, "extensionsRequired")) {
+      if (entry.is_string()) document_.required_extensions.push_back(entry.get<std::string>());
+    }
+    document_.animations = members_.list(json, "animations").size();
+  }
+
+ private:
+  GltfView view(const Json& entry) {
+    GltfView view{members_.integer(entry, "buffer", -1),
+                  members_.size(entry, "byteOffset"),
+                  members_.size(entry, "byteLength"),
+                  members_.size(entry, "byteStride"),
+                  {}};
+    const Json* meshopt = MemberReader::extension(entry, "EXT_meshopt_compression");
+    if (!meshopt) meshopt = MemberReader::extension(entry, "KHR_meshopt_compression");
+    if (meshopt) {
+      view.meshopt = {members_.integer(*meshopt, "buffer", -1), members_.size(*meshopt, "byteOffset"),
+                      members_.size(*meshopt, "byteLength"),    members_.size(*meshopt, "byteStride"),
+                      members_.size(*meshopt, "count"),         members_.text(*meshopt, "mode"),
+                      members_.text(*meshopt, "filter")};
+    }
+    return view;
+  }
+
+  GltfAccessorEntry accessor(const Json& entry) {
+    GltfAccessorEntry accessor{members_.integer(entry, "bufferView", -1),
+                               members_.size(entry, "byteOffset"),
+                               members_.size(entry, "count"),
+                               static_cast<int>(members_.integer(entry, "componentType", 0) & 0xffff),
+                               members_.text(entry, "type"),
+                               members_.flag(entry, "normalized", false),
+                               {}};
+    const Json* sparse = MemberReader::find(entry, "sparse");
+    if (!sparse) return accessor;
+    static const Json none = Json::object();
+    const Json* indices = MemberReader::find(*sparse, "indices");
+    const Json* values = MemberReader::find(*sparse, "values");
+    indices = indices ? indices : &none;
+    values = values ? values : &none;
+    accessor.sparse = {members_.size(*sparse, "count"),
+                       members_.integer(*indices, "bufferView", -1),
+                       members_.integer(*values, "bufferView", -1),
+                       members_.size(*indices, "byteOffset"),
+                       members_.size(*values, "byteOffset"),
+                       static_cast<int>(members_.integer(*indices, "componentType", 0) & 0xffff)};
+    return accessor;
+  }
+
+  GltfMaterial material(const Json& entry) {
+    GltfMaterial material;
+    const auto take_color = [&](const Json& from, const char* factor, const char* texture) {
+      const std::vector<double> color = members_.numbers(from, factor);
+      for (size_t i = 0; i < std::min<size_t>(color.size(), 4); ++i)
+        material.base_color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0, 1.0) : 1.0;
+      material.textured = material.textured || MemberReader::find(from, texture) != nullptr;
+    };
+    if (const Json* rough = MemberReader::find(entry, "pbrMetallicRoughness"))
+      take_color(*rough, "baseColorFactor", "baseColorTexture");
+    if (const Json* glossy = MemberReader::extension(entry, "KHR_materials_pbrSpecularGlossiness")) {
+      material.base_color = {1, 1, 1, 1};
+      take_color(*glossy, "diffuseFactor", "diffuseTexture");
+    }
+    const std::string alpha = members_.text(entry, "alphaMode");
+    material.transparent = !alpha.empty() && alpha != "OPAQUE";
+    return material;
+  }
+
+  GltfMesh mesh(const Json& entry) {
+    GltfMesh mesh{members_.text(entry, "name"), {}};
+    for (const Json& given : members_.list(entry, "primitives")) {
+      GltfPrimitive primitive;
+      primitive.attributes = members_.references(given, "attributes");
+      primitive.indices = members_.integer(given, "indices", -1);
+      primitive.material = members_.integer(given, "material", -1);
+      primitive.mode = members_.integer(given, "mode", 4);
+      primitive.has_targets = !members_.list(given, "targets").empty();
+      if (const Json* draco = MemberReader::extension(given, "KHR_draco_mesh_compression")) {
+        const auto attributes = members_.references(*draco, "attributes");
+        const auto positions = attributes.find("POSITION");
+        primitive.draco = {members_.integer(*draco, "bufferView", -1),
+                           positions == attributes.end() ? -1 : positions->second};
+      }
+      mesh.primitives.push_back(std::move(primitive));
+    }
+    return mesh;
+  }
+
+  GltfNode node(const Json& entry) {
+    GltfNode node;
+    node.mesh = members_.integer(entry, "mesh", -1);
+    node.skin = members_.integer(entry, "skin", -1);
+    node.children = members_.integers(entry, "children");
+    node.matrix = members_.numbers(entry, "matrix");
+    node.translation = members_.numbers(entry, "translation");
+    node.rotation = members_.numbers(entry, "rotation");
+    node.scale = members_.numbers(entry, "scale");
+    if (const Json* visibility = MemberReader::extension(entry, "KHR_node_visibility"))
+      node.visible = members_.flag(*visibility, "visible", true);
+    if (const Json* instancing = MemberReader::extension(entry, "EXT_mesh_gpu_instancing"))
+      node.instancing = members_.references(*instancing, "attributes");
+    return node;
+  }
+
+  GltfDocument& document_;
+  MemberReader members_;
+};
+
+}  // namespace
+
+GltfDocument parse_gltf(const std::string& json, const std::string& place) {
+  GltfDocument document;
+  Json parsed = Json::parse(json, nullptr, false);
+  if (parsed.is_discarded()) {
+    // Names in another encoding than UTF-8 are no reason to lose a file.
+    std::string plain = json;
+    std::replace_if(
+        plain.begin(), plain.end(), [](char letter) { return static_cast<unsigned char>(letter) >= 0x80; },
+        '?');
+    try {
+      parsed = Json::parse(plain);
+    } catch (const Json::exception& error) {
+      fail(place, "is not JSON: {}", one_line(std::string(error.what()).substr(0, 160)));
+    }
+  }
+  if (!parsed.is_object()) fail(place, "is not glTF: its JSON is no object");
+  DocumentParser(document).parse(parsed);
+  return document;
+}
+
+}  // namespace triptych

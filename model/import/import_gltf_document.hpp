@@ -1,0 +1,112 @@
+// The JSON of a glTF file as values. Only what is drawn is read: skins' weights, animations, cameras,
+// textures and unknown extensions can be of any form. Numbers are as the file gives them, references are not
+// checked.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+enum GltfComponent : int {
+  gltf_byte = 5120,
+  gltf_unsigned_byte = 5121,
+  gltf_short = 5122,
+  gltf_unsigned_short = 5123,
+  gltf_int = 5124,
+  gltf_unsigned_int = 5125,
+  gltf_float = 5126,
+  gltf_double = 5130
+};
+
+/// EXT_meshopt_compression of a buffer view.
+struct GltfMeshopt {
+  int64_t buffer = -1;
+  uint64_t offset = 0, length = 0, stride = 0, count = 0;
+  std::string mode, filter;
+};
+
+struct GltfView {
+  int64_t buffer = -1;
+  uint64_t offset = 0, length = 0, stride = 0;
+  std::optional<GltfMeshopt> meshopt;
+};
+
+struct GltfSparse {
+  uint64_t count = 0;
+  int64_t indices_view = -1, values_view = -1;
+  uint64_t indices_offset = 0, values_offset = 0;
+  int indices_type = 0;
+};
+
+struct GltfAccessorEntry {
+  int64_t view = -1;
+  uint64_t offset = 0, count = 0;
+  int component_type = 0;
+  std::string type;  ///< "SCALAR", "VEC3" ...
+  bool normalized = false;
+  std::optional<GltfSparse> sparse;
+};
+
+/// KHR_draco_mesh_compression of a primitive.
+struct GltfDraco {
+  int64_t view = -1;
+  int64_t positions = -1;  ///< the id of Draco's attribute
+};
+
+struct GltfPrimitive {
+  std::map<std::string, int64_t> attributes;  ///< accessors
+  int64_t indices = -1, material = -1, mode = 4;
+  bool has_targets = false;
+  std::optional<GltfDraco> draco;
+};
+
+struct GltfMesh {
+  std::string name;
+  std::vector<GltfPrimitive> primitives;
+};
+
+struct GltfNode {
+  int64_t mesh = -1, skin = -1;
+  std::vector<int64_t> children;
+  std::vector<double> matrix, translation, rotation, scale;  ///< empty where they are not given
+  bool visible = true;                                       ///< KHR_node_visibility
+  /// EXT_mesh_gpu_instancing: accessors.
+  std::optional<std::map<std::string, int64_t>> instancing;
+};
+
+struct GltfSkin {
+  std::vector<int64_t> joints;
+  int64_t inverse_bind_matrices = -1;
+};
+
+struct GltfMaterial {
+  std::array<double, 4> base_color = {1, 1, 1, 1};  ///< diffuse of specular-glossiness
+  bool textured = false, transparent = false;
+};
+
+struct GltfDocument {
+  std::string version;
+  std::vector<GltfView> views;
+  std::vector<GltfAccessorEntry> accessors;
+  std::vector<GltfMaterial> materials;
+  std::vector<GltfMesh> meshes;
+  std::vector<GltfNode> nodes;
+  std::vector<GltfSkin> skins;
+  std::vector<std::vector<int64_t>> scenes;  ///< root nodes
+  int64_t default_scene = -1;
+  std::vector<std::string> required_extensions;
+  uint64_t animations = 0;
+  /// Members of the wrong type, by what they are: they count as absent.
+  std::map<std::string, uint64_t> misread;
+};
+
+/// Parses the text. Error (place) if it is not JSON, or no object.
+GltfDocument parse_gltf(const std::string& json, const std::string& place);
+
+}  // namespace triptych

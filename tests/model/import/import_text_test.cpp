@@ -1,0 +1,93 @@
+// What all readers of text share: byte order marks, line ends, numbers, names of other files.
+#include "import_support.hpp"
+#include "model/import/beside.hpp"
+#include "model/import/import_reader.hpp"
+
+#include <cmath>
+
+namespace triptych {
+namespace {
+
+using test::import_error;
+using test::import_text;
+using test::warns;
+using test::write_model;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  ImportReader reader(write_model("lines.txt", text));
+  std::vector<std::string> lines;
+  for (std::string_view line; reader.next_line(line);) lines.emplace_back(line);
+  EXPECT_EQ(reader.left(), 0u);
+  return lines;
+}
+
+TEST(ImportText, lines_end_with_any_of_three_marks_and_a_byte_order_mark_is_no_letter) {
+  const std::vector<std::string> expected = {"a", "", "b c"};
+  EXPECT_EQ(lines_of("a\n\nb c\n"), expected);
+  EXPECT_EQ(lines_of("a\r\n\r\nb c\r\n"), expected);
+  EXPECT_EQ(lines_of("a\r\rb c\r"), expected);
+  EXPECT_EQ(lines_of("\xef\xbb\xbf"
+                     "a\r\n\nb c"),
+            expected);
+  EXPECT_TRUE(lines_of("\xef\xbb\xbf").empty());
+  EXPECT_THROW(lines_of("\xff\xfe"
+                        "a"),
+               Error);
+}
+
+TEST(ImportText, lines_across_blocks_are_whole_whatever_ends_them) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string text;
+    std::vector<std::string> expected;
+    for (size_t i = 0; text.size() < 1'200'000; ++i) {
+      expected.push_back(std::string(i % 97, 'x') + std::to_string(i));
+      text += expected.back() + end;
+    }
+    EXPECT_EQ(lines_of(text), expected);
+  }
+}
+
+TEST(ImportText, numbers_that_visual_c_wrote_are_no_numbers_but_no_error_either) {
+  for (const char* word : {"1.#QNAN", "-1.#IND", "1.#INF", "nan", "-nan(ind)"}) {
+    ASSERT_TRUE(to_number(word)) << word;
+    EXPECT_FALSE(std::isfinite(*to_number(word)) && *to_number(word) != 0) << word;
+  }
+  EXPECT_FALSE(to_number("1,5"));
+  EXPECT_FALSE(to_number("1.5x"));
+}
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST(ImportText, an_unknown_statement_shifts_nothing_and_is_named) {
+  const Model model = import_text("a.obj", "\xef\xbb\xbfv 0 0 0\nhello there\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+  EXPECT_EQ(model.source_triangles(), 1u);
+  EXPECT_TRUE(warns(model, "1 statements \"hello\" are not understood"));
+}
+
+TEST(ImportText, a_backslash_continues_a_line_but_not_a_comment) {
+  EXPECT_EQ(import_text("a.obj", "# C:\\models\\\n" + square + "f 1 2 \\\n3 4\n").source_triangles(), 2u);
+}
+
+glm::vec4 first_color(const std::string& obj) {
+  const Model model = import_text("a.obj", obj);
+  return model.materials[model.meshes[0].triangles[0].material].base_color;
+}
+
+TEST(ImportText, libraries_are_found_however_their_names_are_written) {
+  write_model("Two Parts.MTL", "\xef\xbb\xbfnewmtl Material#25\nKd 1 0 0\n");
+  const std::string faces = square + "usemtl Material#25\nf 1 2 3\n";
+  for (const std::string name : {"Two Parts.MTL", "\"Two Parts.MTL\"", "two parts.mtl", ".\\Two Parts.MTL",
+                                 "C:\\models\\two parts.mtl"})
+    EXPECT_EQ(first_color("mtllib " + name + "\n" + faces), glm::vec4(1, 0, 0, 1)) << name;
+  EXPECT_EQ(first_color(faces + "mtllib Two Parts.MTL\n"), glm::vec4(1, 0, 0, 1)) << "late";
+  EXPECT_EQ(first_color(faces), Material().base_color);
+}
+
+TEST(ImportText, a_colour_that_cannot_be_read_loses_no_file) {
+  write_model("bad.mtl", "newmtl a\nKd red\nnewmtl b\nKd 0 0 1\n");
+  const Model model = import_text("a.obj", "mtllib bad.mtl\n" + square + "usemtl a\nf 1 2 3\n");
+  EXPECT_TRUE(warns(model, "colours without three numbers"));
+}
+
+}  // namespace
+}  // namespace triptych
