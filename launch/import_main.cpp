@@ -4,23 +4,20 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "launch/import_glb.hpp"
+#include "launch/reader_limits.hpp"
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <assimp/metadata.h>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <limits>
 #include <locale>
-#include <new>
 #include <set>
 #include <string_view>
-#include <sys/resource.h>
 #include <unistd.h>
 
 namespace triptych {
@@ -44,25 +41,6 @@ class Warnings : public Assimp::LogStream {
   static constexpr size_t most = 20;
   std::set<std::string> known_;
 };
-
-[[noreturn]] void out_of_memory() {
-  constexpr std::string_view complaint = "triptych: needs more memory to read than it is given\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, complaint.data(), complaint.size());
-  ::_exit(1);
-}
-
-void limit_memory(uint64_t bytes) {
-  const rlimit none{0, 0};
-  ::setrlimit(RLIMIT_CORE, &none);
-#if !defined(__SANITIZE_ADDRESS__)  // which reserves terabytes
-  const rlimit limit{bytes, bytes};
-  if (::setrlimit(RLIMIT_AS, &limit) != 0)
-    fail("triptych-import", "cannot limit its memory: {}", std::strerror(errno));
-#else
-  (void)bytes;
-#endif
-  std::set_new_handler(out_of_memory);
-}
 
 std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -107,7 +85,7 @@ void convert(const std::string& file) {
   const aiScene* scene = importer.ReadFile(file, 0);
   if (!scene) {
     const std::string why = importer.GetErrorString();
-    if (why.find("bad_alloc") != std::string::npos) out_of_memory();
+    if (why.find("bad_alloc") != std::string::npos) end_out_of_memory();
     fail("Assimp", "{}", Warnings::short_line(why));
   }
   const FbxConvention convention = extension_of(file) == ".fbx" ? fbx_convention(*scene) : FbxConvention{};
@@ -142,11 +120,7 @@ int main(int count, char** arguments) {
       fmt::print(stderr, "triptych: usage: triptych-import --memory BYTES FILE 3>FILE.glb, or --formats\n");
       return 2;
     }
-    uint64_t bytes = 0;
-    const std::string_view limit = arguments[2];
-    if (std::from_chars(limit.data(), limit.data() + limit.size(), bytes).ec != std::errc())
-      fail("--memory", "\"{}\" is not a number of bytes", limit);
-    limit_memory(bytes);
+    limit_address_space(memory_argument(arguments[2]), "triptych-import");
     convert(arguments[3]);
     std::fflush(nullptr);
     ::_exit(0);  // destroying a large scene takes time, and Assimp leaks memory

@@ -84,6 +84,8 @@ void import_gltf(FileImport& target);  ///< .gltf and .glb
 void import_obj(FileImport& target);
 void import_ply(FileImport& target);
 void import_stl(FileImport& target);
+void import_ifc(FileImport& target);    ///< .ifc and .ifczip
+void import_step(FileImport& target);   ///< .step, .stp, .iges, .igs
 void import_other(FileImport& target);  ///< all formats that triptych-import reads
 
 /// The files that a model file refers to, textures included. Error for a file that cannot be opened.
@@ -92,5 +94,7 @@ std::vector<std::filesystem::path> files_beside_obj(const std::filesystem::path&
 
 /// Imports the .glb that triptych-import made from a file.
 void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source);
+/// Imports what the reader of a further format made from a file (scene_stream.hpp).
+void import_scene(FileImport& target, std::shared_ptr<const StreamSource> source);
 
 }  // namespace triptych
