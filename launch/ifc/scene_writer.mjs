@@ -14,12 +14,12 @@ export class SceneWriter {
   #meshes = new Map();
   #counts = { materials: 0, meshes: 0, propertySets: 0, objects: 0, instances: 0 };
 
-  /** unitIsDefined: whether coordinates are in metres; otherwise they are in a unit that nobody named. */
+  /** unitIsDefined: whether instances are in metres; otherwise they are in a unit that nobody named. They are y up. */
   constructor(descriptor, unitIsDefined) {
     this.#descriptor = descriptor;
     this.#bytes(Buffer.from('TRISCENE'));
     this.#u32(1);
-    this.#u32(unitIsDefined ? 1 : 0);
+    this.#u32(unitIsDefined ? 3 : 2);
   }
 
   /** The number of a display colour: red, green, blue, alpha in 0..1. */

@@ -166,9 +166,9 @@ Converted convert_model(const std::filesystem::path& file, const ImportOptions& 
          WTERMSIG(status), ::strsignal(WTERMSIG(status)), converter.library);
   }
   if (WEXITSTATUS(status) != 0) {
-    fail(place, "{}",
-         talk.complaint.empty() ? fmt::format("its reader ended with exit code {}", WEXITSTATUS(status))
-                                : talk.complaint);
+    if (!talk.complaint.empty()) fail(place, "{}", talk.complaint);
+    fail(place, "its reader ended with exit code {}; the file is damaged, or {} cannot read it",
+         WEXITSTATUS(status), converter.library);
   }
   return {std::make_shared<StreamSource>(place, std::move(output)), std::move(talk.warnings)};
 }

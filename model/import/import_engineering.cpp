@@ -10,7 +10,6 @@ namespace triptych {
 namespace {
 
 void import_with(FileImport& target, const Converter& converter) {
-  target.says_up(UpAxis::z);
   Converted converted = convert_model(target.file(), target.options(), converter);
   for (std::string& warning : converted.warnings) target.remark(std::move(warning));
   import_scene(target, std::move(converted.output));

@@ -38,7 +38,9 @@ class FileImport {
   /// The format defines which axis is up, and what is added is converted to y up already: a warning if
   /// ImportOptions differ. Nullopt: it differs from file to file.
   void says_up(std::optional<UpAxis> up);
-  /// The same for the unit; what is added is in metres.
+  /// The format does not define it, but its users agree on one: it is used where ImportOptions say nothing.
+  void assume_up(UpAxis up);
+  /// The same as says_up() for the unit; what is added is in metres.
   void says_unit(std::optional<LengthUnit> unit);
 
   /// Counts triangles that were dropped because their coordinates are not finite.

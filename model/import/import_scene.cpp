@@ -33,8 +33,13 @@ class SceneImport : public SceneSink {
   SceneImport(FileImport& target, std::shared_ptr<const StreamSource> source)
       : target_(target), source_(std::move(source)), reader_(source_) {}
 
-  void begin(bool unit_is_defined) override {
-    if (unit_is_defined) {
+  void begin(bool has_unit, bool has_axes) override {
+    if (has_axes) {
+      target_.says_up(UpAxis::z);
+    } else {
+      target_.assume_up(UpAxis::z);
+    }
+    if (has_unit) {
       target_.says_unit(std::nullopt);
     } else if (!target_.options().unit) {
       target_.remark("names no unit of length; metres are assumed (--unit says another)");

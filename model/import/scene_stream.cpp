@@ -18,7 +18,8 @@ class Reader {
       fail(window_.place(), "its reader wrote no scene");
     if (const auto version = value<uint32_t>(); version != scene_stream_version)
       fail(window_.place(), "its reader wrote version {} of a scene, not {}", version, scene_stream_version);
-    sink_.begin(value<uint32_t>() != 0);
+    const auto defined = value<uint32_t>();
+    sink_.begin((defined & unit_is_defined) != 0, (defined & axes_are_defined) != 0);
     while (next()) {
     }
   }

@@ -19,6 +19,9 @@ namespace triptych {
 inline constexpr std::array<char, 8> scene_stream_magic = {'T', 'R', 'I', 'S', 'C', 'E', 'N', 'E'};
 inline constexpr uint32_t scene_stream_version = 1;
 
+/// What the header says of the file: bits.
+inline constexpr uint32_t unit_is_defined = 1, axes_are_defined = 2;
+
 enum class SceneRecord : uint32_t { material = 1, mesh, property_set, object, instance, end };
 
 /// Where a record could name another and does not.
@@ -63,8 +66,9 @@ struct SceneInstance {
 class SceneSink {
  public:
   virtual ~SceneSink() = default;
-  /// Whether the file names its unit, and coordinates are in metres, y up; otherwise their unit is not known.
-  virtual void begin(bool /*unit_is_defined*/) {}
+  /// Whether the file names its unit, and instances are in metres, otherwise in that unit; whether its format
+  /// defines the axes, and instances are y up, otherwise in the file's axes.
+  virtual void begin(bool /*unit_is_defined*/, bool /*axes_are_defined*/) {}
   /// Red, green, blue and alpha as displayed (sRGB), 0..1.
   virtual void material(const glm::vec4& /*display_color*/) {}
   virtual void mesh(SceneMesh /*mesh*/) {}

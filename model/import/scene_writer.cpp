@@ -8,11 +8,11 @@ namespace {
 constexpr size_t buffer_bytes = size_t{1} << 20;
 }
 
-SceneWriter::SceneWriter(int descriptor, std::string place, bool unit_is_defined)
+SceneWriter::SceneWriter(int descriptor, std::string place, uint32_t defined)
     : descriptor_(descriptor), place_(std::move(place)) {
   write(scene_stream_magic);
   write(scene_stream_version);
-  write(uint32_t{unit_is_defined ? 1u : 0u});
+  write(defined);
 }
 
 uint32_t SceneWriter::material(const glm::vec4& display_color) {

@@ -16,7 +16,8 @@ namespace triptych {
 /// end(). Error (place) where the file cannot be written.
 class SceneWriter {
  public:
-  SceneWriter(int descriptor, std::string place, bool unit_is_defined);
+  /// defined: unit_is_defined | axes_are_defined
+  SceneWriter(int descriptor, std::string place, uint32_t defined);
 
   uint32_t material(const glm::vec4& display_color);
   /// Indices: three a triangle; the parts' triangles one after the other.
