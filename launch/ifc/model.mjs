@@ -69,9 +69,9 @@ export class IfcModel {
     return ids.sort((a, b) => a - b);
   }
 
-  /** Its arguments as the file has them: { type, value }, null, or an array of them. */
+  /** Its arguments as the file has them: { type, value }, null, or an array of them; none of an entity that is not there. */
   arguments(id) {
-    return this.api.GetRawLineData(this.id, id).arguments;
+    return (this.api.GetLineType(this.id, id) && this.api.GetRawLineData(this.id, id)?.arguments) || [];
   }
 }
 

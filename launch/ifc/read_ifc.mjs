@@ -1,6 +1,6 @@
 // Reads an IFC file with web-ifc and writes it to descriptor 3 as a scene stream (docs/formats.md): run by
 // triptych-import-ifc. "warning: ...", "progress: DONE TOTAL" and at most one "triptych: ..." go to standard error.
-import { writeSync } from 'node:fs';
+import { readFileSync, writeSync } from 'node:fs';
 import { IfcModel, Messages, reference, references, text } from './model.mjs';
 import { Objects } from './objects.mjs';
 import { openIfc } from './open_ifc.mjs';
@@ -23,8 +23,20 @@ function short(message) {
   return String(message).replace(/\s+/g, ' ').slice(0, 160);
 }
 
+/** Whether next to nothing is left of what the process may take: web-ifc's exceptions do not say their reason. */
+function memoryIsShort() {
+  const limit = /Max data size\s+(\d+)/.exec(readFileSync('/proc/self/limits', 'utf8'));
+  const used = /VmData:\s+(\d+)/.exec(readFileSync('/proc/self/status', 'utf8'));
+  return limit !== null && used !== null && 1024 * Number(used[1]) > 0.8 * Number(limit[1]);
+}
+
 function outOfMemory(error) {
-  return /out of memory|enlarge memory|bad_alloc|Array buffer allocation|OOM/i.test(String(error?.message ?? error));
+  return /out of memory|enlarge memory|bad_alloc|allocation failed/i.test(String(error?.message)) || memoryIsShort();
+}
+
+function complaint(error) {
+  if (outOfMemory(error)) return 'needs more memory to read than it is given';
+  return error instanceof WebAssembly.Exception ? 'web-ifc cannot read it; it is damaged or not IFC' : short(error?.message ?? error);
 }
 
 /** The product's kind and what describes its body. */
@@ -141,6 +153,6 @@ try {
   await convert(process.argv[2]);
   process.exit(0);
 } catch (error) {
-  say(`triptych: ${outOfMemory(error) ? 'needs more memory to read than it is given' : short(error?.message ?? error)}`);
+  say(`triptych: ${complaint(error)}`);
   process.exit(1);
 }

@@ -69,6 +69,13 @@ std::filesystem::path beside_this_program(const std::string& name) {
 /// The child's message, which a damaged file may have caused, as one line of printable characters.
 std::string plain(std::string_view line) { return one_line(std::string(line.substr(0, 200))); }
 
+/// Last words of Node where the kernel gives it no memory.
+bool is_of_memory(std::string_view line) {
+  constexpr std::array<std::string_view, 3> words = {"out of memory", "bad_alloc", "SetPermissions"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return line.find(word) != std::string_view::npos; });
+}
+
 /// What the child prints on its standard error, line by line.
 class Talk {
  public:
@@ -111,8 +118,8 @@ class Talk {
       warnings.push_back(plain(line.substr(warning_prefix.size())));
     } else if (line.starts_with(complaint_prefix)) {
       complaint = plain(line.substr(complaint_prefix.size()));
-    } else if (line.find("out of memory") != std::string_view::npos && complaint.empty()) {
-      complaint = "needs more memory to read than it is given";  // Node's last words
+    } else if (complaint.empty() && is_of_memory(line)) {
+      complaint = "needs more memory to read than it is given";
     }
     return false;
   }
