@@ -1,17 +1,22 @@
 // triptych-import-ifc: reads one IFC file and writes a scene stream to descriptor 3 (docs/formats.md). It
 // limits itself, and becomes Node, which runs web-ifc (read_ifc.mjs). triptych starts it
 // (model/import/converter.hpp).
+#include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/process.hpp"
 #include "launch/reader_limits.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace triptych {
@@ -40,7 +45,23 @@ std::string find_program(const std::string& program) {
   return "";
 }
 
-[[noreturn]] void become_node(uint64_t memory, const std::string& file) {
+/// The word that the script writes the number of each product to before it has it read; 0 between them.
+class CurrentProduct {
+ public:
+  CurrentProduct() : word_(::memfd_create("current product", MFD_CLOEXEC)) {
+    if (!word_.is_open()) fail("IFC", "its reader cannot be watched: {}", std::strerror(errno));
+  }
+  int descriptor() const { return word_.number(); }
+  uint32_t number() const {
+    uint32_t number = 0;
+    return ::pread(word_.number(), &number, sizeof(number), 0) == sizeof(number) ? number : 0;
+  }
+
+ private:
+  Descriptor word_;
+};
+
+Program node_program(uint64_t memory, const std::string& file, int current) {
   const std::string node = find_program("node");
   if (node.empty())
     fail("IFC", "is read by Node, which is not installed: run launch/install, or apt-get install nodejs");
@@ -48,16 +69,53 @@ std::string find_program(const std::string& program) {
   if (!std::filesystem::exists(folder / "node_modules/web-ifc/web-ifc-node.wasm"))
     fail("IFC", "is read by web-ifc, which is not there: run launch/install, or npm ci in {}",
          folder.string());
-  limit_data(memory, name);
-  ::unsetenv("NODE_OPTIONS");
-  ::dup2(STDERR_FILENO, STDOUT_FILENO);  // nothing of what the libraries print is ours
   // Most of the memory is WebAssembly's; the heap of objects needs its share.
   const std::string heap = fmt::format("--max-old-space-size={}", std::max<uint64_t>(memory >> 21, 64));
-  const std::string script = (folder / "read_ifc.mjs").string();
-  const std::array<const char*, 5> words = {node.c_str(), heap.c_str(), script.c_str(), file.c_str(),
-                                            nullptr};
-  ::execv(node.c_str(), const_cast<char* const*>(words.data()));
-  fail("IFC", "Node ({}) cannot be started: {}", node, std::strerror(errno));
+  return {.file = node,
+          .words = {node, heap, (folder / "read_ifc.mjs").string(), file},
+          .descriptors = {{3, 3}, {current, 4}, {STDERR_FILENO, STDOUT_FILENO}},
+          .death_signal = SIGKILL,
+          .default_signals = {},
+          .ignored_signals = {}};
+}
+
+/// Its status when it has ended, also because it was killed for spending so many seconds on one product.
+int wait_for(pid_t pid, const CurrentProduct& current, double patience) {
+  uint32_t last = 0;
+  for (Stopwatch since_last;;) {
+    int status = 0;
+    if (::waitpid(pid, &status, WNOHANG) == pid) return status;
+    ::usleep(5000);
+    if (const uint32_t product = current.number(); product != last || product == 0) {
+      last = product;
+      since_last.restart();
+    } else if (since_last.seconds() > patience) {
+      ::kill(pid, SIGKILL);
+    }
+  }
+}
+
+/// The exit code of the last Node; a signal that ended it ends this program too.
+int read_with_node(uint64_t memory, const std::string& file, double patience) {
+  constexpr size_t max_skipped = 50;
+  limit_data(memory, name);
+  ::unsetenv("NODE_OPTIONS");
+  const CurrentProduct current;
+  Program program = node_program(memory, file, current.descriptor());
+  for (size_t skipped = 0;; ++skipped) {
+    const int status = wait_for(start_program(program, program.file), current, patience);
+    if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
+    const uint32_t product = current.number();
+    const int signal = WTERMSIG(status);
+    // Node aborts and traps where it gets no memory: that is no product's fault.
+    if (product == 0 || signal == SIGABRT || signal == SIGTRAP || skipped == max_skipped) {
+      ::signal(signal, SIG_DFL);
+      ::raise(signal);
+    }
+    program.words.push_back(std::to_string(product));
+    if (::ftruncate(3, 0) != 0 || ::lseek(3, 0, SEEK_SET) != 0)
+      fail("IFC", "cannot be read again: {}", std::strerror(errno));
+  }
 }
 
 }  // namespace
@@ -67,11 +125,18 @@ std::string find_program(const std::string& program) {
 int main(int count, char** arguments) {
   using namespace triptych;
   try {
+    double patience = 120;
+    if (count == 6 && std::string_view(arguments[1]) == "--patience") {
+      patience = std::atof(arguments[2]);
+      arguments += 2, count -= 2;
+    }
     if (count != 4 || std::string_view(arguments[1]) != "--memory") {
-      fmt::print(stderr, "triptych: usage: triptych-import-ifc --memory BYTES FILE 3>FILE.scene\n");
+      fmt::print(stderr,
+                 "triptych: usage: triptych-import-ifc [--patience SECONDS] --memory BYTES FILE "
+                 "3>FILE.scene\n");
       return 2;
     }
-    become_node(memory_argument(arguments[2]), arguments[3]);
+    return read_with_node(memory_argument(arguments[2]), arguments[3], patience);
   } catch (const std::exception& error) {
     fmt::print(stderr, "triptych: {}\n", error.what());
     return 1;

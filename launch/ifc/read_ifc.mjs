@@ -1,5 +1,5 @@
 // Reads an IFC file with web-ifc and writes it to descriptor 3 as a scene stream (docs/formats.md): run by
-// triptych-import-ifc. "warning: ...", "progress: DONE TOTAL" and at most one "triptych: ..." go to standard error.
+// triptych-import-ifc, which gives the file and the products to skip, and reads descriptor 4. "warning: ...", "progress: DONE TOTAL" and at most one "triptych: ..." go to standard error.
 import { readFileSync, writeSync } from 'node:fs';
 import { IfcModel, Messages, reference, references, text } from './model.mjs';
 import { Objects } from './objects.mjs';
@@ -109,15 +109,23 @@ class Progress {
   }
 }
 
-async function convert(path) {
+/** Tells triptych-import-ifc which product is being read; 0: none. */
+function reading(id) {
+  const word = Buffer.alloc(4);
+  word.writeUInt32LE(id);
+  writeSync(4, word, 0, 4, 0);
+}
+
+/** skipped: products that made an earlier run crash or hang. */
+async function convert(path, skipped) {
   const messages = new Messages();
   const model = await IfcModel.open(openIfc(path), messages);
   const writer = new SceneWriter(3, unitIsDefined(model));
   const left = new Set(model.ofType('IFCPRODUCT'));
-  const skipped = new Map();
+  const undrawn = new Map();
   for (const type of notDrawn) {
     for (const id of model.ofType(type)) {
-      if (left.delete(id)) skipped.set(type, (skipped.get(type) ?? 0) + 1);
+      if (left.delete(id)) undrawn.set(type, (undrawn.get(type) ?? 0) + 1);
     }
   }
   const objects = new Objects(model, writer);
@@ -129,8 +137,13 @@ async function convert(path) {
     let type = 'product';
     const before = writer.instances;
     try {
+      type = model.typeName(model.api.GetLineType(model.id, id));
+      if (skipped.has(id)) {
+        failures.add('made web-ifc crash or hang and were left out', type, id);
+        continue;
+      }
+      reading(id);
       const product = describe(model, id);
-      type = product.type;
       let object;
       model.api.StreamMeshes(model.id, [id], (mesh) => writeMesh(model, writer, mesh, () => (object ??= objects.write(id, product))));
       if (writer.instances === before && product.representations.some((body) => body.items.length > 0))
@@ -138,19 +151,21 @@ async function convert(path) {
     } catch (error) {
       if (outOfMemory(error)) throw error;
       failures.add(writer.instances === before ? 'made web-ifc fail and were left out' : 'made web-ifc fail and are not whole', type, id);
-      if (error instanceof WebAssembly.RuntimeError) await model.openAgain();
+      if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) await model.openAgain();
+    } finally {
+      reading(0);
     }
   }
   failures.report();
   for (const [what, count] of [...messages.counts].slice(0, 10)) say(`warning: web-ifc: ${short(what)}${count > 1 ? ` (${count} times)` : ''}`);
   if (writer.instances === 0) {
-    for (const [type, count] of skipped) say(`warning: ${count} ${type} are not drawn`);
+    for (const [type, count] of undrawn) say(`warning: ${count} ${type} are not drawn`);
   }
   writer.end();
 }
 
 try {
-  await convert(process.argv[2]);
+  await convert(process.argv[2], new Set(process.argv.slice(3).map(Number)));
   process.exit(0);
 } catch (error) {
   say(`triptych: ${complaint(error)}`);

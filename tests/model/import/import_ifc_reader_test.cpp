@@ -113,11 +113,12 @@ TEST(IfcReader, an_archive_with_an_ifc_file_is_read) {
             std::string::npos);
 }
 
-ImportOptions reader_with(const std::string& command) {
+/// Runs the reader behind these words of a shell, with flags.
+ImportOptions reader_with(const std::string& command, const std::string& flags = "") {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "triptych-import-ifc";
   ImportOptions options;
   options.converter =
-      write_model("reader", "#!/bin/bash\n" + command + " exec " + program.string() + " \"$@\"\n");
+      write_model("reader", "#!/bin/bash\n" + command + " exec " + program.string() + flags + " \"$@\"\n");
   std::filesystem::permissions(options.converter, std::filesystem::perms::owner_all);
   return options;
 }
@@ -129,6 +130,15 @@ std::string reader_error(const ImportOptions& options) {
     return error.what();
   }
   return "";
+}
+
+TEST(IfcReader, a_product_on_which_web_ifc_never_ends_is_left_out) {
+  std::string endless = wall + element(200, "#210", "IFCBEAM") + block(210, 1, 1, 1);
+  endless.replace(endless.find("REPRESENTATION(", endless.find("#201=")), 15, "REPRESENTATION*");
+  const Model model =
+      import_model({write_model("a.ifc", ifc_file(endless))}, reader_with("", " --patience 1"));
+  expect_box(model, {-2, 0, -0.1}, {2, 3, 0.1});
+  EXPECT_TRUE(warns(model, "1 IfcBeam made web-ifc crash or hang and were left out: #200"));
 }
 
 TEST(IfcReader, without_node_one_line_says_what_to_install) {
