@@ -2,6 +2,7 @@
 // triptych-import-ifc, which gives the file and the products to skip, and reads descriptor 4. "warning: ...", "progress: DONE TOTAL" and at most one "triptych: ..." go to standard error.
 import { readFileSync, writeSync } from 'node:fs';
 import { IfcModel, Messages, reference, references, text } from './model.mjs';
+import { faceColors, partsByColor, resolvePointNumbers } from './face_sets.mjs';
 import { Objects } from './objects.mjs';
 import { openIfc } from './open_ifc.mjs';
 import { SceneWriter } from './scene_writer.mjs';
@@ -81,7 +82,8 @@ class Failures {
   }
 }
 
-function writeMesh(model, writer, mesh, object) {
+/** colors: as of faceColors(); object: gives the product's number and name, once it is known to be drawn. */
+function writeMesh(model, writer, colors, mesh, object) {
   const { api } = model;
   for (let i = 0; i < mesh.geometries.size(); ++i) {
     const placed = mesh.geometries.get(i);
@@ -90,9 +92,12 @@ function writeMesh(model, writer, mesh, object) {
     const indices = api.GetIndexArray(geometry.GetIndexData(), geometry.GetIndexDataSize());
     if (indices.length >= 3) {
       const welded = weld(vertices, indices);
+      const perFace = colors.get(placed.geometryExpressID);
       const { x, y, z, w } = placed.color;
       const { number, name } = object();
-      writer.instance(writer.mesh(name, welded.positions, welded.indices), writer.material([x, y, z, w]), number,
+      let shape = { indices: welded.indices };
+      if (perFace?.length === indices.length / 3) shape = partsByColor(welded.indices, perFace);
+      writer.instance(writer.mesh(name, welded.positions, shape.indices, shape.parts), writer.material([x, y, z, w]), number,
         placed.flatTransformation);
     }
     geometry.delete();
@@ -129,6 +134,9 @@ async function convert(path, skipped) {
     }
   }
   const objects = new Objects(model, writer);
+  const colors = faceColors(model);
+  const unresolved = resolvePointNumbers(model);
+  if (unresolved > 0) say(`warning: ${unresolved} face sets number their points by another list (PnIndex), which was not followed`);
   const failures = new Failures();
   const progress = new Progress();
   let done = 0;
@@ -145,13 +153,16 @@ async function convert(path, skipped) {
       reading(id);
       const product = describe(model, id);
       let object;
-      model.api.StreamMeshes(model.id, [id], (mesh) => writeMesh(model, writer, mesh, () => (object ??= objects.write(id, product))));
+      model.api.StreamMeshes(model.id, [id], (mesh) => writeMesh(model, writer, colors, mesh, () => (object ??= objects.write(id, product))));
       if (writer.instances === before && product.representations.some((body) => body.items.length > 0))
         failures.add('have a body of which web-ifc made no triangles', type, id);
     } catch (error) {
       if (outOfMemory(error)) throw error;
       failures.add(writer.instances === before ? 'made web-ifc fail and were left out' : 'made web-ifc fail and are not whole', type, id);
-      if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) await model.openAgain();
+      if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) {
+        await model.openAgain();
+        resolvePointNumbers(model);
+      }
     } finally {
       reading(0);
     }

@@ -33,24 +33,29 @@ export class SceneWriter {
     return this.#counts.materials++;
   }
 
-  /** The number of a mesh: one with equal content is written once. positions: Float32Array, indices: Uint32Array. */
-  mesh(name, positions, indices) {
-    const positionBytes = Buffer.from(positions.buffer, positions.byteOffset, positions.byteLength);
-    const indexBytes = Buffer.from(indices.buffer, indices.byteOffset, indices.byteLength);
-    const key = createHash('sha1').update(positionBytes).update(indexBytes).digest('base64');
+  /**
+   * The number of a mesh: one with equal content is written once. positions: Float32Array, indices: Uint32Array;
+   * parts: [[triangles, color]] in the indices' order, where they are not all of the instance's material.
+   */
+  mesh(name, positions, indices, parts = [[indices.length / 3, undefined]]) {
+    const bytesOf = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength);
+    const header = Uint32Array.from(parts.flatMap(([triangles, color]) => [triangles, color ? this.material(color) : none]));
+    const content = [bytesOf(header), bytesOf(positions), bytesOf(indices)];
+    const hash = createHash('sha1');
+    for (const bytes of content) hash.update(bytes);
+    const key = hash.digest('base64');
     const known = this.#meshes.get(key);
     if (known !== undefined) return known;
     const text = Buffer.from(name);
-    this.#begin(record.mesh, 24 + text.length + positionBytes.length + indexBytes.length);
+    this.#begin(record.mesh, content.reduce((sum, bytes) => sum + bytes.length, 16 + text.length));
     this.#u32(text.length);
     this.#u32(4); // bytes of a coordinate
     this.#u32(positions.length / 3);
-    this.#u32(1); // parts
-    this.#u32(indices.length / 3);
-    this.#u32(none); // the instance's material
+    this.#u32(parts.length);
+    this.#bytes(content[0]);
     this.#bytes(text);
-    this.#bytes(positionBytes);
-    this.#bytes(indexBytes);
+    this.#bytes(content[1]);
+    this.#bytes(content[2]);
     this.#meshes.set(key, this.#counts.meshes);
     return this.#counts.meshes++;
   }

@@ -157,6 +157,32 @@ TEST(ImportIfc, surface_colours_are_those_of_the_display_and_one_shape_in_two_ma
   EXPECT_EQ(triangles.back().color, glm::vec4(0, 1, 0, 1));
 }
 
+TEST(ImportIfc, a_face_set_with_a_colour_for_each_face_is_drawn_in_them) {
+  const std::string set = element(100, "#110") +
+                          "#110=IFCTRIANGULATEDFACESET(#111,$,.T.,((1,2,3),(1,4,2),(2,4,3),(3,4,1)),$);\n"
+                          "#111=IFCCARTESIANPOINTLIST3D(((0.,0.,0.),(1.,0.,0.),(0.,1.,0.),(0.,0.,1.)));\n"
+                          "#112=IFCINDEXEDCOLOURMAP(#110,$,#113,(1,2,1,2));\n"
+                          "#113=IFCCOLOURRGBLIST(((1.,0.,0.),(0.,1.,0.)));\n";
+  const Model model = import_text("a.ifc", ifc_file(set));
+  int red = 0, green = 0;
+  for (const auto& triangle : test::placed_triangles(model)) {
+    red += triangle.color == glm::vec4(1, 0, 0, 1);
+    green += triangle.color == glm::vec4(0, 1, 0, 1);
+    const bool is_bottom = triangle.corners[0].y + triangle.corners[1].y + triangle.corners[2].y == 0;
+    EXPECT_TRUE(!is_bottom || triangle.color.r == 1) << "the first face";
+  }
+  EXPECT_EQ(red, 2);
+  EXPECT_EQ(green, 2);
+}
+
+TEST(ImportIfc, points_by_another_lists_numbers_are_followed) {
+  const std::string set =
+      element(100, "#110") +
+      "#110=IFCTRIANGULATEDFACESET(#111,$,.T.,((1,2,3),(1,4,2),(2,4,3),(3,4,1)),(2,3,4,5));\n"
+      "#111=IFCCARTESIANPOINTLIST3D(((99.,99.,99.),(0.,0.,0.),(1.,0.,0.),(0.,1.,0.),(0.,0.,1.)));\n";
+  expect_box(import_text("a.ifc", ifc_file(set)), {0, 0, -1}, {1, 1, 0});
+}
+
 TEST(ImportIfc, breps_with_voids_and_faces_with_holes_keep_both) {
   std::string text = element(100, "#110") +
                      "#110=IFCFACEBASEDSURFACEMODEL((#111));\n"
