@@ -41,6 +41,18 @@ void limit_address_space(uint64_t bytes, std::string_view program) {
 
 void limit_data(uint64_t bytes, std::string_view program) { limit(RLIMIT_DATA, bytes, program); }
 
+std::optional<std::map<std::string, std::string>> reader_flags(int count, const char* const* arguments,
+                                                               const std::set<std::string>& known) {
+  std::map<std::string, std::string> flags;
+  if (count % 2 != 0) return std::nullopt;
+  for (int i = 1; i + 2 < count; i += 2) {
+    if (known.count(arguments[i]) == 0 || !flags.emplace(arguments[i], arguments[i + 1]).second)
+      return std::nullopt;
+  }
+  if (flags.count("--memory") == 0) return std::nullopt;
+  return flags;
+}
+
 uint64_t memory_argument(std::string_view text) {
   uint64_t bytes = 0;
   if (std::from_chars(text.data(), text.data() + text.size(), bytes).ec != std::errc())

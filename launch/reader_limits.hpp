@@ -2,6 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 
 namespace triptych {
@@ -16,6 +20,11 @@ void limit_data(uint64_t bytes, std::string_view program);
 
 /// "triptych: needs more memory ..." and exit code 1, without an allocation.
 [[noreturn]] void end_out_of_memory();
+
+/// The values of flags before the last argument, by name; nullopt for another form, a flag that is not among
+/// the known or is there twice, or without --memory.
+std::optional<std::map<std::string, std::string>> reader_flags(int count, const char* const* arguments,
+                                                               const std::set<std::string>& known);
 
 /// The number behind --memory. Error for anything else.
 uint64_t memory_argument(std::string_view text);

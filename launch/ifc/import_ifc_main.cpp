@@ -73,7 +73,7 @@ Program node_program(uint64_t memory, const std::string& file, int current) {
   const std::string heap = fmt::format("--max-old-space-size={}", std::max<uint64_t>(memory >> 21, 64));
   return {.file = node,
           .words = {node, heap, (folder / "read_ifc.mjs").string(), file},
-          .descriptors = {{3, 3}, {current, 4}, {STDERR_FILENO, STDOUT_FILENO}},
+          .descriptors = {{3, 3}, {current, 5}, {STDERR_FILENO, STDOUT_FILENO}},
           .death_signal = SIGKILL,
           .default_signals = {},
           .ignored_signals = {}};
@@ -125,18 +125,16 @@ int read_with_node(uint64_t memory, const std::string& file, double patience) {
 int main(int count, char** arguments) {
   using namespace triptych;
   try {
-    double patience = 120;
-    if (count == 6 && std::string_view(arguments[1]) == "--patience") {
-      patience = std::atof(arguments[2]);
-      arguments += 2, count -= 2;
-    }
-    if (count != 4 || std::string_view(arguments[1]) != "--memory") {
+    // What the file is its first bytes say, whatever --as does.
+    const auto flags = reader_flags(count, arguments, {"--memory", "--patience", "--as"});
+    if (!flags) {
       fmt::print(stderr,
-                 "triptych: usage: triptych-import-ifc [--patience SECONDS] --memory BYTES FILE "
-                 "3>FILE.scene\n");
+                 "triptych: usage: triptych-import-ifc --memory BYTES [--patience SECONDS] [--as .EXTENSION] "
+                 "FILE 3>FILE.scene\n");
       return 2;
     }
-    return read_with_node(memory_argument(arguments[2]), arguments[3], patience);
+    const double patience = flags->count("--patience") > 0 ? std::atof(flags->at("--patience").c_str()) : 120;
+    return read_with_node(memory_argument(flags->at("--memory")), arguments[count - 1], patience);
   } catch (const std::exception& error) {
     fmt::print(stderr, "triptych: {}\n", error.what());
     return 1;

@@ -1,5 +1,5 @@
 // Reads an IFC file with web-ifc and writes it to descriptor 3 as a scene stream (docs/formats.md): run by
-// triptych-import-ifc, which gives the file and the products to skip, and reads descriptor 4. "warning: ...", "progress: DONE TOTAL" and at most one "triptych: ..." go to standard error.
+// triptych-import-ifc, which gives the file and the products to skip, and reads descriptor 5. "warning: ...", "progress: DONE TOTAL" and at most one "triptych: ..." go to standard error.
 import { readFileSync, writeSync } from 'node:fs';
 import { IfcModel, Messages, reference, references, text } from './model.mjs';
 import { faceColors, partsByColor, resolvePointNumbers } from './face_sets.mjs';
@@ -118,7 +118,7 @@ class Progress {
 function reading(id) {
   const word = Buffer.alloc(4);
   word.writeUInt32LE(id);
-  writeSync(4, word, 0, 4, 0);
+  writeSync(5, word, 0, 4, 0);
 }
 
 /** skipped: products that made an earlier run crash or hang. */

@@ -19,6 +19,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
 #include <unistd.h>
 
@@ -44,11 +45,11 @@ class ProgressLines : public Message_ProgressIndicator {
 
 std::string short_line(const std::string& text) { return one_line(text.substr(0, 160)); }
 
-void convert(const std::string& file, std::optional<double> chord) {
+void convert(const std::filesystem::path& file, const std::string& extension, std::optional<double> chord) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   const opencascade::handle<ProgressLines> indicator = new ProgressLines;
   Message_ProgressScope progress(indicator->Start(), "reading", 2);
-  const StepDocument document = read_step_document(file, progress.Next());
+  const StepDocument document = read_step_document(file, extension, progress.Next());
   constexpr int output = 3;
   SceneWriter writer(output, "its temporary file", document.unit_is_defined ? unit_is_defined : 0);
   StepNotes notes;
@@ -74,22 +75,24 @@ double chord_argument(std::string_view text) {
 int main(int count, char** arguments) {
   using namespace triptych;
   try {
-    std::optional<double> chord;
-    if (count == 6 && std::string_view(arguments[1]) == "--chord") {
-      chord = chord_argument(arguments[2]);
-      arguments += 2, count -= 2;
-    }
-    if (count != 4 || std::string_view(arguments[1]) != "--memory") {
-      fmt::print(stderr,
-                 "triptych: usage: triptych-import-step [--chord METRES] --memory BYTES FILE 3>FILE.scene\n");
+    const auto flags = reader_flags(count, arguments, {"--memory", "--chord", "--as"});
+    if (!flags) {
+      fmt::print(
+          stderr,
+          "triptych: usage: triptych-import-step --memory BYTES [--chord METRES] [--as .EXTENSION] FILE "
+          "3>FILE.scene\n");
       return 2;
     }
-    limit_address_space(memory_argument(arguments[2]), name);
+    std::optional<double> chord;
+    if (flags->count("--chord") > 0) chord = chord_argument(flags->at("--chord"));
+    const std::filesystem::path file = arguments[count - 1];
+    const std::string extension = flags->count("--as") > 0 ? flags->at("--as") : file.extension().string();
+    limit_address_space(memory_argument(flags->at("--memory")), name);
     // Faults become exceptions: what OpenCASCADE reads entity by entity goes on behind one that makes it
     // fault.
     OSD::SetSignal(Standard_False);
     ::dup2(STDERR_FILENO, STDOUT_FILENO);  // nothing of what the libraries print is ours
-    convert(arguments[3], chord);
+    convert(file, extension, chord);
     std::fflush(nullptr);
     ::_exit(0);  // destroying a large document takes time
   } catch (const Standard_OutOfMemory&) {

@@ -23,8 +23,7 @@ namespace triptych {
 
 namespace {
 
-bool is_iges(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
+bool is_iges(std::string extension) {
   for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   return extension == ".igs" || extension == ".iges";
 }
@@ -92,10 +91,11 @@ std::vector<std::string> failed_lines(const StepDocument& document) {
   return lines;
 }
 
-StepDocument read_step_document(const std::filesystem::path& file, const Message_ProgressRange& progress) {
+StepDocument read_step_document(const std::filesystem::path& file, const std::string& extension,
+                                const Message_ProgressRange& progress) {
   StepDocument result;
   XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", result.document);
-  if (is_iges(file)) {
+  if (is_iges(extension)) {
     result.format = "IGES";
     IGESCAFControl_Reader reader;
     read(reader, file, progress, result);

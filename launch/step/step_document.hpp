@@ -22,7 +22,8 @@ struct StepDocument {
 /// What could not be read, a line for each kind: "2 AdvancedFace could not be read: #12, #15".
 std::vector<std::string> failed_lines(const StepDocument& document);
 
-/// By the file's extension: .igs and .iges, otherwise STEP. Error (file) for one that cannot be read.
-StepDocument read_step_document(const std::filesystem::path& file, const Message_ProgressRange& progress);
+/// By the extension: IGES for .igs and .iges, otherwise STEP. Error (the format) for one that cannot be read.
+StepDocument read_step_document(const std::filesystem::path& file, const std::string& extension,
+                                const Message_ProgressRange& progress);
 
 }  // namespace triptych
