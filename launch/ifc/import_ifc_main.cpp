@@ -1,7 +1,6 @@
 // triptych-import-ifc: reads one IFC file and writes a scene stream to descriptor 3 (docs/formats.md). It
 // limits itself, and becomes Node, which runs web-ifc (read_ifc.mjs). triptych starts it
 // (model/import/converter.hpp).
-#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/process.hpp"
 #include "launch/reader_limits.hpp"
@@ -12,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -79,17 +79,26 @@ Program node_program(uint64_t memory, const std::string& file, int current) {
           .ignored_signals = {}};
 }
 
+/// Seconds of the processor that the process has taken; those of the wall also count what others run.
+double cpu_seconds(pid_t pid) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(pid, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
+}
+
 /// Its status when it has ended, also because it was killed for spending so many seconds on one product.
 int wait_for(pid_t pid, const CurrentProduct& current, double patience) {
   uint32_t last = 0;
-  for (Stopwatch since_last;;) {
+  for (double begun = 0;;) {
     int status = 0;
     if (::waitpid(pid, &status, WNOHANG) == pid) return status;
     ::usleep(5000);
+    const double now = cpu_seconds(pid);
     if (const uint32_t product = current.number(); product != last || product == 0) {
       last = product;
-      since_last.restart();
-    } else if (since_last.seconds() > patience) {
+      begun = now;
+    } else if (now - begun > patience) {
       ::kill(pid, SIGKILL);
     }
   }
