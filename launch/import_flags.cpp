@@ -1,6 +1,7 @@
 #include "launch/import_flags.hpp"
 
 #include "launch/choice_flag.hpp"
+#include "launch/number_flags.hpp"
 
 #include <map>
 #include <string>
@@ -32,6 +33,11 @@ void add_import_flags(CLI::App& command, ImportOptions& options) {
   add_choice_flag(command, "--unit", options.unit, units(),
                   "The unit of length, for files that do not define it")
       ->default_str("m");
+  command
+      .add_option("--chord", options.chord,
+                  "How far triangles may lie from the curved surfaces of STEP and IGES files, in metres")
+      ->check(positive_number())
+      ->default_str("a ten-thousandth of the size");
 }
 
 std::vector<std::string> import_arguments(const ImportOptions& options) {
@@ -42,6 +48,7 @@ std::vector<std::string> import_arguments(const ImportOptions& options) {
   for (const auto& [name, unit] : units()) {
     if (options.unit == unit) arguments.insert(arguments.end(), {"--unit", name});
   }
+  if (options.chord) arguments.insert(arguments.end(), {"--chord", fmt::format("{}", *options.chord)});
   return arguments;
 }
 

@@ -9,7 +9,7 @@
 
 namespace triptych {
 
-/// --up and --unit.
+/// --up, --unit and --chord.
 void add_import_flags(CLI::App& command, ImportOptions& options);
 /// The arguments that give the same flags to another process.
 std::vector<std::string> import_arguments(const ImportOptions& options);

@@ -4,13 +4,12 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "launch/import_glb.hpp"
+#include "launch/reader_limits.hpp"
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <assimp/metadata.h>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -19,11 +18,9 @@
 #include <iterator>
 #include <limits>
 #include <locale>
-#include <new>
 #include <optional>
 #include <set>
 #include <string_view>
-#include <sys/resource.h>
 #include <unistd.h>
 
 namespace triptych {
@@ -56,25 +53,6 @@ class Warnings : public Assimp::LogStream {
   static constexpr size_t most = 20;
   std::set<std::string> known_;
 };
-
-[[noreturn]] void out_of_memory() {
-  constexpr std::string_view complaint = "triptych: needs more memory to read than it is given\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, complaint.data(), complaint.size());
-  ::_exit(1);
-}
-
-void limit_memory(uint64_t bytes) {
-  const rlimit none{0, 0};
-  ::setrlimit(RLIMIT_CORE, &none);
-#if !defined(__SANITIZE_ADDRESS__)  // which reserves terabytes
-  const rlimit limit{bytes, bytes};
-  if (::setrlimit(RLIMIT_AS, &limit) != 0)
-    fail("triptych-import", "cannot limit its memory: {}", std::strerror(errno));
-#else
-  (void)bytes;
-#endif
-  std::set_new_handler(out_of_memory);
-}
 
 std::string lower_case(std::string text) {
   for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
@@ -154,7 +132,7 @@ void convert(const std::string& file, const std::string& unpacked_extension) {
             : importer.ReadFile(file, 0);
   if (!scene) {
     const std::string why = importer.GetErrorString();
-    if (why.find("bad_alloc") != std::string::npos) out_of_memory();
+    if (why.find("bad_alloc") != std::string::npos) end_out_of_memory();
     fail("Assimp", "{}", Warnings::short_line(why));
   }
   const glm::dmat3 to_model = extension == ".fbx" ? fbx_to_model(*scene) : glm::dmat3(1);
@@ -192,11 +170,7 @@ int main(int count, char** arguments) {
                  "--formats\n");
       return 2;
     }
-    uint64_t bytes = 0;
-    const std::string_view limit = arguments[2];
-    if (std::from_chars(limit.data(), limit.data() + limit.size(), bytes).ec != std::errc())
-      fail("--memory", "\"{}\" is not a number of bytes", limit);
-    limit_memory(bytes);
+    limit_address_space(memory_argument(arguments[2]), "triptych-import");
     convert(arguments[count - 1], unpacked ? arguments[4] : "");
     std::fflush(nullptr);
     ::_exit(0);  // destroying a large scene takes time, and Assimp leaks memory

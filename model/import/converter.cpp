@@ -4,7 +4,9 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "base/process.hpp"
+#include "base/progress.hpp"
 #include "base/unnamed_file.hpp"
+#include "model/import/import_reader.hpp"
 #include "model/import/mesh_stream_source.hpp"
 
 #include <algorithm>
@@ -22,8 +24,9 @@ namespace triptych {
 
 namespace {
 
-constexpr std::string_view complaint_prefix = "triptych: ", warning_prefix = "warning: ";
-constexpr size_t max_talk = size_t{1} << 16;  ///< bytes of its output that are read
+constexpr std::string_view complaint_prefix = "triptych: ", warning_prefix = "warning: ",
+                           progress_prefix = "progress: ";
+constexpr size_t max_line = 4096, max_warnings = 200;  ///< of its output; what is beyond is not kept
 
 /// A child process that is killed and collected when it goes out of scope.
 class Child {
@@ -58,25 +61,9 @@ class Child {
   bool running_ = true;
 };
 
-std::filesystem::path beside_this_program() {
+std::filesystem::path beside_this_program(const std::string& name) {
   std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "triptych-import";
-}
-
-/// Everything that the child prints on its standard error until it closes it, or the time is over.
-std::string listen(int errors, double seconds) {
-  std::string said;
-  const Stopwatch stopwatch;
-  for (double left = seconds; left > 0; left = seconds - stopwatch.seconds()) {
-    pollfd waiting{.fd = errors, .events = POLLIN, .revents = 0};
-    if (::poll(&waiting, 1, static_cast<int>(std::min(left, 1.0) * 1000) + 1) <= 0) continue;
-    std::array<char, 4096> buffer{};
-    const ssize_t count = ::read(errors, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    if (said.size() < max_talk) said.append(buffer.data(), static_cast<size_t>(count));
-  }
-  return said;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / name;
 }
 
 /// The bytes in a file without a name.
@@ -96,20 +83,92 @@ Descriptor as_file(const std::shared_ptr<const StreamSource>& source, const Impo
 /// The child's message, which a damaged file may have caused, as one line of printable characters.
 std::string plain(std::string_view line) { return one_line(std::string(line.substr(0, 200))); }
 
+/// Last words of Node where the kernel gives it no memory.
+bool is_of_memory(std::string_view line) {
+  constexpr std::array<std::string_view, 3> words = {"out of memory", "bad_alloc", "SetPermissions"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return line.find(word) != std::string_view::npos; });
+}
+
+/// What the child prints on its standard error, line by line.
+class Talk {
+ public:
+  explicit Talk(const std::filesystem::path& file) : stage_("reading " + file.filename().string()) {}
+
+  /// Listens until the child closes its end, or says nothing about its progress for so many seconds: false.
+  bool listen(int errors, double seconds) {
+    Stopwatch since_progress;
+    while (since_progress.seconds() < seconds) {
+      pollfd waiting{.fd = errors, .events = POLLIN, .revents = 0};
+      const double left = std::clamp(seconds - since_progress.seconds(), 0.0, 1.0);
+      if (::poll(&waiting, 1, static_cast<int>(left * 1000) + 1) <= 0) continue;
+      std::array<char, 4096> buffer{};
+      const ssize_t count = ::read(errors, buffer.data(), buffer.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) {
+        take(line_);
+        return true;
+      }
+      for (const char letter : std::string_view(buffer.data(), static_cast<size_t>(count))) {
+        if (letter != '\n') {
+          if (line_.size() < max_line) line_ += letter;
+        } else {
+          if (take(line_)) since_progress = Stopwatch();
+          line_.clear();
+        }
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::string> warnings;
+  std::string complaint;
+
+ private:
+  /// Whether the line says that the child has come further.
+  bool take(std::string_view line) {
+    if (line.starts_with(progress_prefix)) return advance(line.substr(progress_prefix.size()));
+    if (line.starts_with(warning_prefix) && warnings.size() < max_warnings) {
+      warnings.push_back(plain(line.substr(warning_prefix.size())));
+    } else if (line.starts_with(complaint_prefix)) {
+      complaint = plain(line.substr(complaint_prefix.size()));
+    } else if (complaint.empty() && is_of_memory(line)) {
+      complaint = "needs more memory to read than it is given";
+    }
+    return false;
+  }
+
+  bool advance(std::string_view numbers) {
+    const auto done = to_integer(take_word(numbers)), total = to_integer(take_word(numbers));
+    if (!done || !total || *done <= done_ || *done > *total) return false;
+    if (!progress_) progress_.emplace(stage_, static_cast<uint64_t>(*total));
+    progress_->advance(static_cast<uint64_t>(*done - done_));
+    done_ = *done;
+    return true;
+  }
+
+  std::string stage_, line_;
+  std::optional<Progress> progress_;
+  int64_t done_ = 0;
+};
+
 }  // namespace
 
 Converted convert_model(const std::filesystem::path& file, const PackedFile* unpacked,
-                        const ImportOptions& options) {
+                        const ImportOptions& options, const Converter& converter) {
   const std::string place = file.string();
   StreamSource exists(file);  // Error if it does not
-  const std::filesystem::path program = options.converter.empty() ? beside_this_program() : options.converter;
+  const std::filesystem::path program =
+      options.converter.empty() ? beside_this_program(converter.program) : options.converter;
   if (::access(program.c_str(), X_OK) != 0)
     fail(place, "is of a format that {} reads, which is not there", program.string());
 
   Descriptor output = open_unnamed_file(options.temporary_folder);
   Pipe errors = open_pipe(place);
   Descriptor input;
-  std::vector<std::string> words = {program.string(), "--memory", std::to_string(options.converter_bytes)};
+  std::vector<std::string> words = {program.string()};
+  words.insert(words.end(), converter.flags.begin(), converter.flags.end());
+  words.insert(words.end(), {"--memory", std::to_string(options.converter_bytes)});
   std::vector<Program::Handed> handed = {{output.number(), 3}, {errors.write.number(), STDERR_FILENO}};
   if (unpacked) {
     input = as_file(unpacked->content, options);
@@ -126,35 +185,22 @@ Converted convert_model(const std::filesystem::path& file, const PackedFile* unp
                        .ignored_signals = {}};
   Child child(start_program(reader, program.string()));
   errors.write.close();
-  const Stopwatch stopwatch;
-  const std::string said = listen(errors.read.number(), options.converter_seconds);
-  const auto ended = child.wait(options.converter_seconds - stopwatch.seconds());
+  Talk talk(file);
+  const bool closed = talk.listen(errors.read.number(), options.converter_seconds);
+  const auto ended = closed ? child.wait(options.converter_seconds) : std::nullopt;
   if (!ended) fail(place, "takes more than {} s to read; it was given up", options.converter_seconds);
   const int status = *ended;
-
-  Converted converted;
-  std::string complaint;
-  for (size_t begin = 0; begin < said.size();) {
-    const size_t end = std::min(said.find('\n', begin), said.size());
-    const std::string_view line = std::string_view(said).substr(begin, end - begin);
-    if (line.starts_with(warning_prefix)) {
-      converted.warnings.push_back(plain(line.substr(warning_prefix.size())));
-    } else if (line.starts_with(complaint_prefix)) {
-      complaint = plain(line.substr(complaint_prefix.size()));
-    }
-    begin = end + 1;
-  }
   if (WIFSIGNALED(status)) {
-    fail(place, "makes its reader crash (signal {}, {}); the file is damaged, or Assimp cannot read it",
-         WTERMSIG(status), ::strsignal(WTERMSIG(status)));
+    if (!talk.complaint.empty()) fail(place, "{}", talk.complaint);
+    fail(place, "makes its reader crash (signal {}, {}); the file is damaged, or {} cannot read it",
+         WTERMSIG(status), ::strsignal(WTERMSIG(status)), converter.library);
   }
   if (WEXITSTATUS(status) != 0) {
-    fail(place, "{}",
-         complaint.empty() ? fmt::format("its reader ended with exit code {}", WEXITSTATUS(status))
-                           : complaint);
+    if (!talk.complaint.empty()) fail(place, "{}", talk.complaint);
+    fail(place, "its reader ended with exit code {}; the file is damaged, or {} cannot read it",
+         WEXITSTATUS(status), converter.library);
   }
-  converted.glb = std::make_shared<StreamSource>(place, std::move(output));
-  return converted;
+  return {std::make_shared<StreamSource>(place, std::move(output)), std::move(talk.warnings)};
 }
 
 }  // namespace triptych

@@ -26,16 +26,19 @@ constexpr std::array formats = {
     Format{".gltf", import_gltf, files_beside_gltf}, Format{".glb", import_gltf, files_beside_gltf},
     Format{".obj", import_obj, files_beside_obj},    Format{".ply", import_ply, nothing_beside},
     Format{".stl", import_stl, nothing_beside},      Format{".dxf", import_dxf, nothing_beside},
-    Format{".3mf", import_3mf, nothing_beside}};
+    Format{".3mf", import_3mf, nothing_beside},      Format{".ifc", import_ifc, nothing_beside},
+    Format{".ifczip", import_ifc, nothing_beside},   Format{".step", import_step, nothing_beside},
+    Format{".stp", import_step, nothing_beside},     Format{".iges", import_step, nothing_beside},
+    Format{".igs", import_step, nothing_beside}};
 
 /// The extensions of Assimp's readers that hold models. Formats with only animation, and those with a reader
 /// of our own, are left out; a test compares the list with that of triptych-import.
 constexpr std::array converted = {
-    ".3d",  ".3ds",  ".ac",   ".ac3d", ".acc", ".amf",     ".ase", ".ask",    ".assbin", ".b3d",  ".blend",
-    ".bsp", ".cob",  ".dae",  ".enff", ".fbx", ".hmp",     ".ifc", ".ifczip", ".iqm",    ".irr",  ".irrmesh",
-    ".lwo", ".lws",  ".lxo",  ".md2",  ".md3", ".md5mesh", ".mdc", ".mdl",    ".mesh",   ".ms3d", ".ndo",
-    ".nff", ".off",  ".ogex", ".pk3",  ".pmx", ".prj",     ".q3o", ".q3s",    ".raw",    ".scn",  ".sib",
-    ".smd", ".step", ".stp",  ".ter",  ".uc",  ".x",       ".x3d", ".x3db",   ".xgl",    ".zae",  ".zgl"};
+    ".3d",   ".3ds", ".ac",  ".ac3d",    ".acc", ".amf", ".ase",  ".ask",  ".assbin",  ".b3d", ".blend",
+    ".bsp",  ".cob", ".dae", ".enff",    ".fbx", ".hmp", ".iqm",  ".irr",  ".irrmesh", ".lwo", ".lws",
+    ".lxo",  ".md2", ".md3", ".md5mesh", ".mdc", ".mdl", ".mesh", ".ms3d", ".ndo",     ".nff", ".off",
+    ".ogex", ".pk3", ".pmx", ".prj",     ".q3o", ".q3s", ".raw",  ".scn",  ".sib",     ".smd", ".ter",
+    ".uc",   ".x",   ".x3d", ".x3db",    ".xgl", ".zae", ".zgl"};
 
 /// The format that the name's extension says.
 std::optional<Format> known_format(const std::filesystem::path& name) {

@@ -1,4 +1,5 @@
-// Imports model files by their extension: glTF and GLB, OBJ, PLY, STL, and the formats that Assimp reads.
+// Imports model files by their extension: glTF and GLB, OBJ, PLY, STL, IFC, STEP, IGES, and the formats that
+// Assimp reads.
 #pragma once
 
 #include "model/model.hpp"
@@ -19,6 +20,9 @@ struct ImportOptions {
   /// format defines something else, the format is followed, and the report has a warning.
   std::optional<UpAxis> up = std::nullopt;
   std::optional<LengthUnit> unit = std::nullopt;
+  /// How far triangles may lie from the curved surfaces of STEP and IGES files, metres; by default a
+  /// ten-thousandth of the size of what is in the file.
+  std::optional<double> chord = std::nullopt;
   /// The folder for binary copies of large text files during the import, in files without a name; empty:
   /// TMPDIR or /tmp.
   std::filesystem::path temporary_folder = {};
@@ -38,9 +42,10 @@ struct ImportOptions {
   bool find_groups = true;
   uint64_t group_placements = 8;
   uint64_t group_triangles = 1u << 14;
-  /// The program that reads further formats; empty: triptych-import beside the program that runs.
+  /// The program that reads further formats; empty: one of triptych-import, triptych-import-ifc and
+  /// triptych-import-step beside the program that runs.
   std::filesystem::path converter = {};
-  /// It is killed if it takes more address space or more time.
+  /// It is killed if it takes more memory, or so much time without saying that it has come further.
   uint64_t converter_bytes = uint64_t{4} << 30;
   double converter_seconds = 600;
 };

@@ -96,6 +96,11 @@ void FileImport::says_up(std::optional<UpAxis> up) {
   to_metres_y_up_ = to_metres_y_up(options_);
 }
 
+void FileImport::assume_up(UpAxis up) {
+  options_.up = options_.up.value_or(up);
+  to_metres_y_up_ = to_metres_y_up(options_);
+}
+
 void FileImport::says_unit(std::optional<LengthUnit> unit) {
   if (options_.unit && options_.unit != unit) remark("the format says its unit; --unit was not applied");
   options_.unit.reset();

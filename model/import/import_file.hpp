@@ -49,7 +49,9 @@ class FileImport {
   /// The format defines which axis is up, and what is added is converted to y up already: a warning if
   /// ImportOptions differ. Nullopt: it differs from file to file.
   void says_up(std::optional<UpAxis> up);
-  /// The same for the unit; what is added is in metres.
+  /// The format does not define it, but its users agree on one: it is used where ImportOptions say nothing.
+  void assume_up(UpAxis up);
+  /// The same as says_up() for the unit; what is added is in metres.
   void says_unit(std::optional<LengthUnit> unit);
 
   /// Counts triangles that were dropped because their coordinates are not finite.
@@ -100,6 +102,8 @@ void import_ply(FileImport& target);
 void import_stl(FileImport& target);
 void import_dxf(FileImport& target);
 void import_3mf(FileImport& target);
+void import_ifc(FileImport& target);    ///< .ifc and .ifczip
+void import_step(FileImport& target);   ///< .step, .stp, .iges, .igs
 void import_other(FileImport& target);  ///< all formats that triptych-import reads
 
 /// The files that a model file refers to, textures included. Error for a file that cannot be opened.
@@ -108,5 +112,7 @@ std::vector<std::filesystem::path> files_beside_obj(const std::filesystem::path&
 
 /// Imports the .glb that triptych-import made from a file.
 void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source);
+/// Imports what the reader of a further format made from a file (scene_stream.hpp).
+void import_scene(FileImport& target, std::shared_ptr<const StreamSource> source);
 
 }  // namespace triptych

@@ -20,9 +20,7 @@ struct Convention {
 
 constexpr std::array conventions = {
     Convention{".dae", true, std::nullopt}, Convention{".zae", true, std::nullopt},
-    Convention{".fbx", true, std::nullopt}, Convention{".ifc", true, UpAxis::z},
-    Convention{".ifczip", true, UpAxis::z}, Convention{".step", true, UpAxis::z},
-    Convention{".stp", true, UpAxis::z},    Convention{".3ds", false, UpAxis::z},
+    Convention{".fbx", true, std::nullopt}, Convention{".3ds", false, UpAxis::z},
     Convention{".prj", false, UpAxis::z},   Convention{".ase", false, UpAxis::z},
     Convention{".ask", false, UpAxis::z}};
 
@@ -36,9 +34,10 @@ void import_other(FileImport& target) {
     target.says_up(convention.up);
     if (convention.unit) target.says_unit(std::nullopt);
   }
-  Converted converted = convert_model(target.file(), target.unpacked(), target.options());
+  Converted converted =
+      convert_model(target.file(), target.unpacked(), target.options(), {"triptych-import", "Assimp", {}});
   for (std::string& warning : converted.warnings) target.remark(std::move(warning));
-  import_gltf(target, std::move(converted.glb));
+  import_gltf(target, std::move(converted.output));
 }
 
 }  // namespace triptych

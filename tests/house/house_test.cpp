@@ -68,7 +68,8 @@ std::vector<fs::path> files(const std::vector<std::string>& extensions) {
        ++entry) {
     const std::string name = entry->path().filename();
     if (name == ".git" && entry->is_regular_file()) continue;  // of a worktree
-    if (entry->is_directory() && (name == ".git" || name == "build" || name == "out")) {
+    if (entry->is_directory() &&
+        (name == ".git" || name == "build" || name == "out" || name == "node_modules")) {
       entry.disable_recursion_pending();
     } else if (entry->is_regular_file() &&
                (extensions.empty() ||
@@ -235,6 +236,7 @@ const std::vector<std::string> places = {
     R"((base|scene|model|simplify|preprocess|lod|visibility|residency|raster|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
     R"((\w+/)+CMakeLists\.txt)",
     R"(launch/(packages\.txt|compile|demo|install))",
+    R"(launch/ifc/(\w+\.mjs|package(-lock)?\.json))",
     R"(cmake/[\w-]+\.cmake|cmake/precompiled/\w+\.[ch]pp)",
     R"(docs/[\w-]+\.(md|png)|docs/hard-cases/\w+\.png)",
     R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_names|fuzz/run|raster/no_weak_symbols))",

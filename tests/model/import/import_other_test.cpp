@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <set>
 #include <sstream>
 #include <zlib.h>
 
@@ -54,27 +55,6 @@ const std::string fbx =
     "\t\tGeometryVersion: 124\n\t}\n\tModel: 2, \"Model::m\", \"Mesh\" {\n\t\tVersion: "
     "232\n\t}\n}\nConnections:  {\n\tC: "
     "\"OO\",2,0\n\tC: \"OO\",1,2\n}\n";
-const std::string ifc =
-    "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('ViewDefinition [CoordinationView]'),'2;1');\n"
-    "FILE_NAME('t.ifc','2020-01-01T00:00:00',('a'),('b'),'c','d','e');\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;"
-    "\nDATA;\n"
-    "#1=IFCPERSON($,$,'a',$,$,$,$,$);\n#2=IFCORGANIZATION($,'b',$,$,$);\n#3=IFCPERSONANDORGANIZATION(#1,#2,$)"
-    ";\n"
-    "#4=IFCAPPLICATION(#2,'1','c','d');\n#5=IFCOWNERHISTORY(#3,#4,$,.ADDED.,$,$,$,0);\n"
-    "#6=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);\n#7=IFCUNITASSIGNMENT((#6));\n#8=IFCCARTESIANPOINT((0.,0.,"
-    "0.));\n"
-    "#9=IFCDIRECTION((0.,0.,1.));\n#10=IFCDIRECTION((1.,0.,0.));\n#11=IFCAXIS2PLACEMENT3D(#8,#9,#10);\n"
-    "#12=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-05,#11,$);\n"
-    "#13=IFCPROJECT('0YvctVUKr0kugbFTf53O9L',#5,'p',$,$,$,$,(#12),#7);\n#14=IFCLOCALPLACEMENT($,#11);\n"
-    "#15=IFCBUILDING('0YvctVUKr0kugbFTf53O9M',#5,'b',$,$,#14,$,$,.ELEMENT.,$,$,$);\n"
-    "#16=IFCRELAGGREGATES('0YvctVUKr0kugbFTf53O9N',#5,$,$,#13,(#15));\n#20=IFCCARTESIANPOINT((0.,0.));\n"
-    "#21=IFCDIRECTION((1.,0.));\n#22=IFCAXIS2PLACEMENT2D(#20,#21);\n"
-    "#23=IFCRECTANGLEPROFILEDEF(.AREA.,$,#22,4000.,200.);\n#24=IFCEXTRUDEDAREASOLID(#23,#11,#9,3000.);\n"
-    "#25=IFCSHAPEREPRESENTATION(#12,'Body','SweptSolid',(#24));\n#26=IFCPRODUCTDEFINITIONSHAPE($,$,(#25));\n"
-    "#27=IFCWALLSTANDARDCASE('0YvctVUKr0kugbFTf53O9P',#5,'w',$,$,#14,#26,$);\n"
-    "#28=IFCRELCONTAINEDINSPATIALSTRUCTURE('0YvctVUKr0kugbFTf53O9Q',#5,$,$,(#27),#15);\nENDSEC;\nEND-ISO-"
-    "10303-21;\n";
-
 /// The corners of every placed triangle, in the model's space.
 std::vector<glm::dvec3> placed_corners(const Model& model) {
   std::vector<glm::dvec3> corners;
@@ -90,16 +70,6 @@ std::vector<glm::dvec3> placed_corners(const Model& model) {
 
 void expect_near(const glm::dvec3& found, const glm::dvec3& expected) {
   EXPECT_LT(glm::length(found - expected), 1e-6) << found.x << " " << found.y << " " << found.z;
-}
-
-TEST(ImportOther, an_ifc_wall_stands_in_metres_y_up) {
-  const Model model = import_text("a.ifc", ifc);
-  glm::dvec3 low{1e9}, high{-1e9};
-  for (const glm::dvec3& corner : placed_corners(model))
-    low = glm::min(low, corner), high = glm::max(high, corner);
-  expect_near(low, {-2, 0, -0.1});
-  expect_near(high, {2, 3, 0.1});
-  EXPECT_TRUE(warns(model, "single precision: the largest is 3000, where a step is 0.000244"));
 }
 
 TEST(ImportOther, collada_and_fbx_files_say_their_unit_and_axes_and_share_their_meshes) {
@@ -212,11 +182,10 @@ TEST(ImportOther, large_meshes_stream_from_a_file_without_a_name) {
 }
 
 TEST(ImportOther, damaged_and_empty_files_are_one_line) {
-  for (const char* name : {"a.dae", "a.fbx", "a.ifc", "a.3ds", "a.off", "a.x", "a.blend", "a.step"}) {
+  for (const char* name : {"a.dae", "a.fbx", "a.3ds", "a.off", "a.x", "a.blend"}) {
     EXPECT_NE(import_error(name, ""), "") << name;
     EXPECT_NE(import_error(name, std::string(3000, '\xff')), "") << name;
   }
-  EXPECT_NE(import_error("half.ifc", ifc.substr(0, 900)), "");
   EXPECT_THROW(import_model({"/nonexistent/a.off"}), Error);
 }
 
@@ -228,8 +197,11 @@ TEST(ImportOther, every_format_that_is_listed_is_one_that_assimp_claims) {
   for (int letter; (letter = std::fgetc(pipe)) != EOF;)
     claimed += static_cast<char>(letter == '\n' ? ';' : letter);
   EXPECT_EQ(::pclose(pipe), 0);
-  for (const std::string& extension : known_extensions())
+  const std::set<std::string> others = {".iges", ".igs"};  // formats that Assimp does not know
+  for (const std::string& extension : known_extensions()) {
+    if (others.count(extension) > 0) continue;
     EXPECT_NE(claimed.find(";*" + extension + ";"), std::string::npos) << extension;
+  }
 }
 
 /// A program in place of triptych-import, which writes something first.

@@ -1,0 +1,19 @@
+// Small STEP and IGES files, written by OpenCASCADE.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace triptych::test {
+
+/// A blue block of 10 x 20 x 30 mm, z up, whose top is red, three times along x, each 100 mm from the last;
+/// and twice a part without a colour of its own, the second time in green. Names: "Frame", "Block", "Plate".
+void write_step_assembly(const std::filesystem::path& file, const std::string& schema);
+
+/// A cylinder of radius 50 and height 100 units around z.
+void write_step_cylinder(const std::filesystem::path& file, const std::string& unit);
+
+/// A block of 10 x 20 x 30 units.
+void write_iges_block(const std::filesystem::path& file, const std::string& unit);
+
+}  // namespace triptych::test
