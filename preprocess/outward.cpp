@@ -17,8 +17,8 @@ namespace triptych {
 
 namespace {
 
-/// So many pairs of triangles are looked at for each triangle of a surface, on average.
-constexpr size_t max_pairs = 128;
+/// So many pairs of triangles are looked at for each triangle of a surface, on average; of small ones more.
+constexpr size_t max_pairs = 32, always_pairs = 4096;
 
 using Corners = std::array<uint32_t, 3>;
 
@@ -135,7 +135,7 @@ bool meets_itself_nowhere(std::span<const ExactTriangle> triangles) {
   for (size_t i = 0; i < order.size(); ++i) {
     const LatticeBox& box = boxes[order[i]];
     for (size_t k = i + 1; k < order.size() && boxes[order[k]].lo[axis] <= box.hi[axis]; ++k) {
-      if (++pairs > max_pairs * triangles.size()) return false;
+      if (++pairs > always_pairs + max_pairs * triangles.size()) return false;
       const LatticeBox& other = boxes[order[k]];
       const bool apart =
           glm::any(glm::lessThan(box.hi, other.lo)) || glm::any(glm::lessThan(other.hi, box.lo));

@@ -140,13 +140,13 @@ bool is_outside(const std::array<WindowVertex, 3>& corners) {
   return corners[0].x == outside_x || corners[1].x == outside_x || corners[2].x == outside_x;
 }
 
-/// Triangles of a range that may cover a pixel, or have to be clipped: their numbers in `stage.candidates`.
 /// Whether it is outward, and shows its back.
 bool faces_away(const DrawnRange& range, uint32_t triangle, const std::array<WindowVertex, 3>& corners) {
   if (range.front == 0 || !range.chunk->is_outward(triangle)) return false;
   return range.front > 0 ? twice_area(corners) < 0 : twice_area(corners) > 0;
 }
 
+/// Triangles of a range that may cover a pixel, or have to be clipped: their numbers in `stage.candidates`.
 size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, const DepthSource& drawn,
                        Stage& stage) {
   const RasterChunk& chunk = *range.chunk;

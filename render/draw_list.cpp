@@ -6,6 +6,13 @@
 
 namespace triptych {
 
+namespace {
+
+/// Of one chunk: each takes a command, and most of them a change of state, which cost more than backs do.
+constexpr size_t max_runs = 8;
+
+}  // namespace
+
 void DrawList::clear() {
   records.clear();
   bounds.clear();
@@ -37,9 +44,9 @@ void DrawListBuilder::append(std::span<const ChunkRange> ranges, std::span<const
     const ChunkRange& range = ranges[item.chunk];
     if (!range.loaded()) continue;
     const PlacedLattice placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice);
-    const int32_t front = range.outward_runs.empty()
-                              ? 0
-                              : outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
+    const bool few_runs = !range.outward_runs.empty() && range.outward_runs.size() <= max_runs;
+    const int32_t front =
+        !few_runs ? 0 : outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
     const uint32_t first = item.first_index / 3, end = first + item.index_count / 3;
     if (front == 0) {
       add_command(range, 0, first, end, list);

@@ -43,10 +43,9 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
          info.vertex_count, info.triangle_count);
   }
   auto outward_runs = reader.read_all<uint32_t>(reader.read<uint32_t>());
-  for (uint32_t last = 0; const uint32_t end : outward_runs) {
-    if (end < last || end > triangle_count)
-      fail(place, "has a run of triangles that ends at {} of {}, after {}", end, triangle_count, last);
-    last = end;
+  for (size_t i = 0; i < outward_runs.size(); ++i) {  // the first one may be empty
+    if (outward_runs[i] > triangle_count || (i > 0 && outward_runs[i] <= outward_runs[i - 1]))
+      fail(place, "has a run of triangles that ends at {} of {}", outward_runs[i], triangle_count);
   }
   const auto vertex_bytes = reader.read_all<uint8_t>(reader.read<uint32_t>());
   const auto index_bytes = reader.read_all<uint8_t>(reader.left());

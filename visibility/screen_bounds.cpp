@@ -192,7 +192,9 @@ std::array<HalfPlane, 4> BoxProjector::outline(const Extent& extent) const {
   if (!extent.has_outline) return {};
   std::array<glm::dvec2, 8> corners;
   for (size_t i = 0; i < 8; ++i) corners[i] = on_screen(extent.corners[i]);
-  return silhouette(corners, extent.facing, extent.margin);
+  // Off axis, corners on the screen are less than what they were summed from.
+  const double terms = 1 + std::abs(screen_shift_.x) + std::abs(screen_shift_.y);
+  return silhouette(corners, extent.facing, extent.margin, terms);
 }
 
 void BoxProjector::put_on_screen(Extent& extent, const glm::dvec2& lo, const glm::dvec2& hi, double depth,

@@ -12,14 +12,15 @@ namespace {
 /// How far evaluating a half-plane in floats may be off, as a share of the sum of its terms; the graphics
 /// card's own rounding included.
 constexpr double half_plane_rounding = 0x1p-20;
-/// Shorter edges, as a share of the largest coordinate, have no direction that rounding leaves alone: that of
-/// corners is 2⁻⁵⁰, and moves what is as far away as they are by less than 2⁻²³.
+/// Shorter edges, as a share of the terms of corners, have no direction that rounding leaves alone: corners
+/// are off by 2⁻⁵⁰ of those, which moves what is as far away as the terms are large by less than 2⁻²³ of
+/// that.
 constexpr double min_edge = 0x1p-26;
 
 /// What is found at the four corners of the rectangle.
 class Cuts {
  public:
-  Cuts(const std::array<glm::dvec2, 8>& corners, const glm::dvec2& margin)
+  Cuts(const std::array<glm::dvec2, 8>& corners, const glm::dvec2& margin, double terms)
       : margin_(margin), lo_(corners[0]), hi_(corners[0]) {
     for (const glm::dvec2& corner : corners) {
       lo_ = glm::min(lo_, corner);
@@ -27,7 +28,7 @@ class Cuts {
       middle_ += corner / 8.0;
     }
     const glm::dvec2 reach = glm::max(glm::abs(lo_), glm::abs(hi_));
-    least_length_ = min_edge * std::max({reach.x, reach.y, 1.0});
+    least_length_ = min_edge * std::max({reach.x, reach.y, terms});
   }
 
   void add(const glm::dvec2& from, const glm::dvec2& to) {
@@ -60,8 +61,8 @@ class Cuts {
 }  // namespace
 
 std::array<HalfPlane, 4> silhouette(const std::array<glm::dvec2, 8>& corners, const FacingSides& facing,
-                                    const glm::dvec2& margin) {
-  Cuts cuts(corners, margin);
+                                    const glm::dvec2& margin, double terms) {
+  Cuts cuts(corners, margin, terms);
   for (size_t axis = 0; axis < 3; ++axis) {
     const size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
     for (size_t i = 0; i < 4; ++i) {  // the edges along the axis, by the faces that they are between

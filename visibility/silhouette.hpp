@@ -21,8 +21,8 @@ using FacingSides = std::array<std::array<bool, 2>, 3>;
 /// the most off there, if any does. The outline are edges between faces that face the eye and others. The
 /// half-planes are moved outwards, so that each holds whatever is at most `margin` away from the box,
 /// horizontally and vertically. corners: Box::corner(0) to (7), all before the eye, in normalised device
-/// coordinates.
+/// coordinates. terms: how large the terms are that these were summed from, which are rounded.
 std::array<HalfPlane, 4> silhouette(const std::array<glm::dvec2, 8>& corners, const FacingSides& facing,
-                                    const glm::dvec2& margin);
+                                    const glm::dvec2& margin, double terms = 1);
 
 }  // namespace triptych

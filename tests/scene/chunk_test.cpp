@@ -96,6 +96,23 @@ TEST(Chunk, what_is_outward_is_known_again_triangle_by_triangle) {
     EXPECT_EQ(outward[i], again.vertices[again.indices[3 * i]].color == 2) << i;
 }
 
+TEST(Chunk, runs_that_do_not_ascend_or_end_beyond_the_triangles_are_refused) {
+  Chunk chunk;
+  for (const glm::ivec3& point : {glm::ivec3(0, 0, 20), {5, 0, 20}, {0, 5, 20}, {0, 0, 25}})
+    chunk.vertices.push_back({.point = point, .color = 2, .piece = 0});
+  chunk.indices = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  const auto bytes = encode_chunk(chunk);
+  constexpr size_t second_end =
+      16;  // behind the counts of vertices, triangles and runs, and the first run's end
+  ASSERT_EQ(std::to_integer<int>(bytes[second_end]), 4);
+  EXPECT_NO_THROW(decoded(chunk, bytes, info_of(chunk), 7));
+  for (const int end : {0, 5, 255}) {
+    auto damaged = bytes;
+    damaged[second_end] = static_cast<std::byte>(end);
+    EXPECT_THROW(decoded(chunk, damaged, info_of(chunk), 7), Error) << end;
+  }
+}
+
 TEST(Chunk, degenerate_triangles_stay) {
   Chunk chunk = test::grid_chunk({0, 0, 0}, 1, 1);
   chunk.indices.insert(chunk.indices.end(), {0, 0, 1, 2, 2, 2});
