@@ -11,7 +11,7 @@ namespace triptych {
 namespace {
 
 constexpr std::string_view binary_sentinel("AutoCAD Binary DXF\r\n\x1a\0", 22);
-constexpr int comment = 999, first_extended = 1000, last_code = 1071;
+constexpr int comment = 999, last_code = 1071;
 
 enum class Kind { text, real, int16, int32, int64, flag, bytes };
 
