@@ -16,31 +16,34 @@ constexpr double far = 100;       ///< diagonals of the body
 
 /// Where, along an axis, centres lie when a hundredth of the triangles are left out at both ends.
 std::pair<double, double> middle_of(std::span<const ObjectExtent> objects, int axis) {
-  std::vector<std::pair<double, uint64_t>> centres;
-  uint64_t sum = 0;
+  std::vector<std::pair<double, double>> centres;
+  double sum = 0;
   for (const ObjectExtent& object : objects) {
-    centres.emplace_back(center(object.box)[axis], object.triangles);
-    sum += object.triangles;
+    centres.emplace_back(center(object.box)[axis], static_cast<double>(object.triangles));
+    sum += centres.back().second;
   }
   std::sort(centres.begin(), centres.end());
   const auto reach = [&](double share) {
-    const auto wanted = static_cast<double>(sum) * share;
     double passed = 0;
     for (const auto& [centre, triangles] : centres) {
-      passed += static_cast<double>(triangles);
-      if (passed > wanted) return centre;
+      passed += triangles;
+      if (passed > sum * share) return centre;
     }
     return centres.back().first;
   };
   return {reach(trimmed), reach(1 - trimmed)};
 }
 
-/// Of what is placed in a hierarchy, once each.
-uint64_t triangles_of(const BuildPlan& plan, uint32_t hierarchy, const std::vector<uint64_t>& own) {
-  uint64_t sum = own[hierarchy];
-  for (const PlannedSubHierarchy& inner : plan.hierarchies[hierarchy].sub_hierarchies)
-    sum += triangles_of(plan, inner.hierarchy, own);
-  return sum;
+/// Of each hierarchy what is placed in it. Doubles: groups of groups multiply.
+std::vector<double> triangles_of_hierarchies(const BuildPlan& plan) {
+  std::vector<double> sums(plan.hierarchies.size());
+  for (const PlannedInstance& instance : plan.instances)
+    sums[instance.hierarchy] += static_cast<double>(plan.meshes[instance.mesh].triangles);
+  for (size_t i = 0; i < sums.size(); ++i) {  // a hierarchy comes after those that it places
+    for (const PlannedSubHierarchy& inner : plan.hierarchies[i].sub_hierarchies)
+      sums[i] += sums[inner.hierarchy];
+  }
+  return sums;
 }
 
 }  // namespace
@@ -82,31 +85,31 @@ std::optional<std::string> stray_warning(const Model& model, const BuildPlan& pl
   const auto whole = static_cast<uint32_t>(plan.hierarchies.size() - 1);
   const PlannedHierarchy& hierarchy = plan.hierarchies[whole];
   std::vector<ObjectExtent> objects;
-  std::vector<std::string> names;
-  std::vector<uint64_t> own(plan.hierarchies.size());
-  const auto add = [&](const Box& box, uint32_t transform, uint64_t triangles, std::string name) {
+  std::vector<uint32_t> meshes;  // of the model; no_id for groups
+  const auto add = [&](const Box& box, uint32_t transform, double triangles, uint32_t mesh) {
     if (box.empty()) return;
-    ObjectExtent object{.box = {}, .triangles = triangles};
+    constexpr double most = 0x1p62;
+    ObjectExtent object{.box = {}, .triangles = static_cast<uint64_t>(std::min(triangles, most))};
     for (int corner = 0; corner < 8; ++corner)
       object.box.extend(hierarchy.transforms[transform] * glm::dvec4(box.corner(corner), 1));
     objects.push_back(object);
-    names.push_back(std::move(name));
+    meshes.push_back(mesh);
   };
   for (const PlannedInstance& instance : plan.instances) {
     const PlannedMesh& mesh = plan.meshes[instance.mesh];
-    own[instance.hierarchy] += mesh.triangles;
     if (instance.hierarchy == whole)
-      add(mesh.box, instance.transform, mesh.triangles, model.meshes[mesh.mesh].name);
+      add(mesh.box, instance.transform, static_cast<double>(mesh.triangles), mesh.mesh);
   }
+  const std::vector<double> triangles = triangles_of_hierarchies(plan);
   for (const PlannedSubHierarchy& inner : hierarchy.sub_hierarchies)
-    add(plan.hierarchies[inner.hierarchy].box, inner.transform, triangles_of(plan, inner.hierarchy, own),
-        "a group");
+    add(plan.hierarchies[inner.hierarchy].box, inner.transform, triangles[inner.hierarchy], no_id);
   const std::vector<uint32_t> found = strays(objects);
   if (found.empty()) return std::nullopt;
   const Box body = body_of(objects);
-  const std::string& name = names[found[0]];
+  const uint32_t mesh = meshes[found[0]];
+  const std::string name = mesh == no_id ? "a group" : fmt::format("\"{}\"", model.meshes[mesh].name);
   return fmt::format(
-      "{} of {} objects lie far from the others: \"{}\" is {:.6g} units away from them, who fill {:.6g}; if "
+      "{} of {} objects lie far from the others: {} is {:.6g} units away from them, who fill {:.6g}; if "
       "that is a "
       "slip, mend it in the model: it costs precision",
       found.size(), objects.size(), name, distance_of(objects[found[0]].box, body), diagonal(body));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <numeric>
 
 namespace triptych {
 
@@ -51,43 +52,33 @@ std::vector<double> piece_diagonals(const Skeleton& skeleton, const Drawable& dr
   return diagonals;
 }
 
-double diagonal_of(const Skeleton& skeleton, const SceneNode& node) {
-  return diagonal(skeleton.lattice().box(node.box));
-}
-
-/// Whether the diagonals of leaves below, or of a leaf's pieces, make up next to nothing of the node's.
-bool is_scattered(const Skeleton& skeleton, const SceneNode& node) {
-  double left = min_filled * diagonal_of(skeleton, node);
-  std::vector<const SceneNode*> open{&node};
-  while (!open.empty() && left >= 0) {
-    const SceneNode& next = *open.back();
-    open.pop_back();
-    for (uint32_t child = 0; child < next.child_count; ++child)
-      open.push_back(&skeleton.scene_nodes[next.first_child + child]);
-    if (next.child_count > 0) continue;
-    if (&next == &node) {
-      for (const double piece : piece_diagonals(skeleton, skeleton.drawables[node.first_drawable]))
-        left -= piece;
-    } else {
-      left -= diagonal_of(skeleton, next);
-    }
-  }
-  return left >= 0;
-}
-
-/// The smallest diagonal of what stands alone below a scene node, or its own; infinite for points.
-double least_alone(const Skeleton& skeleton, const SceneNode& node) {
+/// The smallest diagonal of what stands alone, or of the whole if nothing does; infinite for points.
+double least_alone(const Skeleton& skeleton) {
+  const auto& nodes = skeleton.scene_nodes;
   const auto size_of = [](double length) {
     return length > 0 ? length : std::numeric_limits<double>::infinity();
   };
-  double least = size_of(diagonal_of(skeleton, node));
-  if (!is_scattered(skeleton, node)) return least;
-  if (node.child_count == 0) {
-    for (const double piece : piece_diagonals(skeleton, skeleton.drawables[node.first_drawable]))
-      least = std::min(least, size_of(piece));
+  std::vector<double> diagonals(nodes.size()), filled(nodes.size());  // filled: the sum over leaves below
+  for (size_t i = nodes.size(); i-- > 0;) {                           // children come after their parents
+    diagonals[i] = diagonal(skeleton.lattice().box(nodes[i].box));
+    if (nodes[i].child_count == 0) filled[i] = diagonals[i];
+    if (nodes[i].parent != no_id) filled[nodes[i].parent] += filled[i];
   }
-  for (uint32_t child = 0; child < node.child_count; ++child)
-    least = std::min(least, least_alone(skeleton, skeleton.scene_nodes[node.first_child + child]));
+  double least = size_of(diagonals[0]);
+  std::vector<SceneNodeId> open{0};
+  while (!open.empty()) {
+    const SceneNodeId id = open.back();
+    const SceneNode& node = nodes[id];
+    open.pop_back();
+    least = std::min(least, size_of(diagonals[id]));
+    if (node.child_count > 0 && filled[id] <= min_filled * diagonals[id]) {
+      for (uint32_t child = 0; child < node.child_count; ++child) open.push_back(node.first_child + child);
+    }
+    if (node.child_count > 0) continue;
+    const auto pieces = piece_diagonals(skeleton, skeleton.drawables[node.first_drawable]);
+    if (std::accumulate(pieces.begin(), pieces.end(), 0.0) > min_filled * diagonals[id]) continue;
+    for (const double piece : pieces) least = std::min(least, size_of(piece));
+  }
   return least;
 }
 
@@ -95,7 +86,7 @@ double least_alone(const Skeleton& skeleton, const SceneNode& node) {
 
 double Skeleton::default_near() const {
   if (scene_nodes.empty()) return 1e-6;
-  const double least = least_alone(*this, scene_nodes[0]);
+  const double least = least_alone(*this);
   return std::max(std::isfinite(least) ? 1e-4 * least : 0, lattice().step);
 }
 

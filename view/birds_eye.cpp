@@ -31,7 +31,7 @@ View birds_eye_view(const Skeleton& skeleton, const View& view, const std::vecto
   const glm::dvec3 aside = std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 ahead = glm::length(level) > 1e-6 ? level : aside - glm::dot(aside, up) * up;
   // In steps, so that the picture's scale does not change with every step of a walk.
-  const double reach = std::max(reach_along_ground(skeleton, view, cut), 10 * skeleton.default_near());
+  const double reach = std::max(reach_along_ground(skeleton, view, cut), 10 * view.camera.near);
   const double covered = std::exp2(std::ceil(2 * std::log2(reach)) / 2);
   View above{.camera = {.eye = view.camera.eye + covered * up,
                         .target = view.camera.eye,

@@ -149,26 +149,33 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
   }
 }
 
-void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
-                MeshSpool& spool) {
-  if (element.count == 0) return;
+/// Calls read(list), which has to read all of it, for each record's list of corners; skips the rest.
+template <typename Read>
+void for_each_corner_list(const PlyElement& element, uint64_t vertex_count, PlyValues& values,
+                          const FileImport& target, const Read& read) {
   const size_t list = corner_list_of(element, vertex_count, target);
-  std::vector<uint32_t> corners;
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin_record();
     for (size_t k = 0; k < element.properties.size(); ++k) {
-      const PlyProperty& property = element.properties[k];
-      if (k != list) {
-        values.skip(property);
-        continue;
-      }
-      corners.resize(values.read_length(property));
-      for (uint32_t& corner : corners) {
-        corner = static_cast<uint32_t>(values.read_index(property.type, vertex_count - 1, "a face's vertex"));
+      if (k == list) {
+        read(element.properties[k]);
+      } else {
+        values.skip(element.properties[k]);
       }
     }
-    spool.add_face(corners, 0);
   }
+}
+
+void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
+                MeshSpool& spool) {
+  if (element.count == 0) return;
+  std::vector<uint32_t> corners;
+  for_each_corner_list(element, vertex_count, values, target, [&](const PlyProperty& list) {
+    corners.resize(values.read_length(list));
+    for (uint32_t& corner : corners)
+      corner = static_cast<uint32_t>(values.read_index(list.type, vertex_count - 1, "a face's vertex"));
+    spool.add_face(corners, 0);
+  });
 }
 
 /// Adds the triangles between the corners from `begin` on: every second one turns the other way.
@@ -184,29 +191,20 @@ void add_strip(std::span<const uint32_t> strip, MeshSpool& spool) {
 void read_strips(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
                  MeshSpool& spool) {
   if (element.count == 0) return;
-  const size_t list = corner_list_of(element, vertex_count, target);
   std::vector<uint32_t> strip;
-  for (uint64_t i = 0; i < element.count; ++i) {
-    values.begin_record();
-    for (size_t k = 0; k < element.properties.size(); ++k) {
-      const PlyProperty& property = element.properties[k];
-      if (k != list) {
-        values.skip(property);
+  for_each_corner_list(element, vertex_count, values, target, [&](const PlyProperty& list) {
+    strip.clear();
+    for (uint64_t left = values.read_length(list); left > 0; --left) {
+      const auto vertex = values.read_vertex_or_end(list.type, vertex_count);
+      if (vertex) {
+        strip.push_back(*vertex);
         continue;
       }
-      strip.clear();
-      for (uint64_t left = values.read_length(property); left > 0; --left) {
-        const auto vertex = values.read_vertex_or_end(property.type, vertex_count);
-        if (vertex) {
-          strip.push_back(*vertex);
-          continue;
-        }
-        add_strip(strip, spool);
-        strip.clear();
-      }
       add_strip(strip, spool);
+      strip.clear();
     }
-  }
+    add_strip(strip, spool);
+  });
 }
 
 PositionTable vertex_table(const PlyElement& element, FileImport& target) {

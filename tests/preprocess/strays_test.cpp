@@ -43,6 +43,45 @@ TEST(Strays, of_no_objects_of_one_and_of_points_are_none) {
   EXPECT_TRUE(strays(std::vector(3, object({1, 1, 1}, 0, 1))).empty());
 }
 
+TEST(Strays, of_groups_in_groups_are_found_however_often_those_multiply) {
+  constexpr uint32_t depth = 64;  // 2^64 placements of one mesh
+  Model model;
+  model.meshes.push_back(awkward::box({0, 0, 0}, {1, 1, 1}, 0));
+  BuildPlan plan;
+  plan.meshes.push_back(
+      {.mesh = 0, .transform = Affine(1), .instances = {0}, .box = {{0, 0, 0}, {1, 1, 1}}, .triangles = 12});
+  plan.instances.push_back({});
+  for (uint32_t i = 0; i <= depth; ++i) {
+    PlannedHierarchy hierarchy{
+        .transforms = {Affine(1)}, .stretches = {}, .sub_hierarchies = {}, .box = plan.meshes[0].box};
+    if (i > 0) hierarchy.sub_hierarchies = {{i - 1, 0}, {i - 1, 0}};
+    plan.hierarchies.push_back(hierarchy);
+  }
+  EXPECT_FALSE(stray_warning(model, plan));
+  plan.meshes.push_back({.mesh = 0,
+                         .transform = Affine(1),
+                         .instances = {1},
+                         .box = {{5000, 0, 0}, {5001, 1, 1}},
+                         .triangles = 12});
+  plan.instances.push_back({.mesh = 1, .transform = 0, .hierarchy = depth});
+  EXPECT_TRUE(stray_warning(model, plan));
+}
+
+TEST(Strays, of_a_hierarchy_that_is_a_list_do_not_move_the_near_plane) {
+  constexpr uint32_t nodes = 200'000;
+  Skeleton skeleton;
+  skeleton.lattices = {Lattice{{0, 0, 0}, 1.0 / 1024}};
+  for (uint32_t i = 0; i < nodes; ++i) {  // a leaf of one unit, and all others, twice as far apart
+    const int far = static_cast<int>(nodes - i) * 1024;
+    skeleton.scene_nodes.push_back({.box = {{0, 0, 0}, {i % 2 == 0 ? far * 2 : 1, 1, 1}},
+                                    .parent = i == 0 ? no_id : i - (i % 2 == 0 ? 2 : 1),
+                                    .first_child = i + 1,
+                                    .child_count = i % 2 == 0 && i + 2 < nodes ? 2u : 0u});
+  }
+  skeleton.drawables.push_back({});
+  EXPECT_DOUBLE_EQ(skeleton.default_near(), skeleton.lattice().step);  // small against a leaf
+}
+
 /// Boxes in rows, and perhaps one more.
 Model rows(const glm::dvec3& stray, bool with_stray) {
   Model model = awkward::model_of({});

@@ -1,4 +1,5 @@
 // 3MF: units, axes, items and components, colours, and archives that are damaged.
+#include "placed.hpp"
 #include "zip_support.hpp"
 
 #include <glm/geometric.hpp>
@@ -26,30 +27,9 @@ Model import_part(const std::string& xml) {
   return import_model({write_zip("a.3mf", {{"[Content_Types].xml", "<Types/>"}, {"3D/3dmodel.model", xml}})});
 }
 
-struct Bounds {
-  glm::dvec3 low{1e300}, high{-1e300};
-  size_t triangles = 0;
-};
-
-Bounds bounds_of(const Model& model) {
-  Bounds bounds;
-  for (const Instance& instance : model.instances) {
-    for (const CornerTriangle& triangle : test::triangles_of(model.meshes[instance.mesh])) {
-      ++bounds.triangles;
-      for (const glm::dvec3& corner : triangle.corners) {
-        const glm::dvec3 at = instance.transform * glm::dvec4(corner, 1);
-        bounds.low = glm::min(bounds.low, at), bounds.high = glm::max(bounds.high, at);
-      }
-    }
-  }
-  return bounds;
-}
-
 void expect_bounds(const Model& model, size_t triangles, const glm::dvec3& low, const glm::dvec3& high) {
-  const Bounds bounds = bounds_of(model);
-  EXPECT_EQ(bounds.triangles, triangles);
-  EXPECT_LT(glm::length(bounds.low - low), 1e-9);
-  EXPECT_LT(glm::length(bounds.high - high), 1e-9);
+  EXPECT_EQ(test::placed_triangles(model).size(), triangles);
+  test::expect_box(model, low, high, 1e-9);
 }
 
 const std::string object = "<object id=\"1\" name=\"thing\" type=\"model\">" + tetrahedron + "</object>";
@@ -122,7 +102,7 @@ TEST(Import3mf, damage_costs_what_is_damaged) {
   std::string xml = part("unit=\"meter\"", bad, "<item objectid=\"1\"/>");
   xml.replace(xml.find("v3=\"3\""), 6, "v3=\"7\"");
   const Model model = import_part(xml);
-  EXPECT_EQ(bounds_of(model).triangles, 1u);
+  EXPECT_EQ(test::placed_triangles(model).size(), 1u);
   EXPECT_TRUE(warns(model, "1 triangles that name vertices which are not there"));
   const Model cut = import_part(xml.substr(0, xml.find("</resources>")));
   EXPECT_TRUE(warns(cut, "is not well-formed XML"));

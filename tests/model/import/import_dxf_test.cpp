@@ -1,5 +1,5 @@
 // DXF: entities that are surfaces, blocks and their inserts, layers, colours, units.
-#include "import_support.hpp"
+#include "placed.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -32,34 +32,10 @@ std::string drawing(const std::string& entities, const std::string& blocks = "",
 const std::string face = "0 3DFACE 8 0 10 0 20 0 30 0 11 2 21 0 31 0 12 0 22 1 32 0 13 0 23 1 33 0";
 const std::string block = "0 BLOCK 2 T 10 0 20 0 30 0 " + face + " 0 ENDBLK";
 
-struct Bounds {
-  glm::dvec3 low{1e300}, high{-1e300};
-  size_t triangles = 0;
-};
-
 /// In the drawing's own axes: z is up.
-Bounds bounds_of(const Model& model) {
-  Bounds bounds;
-  for (const Instance& instance : model.instances) {
-    for (const CornerTriangle& triangle : test::triangles_of(model.meshes[instance.mesh])) {
-      ++bounds.triangles;
-      for (const glm::dvec3& corner : triangle.corners) {
-        const glm::dvec3 at = instance.transform * glm::dvec4(corner, 1);
-        const glm::dvec3 drawn(at.x, -at.z, at.y);
-        bounds.low = glm::min(bounds.low, drawn);
-        bounds.high = glm::max(bounds.high, drawn);
-      }
-    }
-  }
-  return bounds;
-}
-
 void expect_bounds(const Model& model, size_t triangles, const glm::dvec3& low, const glm::dvec3& high) {
-  const Bounds bounds = bounds_of(model);
-  EXPECT_EQ(bounds.triangles, triangles);
-  const auto text = [](const glm::dvec3& p) { return fmt::format("{} {} {}", p.x, p.y, p.z); };
-  EXPECT_LT(glm::length(bounds.low - low), 1e-9) << text(bounds.low);
-  EXPECT_LT(glm::length(bounds.high - high), 1e-9) << text(bounds.high);
+  EXPECT_EQ(test::placed_triangles(model).size(), triangles);
+  test::expect_box(model, {low.x, low.z, -high.y}, {high.x, high.z, -low.y}, 1e-9);
 }
 
 Model with_insert(const std::string& insert) {
@@ -130,11 +106,12 @@ TEST(ImportDxf, curves_with_a_thickness_or_width_are_surfaces_and_others_are_cou
                 {4, 1, 0});
   expect_bounds(import_text("a.dxf", drawing("0 LWPOLYLINE 39 5 43 2 10 0 20 0 10 4 20 0 10 4 20 4")), 20,
                 {0, -1, 0}, {5, 4, 5});
-  const Bounds half = bounds_of(import_text("a.dxf", drawing("0 LWPOLYLINE 39 1 10 0 20 0 42 1 10 2 20 0")));
-  EXPECT_NEAR(half.low.y, -1, 1e-3);  // a bulge of 1 is a half circle to the right
-  const Bounds circle = bounds_of(import_text("a.dxf", drawing("0 CIRCLE 39 2 10 1 20 1 30 0 40 3")));
-  EXPECT_NEAR(circle.low.x, -2, 1e-2);
-  EXPECT_NEAR(circle.high.z, 2, 1e-12);
+  const test::Box half =
+      test::box_of(import_text("a.dxf", drawing("0 LWPOLYLINE 39 1 10 0 20 0 42 1 10 2 20 0")));
+  EXPECT_NEAR(-half.second.z, -1, 1e-3);  // a bulge of 1 is a half circle to the right
+  const test::Box circle = test::box_of(import_text("a.dxf", drawing("0 CIRCLE 39 2 10 1 20 1 30 0 40 3")));
+  EXPECT_NEAR(circle.first.x, -2, 1e-2);
+  EXPECT_NEAR(circle.second.y, 2, 1e-12);
   const Model counted =
       import_text("a.dxf", drawing(face + " 0 LINE 10 0 11 1 0 TEXT 1 hello 0 3DSOLID 1 x 0 NEW"));
   for (const char* kind : {"1 LINE", "1 TEXT", "1 3DSOLID", "1 NEW"})
