@@ -120,7 +120,7 @@ void add_mesh(const DxfRecord& entity, const DxfStyle& style, DxfSurfaces& surfa
       surfaces.add_vertex(position);
       ++vertices;
     }
-    if (part == faces && group.code == 90) lists.push_back(static_cast<int64_t>(group.number));
+    if (part == faces && group.code == 90) lists.push_back(group.integer(-1));  // names no vertex
   }
   if (entity.integer(91) > 0) surfaces.target().warn("meshes are drawn without their subdivision");
   std::vector<uint32_t> corners;

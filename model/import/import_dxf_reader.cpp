@@ -58,9 +58,15 @@ double DxfRecord::coordinate(int code) const {
   return 0;
 }
 
+int64_t DxfGroup::integer(int64_t otherwise) const {
+  return std::abs(number) < 1e15 ? static_cast<int64_t>(number) : otherwise;
+}
+
 int64_t DxfRecord::integer(int code, int64_t otherwise) const {
-  const double value = number(code, static_cast<double>(otherwise));
-  return std::abs(value) < 1e15 ? static_cast<int64_t>(value) : otherwise;
+  for (const DxfGroup& group : groups) {
+    if (group.code == code) return group.integer(otherwise);
+  }
+  return otherwise;
 }
 
 std::string_view DxfRecord::text(int code) const {

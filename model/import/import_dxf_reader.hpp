@@ -16,6 +16,9 @@ struct DxfGroup {
   int code = 0;
   double number = 0;  ///< NaN where the file holds no number
   std::string text;
+
+  /// The number without its fraction; `otherwise` where the file holds no number, or one beyond 10^15.
+  int64_t integer(int64_t otherwise) const;
 };
 
 struct DxfRecord {

@@ -95,6 +95,14 @@ TEST(ImportDxf, solids_polygon_meshes_polyfaces_and_meshes_are_surfaces) {
       import_text("a.dxf", drawing("0 MESH 71 2 72 0 91 0 92 3 10 0 20 0 30 0 10 2 20 0 30 0 10 0 20 3 "
                                    "30 5 93 4 90 3 90 0 90 1 90 2 94 0")),
       1, {0, 0, 0}, {2, 3, 5});
+  // A number that cannot be read names no vertex; one in place of a count ends the lists.
+  const Model unreadable = import_text(
+      "a.dxf",
+      drawing("0 MESH 71 2 72 0 91 0 92 3 10 0 20 0 30 0 10 2 20 0 30 0 10 0 20 3 30 5 93 13 90 3 90 0 "
+              "90 nan 90 2 90 3 90 0 90 1 90 2 90 1e300 90 3 90 0 90 1 90 2 94 0"));
+  expect_bounds(unreadable, 1, {0, 0, 0}, {2, 3, 5});
+  EXPECT_TRUE(warns(unreadable, "1 faces that name vertices which are not there"));
+  EXPECT_TRUE(warns(unreadable, "1 lists of faces end too soon"));
 }
 
 TEST(ImportDxf, curves_with_a_thickness_or_width_are_surfaces_and_others_are_counted) {
