@@ -27,13 +27,13 @@ enum class Fault {
   perspective_rule,        ///< levels are selected for orthographic views as if they were perspective
   dropped_singular_value,  ///< bounds of placed geometry are not scaled with it
   uncounted_lattice,       ///< rounding to the lattice does not count as an error
-  shrinking_bounds,        ///< an HLOD's error leaves out its children's
-  unflipped_mirror,        ///< mirrored placements keep their winding
-  shared_shears,           ///< meshes are shared under transforms that floats cannot place exactly
-  exact_frustum,           ///< the cut leaves out what is behind the frustum's planes by less than rounding
-  backs_nearby,            ///< backs are left out even where the eye is among them
-  slow_render_node,        ///< the render node is slow with each packet and frame: no picture may change
-  slow_switch_node,        ///< the same for switch node 1
+  shrinking_bounds,  ///< an HLOD's error leaves out its children's, in builds and in the selection of levels
+  unflipped_mirror,  ///< mirrored placements keep their winding
+  shared_shears,     ///< meshes are shared under transforms that floats cannot place exactly
+  exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
+  backs_nearby,      ///< backs are left out even where the eye is among them
+  slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change
+  slow_switch_node,  ///< the same for switch node 1
 };
 
 /// Turns a fault on for this process. Returns false for an unknown name ("withheld-id" names

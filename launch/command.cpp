@@ -15,7 +15,7 @@ namespace triptych {
 
 namespace {
 
-PictureSize parse_size(const std::string& text) {
+PictureSize parse_size(const std::string& text, const std::string& flag) {
   PictureSize size{0, 0};
   const char* const end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, size.width);
@@ -24,7 +24,7 @@ PictureSize parse_size(const std::string& text) {
   constexpr int limit = 16384;
   if (!separated || height.ec != std::errc() || height.ptr != end || size.width < 1 || size.height < 1 ||
       size.width > limit || size.height > limit) {
-    throw CLI::ValidationError("--size", fmt::format("\"{}\" is no WxH with sides of 1 to {}", text, limit));
+    throw CLI::ValidationError(flag, fmt::format("\"{}\" is no WxH with sides of 1 to {}", text, limit));
   }
   return size;
 }
@@ -137,7 +137,7 @@ void add_path_flags(CLI::App& command, RunOptions& options) {
   command.add_option("--path", options.path, "The camera path")->required()->type_name("FILE");
   command
       .add_option_function<std::string>(
-          "--size", [&options](const std::string& text) { options.size = parse_size(text); },
+          "--size", [&options](const std::string& text) { options.size = parse_size(text, "--size"); },
           "Width and height of the picture in pixels")
       ->type_name("WxH")
       ->default_str("512x512")
@@ -149,6 +149,16 @@ void add_path_flags(CLI::App& command, RunOptions& options) {
   command.add_option("--frames", options.frames, "Only the first frames of the path")
       ->check(whole_number(1, max_frames))
       ->take_last();
+}
+
+void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes) {
+  take_list(command.add_option_function<std::vector<std::string>>(
+                "--sizes",
+                [&sizes](const std::vector<std::string>& words) {
+                  for (const std::string& word : words) sizes.push_back(parse_size(word, "--sizes"));
+                },
+                "Draw the path at each of these sizes, instead of --size"))
+      ->type_name("WxH,...");
 }
 
 void add_run_flags(CLI::App& command, RunOptions& options) {

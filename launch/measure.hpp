@@ -5,6 +5,7 @@
 
 namespace triptych {
 
+void add_measure_accuracy(CLI::App& measure, Action& action);
 void add_measure_session(CLI::App& measure, Action& action);
 void add_measure_build(CLI::App& measure, Action& action);
 void add_measure_yardstick(CLI::App& measure, Action& action);

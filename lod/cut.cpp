@@ -2,17 +2,33 @@
 
 #include "base/rounding.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace triptych {
 
 namespace {
 
+/// The drawable's error, as the rules believe it.
+double error_of(const FrameView& view, const SceneNode& node, DrawableId id) {
+  const Skeleton& skeleton = *view.skeleton;
+  double error = skeleton.drawables[id].error;
+  if (view.rules.bounds_hold_children || node.child_count == 0) return error;
+  double of_children = 0;
+  for (uint32_t child = 0; child < node.child_count; ++child) {
+    const SceneNode& below = skeleton.scene_nodes[node.first_child + child];
+    if (below.drawable_count == 0) continue;
+    const DrawableId coarsest = below.first_drawable + below.drawable_count - 1;
+    of_children = std::max(of_children, skeleton.drawables[coarsest].error);
+  }
+  return std::max(error - of_children, 0.0);
+}
+
 /// The coarsest drawable of the node that keeps the pixel error, or no_id.
 DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBounds& bounds) {
   for (uint32_t level = node.drawable_count; level-- > 0;) {
     const DrawableId id = node.first_drawable + level;
-    const double error = view.skeleton->drawables[id].error;
+    const double error = error_of(view, node, id);
     if (projected_error(view.focal_length, error, bounds) <= view.state.pixel_error) return id;
   }
   return no_id;

@@ -5,6 +5,7 @@
 #include "base/progress.hpp"
 #include "base/signals.hpp"
 #include "lod/cut.hpp"
+#include "measure/frame_timing.hpp"
 #include "nodes/injected_rules.hpp"
 #include "nodes/local_pipeline.hpp"
 #include "nodes/picture_stage.hpp"
@@ -15,16 +16,6 @@
 namespace triptych {
 
 namespace {
-
-/// Lets the device begin another view, so that each method pays for what a device computes once for a view
-/// and keeps.
-void begin_other_view(FrameTarget& target, const Skeleton& skeleton, const FrameRequest& frame) {
-  FrameState other = frame.state;
-  other.pixel_error += 1;
-  target.begin(FrameView(skeleton, other));
-  target.draw({});
-  target.finish();
-}
 
 /// Draws a list of drawables under the frame's view.
 class ListMethod : public SpeedMethod {

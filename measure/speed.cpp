@@ -4,24 +4,17 @@
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "base/signals.hpp"
+#include "measure/frame_timing.hpp"
 #include "measure/model_methods.hpp"
 #include "nodes/device_choice.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <fmt/core.h>
 #include <optional>
 
 namespace triptych {
 
 namespace {
-
-/// Of all threads of this process.
-double cpu_milliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
 
 /// Everything that is measured together, in the order of the rows.
 class Contest {
@@ -102,12 +95,12 @@ class Contest {
 
   static SpeedSeries::Frame measure(SpeedMethod& method, size_t frame) {
     method.prepare(frame);
-    const double cpu_before = cpu_milliseconds();
+    const double cpu_before = process_cpu_milliseconds();
     const Stopwatch stopwatch;
     method.draw(frame);
     const double frame_ms = stopwatch.milliseconds();
     return {.frame_ms = frame_ms,
-            .cpu_ms = cpu_milliseconds() - cpu_before,
+            .cpu_ms = process_cpu_milliseconds() - cpu_before,
             .drawn_triangles = method.drawn_triangles(),
             .stages = method.stages()};
   }

@@ -5,7 +5,8 @@
 namespace triptych {
 
 FrameRules injected_frame_rules() {
-  return {.orthographic_error = !injected(Fault::perspective_rule),
+  return {.bounds_hold_children = !injected(Fault::shrinking_bounds),
+          .orthographic_error = !injected(Fault::perspective_rule),
           .min_depth_error = !injected(Fault::euclidean_depth),
           .oblique_stretch = !injected(Fault::dropped_stretch),
           .frustum_margin = !injected(Fault::exact_frustum),

@@ -58,9 +58,9 @@ std::string to_html(const HtmlTable& table) {
 namespace {
 constexpr const char* style = R"css(
 :root { color-scheme: light dark; --page: #fcfcfb; --ink: #1b1d21; --quiet: #62666e; --rule: #dfe0e3; --panel: #f3f3f1;
-  --one: #2563b8; --two: #c2560c; --three: #287d4d; --bad: #b3261e; }
+  --one: #2563b8; --two: #c2560c; --three: #287d4d; --four: #8a3ea8; --five: #9a6b00; --six: #00798a; --seven: #b0346b; --eight: #5d6470; --bad: #b3261e; }
 @media (prefers-color-scheme: dark) { :root { --page: #16181b; --ink: #e6e7e9; --quiet: #9ba0a8; --rule: #33363b;
-  --panel: #1f2226; --one: #74a9f5; --two: #f0985a; --three: #6cc592; --bad: #ff8a80; } }
+  --panel: #1f2226; --one: #74a9f5; --two: #f0985a; --three: #6cc592; --four: #cf8ee8; --five: #d9b04a; --six: #57c3d3; --seven: #f089b4; --eight: #aab0ba; --bad: #ff8a80; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.2rem 4rem; background: var(--page); color: var(--ink);
   font: 16px/1.55 system-ui, "DejaVu Sans", sans-serif; }
@@ -85,6 +85,9 @@ svg polyline, svg line { fill: none; stroke-width: 1.6; stroke-linejoin: round; 
 svg .grid { stroke: var(--rule); stroke-width: 1; } svg .label { fill: var(--quiet); font-size: 12px; }
 .end { text-anchor: end; } .middle { text-anchor: middle; }
 .series-1 { stroke: var(--one); } .series-2 { stroke: var(--two); } .series-3 { stroke: var(--three); }
+.series-4 { stroke: var(--four); } .series-5 { stroke: var(--five); } .series-6 { stroke: var(--six); }
+.series-7 { stroke: var(--seven); } .series-8 { stroke: var(--eight); } svg circle { fill: var(--page); stroke-width: 1.6; }
+ul { padding-left: 1.4rem; font-size: .9rem; }
 ol { padding-left: 1.4rem; font-size: .85rem; } li { margin: .4rem 0; }
 )css";
 }  // namespace

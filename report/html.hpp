@@ -1,6 +1,7 @@
 // The HTML elements that reports are made of.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ struct HtmlTable {
   std::vector<std::vector<std::string>> rows;
 };
 std::string to_html(const HtmlTable& table);
+
+/// How many colours series have: the classes series-1, series-2 and so on.
+inline constexpr size_t series_colors = 8;
 
 /// The whole page around a body: style for light and dark, wide and narrow windows; nothing is loaded from
 /// elsewhere.

@@ -1,59 +1,15 @@
-// Nearest distances to the surfaces of an open pack, by Embree's point queries. Shares nothing with the
-// build.
+// The surfaces of an open pack: nearest distances, and what lines meet first. Shares nothing with the build.
 #pragma once
 
+#include "preprocess/check/chunk_tree.hpp"
 #include "scene/pack.hpp"
 
-#include <glm/mat3x3.hpp>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 #include <vector>
 
-struct RTCDeviceTy;
-struct RTCSceneTy;
-
 namespace triptych {
-
-/// Distance from a point to a triangle, which may be degenerate.
-double distance_to_triangle(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
-                            const glm::dvec3& c);
-
-/// A transform with what a search in its chunk's own space needs.
-struct Placing {
-  explicit Placing(const Affine& transform);
-  Affine transform;
-  glm::dmat3 linear, inverse;
-  double stretch;  ///< a distance in model space is at most this much longer in the chunk's space; infinite
-                   ///< if singular
-};
-
-/// A chunk's triangles with a search tree over them.
-class ChunkTree {
- public:
-  ChunkTree(RTCDeviceTy* device, const Chunk& chunk, const Lattice& lattice);
-  ~ChunkTree();
-  ChunkTree(const ChunkTree&) = delete;
-  ChunkTree& operator=(const ChunkTree&) = delete;
-
-  /// The least of `best` and the distance from the point (model space) to the placed chunk. Where it is at
-  /// most `floor`, any value up to `floor` may be returned.
-  double distance(const Placing& placing, const glm::dvec3& point, double best, double floor) const;
-
-  size_t triangle_count() const { return indices_.size() / 3; }
-  const std::vector<glm::dvec3>& positions() const { return positions_; }
-  const std::vector<uint32_t>& indices() const { return indices_; }
-
- private:
-  RTCSceneTy* scene_;
-  std::vector<glm::dvec3> positions_;  ///< in the chunk's space, exact
-  std::vector<uint32_t> indices_;
-  glm::dvec3 center_;
-  double extent_;
-  /// Of the tree's floats, a power of two near the extent, so that their squares are finite.
-  double unit_ = 1;
-};
 
 /// The surfaces of a pack's drawables and of their sources. Safe to use from several threads; keeps the trees
 /// that were used last. Error for a chunk that is damaged.
@@ -62,9 +18,26 @@ class PackSurfaces {
   explicit PackSurfaces(const Pack& pack);
   ~PackSurfaces();
 
-  /// The distance to the finest leaf drawables below a scene node, and to one drawable. `floor` as above.
-  double distance_to_source(SceneNodeId scene_node, const glm::dvec3& point, double floor) const;
+  /// The finest leaf drawable below a scene node that is nearest to a point, and how far it is.
+  struct NearestSource {
+    double distance;
+    SceneNodeId leaf = no_id;
+  };
+  NearestSource nearest_source(SceneNodeId scene_node, const glm::dvec3& point, double floor) const;
+  /// The distance to the finest leaf drawables below a scene node, and to one drawable. `floor`: as
+  /// ChunkTree::distance has it.
+  double distance_to_source(SceneNodeId scene_node, const glm::dvec3& point, double floor) const {
+    return nearest_source(scene_node, point, floor).distance;
+  }
   double distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor) const;
+
+  /// Where a line first meets a drawable; as ChunkTree::first_hit.
+  struct Hit {
+    double along = 0;
+    uint32_t color = 0;  ///< of the triangle: index into the palette
+  };
+  std::optional<Hit> first_hit(DrawableId drawable, const glm::dvec3& origin, const glm::dvec3& direction,
+                               double from) const;
 
   /// The placements of the finest leaf drawables below a scene node.
   std::vector<uint32_t> source_placements(SceneNodeId scene_node) const;

@@ -1,0 +1,25 @@
+// What a bound on distance cannot see: background that shows through, and what lay hidden and comes through.
+#pragma once
+
+#include "measure/accuracy/patches.hpp"
+#include "measure/accuracy/surface_pixels.hpp"
+
+#include <span>
+
+namespace triptych {
+
+/// How far around a pixel the reference is looked at, pixels: what deviates by the pixel error may have moved
+/// an outline by that much, and rasterisation by one more.
+int search_radius(double pixel_error);
+
+/// Background where the reference shows surfaces for `radius` pixels all round.
+PixelMask find_holes(std::span<const SurfacePixel> reference, std::span<const SurfacePixel> shown, int width,
+                     int height, int radius);
+
+/// Surfaces of which the reference shows nothing within `radius` pixels: no leaf that the drawable stands for
+/// in about the same base colour. What a drawable of many objects shows of one of them in place of another
+/// of the same colour is not seen.
+PixelMask find_swaps(const Skeleton& skeleton, std::span<const SurfacePixel> reference,
+                     std::span<const SurfacePixel> shown, int width, int height, int radius);
+
+}  // namespace triptych

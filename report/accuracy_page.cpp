@@ -1,0 +1,196 @@
+#include "report/accuracy_page.hpp"
+
+#include "report/html.hpp"
+#include "report/scatter_chart.hpp"
+
+#include <array>
+#include <fmt/core.h>
+#include <map>
+
+namespace triptych {
+
+using nlohmann::json;
+
+namespace {
+
+/// An error that is drawn against time: where it is in a row, and what it means.
+struct Measure {
+  const char* pointer;
+  const char* name;
+  double scale;
+  const char* meaning;
+};
+constexpr std::array measures = {
+    Measure{"/deviation_px/max", "largest deviation, pixels", 1,
+            "How far any surface is from where it should be, on the screen."},
+    Measure{"/wrong_pixel_share", "pixels that differ, %", 100,
+            "Pixels that differ from the picture of the full detail, by whatever little."},
+    Measure{"/hole_share", "holes, pixels a million", 1e6,
+            "Background where the reference shows surfaces all round."},
+    Measure{"/swap_share", "swaps, pixels a million", 1e6,
+            "Objects or colours that the reference shows nowhere near: what lay hidden comes through."},
+    Measure{"/cover_kept", "cover of small things kept, %", 100,
+            "Of the pixels that things of at most 8 pixels cover, averaged over shifts of the camera."},
+    Measure{"/popping", "popping, of 255", 1,
+            "Change from frame to frame beyond the reference's own change; the mean over pixels."},
+    Measure{"/rmse", "colour error (RMSE), of 255", 1, "The root of the mean squared difference of colours."},
+    Measure{"/ssim", "structural similarity (SSIM)", 1, "1 where the pictures are alike."},
+    Measure{"/butteraugli", "butteraugli", 1,
+            "A perceptual distance; about 1 where a person begins to notice it."},
+    Measure{"/missed_triangle_share", "triangles in view left out, %", 100,
+            "Of drawables that own a pixel and were not drawn."},
+};
+
+/// The setting without its pixel error, as far as rows differ in it.
+std::string series_name(const json& row, const json& rows) {
+  std::string name = row["strategy"].get<std::string>();
+  if (!row["min_pixels"].is_null()) name += fmt::format(" {}", row["min_pixels"].get<uint32_t>());
+  for (const char* key : {"device", "size", "pack"}) {
+    bool differs = false;
+    for (const json& other : rows) differs = differs || other[key] != row[key];
+    if (differs) name += ", " + row[key].get<std::string>();
+  }
+  return name;
+}
+
+ScatterChart chart_of(const json& rows, const Measure& measure) {
+  ScatterChart chart{.x_unit = "median frame time, ms", .y_unit = measure.name};
+  std::map<std::string, size_t> places;
+  const json::json_pointer pointer(measure.pointer);
+  for (const json& row : rows) {
+    if (!row.at(pointer).is_number()) continue;
+    const std::string name = series_name(row, rows);
+    const auto [place, is_new] = places.emplace(name, chart.series.size());
+    if (is_new) chart.series.push_back({name, {}});
+    const std::string error = fmt::format("{:g}", row["pixel_error"].get<double>());
+    chart.series[place->second].points.push_back({row["frame_ms"]["p50"].get<double>(),
+                                                  measure.scale * row.at(pointer).get<double>(), error,
+                                                  name + ", " + row["says"].get<std::string>()});
+  }
+  return chart;
+}
+
+std::string charts(const json& rows) {
+  std::string html =
+      "<h2>What each error costs in time</h2>\n<p>Each point is a setting, labelled with its pixel error; "
+      "left "
+      "is faster. Point at one to read what it buys.</p>\n";
+  for (const Measure& measure : measures) {
+    const ScatterChart chart = chart_of(rows, measure);
+    if (chart.series.empty()) continue;
+    html += fmt::format("<figure class=\"chart\">{}<figcaption>{}</figcaption></figure>\n",
+                        scatter_svg(chart), escape_html(measure.meaning));
+  }
+  return html;
+}
+
+std::string sentences(const json& rows) {
+  std::string html = "<h2>What each setting buys</h2>\n";
+  std::string last;
+  for (const json& row : rows) {
+    const std::string name = series_name(row, rows);
+    if (name != last)
+      html += (last.empty() ? "" : "</ul>\n") + fmt::format("<p>{}</p>\n<ul>\n", escape_html(name));
+    last = name;
+    html += fmt::format("<li>{}</li>\n", escape_html(row["says"].get<std::string>()));
+  }
+  html += "</ul>\n";
+  for (const json& row : rows) {
+    if (!row.contains("may_miss")) continue;
+    html += fmt::format("<p class=\"quiet\">{}: {}</p>\n", escape_html(series_name(row, rows)),
+                        escape_html(row["may_miss"].get<std::string>()));
+    break;
+  }
+  return html;
+}
+
+std::string cell(const json& row, const char* pointer, double scale, int decimals) {
+  const json& value = row.at(json::json_pointer(pointer));
+  return value.is_number() ? grouped(scale * value.get<double>(), decimals) : "–";
+}
+
+std::string table(const json& rows) {
+  HtmlTable table{{"setting", "px", "ms", "p95", "triangles", "wrong %", "deviation max", "p99", "holes /M",
+                   "swaps /M", "cover %", "popping", "RMSE", "SSIM", "butteraugli"},
+                  {}};
+  for (const json& row : rows) {
+    table.rows.push_back({escape_html(series_name(row, rows)), cell(row, "/pixel_error", 1, 2),
+                          cell(row, "/frame_ms/p50", 1, 2), cell(row, "/frame_ms/p95", 1, 2),
+                          cell(row, "/drawn_triangles/mean", 1, 0), cell(row, "/wrong_pixel_share", 100, 2),
+                          cell(row, "/deviation_px/max", 1, 3), cell(row, "/deviation_px/p99", 1, 3),
+                          cell(row, "/hole_share", 1e6, 0), cell(row, "/swap_share", 1e6, 0),
+                          cell(row, "/cover_kept", 100, 1), cell(row, "/popping", 1, 3),
+                          cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
+                          cell(row, "/butteraugli", 1, 2)});
+  }
+  return "<h2>All figures</h2>\n" + to_html(table);
+}
+
+std::string image(const std::string& file, const std::string& caption) {
+  return fmt::format(
+      "<figure><img src=\"{}\" alt=\"{}\" loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
+      escape_html(file), escape_html(caption), escape_html(caption));
+}
+
+std::string strip(const json& report) {
+  std::string html = "<h2>One frame at each pixel error</h2>\n<div class=\"pictures\">\n", differences;
+  for (const json& item : report["strip"]) {
+    const double error = item["pixel_error"].get<double>();
+    html += image(item["file"].get<std::string>(),
+                  error > 0 ? fmt::format("{:g} px", error)
+                            : fmt::format("full detail, frame {}", item["frame"].get<uint32_t>()));
+    if (item.contains("difference"))
+      html += image(item["difference"].get<std::string>(),
+                    fmt::format("{:g} px: the difference, four times", error));
+  }
+  return html + "</div>\n";
+}
+
+std::string patches(const json& report) {
+  static const std::map<std::string, const char*> names = {
+      {"hole", "The largest hole"}, {"swap", "The largest swap"}, {"deviation", "The largest deviation"}};
+  std::string html = "<h2>The worst places</h2>\n";
+  for (const json& patch : report["patches"]) {
+    const json& row = report["rows"][patch["row"].get<size_t>()];
+    const auto kind = patch["kind"].get<std::string>();
+    std::string size = fmt::format("{} pixels", patch["pixels"].get<uint64_t>());
+    if (kind == "deviation") size = fmt::format("{:.3g} px", row["deviation_px"]["max"].get<double>());
+    html +=
+        fmt::format("<p>{} at {:g} px of error ({}): {}, frame {}, around pixel {},{}</p>\n", names.at(kind),
+                    row["pixel_error"].get<double>(), escape_html(series_name(row, report["rows"])), size,
+                    patch["frame"].get<uint32_t>(), patch["x"].get<int>(), patch["y"].get<int>());
+    html += "<div class=\"pictures\">\n" + image(patch["reference"].get<std::string>(), "full detail") +
+            image(patch["shown"].get<std::string>(), "as drawn") +
+            image(patch["difference"].get<std::string>(), "the difference, four times") + "</div>\n";
+  }
+  return html;
+}
+
+std::string verdict(const json& report) {
+  if (report["violations"] == 0)
+    return "<p><span class=\"met\">Kept:</span> no surface was found farther off than its pixel error "
+           "allows, and "
+           "exact strategies drew the whole cut's pictures.</p>\n";
+  std::string html = "<p><span class=\"missed\">Broken promises:</span></p>\n<ul>\n";
+  for (const json& violation : report["violated"]) {
+    const json& row = report["rows"][violation["row"].get<size_t>()];
+    html +=
+        fmt::format("<li>{}: frame {}, {}</li>\n", escape_html(series_name(row, report["rows"])),
+                    violation["frame"].get<uint32_t>(), escape_html(violation["what"].get<std::string>()));
+  }
+  return html + "</ul>\n";
+}
+
+}  // namespace
+
+std::string accuracy_page(const json& report) {
+  const std::string title = report["title"].get<std::string>();
+  std::string body = fmt::format("<h1>{}</h1>\n", escape_html(title)) + verdict(report);
+  body += sentences(report["rows"]) + charts(report["rows"]) + strip(report) + patches(report) +
+          table(report["rows"]);
+  body += fmt::format("<p class=\"from\"><code>{}</code></p>\n",
+                      escape_html(report["command"].get<std::string>()));
+  return html_page(title, body);
+}
+
+}  // namespace triptych

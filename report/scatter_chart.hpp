@@ -1,0 +1,29 @@
+// A chart of points over two axes as SVG, which takes its colours from the page around it as line charts do.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace triptych {
+
+/// Points that belong together, joined in their order; each with what it says when pointed at.
+struct ScatterSeries {
+  struct Point {
+    double x = 0, y = 0;
+    std::string label;  ///< next to the point
+    std::string says;   ///< when it is pointed at
+  };
+  std::string name;
+  std::vector<Point> points;
+};
+
+struct ScatterChart {
+  std::string x_unit, y_unit;
+  std::vector<ScatterSeries> series{};
+};
+
+/// One <svg> element; both axes start at zero.
+std::string scatter_svg(const ScatterChart& chart);
+
+}  // namespace triptych
