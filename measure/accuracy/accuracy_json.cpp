@@ -3,10 +3,12 @@
 #include "measure/json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/core.h>
 #include <limits>
 #include <optional>
+#include <set>
 
 namespace triptych {
 
@@ -78,12 +80,14 @@ json row_json(const AccuracyRow& row) {
   return object;
 }
 
+/// What a setting is.
+constexpr std::array setting_keys = {"pack",   "strategy", "min_pixels", "representation",
+                                     "device", "size",     "pixel_error"};
+
 /// Whether two rows differ in the pixel error alone.
 bool same_but_error(const json& one, const json& other) {
-  for (const char* key : {"pack", "strategy", "min_pixels", "representation", "device", "size"}) {
-    if (one[key] != other[key]) return false;
-  }
-  return true;
+  return std::all_of(setting_keys.begin(), setting_keys.end() - 1,
+                     [&](const char* key) { return one[key] == other[key]; });
 }
 
 /// "3", "0.4" or "0.05": as many digits as matter.
@@ -177,8 +181,10 @@ std::string accuracy_csv(const json& report) {
   std::string text;
   for (const json& row : report["rows"]) {
     std::vector<std::string> names, cells;
+    const std::set<std::string> first(setting_keys.begin(), setting_keys.end());
+    for (const char* key : setting_keys) append_csv(key, row[key], names, cells);
     for (const auto& [key, value] : row.items()) {
-      if (key != "may_miss") append_csv(key, value, names, cells);
+      if (key != "may_miss" && first.count(key) == 0) append_csv(key, value, names, cells);
     }
     if (text.empty()) text = joined(names);
     text += joined(cells);

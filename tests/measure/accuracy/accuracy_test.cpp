@@ -1,0 +1,205 @@
+// What measure_accuracy() says of packs whose every value is known, and that broken promises do not pass.
+#include "measure/accuracy/accuracy.hpp"
+
+#include "measure/accuracy/accuracy_json.hpp"
+#include "nodes/pack_device.hpp"
+#include "nodes/picture_stage.hpp"
+#include "tests/support/scenes.hpp"
+#include "tests/support/small_pack.hpp"
+#include "tests/support/test_device.hpp"
+#include "visibility/strategies.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace triptych {
+namespace {
+
+using test::small_pack;
+using test::SmallPack;
+using test::write_pack;
+
+/// Orthographic from above, ten pixels a unit: what deviates by δ is 10 δ pixels off, wherever it is.
+std::vector<FrameRequest> from_above(size_t count = 3) {
+  std::vector<FrameRequest> frames;
+  for (size_t i = 0; i < count; ++i) {
+    FrameRequest frame{static_cast<uint32_t>(i), {}};
+    Camera& camera = frame.state.view.camera;
+    camera.eye = {20 + 0.01 * static_cast<double>(i), 5, 50};
+    camera.target = camera.eye - glm::dvec3(0, 0, 1);
+    camera.up = {0, 1, 0};
+    camera.projection = Projection::orthographic;
+    camera.left = -22, camera.right = 22, camera.bottom = -8, camera.top = 8;
+    frame.state.view.width = 440, frame.state.view.height = 160;
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+AccuracyOptions options(std::vector<double> pixel_errors) {
+  AccuracyOptions options;
+  options.pixel_errors = std::move(pixel_errors);
+  options.points = 0;
+  options.shifts = 2;
+  options.scratch = testing::TempDir();
+  options.perceptual_frames = 0;
+  for (const auto& [name, kind] : strategy_names()) {
+    options.strategies.push_back(
+        {name, 0, [kind = kind](const Hierarchy& hierarchy) -> std::unique_ptr<Strategy> {
+           return make_exact_strategy(kind, hierarchy);
+         }});
+  }
+  return options;
+}
+
+AccuracyResult measure(const Pack& pack, const std::vector<FrameRequest>& frames,
+                       const AccuracyOptions& options) {
+  PackDevice device(pack, test::device());
+  const AccuracySubject subject{"pack", pack, {{"device", device.hierarchy(), device.device()}}};
+  return measure_accuracy({&subject, 1}, {&frames, 1}, options);
+}
+
+/// Leaf 1 is red and its simplification too; the root's square over it is red as well.
+SmallPack colored_pack() {
+  SmallPack pack = small_pack();
+  pack.chunks.push_back(test::grid_chunk({0, 0, 0}, 1, 64, 0, 0));
+  pack.chunk_lattices.push_back(0);
+  pack.skeleton.placements[0].chunk = 3;
+  pack.skeleton.placements[3].chunk = 3;
+  return pack;
+}
+
+TEST(Accuracy, deviations_are_those_of_the_levels_that_are_drawn) {
+  const Pack pack(write_pack(colored_pack()));
+  const AccuracyResult result = measure(pack, from_above(), options({4.9, 5.1}));
+  ASSERT_EQ(result.rows.size(), 6u);
+  EXPECT_TRUE(result.violations.empty());
+  for (const AccuracyRow& row : result.rows) {
+    const PictureTally& pictures = *row.pictures;
+    EXPECT_EQ(row.frames.size(), 3u);
+    EXPECT_EQ(pictures.frames(), 3u);
+    if (row.pixel_error < 5) {
+      EXPECT_EQ(pictures.worst_deviation.point.pixels, 0) << "the source itself";
+      EXPECT_EQ(pictures.wrong_pixels, 0u);
+      EXPECT_EQ(pictures.ssim(), 1);
+    } else {
+      // The lift of 0.5 is on one side alone: the flat squares are under it.
+      EXPECT_NEAR(pictures.worst_deviation.point.pixels, 5, 0.01);
+      EXPECT_EQ(pictures.worst_deviation.point.drawable, 0u);
+      EXPECT_GT(pictures.wrong_pixels, 0u);
+    }
+    EXPECT_EQ(pictures.hole_pixels, 0u);
+    EXPECT_EQ(pictures.swap_pixels, 0u);
+    EXPECT_EQ(row.missed_triangles, 0u);
+  }
+}
+
+TEST(Accuracy, a_bound_that_is_two_percent_too_small_is_a_violation_with_frame_drawable_and_place) {
+  SmallPack small = colored_pack();
+  small.skeleton.drawables[0].error = 0.49;
+  const Pack pack(write_pack(small));
+  const AccuracyResult result = measure(pack, from_above(), options({4.95}));
+  ASSERT_EQ(result.violations.size(), 1u) << "once, though three strategies draw it";
+  const AccuracyViolation& violation = result.violations.front();
+  EXPECT_EQ(violation.point.drawable, 0u);
+  EXPECT_NEAR(violation.point.pixels, 5, 0.01);
+  EXPECT_GE(violation.point.place.x, 0);
+  EXPECT_LE(violation.point.place.x, 40);
+  const nlohmann::json report = accuracy_json(result);
+  EXPECT_EQ(report["violations"], 1);
+  EXPECT_EQ(report["violated"][0]["drawable"], 0);
+  EXPECT_NE(report["rows"][0]["says"].get<std::string>().find("BREAKS THE PROMISE"), std::string::npos);
+}
+
+TEST(Accuracy, a_hole_is_found_where_a_level_lost_a_surface) {
+  SmallPack small = colored_pack();
+  small.skeleton.drawables[0].placement_count = 1;  // the square of leaf 2 is gone
+  small.skeleton.drawables[0].triangles = 2;
+  const Pack pack(write_pack(small));
+  const AccuracyResult result = measure(pack, from_above(), options({5.1}));
+  const PictureTally& pictures = *result.rows.front().pictures;
+  // 8 × 8 units of 10 pixels each, without a rim of the search radius.
+  const double side = 80 - 2 * 7;
+  EXPECT_NEAR(static_cast<double>(pictures.hole.pixels), side * side, 3 * side);
+  EXPECT_EQ(pictures.swap_pixels, 0u);
+  EXPECT_FALSE(result.violations.empty()) << "the way back: nothing stands for the surface";
+}
+
+TEST(Accuracy, a_swap_is_found_where_a_level_shows_another_colour) {
+  const Pack pack(write_pack(small_pack()));  // the root's square over the red leaf is green
+  const AccuracyResult result = measure(pack, from_above(), options({5.1}));
+  const PictureTally& pictures = *result.rows.front().pictures;
+  EXPECT_NEAR(static_cast<double>(pictures.swap.pixels), 80 * 80, 200);
+  EXPECT_EQ(pictures.hole_pixels, 0u);
+  EXPECT_TRUE(result.violations.empty()) << "no distance shows it";
+}
+
+TEST(Accuracy, rays_meet_what_a_device_draws) {
+  const Pack& pack = scenes::pack("room");
+  const PackSurfaces surfaces(pack);
+  PackDevice device(pack, test::device());
+  PictureStage items(device.device(), 96, 80, TargetKind::color_and_item);
+  CutLister lister;
+  uint64_t surface = 0, missed = 0;
+  for (const View& view : scenes::random_views(pack.skeleton(), 96, 80, 20, 3)) {
+    const FrameView frame(pack.skeleton(), {view, 0});
+    items.begin(frame);
+    items.draw(lister.list(frame));
+    items.finish();
+    for (const SurfacePixel& pixel : surface_pixels(surfaces, frame, items.target().read_items())) {
+      if (pixel.background()) continue;
+      ++surface;
+      missed += !pixel.found;
+      if (!pixel.found) continue;
+      const double off = surfaces.distance_to_drawable(pixel.drawable, pixel.point, 0);
+      EXPECT_LE(projected_distance(frame, pixel.point, off), 1e-3);
+    }
+  }
+  EXPECT_GT(surface, 10000u);
+  EXPECT_LT(static_cast<double>(missed), 0.01 * static_cast<double>(surface));
+}
+
+TEST(Accuracy, every_strategy_and_error_draws_what_it_promises_of_awkward_scenes) {
+  for (const char* name : {"room", "instances", "storeys"}) {
+    const Pack& pack = scenes::pack(name);
+    std::vector<FrameRequest> frames;
+    for (const View& view : scenes::path(pack.skeleton(), 64, 48, 5)) {
+      if (frames.size() == 12) break;
+      frames.push_back({static_cast<uint32_t>(frames.size()), {view, 1}});
+    }
+    const AccuracyResult result = measure(pack, frames, options({0.5, 2, 8}));
+    for (const AccuracyViolation& violation : result.violations)
+      ADD_FAILURE() << name << ": frame " << violation.frame << ": " << violation.what;
+    EXPECT_EQ(result.rows.size(), 9u);
+  }
+}
+
+TEST(ProjectedDistance, is_the_largest_shift_on_the_screen_of_a_point_that_moves_so_far) {
+  FrameRequest frame = from_above().front();
+  Camera& camera = frame.state.view.camera;
+  camera.projection = Projection::perspective;
+  camera.left = -1, camera.right = 3, camera.bottom = -2, camera.top = 0.5;
+  frame.state.view.width = 400, frame.state.view.height = 250;
+  const Pack pack(write_pack(small_pack()));
+  const FrameView view(pack.skeleton(), frame.state);
+  const glm::dvec3 point{33, 2, 0.25};
+  const auto seen = [&](const glm::dvec3& p) {
+    const glm::dvec3 eye = view.rotation * (p - camera.eye);
+    return glm::dvec2(eye.x * 100, eye.y * 100) / -eye.z;
+  };
+  const double distance = 1e-6;
+  double largest = 0;
+  for (int i = 0; i < 200; ++i) {
+    for (int k = 0; k < 100; ++k) {
+      const double around = 0.0314159 * i, up = 0.0314159 * k;
+      const glm::dvec3 way{std::sin(up) * std::cos(around), std::sin(up) * std::sin(around), std::cos(up)};
+      const glm::dvec2 shift = seen(point + distance * way) - seen(point);
+      largest = std::max(largest, std::hypot(shift.x, shift.y));
+    }
+  }
+  EXPECT_NEAR(projected_distance(view, point, distance) / largest, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace triptych
