@@ -17,27 +17,28 @@ namespace {
 struct Measure {
   const char* pointer;
   const char* name;
-  double scale;
+  double at_zero, scale;  ///< at_zero + scale · figure is drawn
   const char* meaning;
 };
 constexpr std::array measures = {
-    Measure{"/deviation_px/max", "largest deviation, pixels", 1,
+    Measure{"/deviation_px/max", "largest deviation, pixels", 0, 1,
             "How far any surface is from where it should be, on the screen."},
-    Measure{"/wrong_pixel_share", "pixels that differ, %", 100,
+    Measure{"/wrong_pixel_share", "pixels that differ, %", 0, 100,
             "Pixels that differ from the picture of the full detail, by whatever little."},
-    Measure{"/hole_share", "holes, pixels a million", 1e6,
+    Measure{"/hole_share", "holes, pixels a million", 0, 1e6,
             "Background where the reference shows surfaces all round."},
-    Measure{"/swap_share", "swaps, pixels a million", 1e6,
+    Measure{"/swap_share", "swaps, pixels a million", 0, 1e6,
             "Objects or colours that the reference shows nowhere near: what lay hidden comes through."},
-    Measure{"/cover_kept", "cover of small things kept, %", 100,
+    Measure{"/cover_kept", "cover of small things lost, %", 100, -100,
             "Of the pixels that things of at most 8 pixels cover, averaged over shifts of the camera."},
-    Measure{"/popping", "popping, of 255", 1,
+    Measure{"/popping", "popping, of 255", 0, 1,
             "Change from frame to frame beyond the reference's own change; the mean over pixels."},
-    Measure{"/rmse", "colour error (RMSE), of 255", 1, "The root of the mean squared difference of colours."},
-    Measure{"/ssim", "structural similarity (SSIM)", 1, "1 where the pictures are alike."},
-    Measure{"/butteraugli", "butteraugli", 1,
-            "A perceptual distance; about 1 where a person begins to notice it."},
-    Measure{"/missed_triangle_share", "triangles in view left out, %", 100,
+    Measure{"/rmse", "colour error (RMSE), of 255", 0, 1,
+            "The root of the mean squared difference of colours."},
+    Measure{"/ssim", "structural dissimilarity (1 - SSIM)", 1, -1, "0 where the pictures are alike."},
+    Measure{"/butteraugli", "butteraugli, 3-norm", 0, 1,
+            "A perceptual distance of pictures; 0 where they are alike."},
+    Measure{"/missed_triangle_share", "triangles in view left out, %", 0, 100,
             "Of drawables that own a pixel and were not drawn."},
 };
 
@@ -63,25 +64,43 @@ ScatterChart chart_of(const json& rows, const Measure& measure) {
     const auto [place, is_new] = places.emplace(name, chart.series.size());
     if (is_new) chart.series.push_back({name, {}});
     const std::string error = fmt::format("{:g}", row["pixel_error"].get<double>());
-    chart.series[place->second].points.push_back({row["frame_ms"]["p50"].get<double>(),
-                                                  measure.scale * row.at(pointer).get<double>(), error,
-                                                  name + ", " + row["says"].get<std::string>()});
+    chart.series[place->second].points.push_back(
+        {row["frame_ms"]["p50"].get<double>(),
+         measure.at_zero + measure.scale * row.at(pointer).get<double>(), error,
+         name + ", " + row["says"].get<std::string>()});
   }
   return chart;
 }
 
+/// Whether any point is above zero, by more than rounding.
+bool shows_something(const ScatterChart& chart) {
+  for (const ScatterSeries& series : chart.series) {
+    for (const ScatterSeries::Point& point : series.points) {
+      if (point.y > 1e-9) return true;
+    }
+  }
+  return false;
+}
+
 std::string charts(const json& rows) {
   std::string html =
-      "<h2>What each error costs in time</h2>\n<p>Each point is a setting, labelled with its pixel error; "
-      "left "
-      "is faster. Point at one to read what it buys.</p>\n";
+                  "<h2>What each error costs in time</h2>\n<p>Each point is a setting, labelled with its "
+                  "pixel error; left "
+                  "is faster, lower is truer, and no other setting beats those that are filled. Point at one "
+                  "to read what "
+                  "it buys.</p>\n",
+              none;
   for (const Measure& measure : measures) {
     const ScatterChart chart = chart_of(rows, measure);
-    if (chart.series.empty()) continue;
+    if (!shows_something(chart)) {
+      none += fmt::format("<li>{}: {}</li>\n", measure.name,
+                          chart.series.empty() ? "not measured" : "0 at every setting");
+      continue;
+    }
     html += fmt::format("<figure class=\"chart\">{}<figcaption>{}</figcaption></figure>\n",
                         scatter_svg(chart), escape_html(measure.meaning));
   }
-  return html;
+  return html + (none.empty() ? "" : "<ul>\n" + none + "</ul>\n");
 }
 
 std::string sentences(const json& rows) {
@@ -186,7 +205,7 @@ std::string verdict(const json& report) {
 std::string accuracy_page(const json& report) {
   const std::string title = report["title"].get<std::string>();
   std::string body = fmt::format("<h1>{}</h1>\n", escape_html(title)) + verdict(report);
-  body += sentences(report["rows"]) + charts(report["rows"]) + strip(report) + patches(report) +
+  body += sentences(report["rows"]) + strip(report) + charts(report["rows"]) + patches(report) +
           table(report["rows"]);
   body += fmt::format("<p class=\"from\"><code>{}</code></p>\n",
                       escape_html(report["command"].get<std::string>()));

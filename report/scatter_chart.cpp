@@ -4,7 +4,9 @@
 #include "report/html.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/core.h>
+#include <limits>
 
 namespace triptych {
 
@@ -15,29 +17,60 @@ constexpr double width = 640, height = 300, left = 64, right = 20, top = 40, bot
 constexpr int steps = 5;
 
 struct Axes {
-  double x_limit = 1, y_limit = 1;
-  double x(double value) const { return left + (width - left - right) * value / x_limit; }
+  double first = 1, last = 10;  ///< of x
+  double y_limit = 1;
+  double x(double value) const {
+    return left + (width - left - right) * std::log(value / first) / std::log(last / first);
+  }
   double y(double value) const { return height - bottom - (height - top - bottom) * value / y_limit; }
 };
 
-Axes axes_of(const ScatterChart& chart) {
-  double x = 0, y = 0;
-  for (const ScatterSeries& series : chart.series) {
-    for (const ScatterSeries::Point& point : series.points)
-      x = std::max(x, point.x), y = std::max(y, point.y);
+/// 1, 2 or 5 × 10ⁿ: those that are marked on a logarithmic axis.
+std::vector<double> marks(double first, double last) {
+  std::vector<double> values;
+  for (double power = std::pow(10, std::floor(std::log10(first))); power <= last; power *= 10) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      if (factor * power >= first && factor * power <= last) values.push_back(factor * power);
+    }
   }
-  return {axis_limit(x), axis_limit(y)};
+  return values;
+}
+
+Axes axes_of(const ScatterChart& chart) {
+  double first = std::numeric_limits<double>::max(), last = 0, y = 0;
+  for (const ScatterSeries& series : chart.series) {
+    for (const ScatterSeries::Point& point : series.points) {
+      first = std::min(first, point.x);
+      last = std::max(last, point.x);
+      y = std::max(y, point.y);
+    }
+  }
+  if (!(last > 0)) return {};
+  constexpr double room = 1.3;  // around the points
+  return {first / room, last * room, axis_limit(y)};
+}
+
+/// Whether no other point has less of one and no more of the other.
+bool is_best(const ScatterChart& chart, const ScatterSeries::Point& point) {
+  for (const ScatterSeries& series : chart.series) {
+    for (const ScatterSeries::Point& other : series.points) {
+      if (other.x <= point.x && other.y <= point.y && (other.x < point.x || other.y < point.y)) return false;
+    }
+  }
+  return true;
 }
 
 std::string draw(const Axes& axes, const ScatterChart& chart) {
   std::string svg;
   for (int i = 0; i <= steps; ++i) {
-    const double x = axes.x_limit * i / steps, y = axes.y_limit * i / steps;
+    const double y = axes.y_limit * i / steps;
     svg += fmt::format("<line class=\"grid\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>", left,
                        width - right, axes.y(y), axes.y(y));
     svg += fmt::format("<text class=\"label end\" x=\"{:.0f}\" y=\"{:.1f}\">{:.4g}</text>", left - 8,
                        axes.y(y) + 4, y);
-    svg += fmt::format("<text class=\"label middle\" x=\"{:.1f}\" y=\"{:.0f}\">{:.4g}</text>", axes.x(x),
+  }
+  for (const double x : marks(axes.first, axes.last)) {
+    svg += fmt::format("<text class=\"label middle\" x=\"{:.1f}\" y=\"{:.0f}\">{:g}</text>", axes.x(x),
                        height - bottom + 18, x);
   }
   svg += fmt::format("<text class=\"label end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", width - right,
@@ -45,18 +78,18 @@ std::string draw(const Axes& axes, const ScatterChart& chart) {
   return svg + fmt::format("<text class=\"label\" x=\"4\" y=\"14\">{}</text>", escape_html(chart.y_unit));
 }
 
-std::string draw(const Axes& axes, const ScatterSeries& series, size_t color) {
-  std::string points, marks;
+std::string draw(const Axes& axes, const ScatterChart& chart, const ScatterSeries& series, size_t color) {
+  std::string points, circles;
   for (const ScatterSeries::Point& point : series.points) {
     const double x = axes.x(point.x), y = axes.y(point.y);
     points += fmt::format("{:.1f},{:.1f} ", x, y);
-    marks += fmt::format(
-        "<circle class=\"series-{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"><title>{}</title></circle>", color,
-        x, y, escape_html(point.says));
-    marks += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 6, y - 5,
-                         escape_html(point.label));
+    circles += fmt::format(
+        "<circle class=\"series-{}{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"><title>{}</title></circle>",
+        color, is_best(chart, point) ? " best" : "", x, y, escape_html(point.says));
+    circles += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 6, y - 5,
+                           escape_html(point.label));
   }
-  return fmt::format("<polyline class=\"series-{}\" points=\"{}\"/>", color, points) + marks;
+  return fmt::format("<polyline class=\"series-{}\" points=\"{}\"/>", color, points) + circles;
 }
 
 }  // namespace
@@ -69,7 +102,7 @@ std::string scatter_svg(const ScatterChart& chart) {
   for (size_t i = 0; i < chart.series.size(); ++i) {
     const ScatterSeries& series = chart.series[i];
     const size_t color = i % series_colors + 1;
-    svg += draw(axes, series, color);
+    svg += draw(axes, chart, series, color);
     svg += fmt::format("<line class=\"series-{}\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"26\" y2=\"26\"/>", color,
                        legend, legend + 18);
     svg += fmt::format("<text class=\"label\" x=\"{:.0f}\" y=\"30\">{}</text>", legend + 24,

@@ -23,7 +23,8 @@ struct ScatterChart {
   std::vector<ScatterSeries> series{};
 };
 
-/// One <svg> element; both axes start at zero.
+/// One <svg> element: x > 0 on a logarithmic axis, y from zero. Points that no other one beats, with less of
+/// both, are filled (the Pareto front).
 std::string scatter_svg(const ScatterChart& chart);
 
 }  // namespace triptych

@@ -65,6 +65,7 @@ json row_json(const AccuracyRow& row) {
   object["swap_share"] = pictures.share_of_surface(pictures.swap_pixels);
   object["swap_pixels"] = pictures.swap_pixels;
   object["swap_largest"] = pictures.swap.pixels;
+  object["cover_pixels"] = pictures.cover_pixels();
   object["cover_kept"] = or_null(pictures.cover_kept());
   object["cover_grown"] = or_null(pictures.cover_grown());
   object["popping"] = or_null(pictures.popping());
@@ -121,16 +122,20 @@ std::string sentence(const json& row, const json& rows) {
   }
   const double worst = row["deviation_px"]["max"].get<double>();
   text += fmt::format(", {} of the pixels differ", share_in_words(row["wrong_pixel_share"].get<double>()));
-  text += worst > tolerated_deviation(error)
-              ? fmt::format(", SOME BY {:.3g} px, WHICH BREAKS THE PROMISE", worst)
-              : fmt::format(", no surface is off by more than {:.2g} px", worst);
+  if (worst < 0.005) {
+    text += ", every surface is where it should be";
+  } else {
+    text += worst > tolerated_deviation(error)
+                ? fmt::format(", SOME BY {:.3g} px, WHICH BREAKS THE PROMISE", worst)
+                : fmt::format(", no surface is off by more than {:.2g} px", worst);
+  }
   const auto counted = [&](const char* pixels, const char* largest, const char* name) {
     const auto count = row[pixels].get<uint64_t>();
     if (count == 0) return fmt::format(", 0 {}", name);
     return fmt::format(", {} pixels of {} (the largest of {})", count, name, row[largest].get<uint64_t>());
   };
   text += counted("hole_pixels", "hole_largest", "holes") + counted("swap_pixels", "swap_largest", "swaps");
-  if (!row["cover_kept"].is_null())
+  if (row["cover_pixels"].get<double>() > 0)
     text += fmt::format(", small things keep {:.0f} % of their cover", 100 * row["cover_kept"].get<double>());
   if (const double missed = row["missed_triangle_share"].get<double>(); missed > 0)
     text += fmt::format(", {} of the triangles in view are left out", share_in_words(missed));

@@ -91,6 +91,8 @@ class PictureTally {
   std::optional<double> popping() const { return mean(popping_, popping_frames_); }
   std::optional<double> flicker_share() const;
   std::optional<double> butteraugli() const { return mean(butteraugli_, butteraugli_frames_); }
+  /// Pixels of small objects in the reference, over frames and shifts.
+  double cover_pixels() const { return cover_ ? cover_->reference : 0; }
   std::optional<double> cover_kept() const;
   std::optional<double> cover_grown() const;
 

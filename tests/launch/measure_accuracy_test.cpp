@@ -1,0 +1,105 @@
+// `measure accuracy` as scripts use it.
+#include "tests/session/program.hpp"
+#include "tests/support/small_pack.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace triptych::test {
+namespace {
+
+class MeasureAccuracy : public testing::Test {
+ protected:
+  MeasureAccuracy() {
+    nlohmann::json frames = nlohmann::json::array();
+    for (int i = 0; i < 4; ++i)
+      frames.push_back({{"eye", {20 + i, 5, 60}}, {"target", {20 + i, 5, 0}}, {"up", {0, 1, 0}}});
+    std::ofstream(path) << nlohmann::json{{"triptych_path", 1}, {"fov_y_degrees", 60}, {"frames", frames}};
+  }
+  std::vector<std::string> words(const std::string& pack, const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"measure", "accuracy", pack,   "--path", path, "--size",
+                                      "65x47",   "-o",       output, "--json", json};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  Folder folder;
+  const std::string path = folder.file("path.json"), output = folder.file("accuracy"),
+                    json = folder.file("out.json");
+};
+
+TEST_F(MeasureAccuracy, writes_a_row_a_setting_as_json_and_csv_and_a_report_with_its_pictures) {
+  const std::string pack = write_pack(small_pack());
+  run(words(pack, {"--pixel-error", "0.1,2", "--sizes", "65x47,33x21", "--compare", "2"}));
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["violations"], 0);
+  EXPECT_EQ(report["frames"], 4);
+  std::set<std::string> settings;
+  for (const nlohmann::json& row : report["rows"]) {
+    settings.insert(row["strategy"].get<std::string>() + row["size"].get<std::string>() +
+                    row["pixel_error"].dump());
+    EXPECT_EQ(row["compared_frames"], 2);
+    for (const char* key : {"wrong_pixel_share", "hole_share", "swap_share", "cover_kept", "popping", "rmse",
+                            "ssim", "missed_triangle_share", "untraced_share"})
+      EXPECT_TRUE(row[key].is_number()) << key;
+    EXPECT_LE(row["deviation_px"]["max"].get<double>(), row["pixel_error"].get<double>());
+    EXPECT_LE(row["deviation_px"]["median"].get<double>(), row["deviation_px"]["p99"].get<double>());
+    if (row["pixel_error"] == 0.1) {
+      EXPECT_EQ(row["wrong_pixel_share"], 0) << row;
+    }
+  }
+  EXPECT_EQ(settings.size(), report["rows"].size());
+  EXPECT_GE(settings.size(), 12u);
+  EXPECT_EQ(json_of(output + "/accuracy.json"), report);
+  const std::string csv = text_of(output + "/accuracy.csv"), page = text_of(output + "/report.html");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<std::ptrdiff_t>(report["rows"].size()) + 1);
+  EXPECT_EQ(csv.find("pack,strategy,"), 0u);
+  for (const nlohmann::json& item : report["strip"]) {
+    const std::string file = item["file"].get<std::string>();
+    EXPECT_NE(page.find(file), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(output + "/" + file)) << file;
+  }
+}
+
+TEST_F(MeasureAccuracy, packs_of_one_model_stand_side_by_side_and_those_of_another_are_refused) {
+  const std::string pack = write_pack(small_pack());
+  const std::string other = folder.file("other.tpk");
+  std::filesystem::copy_file(pack, other);
+  run(words(pack, {"--pixel-error", "2", "--with", other, "--strategies", "occlusion"}));
+  EXPECT_EQ(json_of(json)["rows"].size(), 2u);
+  SmallPack larger = small_pack();
+  larger.skeleton.source_triangles = 257;
+  std::filesystem::rename(write_pack(larger), other);
+  const std::string again = write_pack(small_pack());
+  EXPECT_NE(
+      failure(words(again, {"--with", other})).find("other.tpk: is a pack of another model: 257 source"),
+      std::string::npos);
+}
+
+TEST_F(MeasureAccuracy, a_bound_that_promises_too_much_ends_with_exit_code_1_and_its_place) {
+  SmallPack small = small_pack();
+  for (const DrawableId id : {0u, 2u, 4u}) small.skeleton.drawables[id].error = 0.05;
+  const std::string message = failure(words(write_pack(small), {"--pixel-error", "0.1"}));
+  EXPECT_NE(message.find("promises were broken"), std::string::npos) << message;
+  const nlohmann::json report = json_of(json);
+  EXPECT_GT(report["violations"], 0);
+  EXPECT_EQ(report["violated"][0]["place"].size(), 3u);
+  EXPECT_GT(report["violated"][0]["pixels"].get<double>(), 0.1);
+}
+
+TEST_F(MeasureAccuracy, sizes_errors_and_strategies_that_are_none_are_usage_errors) {
+  const std::string pack = write_pack(small_pack());
+  for (const auto& [flag, value] : {std::pair{"--sizes", "65"},
+                                    {"--pixel-error", "1,0"},
+                                    {"--strategies", "magic"},
+                                    {"--devices", "abacus"}}) {
+    Program program(words(pack, {flag, value}));
+    EXPECT_EQ(program.wait(), 2) << flag;
+    EXPECT_NE(program.errors().find(flag), std::string::npos) << program.errors();
+  }
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+}  // namespace
+}  // namespace triptych::test
