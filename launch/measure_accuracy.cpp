@@ -40,6 +40,16 @@ std::vector<std::string> all_strategies() {
   return names;
 }
 
+/// Each value once, where it comes first.
+template <typename Value>
+std::vector<Value> each_once(const std::vector<Value>& values) {
+  std::vector<Value> once;
+  for (const Value& value : values) {
+    if (std::count(once.begin(), once.end(), value) == 0) once.push_back(value);
+  }
+  return once;
+}
+
 /// Every strategy there is, or those of the given names.
 std::vector<AccuracyStrategy> strategies_of(const MeasureAccuracyCommand& command) {
   std::vector<AccuracyStrategy> found;
@@ -57,7 +67,7 @@ std::vector<AccuracyStrategy> strategies_of(const MeasureAccuracyCommand& comman
 std::vector<ChosenDevice> choose_devices(const MeasureAccuracyCommand& command) {
   std::vector<ChosenDevice> chosen;
   if (command.devices.empty()) chosen.push_back(choose_device(command.run.device));
-  for (const std::string& name : command.devices) {
+  for (const std::string& name : each_once(command.devices)) {
     DeviceOptions wanted = command.run.device;
     wanted.kind = name == device_name(DeviceKind::gl) ? DeviceKind::gl : DeviceKind::cpu;
     chosen.push_back(choose_device(wanted));
@@ -143,7 +153,7 @@ int run(const MeasureAccuracyCommand& command) {
   const auto frames = frames_of(command, subjects.skeleton());
   const TemporaryFolder scratch;
   AccuracyOptions options = command.options;
-  options.pixel_errors = command.run.pixel_errors;
+  options.pixel_errors = each_once(command.run.pixel_errors);
   options.strategies = strategies_of(command);
   options.scratch = scratch.path();
   const AccuracyResult result = measure_accuracy(subjects.list(), frames, options);

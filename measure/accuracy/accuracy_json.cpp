@@ -132,7 +132,8 @@ std::string sentence(const json& row, const json& rows) {
   const auto counted = [&](const char* pixels, const char* largest, const char* name) {
     const auto count = row[pixels].get<uint64_t>();
     if (count == 0) return fmt::format(", 0 {}", name);
-    return fmt::format(", {} pixels of {} (the largest of {})", count, name, row[largest].get<uint64_t>());
+    return fmt::format(", {} pixel{} of {} (the largest patch has {})", count, count == 1 ? "" : "s", name,
+                       row[largest].get<uint64_t>());
   };
   text += counted("hole_pixels", "hole_largest", "holes") + counted("swap_pixels", "swap_largest", "swaps");
   if (row["cover_pixels"].get<double>() > 0)
