@@ -95,7 +95,8 @@ class Subjects {
         devices.push_back(
             {device_name(device.options.kind), devices_.back()->hierarchy(), devices_.back()->device()});
       }
-      subjects_.push_back({std::filesystem::path(pack->name()).filename().string(), *pack, devices});
+      subjects_.push_back({std::filesystem::path(pack->name()).filename().string(),
+                           devices_.back()->representation().name(), *pack, devices});
     }
   }
   const std::vector<AccuracySubject>& list() const { return subjects_; }

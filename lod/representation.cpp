@@ -2,6 +2,11 @@
 
 namespace triptych {
 
+const std::string& LevelsRepresentation::name() const {
+  static const std::string name = "levels";
+  return name;
+}
+
 void LevelsRepresentation::append(DrawableId id, std::vector<DrawItem>& items) {
   const Skeleton& skeleton = hierarchy_.skeleton();
   const std::span<const LatticeBox> boxes = hierarchy_.placed(id).pieces;

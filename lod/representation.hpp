@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace triptych {
@@ -25,6 +26,8 @@ class Representation {
  public:
   virtual ~Representation() = default;
 
+  /// As reports name it.
+  virtual const std::string& name() const = 0;
   /// A new frame: refinement for this view may begin.
   virtual void begin(const FrameView& view) = 0;
   /// Appends what is drawn for the drawable in this frame, in a fixed order; the boxes are valid until the
@@ -37,6 +40,7 @@ class LevelsRepresentation final : public Representation {
  public:
   explicit LevelsRepresentation(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {}
 
+  const std::string& name() const override;
   void begin(const FrameView&) override {}
   void append(DrawableId id, std::vector<DrawItem>& items) override;
 

@@ -20,6 +20,7 @@ class PackDevice {
   const Hierarchy& hierarchy() const { return hierarchy_; }
   const Skeleton& skeleton() const { return hierarchy_.skeleton(); }
   Device& device() { return *device_; }
+  const Representation& representation() const { return representation_; }
 
  private:
   Hierarchy hierarchy_;

@@ -28,6 +28,7 @@ struct AccuracyStrategy {
 /// A pack and the devices that draw it. Packs of one model differ in how they were built.
 struct AccuracySubject {
   std::string name;
+  std::string representation;  ///< how its geometry gets finer and coarser: Representation::name()
   const Pack& pack;
   std::vector<SpeedDevice> devices;
 };
@@ -44,7 +45,7 @@ struct AccuracyOptions {
 
 /// One setting, and what it costs and spoils.
 struct AccuracyRow {
-  std::string pack, strategy, device;
+  std::string pack, strategy, representation, device;
   std::string may_miss{};  ///< of an approximate strategy: what, in its own words
   uint32_t min_pixels = 0;
   int width = 0, height = 0;

@@ -41,6 +41,7 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
       result.rows.push_back(
           {.pack = subject.name,
            .strategy = strategy.name,
+           .representation = subject.representation,
            .device = device.name,
            .may_miss = approximate ? approximate->may_miss() : "",
            .min_pixels = strategy.min_pixels,

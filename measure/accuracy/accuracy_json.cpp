@@ -42,7 +42,7 @@ json row_json(const AccuracyRow& row) {
   const PictureTally& pictures = *row.pictures;
   json object = {{"pack", row.pack},
                  {"strategy", row.strategy},
-                 {"representation", "levels"},
+                 {"representation", row.representation},
                  {"device", row.device},
                  {"size", fmt::format("{}x{}", row.width, row.height)},
                  {"pixel_error", row.pixel_error},

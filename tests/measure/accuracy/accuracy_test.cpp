@@ -56,7 +56,8 @@ AccuracyOptions options(std::vector<double> pixel_errors) {
 AccuracyResult measure(const Pack& pack, const std::vector<FrameRequest>& frames,
                        const AccuracyOptions& options) {
   PackDevice device(pack, test::device());
-  const AccuracySubject subject{"pack", pack, {{"device", device.hierarchy(), device.device()}}};
+  const AccuracySubject subject{
+      "pack", device.representation().name(), pack, {{"device", device.hierarchy(), device.device()}}};
   return measure_accuracy({&subject, 1}, {&frames, 1}, options);
 }
 
