@@ -2,6 +2,7 @@
 
 #include "import_support.hpp"
 
+#include <glm/geometric.hpp>
 #include <limits>
 
 namespace triptych {
