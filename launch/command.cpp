@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <fmt/core.h>
+#include <map>
 
 namespace triptych {
 
@@ -101,6 +102,21 @@ void resolve_device(const CLI::App& command, DeviceOptions& device) {
                                  fmt::format("\"{}\" is no device: auto, cpu or gl", word));
     device.kind = found->second;
   }
+}
+
+void add_cull_flags(CLI::App& command, CullChoice& cull) {
+  const std::map<std::string, StrategyKind> names(strategy_names().begin(), strategy_names().end());
+  add_choice_flag(command, "--cull", cull.kind, names, "What is left out")->default_str("occlusion");
+  command
+      .add_option("--min-pixels", cull.min_pixels,
+                  "With --cull approximate: what owns fewer pixels may be left out")
+      ->check(whole_number(1, 1'000'000))
+      ->capture_default_str();
+}
+
+void check_cull_flags(const CLI::App& command, const CullChoice& cull) {
+  if (command.count("--min-pixels") > 0 && cull.kind != StrategyKind::approximate)
+    throw CLI::ValidationError("--min-pixels", "is of --cull approximate: other strategies count no pixels");
 }
 
 void add_window_flag(CLI::App& command, bool& window) {

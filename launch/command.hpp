@@ -3,6 +3,7 @@
 #pragma once
 
 #include "session/run_options.hpp"
+#include "visibility/strategies.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -38,6 +39,15 @@ void add_path_flags(CLI::App& command, RunOptions& options);
 void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
+
+/// --cull and --min-pixels. A --min-pixels beside a strategy that does not count is a usage error.
+struct CullChoice {
+  StrategyKind kind = StrategyKind::occlusion;
+  uint32_t min_pixels = StrategyOptions{}.min_pixels;
+};
+void add_cull_flags(CLI::App& command, CullChoice& cull);
+/// Checks that once the command line was parsed.
+void check_cull_flags(const CLI::App& command, const CullChoice& cull);
 
 /// --batch: ids per packet of a delta; one, or a list where a command sweeps.
 void add_batch_flag(CLI::App& command, size_t& packet_ids);

@@ -2,7 +2,6 @@
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "base/timeline.hpp"
-#include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
 #include "launch/number_flags.hpp"
 #include "measure/frame_series.hpp"
@@ -22,7 +21,7 @@ namespace {
 struct RenderCommand {
   RunOptions run;
   std::filesystem::path output, timeline;
-  StrategyKind cull = StrategyKind::occlusion;
+  CullChoice cull;
   bool full_detail = false, item_buffer = false;
   uint32_t every = 1;
 };
@@ -37,7 +36,8 @@ int run(const RenderCommand& command) {
   const auto [width, height] = command.run.size;
   LocalPipeline pipeline(pack, {.width = width,
                                 .height = height,
-                                .cull = command.cull,
+                                .cull = command.cull.kind,
+                                .min_pixels = command.cull.min_pixels,
                                 .device = device.options,
                                 .item_buffer = command.item_buffer});
   std::vector<FrameRecord> records;
@@ -85,15 +85,17 @@ void add_render(CLI::App& app, Action& action) {
   sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
   add_run_flags(*sub, command->run);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
-  const std::map<std::string, StrategyKind> modes(strategy_names().begin(), strategy_names().end());
-  add_choice_flag(*sub, "--cull", command->cull, modes, "What is left out")->default_str("occlusion");
+  add_cull_flags(*sub, command->cull);
   add_timeline_flag(*sub, command->timeline);
   sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
   sub->add_option("--every", command->every,
                   "Only every so many frames of the path, each as if it were the next one")
       ->check(whole_number(1, max_frames));
-  sub->callback([command, &action] { action = [command] { return run(*command); }; });
+  sub->callback([command, sub, &action] {
+    check_cull_flags(*sub, command->cull);
+    action = [command] { return run(*command); };
+  });
 }
 
 }  // namespace triptych

@@ -16,6 +16,7 @@ namespace {
 
 struct ViewCommand {
   RunOptions run;
+  CullChoice cull;
   std::optional<ContextKind> context;  ///< nullopt: the display's own
   bool play = false;
   std::filesystem::path pictures = ".";
@@ -32,8 +33,11 @@ int run(const ViewCommand& command) {
   Viewer viewer(pack, options);
   say(viewer_help());
   const ChosenDevice device = choose_device(command.run.device, viewer.window().names());
-  LocalPipeline pipeline(
-      pack, {.width = viewer.window().width(), .height = viewer.window().height(), .device = device.options});
+  LocalPipeline pipeline(pack, {.width = viewer.window().width(),
+                                .height = viewer.window().height(),
+                                .cull = command.cull.kind,
+                                .min_pixels = command.cull.min_pixels,
+                                .device = device.options});
   std::vector<FrameRecord> records;
   std::vector<double> window_ms;
   while (!viewer.left()) {
@@ -44,7 +48,7 @@ int run(const ViewCommand& command) {
         target.width() != frame.state.view.width || target.height() != frame.state.view.height) {
       pipeline.resize(frame.state.view.width, frame.state.view.height);
     }
-    pipeline.set_strategy(viewer.culling() ? StrategyKind::occlusion : StrategyKind::frustum);
+    pipeline.set_strategy(viewer.culling() ? command.cull.kind : StrategyKind::frustum);
     const FrameRecord record = pipeline.draw(frame);
     const Stopwatch stopwatch;
     viewer.show(frame, record, pipeline.target(), pipeline.device());
@@ -78,11 +82,13 @@ void add_view(CLI::App& app, Action& action) {
   sub->get_option("--context")->default_str("the display's own");
   // The window is OpenGL's on both devices: a context may be named beside --device cpu.
   sub->parse_complete_callback([command, sub] { resolve_device(*sub, command->run.device); });
+  add_cull_flags(*sub, command->cull);
   sub->add_flag("--play", command->play, "Play the path at once, over and over");
   sub->add_option("-o,--output", command->pictures, "Folder for pictures that F2 saves")
       ->type_name("DIR")
       ->capture_default_str();
   sub->callback([command, sub, &action] {
+    check_cull_flags(*sub, command->cull);
     if (sub->count("--context") > 0) command->context = command->run.device.context;
     action = [command] { return run(*command); };
   });

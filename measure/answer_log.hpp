@@ -26,7 +26,7 @@ class AnswerRecorder final : public FrameTarget {
   DeviceMargins margins() const override { return target_.margins(); }
   void begin(const FrameView& view) override { target_.begin(view); }
   void draw(std::span<const DrawableId> drawables) override { target_.draw(drawables); }
-  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends, uint32_t min_pixels,
             std::span<uint8_t> visible) override;
   void finish() override { target_.finish(); }
   uint64_t drawn_triangles() const override { return target_.drawn_triangles(); }
@@ -53,7 +53,7 @@ class AnswerPlayer final : public FrameTarget {
   DeviceMargins margins() const override { return log_.margins; }
   void begin(const FrameView&) override {}
   void draw(std::span<const DrawableId>) override {}
-  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends, uint32_t min_pixels,
             std::span<uint8_t> visible) override;
   void finish() override {}
   uint64_t drawn_triangles() const override { return 0; }

@@ -98,7 +98,7 @@ class FrustumHidepthMethod final : public FrustumMethod {
         ends_.push_back(static_cast<uint32_t>(rectangles_.size()));
       }
       answers_.assign(tested_.size(), 1);
-      picture.target().test(rectangles_, ends_, answers_);
+      picture.target().test(rectangles_, ends_, 1, answers_);
       for (size_t i = 0; i < tested_.size(); ++i) {
         if (answers_[i]) shown_.push_back(tested_[i]);
       }

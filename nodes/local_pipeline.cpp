@@ -7,9 +7,9 @@
 
 namespace triptych {
 
-ExactStrategy& LocalPipeline::Parts::strategy(StrategyKind kind) {
-  std::unique_ptr<ExactStrategy>& strategy = strategies[static_cast<size_t>(kind)];
-  if (!strategy) strategy = make_exact_strategy(kind, device.hierarchy(), cull);
+Strategy& LocalPipeline::Parts::strategy(StrategyKind kind) {
+  std::unique_ptr<Strategy>& strategy = strategies[kind];
+  if (!strategy) strategy = make_strategy(kind, device.hierarchy(), strategy_options);
   return *strategy;
 }
 

@@ -8,7 +8,7 @@
 #include "nodes/picture_stage.hpp"
 #include "visibility/strategies.hpp"
 
-#include <array>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -17,6 +17,7 @@ namespace triptych {
 struct LocalPipelineOptions {
   int width = 512, height = 512;
   StrategyKind cull = StrategyKind::occlusion;
+  uint32_t min_pixels = StrategyOptions{}.min_pixels;  ///< for `approximate`
   CullOptions batches = {};
   DeviceOptions device = {};
   bool item_buffer = false;  ///< draw drawable ids instead of colours
@@ -26,8 +27,9 @@ struct LocalPipelineOptions {
 /// Draws frames of a path, in order, from the same stages as a session: R(i) out of V(i−1), the strategy
 /// against it, the picture of V(i). Where the order of drawing does not matter (Device::order_matters()),
 /// R(i) becomes the picture: V(i−1) is drawn once, and what culling finds is added (Quick-VDR §4); what R(i)
-/// holds beyond V(i) is of cut i, too, and hides nothing that shows. After some frames it allocates nothing
-/// but what the device does. Of `gl` a context must be current.
+/// holds beyond V(i) is of cut i, too, and hides nothing that shows; of an approximate strategy it may show
+/// itself, so that such a picture misses less. After some frames it allocates nothing but what the device
+/// does. Of `gl` a context must be current.
 class LocalPipeline {
  public:
   /// With the caller's device and strategy; of the options only the size, item_buffer and rules are used.
@@ -60,12 +62,12 @@ class LocalPipeline {
  private:
   struct Parts {
     Parts(const Pack& pack, const LocalPipelineOptions& options)
-        : device(pack, options.device), cull(options.batches) {}
-    ExactStrategy& strategy(StrategyKind kind);
+        : device(pack, options.device), strategy_options{options.batches, options.min_pixels} {}
+    Strategy& strategy(StrategyKind kind);
 
     PackDevice device;
-    CullOptions cull;
-    std::array<std::unique_ptr<ExactStrategy>, 3> strategies;  ///< by kind, made when first used
+    StrategyOptions strategy_options;
+    std::map<StrategyKind, std::unique_ptr<Strategy>> strategies;  ///< made when first used
   };
   LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options);
   void make_occlusion_stage();

@@ -44,22 +44,24 @@ struct Extent {
 class RectangleTest {
  public:
   RectangleTest(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, const Extent& extent,
-                bool strict)
+                bool strict, uint32_t enough)
       : buffer_(buffer),
         rectangle_(rectangle),
         strict_(strict),
         columns_(extent.columns),
-        rows_(extent.rows) {}
+        rows_(extent.rows),
+        enough_(enough) {}
 
-  bool passes() const {
+  /// At how many pixels it passes; at most `enough`.
+  uint32_t count() {
     for (int y = rows_.first / DepthTiles::block; y <= rows_.last / DepthTiles::block; ++y) {
       for (int x = columns_.first / DepthTiles::block; x <= columns_.last / DepthTiles::block; ++x) {
         if (!behind(rectangle_.planes[0].middle, buffer_.tiles().farthest_of_block(x, y)) &&
-            passes_in_block(x, y))
-          return true;
+            is_enough_with_block(x, y))
+          return enough_;
       }
     }
-    return false;
+    return count_;
   }
 
  private:
@@ -71,7 +73,7 @@ class RectangleTest {
     return {std::max(range.first, square * side), std::min(range.last, (square + 1) * side - 1)};
   }
 
-  bool passes_in_block(int block_x, int block_y) const {
+  bool is_enough_with_block(int block_x, int block_y) {
     constexpr int side = DepthTiles::tile;
     const PixelRange across = within(columns_, block_x, DepthTiles::block),
                      up = within(rows_, block_y, DepthTiles::block);
@@ -81,7 +83,7 @@ class RectangleTest {
         // The level plane alone decides nearly everything.
         if (behind(rectangle_.planes[0].middle, there)) continue;
         const PixelRange columns = within(across, x, side), rows = within(up, y, side);
-        if (may_reach(columns, rows, there) && passes_at_pixels(columns, rows)) return true;
+        if (may_reach(columns, rows, there) && is_enough_with_pixels(columns, rows)) return true;
       }
     }
     return false;
@@ -101,15 +103,17 @@ class RectangleTest {
                         [&](const HalfPlane& cut) { return most(cut, cut.normal) < 0; });
   }
 
-  bool passes_at_pixels(const PixelRange& columns, const PixelRange& rows) const {
+  bool is_enough_with_pixels(const PixelRange& columns, const PixelRange& rows) {
     for (int row = rows.first; row <= rows.last; ++row) {
       const float y = centre(row, buffer_.height());
       for (int column = columns.first; column <= columns.last; ++column) {
         const float there = buffer_.depth(column, row), x = centre(column, buffer_.width());
         const float depth = rectangle_.depth(x, y);
         if (behind(depth, there)) continue;
-        if (depth >= 0 && std::all_of(rectangle_.cuts.begin(), rectangle_.cuts.end(),
-                                      [&](const HalfPlane& cut) { return cut.at(x, y) >= 0; }))
+        if (depth >= 0 &&
+            std::all_of(rectangle_.cuts.begin(), rectangle_.cuts.end(),
+                        [&](const HalfPlane& cut) { return cut.at(x, y) >= 0; }) &&
+            ++count_ == enough_)
           return true;
       }
     }
@@ -120,6 +124,7 @@ class RectangleTest {
   const ScreenRectangle& rectangle_;
   bool strict_;
   PixelRange columns_, rows_;
+  uint32_t enough_, count_ = 0;
 };
 
 /// Planes of both kinds have the layout of PlaneTerms.
@@ -129,23 +134,26 @@ void copy_planes(const Planes& planes, PlaneTerms (&terms)[4]) {
   std::memcpy(terms, planes.data(), sizeof terms);
 }
 
-bool passes_with(const RasterKernels& kernels, const VisibilityBuffer& buffer,
-                 const ScreenRectangle& rectangle, const Extent& extent, bool strict) {
+uint32_t count_with(const RasterKernels& kernels, const VisibilityBuffer& buffer,
+                    const ScreenRectangle& rectangle, const Extent& extent, bool strict, uint32_t enough) {
   BoxTerms terms;
   copy_planes(rectangle.planes, terms.planes);
   copy_planes(rectangle.cuts, terms.cuts);
   terms.strict = strict;
-  return kernels.test_box(terms, extent.pixels(), buffer.source());
+  // No picture has more pixels.
+  const auto most = static_cast<int32_t>(std::min(enough, uint32_t{1} << 30));
+  return static_cast<uint32_t>(kernels.count_box(terms, extent.pixels(), buffer.source(), most));
 }
 
 }  // namespace
 
-bool may_show(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, bool strict) {
+uint32_t count_pixels(const VisibilityBuffer& buffer, const ScreenRectangle& rectangle, bool strict,
+                      uint32_t enough) {
   const Extent extent(buffer, rectangle);
-  if (extent.empty()) return false;
+  if (extent.empty()) return 0;
   if (const RasterKernels* const kernels = raster_kernels(instruction_set()))
-    return passes_with(*kernels, buffer, rectangle, extent, strict);
-  return RectangleTest(buffer, rectangle, extent, strict).passes();
+    return count_with(*kernels, buffer, rectangle, extent, strict, enough);
+  return RectangleTest(buffer, rectangle, extent, strict, enough).count();
 }
 
 bool hides(const VisibilityBuffer& buffer, const ScreenExtent& sides, bool strict) {

@@ -96,16 +96,17 @@ void RasterTarget::draw(std::span<const DrawableId> drawables) {
 }
 
 void RasterTarget::test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
-                        std::span<uint8_t> visible) {
+                        uint32_t min_pixels, std::span<uint8_t> visible) {
   const bool strict = !view_->rules.non_strict_test;
   const auto test_some = [&](size_t begin, size_t end) {
     const FloatState state;
     for (size_t i = begin; i < end; ++i) {
       const size_t first = i == 0 ? 0 : ends[i - 1];
       const auto own = rectangles.subspan(first, ends[i] - first);
-      visible[i] = std::any_of(own.begin(), own.end(), [&](const ScreenRectangle& rectangle) {
-        return may_show(buffer_, rectangle, strict);
-      });
+      uint32_t missing = min_pixels;
+      for (auto next = own.begin(); next != own.end() && missing > 0; ++next)
+        missing -= count_pixels(buffer_, *next, strict, missing);
+      visible[i] = missing == 0;
     }
   };
   // Few tests take less time than waking other threads.

@@ -48,7 +48,7 @@ class RasterTarget final : public FrameTarget {
   void begin(const FrameView& view) override;
   /// Those that were drawn since begin() already are left out.
   void draw(std::span<const DrawableId> drawables) override;
-  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends, uint32_t min_pixels,
             std::span<uint8_t> visible) override;
   /// Makes the picture.
   void finish() override;

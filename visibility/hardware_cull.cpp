@@ -24,10 +24,11 @@ void keep_largest(std::vector<ScreenRectangle>& rectangles, size_t first, size_t
 
 }  // namespace
 
-HardwareCull::HardwareCull(const Hierarchy& hierarchy, const CullOptions& options)
+HardwareCull::HardwareCull(const Hierarchy& hierarchy, const CullOptions& options, uint32_t min_pixels)
     : hierarchy_(hierarchy),
       skeleton_(hierarchy.skeleton()),
       options_(options),
+      min_pixels_(min_pixels),
       expected_(skeleton_.scene_nodes.size()),
       represented_(skeleton_.drawables.size()),
       shown_(skeleton_.drawables.size()),
@@ -177,7 +178,7 @@ ScreenBounds::Kind HardwareCull::append_bounds_of(QueueEntry& entry) {
 void HardwareCull::test_batch() {
   if (tested_.empty()) return;
   answers_.assign(tested_.size(), 1);
-  tester_->test(rectangles_, ends_, answers_);
+  tester_->test(rectangles_, ends_, min_pixels_, answers_);
   ++result_.batches;
   result_.tests += tested_.size();
   bool too_many = false;

@@ -48,7 +48,8 @@ struct CullOptions {
 /// Reuses its memory from frame to frame: after some frames it allocates nothing. For one thread.
 class HardwareCull {
  public:
-  HardwareCull(const Hierarchy& hierarchy, const CullOptions& options);
+  /// min_pixels: what shows at fewer pixels counts as hidden; with 1 nothing that is visible does.
+  HardwareCull(const Hierarchy& hierarchy, const CullOptions& options, uint32_t min_pixels = 1);
 
   /// cut: begun under this view; the culling selects from it what it looks at. tester: holds R(i), into
   /// which `represented` (drawables of the cut) was drawn under the view. previous: V(i−1). sink: called at
@@ -86,6 +87,7 @@ class HardwareCull {
   const Hierarchy& hierarchy_;
   const Skeleton& skeleton_;
   CullOptions options_;
+  uint32_t min_pixels_;
   EpochMarks expected_;                           ///< scene nodes above what was visible one frame ago
   EpochMarks represented_, shown_, was_visible_;  ///< drawables
   std::vector<DrawRank> previous_;                ///< V(i−1) in rank order

@@ -1,37 +1,41 @@
 #include "visibility/occlusion_strategy.hpp"
 
+#include <fmt/core.h>
+
 namespace triptych {
 
 OcclusionStrategy::OcclusionStrategy(const Hierarchy& hierarchy, const CullOptions& options)
-    : cut_(hierarchy.skeleton()),
-      mapper_(hierarchy.skeleton()),
-      cull_(hierarchy, options),
-      is_represented_(hierarchy.skeleton().drawables.size()) {}
+    : passes_(hierarchy, options, 1) {}
 
 const std::string& OcclusionStrategy::name() const {
   static const std::string name = "occlusion";
   return name;
 }
 
-void OcclusionStrategy::begin(const FrameView& view, FrameTarget& target) {
-  cut_.begin(view);
-  is_represented_.clear();
-  represented_.clear();
-  target.begin(view);
-}
-
-void OcclusionStrategy::add(const VisibleSet& visible, FrameTarget& target) {
-  fresh_.clear();
-  for (const DrawableId id : mapper_.map(cut_, visible)) {
-    if (is_represented_.mark_first(id)) fresh_.push_back(id);
-  }
-  represented_.insert(represented_.end(), fresh_.begin(), fresh_.end());
-  target.draw(fresh_);
-}
-
 const CullResult& OcclusionStrategy::run(const FrameView& view, const VisibleSet& previous,
                                          FrameTarget& target, CullSink& sink) {
-  return cull_.run(view, cut_, target, represented_, previous, sink);
+  return passes_.run(view, previous, target, sink);
+}
+
+ApproximateOcclusionStrategy::ApproximateOcclusionStrategy(const Hierarchy& hierarchy,
+                                                           const CullOptions& options, uint32_t min_pixels)
+    : passes_(hierarchy, options, min_pixels), min_pixels_(min_pixels) {}
+
+const std::string& ApproximateOcclusionStrategy::name() const {
+  static const std::string name = "approximate";
+  return name;
+}
+
+std::string ApproximateOcclusionStrategy::may_miss() const {
+  return fmt::format(
+      "drawables that own fewer than {} pixels of the un-culled picture each; several of them may own more "
+      "together",
+      min_pixels_);
+}
+
+const CullResult& ApproximateOcclusionStrategy::run(const FrameView& view, const VisibleSet& previous,
+                                                    FrameTarget& target, CullSink& sink) {
+  return passes_.run(view, previous, target, sink);
 }
 
 }  // namespace triptych

@@ -24,10 +24,12 @@ class OcclusionTester : public ExtentTester {
   virtual void draw(std::span<const DrawableId> drawables) = 0;
 
   /// Test i covers the rectangles from ends[i − 1] (0 for the first) up to, not including, ends[i].
-  /// visible[i] becomes 1 if one of them is at or in front of the depth at some pixel, 0 if all are behind
-  /// it at every pixel. Non-strict, and conservative: where the answer is not known it is 1, visible.
+  /// visible[i] becomes 1 if they are at or in front of the depth at `min_pixels` pixels or more, 0 if at
+  /// fewer. Each rectangle's pixels are counted, so those of several may count more than once. min_pixels: at
+  /// least 1, which asks whether anything shows. Non-strict, and conservative: where the answer is not known
+  /// it is 1, visible.
   virtual void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
-                    std::span<uint8_t> visible) = 0;
+                    uint32_t min_pixels, std::span<uint8_t> visible) = 0;
 };
 
 }  // namespace triptych

@@ -1,5 +1,6 @@
 #include "visibility/strategies.hpp"
 
+#include "base/error.hpp"
 #include "visibility/occlusion_strategy.hpp"
 #include "visibility/whole_cut_strategy.hpp"
 
@@ -9,8 +10,16 @@ const std::vector<std::pair<std::string, StrategyKind>>& strategy_names() {
   static const std::vector<std::pair<std::string, StrategyKind>> names = {
       {"none", StrategyKind::none},
       {"frustum", StrategyKind::frustum},
-      {"occlusion", StrategyKind::occlusion}};
+      {"occlusion", StrategyKind::occlusion},
+      {"approximate", StrategyKind::approximate}};
   return names;
+}
+
+std::unique_ptr<Strategy> make_strategy(StrategyKind kind, const Hierarchy& hierarchy,
+                                        const StrategyOptions& options) {
+  if (kind == StrategyKind::approximate)
+    return std::make_unique<ApproximateOcclusionStrategy>(hierarchy, options.batches, options.min_pixels);
+  return make_exact_strategy(kind, hierarchy, options.batches);
 }
 
 std::unique_ptr<ExactStrategy> make_exact_strategy(StrategyKind kind, const Hierarchy& hierarchy,
@@ -21,9 +30,11 @@ std::unique_ptr<ExactStrategy> make_exact_strategy(StrategyKind kind, const Hier
     case StrategyKind::frustum:
       return std::make_unique<WholeCutStrategy>(FrustumCulling::on);
     case StrategyKind::occlusion:
+      return std::make_unique<OcclusionStrategy>(hierarchy, options);
+    case StrategyKind::approximate:
       break;
   }
-  return std::make_unique<OcclusionStrategy>(hierarchy, options);
+  fail("strategy", "\"approximate\" may leave out what is visible; an exact strategy is needed here");
 }
 
 }  // namespace triptych

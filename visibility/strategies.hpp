@@ -5,6 +5,7 @@
 #include "visibility/hardware_cull.hpp"
 #include "visibility/strategy.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -12,12 +13,24 @@
 
 namespace triptych {
 
-enum class StrategyKind { none, frustum, occlusion };
+enum class StrategyKind { none, frustum, occlusion, approximate };
 
-/// Every kind with its name.
+/// Every kind with its name, in the order of their numbers.
 const std::vector<std::pair<std::string, StrategyKind>>& strategy_names();
 
-/// options: for strategies that test boxes.
+struct StrategyOptions {
+  /// For strategies that test boxes.
+  CullOptions batches = {};
+  /// For `approximate`: what covers fewer pixels may be left out. At least 1.
+  uint32_t min_pixels = 4;
+};
+
+/// Of any kind. Strategy::name() is the one that it was listed under; ApproximateStrategy and ExactStrategy
+/// tell what it promises.
+std::unique_ptr<Strategy> make_strategy(StrategyKind kind, const Hierarchy& hierarchy,
+                                        const StrategyOptions& options = {});
+
+/// For code that claims exactness. Error (place: strategy) for a kind that is not exact.
 std::unique_ptr<ExactStrategy> make_exact_strategy(StrategyKind kind, const Hierarchy& hierarchy,
                                                    const CullOptions& options = {});
 

@@ -91,8 +91,10 @@ struct RasterKernels {
                     void* row);
   /// Whether tiles alone hide everything this deep, or deeper, at these pixels.
   bool (*hides)(float nearest, bool strict, const PixelRectangle& pixels, const DepthSource& source);
-  /// Whether the box may show at the centre of one of these pixels.
-  bool (*test_box)(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source);
+  /// At the centres of how many of these pixels the box may show. Stops once that is `enough`, which is at
+  /// least 1, and gives no more.
+  int32_t (*count_box)(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source,
+                       int32_t enough);
 };
 
 extern const RasterKernels sse42_kernels, avx2_kernels, avx512_kernels;

@@ -17,7 +17,7 @@ constexpr RasterKernels kernels_here = {.transform_vertices = transform_vertices
                                         .least_of_tile = least_of_tile,
                                         .color_row = color_row,
                                         .hides = hides,
-                                        .test_box = test_box};
+                                        .count_box = count_box};
 
 }  // namespace
 }  // namespace triptych

@@ -22,8 +22,9 @@ namespace {
   return box.strict ? depth > there : depth >= there;
 }
 
+/// Counts down `missing`, pixels that have yet to show; whether none is missing any more.
 [[gnu::always_inline]] inline bool test_pixels(const BoxTerms& box, const PixelRectangle& pixels,
-                                               const DepthSource& source) {
+                                               const DepthSource& source, int32_t& missing) {
   for (int32_t start = pixels.left; start <= pixels.right; start += lanes) {
     const Ints column = lane_numbers + start;
     const Ints wanted = column <= pixels.right;
@@ -39,7 +40,8 @@ namespace {
       Ints shows = wanted & passes(box, depth, there) & (depth >= 0);
       if (!any(shows)) continue;
       for (int i = 0; i < 4; ++i) shows &= plane_at(box.cuts[i], x, y) >= 0;
-      if (any(shows)) return true;
+      missing -= __builtin_popcount(bits(shows));
+      if (missing <= 0) return true;
     }
   }
   return false;
@@ -49,7 +51,7 @@ namespace {
 /// products of floats are monotone in each operand: what a plane gives at the outermost centres of a tile
 /// bounds, to the bit, what it gives between.
 [[gnu::always_inline]] inline bool test_tile_row(const BoxTerms& box, const PixelRectangle& pixels,
-                                                 const DepthSource& source) {
+                                                 const DepthSource& source, int32_t& missing) {
   constexpr int32_t side = tile_side;
   const float* const tiles = source.tiles + int64_t{pixels.bottom / side} * source.columns;
   const int32_t last = pixels.right / side;
@@ -73,7 +75,7 @@ namespace {
       const int32_t from = (first + __builtin_ctz(rest)) * side, to = from + side - 1;
       const PixelRectangle inside = {greater(from, pixels.left), lesser(to, pixels.right), pixels.bottom,
                                      pixels.top};
-      if (test_pixels(box, inside, source)) return true;
+      if (test_pixels(box, inside, source, missing)) return true;
     }
   }
   return false;
@@ -115,9 +117,13 @@ bool hides(float nearest, bool strict, const PixelRectangle& pixels, const Depth
   });
 }
 
-bool test_box(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source) {
-  return any_tile_row(box.planes[0].offset, box.strict, pixels, source,
-                      [&](const PixelRectangle& row) { return test_tile_row(box, row, source); });
+int32_t count_box(const BoxTerms& box, const PixelRectangle& pixels, const DepthSource& source,
+                  int32_t enough) {
+  int32_t missing = enough;
+  const bool all =
+      any_tile_row(box.planes[0].offset, box.strict, pixels, source,
+                   [&](const PixelRectangle& row) { return test_tile_row(box, row, source, missing); });
+  return all ? enough : enough - missing;
 }
 
 }  // namespace

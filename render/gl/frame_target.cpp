@@ -24,9 +24,9 @@ void GlFrameTarget::draw(std::span<const DrawableId> drawables) {
 }
 
 void GlFrameTarget::test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
-                         std::span<uint8_t> visible) {
+                         uint32_t min_pixels, std::span<uint8_t> visible) {
   rectangles_.test(framebuffer_, view_->rules.non_strict_test ? GL_GEQUAL : GL_GREATER, rectangles, ends,
-                   visible);
+                   min_pixels, visible);
 }
 
 void GlFrameTarget::finish() { glFinish(); }

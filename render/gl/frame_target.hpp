@@ -21,7 +21,7 @@ class GlFrameTarget final : public FrameTarget {
   TargetKind kind() const override { return framebuffer_.kind(); }
   void begin(const FrameView& view) override;
   void draw(std::span<const DrawableId> drawables) override;
-  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends, uint32_t min_pixels,
             std::span<uint8_t> visible) override;
   void finish() override;
   uint64_t drawn_triangles() const override { return drawn_triangles_; }

@@ -35,8 +35,8 @@ RasterProbe::RasterProbe(int width, int height)
     : width_(width),
       height_(height),
       triangles_(make_program("probe", bare_vertex_shader, counting_fragment_shader)),
-      queries_(make_program("probe of queries", rectangle_vertex_shader(), query_fragment_shader())),
-      storage_(make_program("probe of storage", rectangle_vertex_shader(), storage_fragment_shader())) {
+      queries_(make_program("probe of queries", rectangle_vertex_shader(), query_fragment_shader(false))),
+      storage_(make_program("probe of storage", rectangle_vertex_shader(), storage_fragment_shader(false))) {
   glTextureStorage2D(count_, 1, GL_R32F, width, height);
   glTextureStorage2D(depth_, 1, GL_DEPTH_COMPONENT32F, width, height);
   glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, count_, 0);

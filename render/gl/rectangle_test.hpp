@@ -1,4 +1,5 @@
-// Occlusion tests on the graphics card: queries, or one batched draw that marks a storage buffer.
+// Occlusion tests on the graphics card: queries, or one batched draw that marks or counts in a storage
+// buffer.
 #pragma once
 
 #include "render/gl/framebuffer.hpp"
@@ -21,18 +22,23 @@ class RectangleTest {
   /// As OcclusionTester::test(), against the framebuffer's depth. comparison: GL_GEQUAL is the non-strict
   /// one.
   void test(const Framebuffer& framebuffer, GLenum comparison, std::span<const ScreenRectangle> rectangles,
-            std::span<const uint32_t> ends, std::span<uint8_t> visible);
+            std::span<const uint32_t> ends, uint32_t min_pixels, std::span<uint8_t> visible);
 
  private:
-  void test_by_queries(std::span<const uint32_t> ends, std::span<uint8_t> visible);
-  void test_by_storage(std::span<const uint32_t> ends, std::span<uint8_t> visible);
+  /// One way to ask: whether there is a pixel, or how many there are.
+  struct Way {
+    std::optional<GlProgram> program;  ///< made when something is first asked this way
+    std::vector<GLuint> queries;
+  };
+  const GlProgram& program(bool counting);
+  void test_by_queries(std::span<const uint32_t> ends, uint32_t min_pixels, std::span<uint8_t> visible);
+  void test_by_storage(std::span<const uint32_t> ends, uint32_t min_pixels, std::span<uint8_t> visible);
 
   TestKind kind_;
-  std::optional<GlProgram> program_;  ///< made when something is first tested
+  Way any_, counting_;
   GlVertexArray vertex_array_;
   StreamBuffer rectangles_, answer_buffer_;
   std::vector<uint32_t> answers_;
-  std::vector<GLuint> queries_;
 };
 
 }  // namespace triptych

@@ -29,7 +29,8 @@ std::string flat_model_vertex_shader(Projection projection);
 std::string flat_model_fragment_shader();
 
 std::string rectangle_vertex_shader();
-std::string query_fragment_shader();
-std::string storage_fragment_shader();
+/// counting: of each rectangle how many pixels show, each once; otherwise whether any does.
+std::string query_fragment_shader(bool counting);
+std::string storage_fragment_shader(bool counting);
 
 }  // namespace triptych

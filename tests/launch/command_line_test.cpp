@@ -16,10 +16,29 @@ TEST(CommandLine, help_lists_the_words_of_a_flag_and_nothing_of_how_they_are_sto
   const std::string help = app.help("", CLI::AppFormatMode::All);
   EXPECT_NE(help.find("--context egl|osmesa=egl"), std::string::npos);
   EXPECT_NE(help.find("--test queries|storage=storage"), std::string::npos);
-  EXPECT_NE(help.find("--cull frustum|none|occlusion=occlusion"), std::string::npos);
+  EXPECT_NE(help.find("--cull approximate|frustum|none|occlusion=occlusion"), std::string::npos);
   EXPECT_NE(help.find("--up y|z=y"), std::string::npos);
   EXPECT_EQ(help.find('{'), std::string::npos);
   EXPECT_EQ(help.find("->"), std::string::npos);
+}
+
+TEST(CommandLine, a_threshold_in_pixels_is_of_the_approximate_strategy_alone) {
+  for (const auto& [add, line] : {std::pair(add_render, std::string("render p --path w -o o")),
+                                  std::pair(add_view, std::string("view p"))}) {
+    const auto parse = [add = add, line = line](const std::string& flags) {
+      CLI::App app;
+      Action action;
+      add(app, action);
+      app.parse(line + flags, false);
+    };
+    EXPECT_NO_THROW(parse(" --cull approximate"));
+    for (const char* pixels : {"1", "4", "1000000"})
+      EXPECT_NO_THROW(parse(std::string(" --cull approximate --min-pixels ") + pixels));
+    for (const char* pixels : {"0", "-1", "1000001", "4.5", "all"})
+      EXPECT_THROW(parse(std::string(" --cull approximate --min-pixels ") + pixels), CLI::ValidationError);
+    for (const char* other : {"", " --cull occlusion", " --cull frustum", " --cull none"})
+      EXPECT_THROW(parse(other + std::string(" --min-pixels 4")), CLI::ValidationError);
+  }
 }
 
 TEST(CommandLine, numbers_are_not_taken_for_words) {

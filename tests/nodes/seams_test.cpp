@@ -1,5 +1,6 @@
 // The seams of strategy and device, proven by users of no other use: a strategy that chooses levels itself,
 // one that never tests, and a device without a graphics card.
+#include "base/error.hpp"
 #include "measure/allocation_count.hpp"
 #include "nodes/local_pipeline.hpp"
 #include "tests/support/scenes.hpp"
@@ -32,7 +33,7 @@ class FakeTarget final : public FrameTarget {
   void draw(std::span<const DrawableId> drawables) override {
     drawn_.insert(drawn_.end(), drawables.begin(), drawables.end());
   }
-  void test(std::span<const ScreenRectangle>, std::span<const uint32_t> ends,
+  void test(std::span<const ScreenRectangle>, std::span<const uint32_t> ends, uint32_t,
             std::span<uint8_t> visible) override {
     for (size_t i = 0; i < ends.size(); ++i) visible[i] = ++tests_ % 3 != 0;
   }
@@ -197,10 +198,26 @@ TEST_F(Seams, strategies_change_from_one_frame_to_the_next) {
   EXPECT_LE(pipeline.draw(frame(0)).visible_count, whole);
 }
 
+TEST_F(Seams, each_strategy_has_the_name_that_it_is_listed_under_and_one_guarantee) {
+  for (const auto& [name, kind] : strategy_names()) {
+    const auto strategy = make_strategy(kind, hierarchy);
+    EXPECT_EQ(strategy->name(), name);
+    const auto* const approximate = dynamic_cast<const ApproximateStrategy*>(strategy.get());
+    EXPECT_NE(dynamic_cast<const ExactStrategy*>(strategy.get()) != nullptr, approximate != nullptr) << name;
+    EXPECT_EQ(approximate != nullptr, kind == StrategyKind::approximate);
+    if (approximate != nullptr) {
+      EXPECT_NE(approximate->may_miss().find("fewer than 4 pixels"), std::string::npos);
+      EXPECT_THROW(make_exact_strategy(kind, hierarchy), Error);
+    } else {
+      EXPECT_EQ(make_exact_strategy(kind, hierarchy)->name(), name);
+    }
+  }
+}
+
 TEST_F(Seams, after_a_round_frames_allocate_nothing) {
   if (!allocations_are_counted()) GTEST_SKIP() << "the allocator is the sanitizer's";
-  for (const StrategyKind kind : {StrategyKind::occlusion, StrategyKind::frustum, StrategyKind::none}) {
-    const auto strategy = make_exact_strategy(kind, hierarchy);
+  for (const auto& [name, kind] : strategy_names()) {
+    const auto strategy = make_strategy(kind, hierarchy);
     LocalPipeline pipeline(hierarchy, device, *strategy, options());
     std::vector<FrameRequest> frames;
     for (uint32_t number = 0; number < views.size(); ++number) frames.push_back(frame(number));

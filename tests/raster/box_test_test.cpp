@@ -72,7 +72,7 @@ TEST(BoxTest, says_what_a_look_at_every_pixel_says) {
           cut.offset = static_cast<float>(random.number(-0.3, 1));
         }
       }
-      bool expected[2] = {false, false};
+      uint32_t expected[2] = {0, 0};
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
           const double ndc_x = (2 * x + 1.0) / width - 1, ndc_y = (2 * y + 1.0) / height - 1;
@@ -84,26 +84,29 @@ TEST(BoxTest, says_what_a_look_at_every_pixel_says) {
           bool inside = true;
           for (const HalfPlane& cut : rectangle.cuts) inside = inside && cut.at(fx, fy) >= 0;
           if (!inside) continue;
-          expected[0] = expected[0] || rectangle.depth(fx, fy) >= scene.buffer.depth(x, y);
-          expected[1] = expected[1] || rectangle.depth(fx, fy) > scene.buffer.depth(x, y);
+          expected[0] += rectangle.depth(fx, fy) >= scene.buffer.depth(x, y);
+          expected[1] += rectangle.depth(fx, fy) > scene.buffer.depth(x, y);
         }
       }
       for (const InstructionSet set : instruction_sets_here()) {
         force_instruction_set(set);
         for (const VisibilityBuffer* buffer : {&scene.buffer, &depths.buffer}) {
           for (const bool strict : {false, true}) {
-            ASSERT_EQ(may_show(*buffer, rectangle, strict), expected[strict])
-                << width << "x" << height << " " << i << " " << instruction_set_name(set);
+            const uint32_t pixels = expected[strict];
+            for (const uint32_t enough : {1u, 2u, 7u, std::max(pixels, 1u), pixels + 1, 1000000u}) {
+              ASSERT_EQ(count_pixels(*buffer, rectangle, strict, enough), std::min(pixels, enough))
+                  << width << "x" << height << " " << i << " " << instruction_set_name(set);
+            }
             const ScreenExtent sides{rectangle.left, rectangle.bottom, rectangle.right, rectangle.top,
                                      rectangle.planes[0].middle};
             const bool known = hides(*buffer, sides, strict);
-            ASSERT_FALSE(known && expected[strict]) << width << "x" << height << " " << i;
+            ASSERT_FALSE(known && pixels > 0) << width << "x" << height << " " << i;
             hidden_by_tiles += known;
           }
         }
       }
       force_instruction_set(std::nullopt);
-      ++(expected[0] ? shown : hidden);
+      ++(expected[0] > 0 ? shown : hidden);
     }
   }
   EXPECT_GT(shown, 500u);
@@ -122,8 +125,8 @@ TEST(BoxTest, a_box_at_the_very_depth_that_is_there_shows_and_strictly_it_does_n
       rectangle.left = rectangle.right = (2 * static_cast<float>(x) + 1) / 64 - 1;
       rectangle.bottom = rectangle.top = (2 * static_cast<float>(y) + 1) / 64 - 1;
       rectangle.planes[0].middle = there;
-      EXPECT_TRUE(may_show(scene.buffer, rectangle, false));
-      EXPECT_FALSE(may_show(scene.buffer, rectangle, true));
+      EXPECT_EQ(count_pixels(scene.buffer, rectangle, false, 2), 1u);
+      EXPECT_EQ(count_pixels(scene.buffer, rectangle, true, 2), 0u);
       ++looked;
     }
   }

@@ -22,7 +22,7 @@ class FakeTester : public OcclusionTester {
   void draw(std::span<const DrawableId> drawables) override {
     drawn.insert(drawn.end(), drawables.begin(), drawables.end());
   }
-  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
+  void test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends, uint32_t,
             std::span<uint8_t> visible) override {
     largest_batch = std::max(largest_batch, ends.size());
     for (size_t test = 0, i = 0; test < ends.size(); ++test) {
@@ -66,7 +66,8 @@ class KnowingTester final : public FakeTester {
 class SilentTester : public OcclusionTester {
  public:
   void draw(std::span<const DrawableId>) override {}
-  void test(std::span<const ScreenRectangle>, std::span<const uint32_t>, std::span<uint8_t>) override {}
+  void test(std::span<const ScreenRectangle>, std::span<const uint32_t>, uint32_t,
+            std::span<uint8_t>) override {}
 };
 
 bool always(const ScreenRectangle&) { return true; }

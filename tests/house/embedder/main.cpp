@@ -19,7 +19,8 @@ class NoTarget final : public FrameTarget {
   TargetKind kind() const override { return TargetKind::depth_only; }
   void begin(const FrameView&) override {}
   void draw(std::span<const DrawableId>) override {}
-  void test(std::span<const ScreenRectangle>, std::span<const uint32_t>, std::span<uint8_t>) override {}
+  void test(std::span<const ScreenRectangle>, std::span<const uint32_t>, uint32_t,
+            std::span<uint8_t>) override {}
   void finish() override {}
   uint64_t drawn_triangles() const override { return 0; }
   void draw_lines(std::span<const ScreenLine>) override {}
