@@ -115,7 +115,7 @@ void add_cull_flags(CLI::App& command, CullChoice& cull) {
 }
 
 void check_cull_flags(const CLI::App& command, const CullChoice& cull) {
-  if (command.count("--min-pixels") > 0 && cull.kind != StrategyKind::approximate)
+  if (command.count("--min-pixels") > 0 && !counts_pixels(cull.kind))
     throw CLI::ValidationError("--min-pixels", "is of --cull approximate: other strategies count no pixels");
 }
 

@@ -56,9 +56,8 @@ std::vector<AccuracyStrategy> strategies_of(const MeasureAccuracyCommand& comman
   for (const auto& [name, kind] : strategy_names()) {
     const std::vector<std::string>& wanted = command.strategies;
     if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), name) == 0) continue;
-    found.push_back({name, 0, [kind = kind](const Hierarchy& hierarchy) -> std::unique_ptr<Strategy> {
-                       return make_exact_strategy(kind, hierarchy);
-                     }});
+    found.push_back({name, counts_pixels(kind) ? StrategyOptions{}.min_pixels : 0,
+                     [kind = kind](const Hierarchy& hierarchy) { return make_strategy(kind, hierarchy); }});
   }
   return found;
 }

@@ -15,6 +15,8 @@ const std::vector<std::pair<std::string, StrategyKind>>& strategy_names() {
   return names;
 }
 
+bool counts_pixels(StrategyKind kind) { return kind == StrategyKind::approximate; }
+
 std::unique_ptr<Strategy> make_strategy(StrategyKind kind, const Hierarchy& hierarchy,
                                         const StrategyOptions& options) {
   if (kind == StrategyKind::approximate)

@@ -18,6 +18,9 @@ enum class StrategyKind { none, frustum, occlusion, approximate };
 /// Every kind with its name, in the order of their numbers.
 const std::vector<std::pair<std::string, StrategyKind>>& strategy_names();
 
+/// Whether StrategyOptions::min_pixels matters to it.
+bool counts_pixels(StrategyKind kind);
+
 struct StrategyOptions {
   /// For strategies that test boxes.
   CullOptions batches = {};
