@@ -31,6 +31,7 @@ struct MeasureAccuracyCommand {
   std::vector<PictureSize> sizes;
   std::vector<std::string> devices, strategies;
   std::filesystem::path output;
+  std::vector<uint32_t> min_pixels = {4, 16};
   AccuracyOptions options;
 };
 
@@ -56,8 +57,14 @@ std::vector<AccuracyStrategy> strategies_of(const MeasureAccuracyCommand& comman
   for (const auto& [name, kind] : strategy_names()) {
     const std::vector<std::string>& wanted = command.strategies;
     if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), name) == 0) continue;
-    found.push_back({name, counts_pixels(kind) ? StrategyOptions{}.min_pixels : 0,
-                     [kind = kind](const Hierarchy& hierarchy) { return make_strategy(kind, hierarchy); }});
+    for (const uint32_t pixels :
+         counts_pixels(kind) ? each_once(command.min_pixels) : std::vector<uint32_t>{0}) {
+      StrategyOptions options;
+      if (pixels > 0) options.min_pixels = pixels;
+      found.push_back({name, pixels, [kind = kind, options](const Hierarchy& hierarchy) {
+                         return make_strategy(kind, hierarchy, options);
+                       }});
+    }
   }
   return found;
 }
@@ -203,6 +210,11 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
   take_list(sub->add_option("--devices", command->devices, "Measure on each of these: cpu, gl"))
       ->check(one_of({device_name(DeviceKind::cpu), device_name(DeviceKind::gl)}))
       ->type_name("NAME,...");
+  take_list(sub->add_option("--min-pixels", command->min_pixels,
+                            "What approximate strategies may leave out: what owns fewer pixels"))
+      ->check(whole_number(1, 1'000'000))
+      ->default_str("4,16")
+      ->type_name("N,...");
   add_sizes_flag(*sub, command->sizes);
   sub->add_option("--compare", command->options.compared_frames,
                   "Compare so many frames, spread over the path; all are timed")

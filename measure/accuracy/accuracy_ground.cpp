@@ -165,6 +165,17 @@ void AccuracyGround::draw(size_t which, size_t frame, const FramePlan& plan) {
   if (plan.compare || plan.keep) compare_setting(setting, frame, plan, record);
 }
 
+VisibleSet AccuracyGround::drawn_of(const Setting& setting, const FrameRecord& record) const {
+  VisibleSet drawn = record.visible;
+  const OcclusionRepresentation* representation = setting.strategy->representation();
+  if (device_.device.order_matters() || representation == nullptr) return drawn;
+  const std::span<const DrawableId> represented = representation->drawables();
+  drawn.insert(drawn.end(), represented.begin(), represented.end());
+  std::sort(drawn.begin(), drawn.end());
+  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+  return drawn;
+}
+
 void AccuracyGround::compare_setting(Setting& setting, size_t frame, const FramePlan& plan,
                                      const FrameRecord& record) {
   WholeCut& whole = whole_cuts_[setting.whole_cut];
@@ -173,11 +184,11 @@ void AccuracyGround::compare_setting(Setting& setting, size_t frame, const Frame
   const bool equal = colors == whole.picture.colors;
   if (!setting.exact) setting.recent.push(colors);
   if (!plan.compare) return;
+  const VisibleSet drawn = drawn_of(setting, record);
   for (const DrawableId id : whole.owners) {
     const uint32_t triangles = skeleton_.drawables[id].triangles;
     row.owning_triangles += triangles;
-    if (!std::binary_search(record.visible.begin(), record.visible.end(), id))
-      row.missed_triangles += triangles;
+    if (!std::binary_search(drawn.begin(), drawn.end(), id)) row.missed_triangles += triangles;
   }
   if (setting.exact) {
     if (!equal)
@@ -188,7 +199,7 @@ void AccuracyGround::compare_setting(Setting& setting, size_t frame, const Frame
   PictureMeasures measures = whole.measures;
   if (!equal) {
     const FrameView view = view_of(frame, whole.pixel_error);
-    std::vector<DrawableId> ordered = record.visible;
+    std::vector<DrawableId> ordered = drawn;
     sort_by_rank(skeleton_, view.cell, ordered);
     ShownPicture shown = draw_items(view, ordered);
     shown.colors = std::move(colors);

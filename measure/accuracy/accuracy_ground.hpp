@@ -58,6 +58,8 @@ class AccuracyGround {
   ShownPicture draw_items(const FrameView& view, std::span<const DrawableId> ordered);
   void compare_whole_cut(WholeCut& whole, size_t frame, const FramePlan& plan);
   void compare_setting(Setting& setting, size_t frame, const FramePlan& plan, const FrameRecord& record);
+  /// What the setting's picture was drawn of, ascending: V(i), and R(i) where that is the picture.
+  VisibleSet drawn_of(const Setting& setting, const FrameRecord& record) const;
   void add_motion(PictureMeasures& measures, const RecentColors& recent) const;
   void measure_covers(size_t frame);
   Cover cover_of(const CoverCounts& shown) const { return compare_cover(reference_cover_, shown); }
