@@ -34,6 +34,8 @@ void add_device_and_test_flags(CLI::App& command, DeviceOptions& device);
 void add_drawing_flags(CLI::App& command, RunOptions& options);
 /// --path, --size, --pixel-error, --frames. The last --size and the last --frames count.
 void add_path_flags(CLI::App& command, RunOptions& options);
+/// --target-ms: a frame time to keep by raising the pixel error.
+void add_target_flag(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
 
