@@ -177,6 +177,14 @@ void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes) {
       ->type_name("WxH,...");
 }
 
+void add_target_flag(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--target-ms", options.target_ms,
+                  "Raise the pixel error where it must be so that frames take no longer, in milliseconds")
+      ->check(positive_number())
+      ->type_name("T");
+}
+
 void add_run_flags(CLI::App& command, RunOptions& options) {
   add_common_flags(command, options.json);
   add_drawing_flags(command, options);

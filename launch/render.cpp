@@ -6,8 +6,9 @@
 #include "launch/number_flags.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
+#include "measure/steering_report.hpp"
 #include "measure/timeline_trace.hpp"
-#include "nodes/local_pipeline.hpp"
+#include "nodes/local_steering.hpp"
 #include "render/png_file.hpp"
 #include "scene/pack.hpp"
 #include "session/pictures.hpp"
@@ -40,12 +41,13 @@ int run(const RenderCommand& command) {
                                 .min_pixels = command.cull.min_pixels,
                                 .device = device.options,
                                 .item_buffer = command.item_buffer});
+  std::optional<LocalSteering> steering = steer(pipeline, command.run.target_ms, device.names);
   std::vector<FrameRecord> records;
   {
     Progress progress("render", frames.size());
     for (FrameRequest& frame : frames) {
       if (command.full_detail) frame.state.pixel_error = 0;
-      records.push_back(pipeline.draw(frame));
+      records.push_back(steering ? steering->draw(frame) : pipeline.draw(frame));
       const FrameTarget& target = pipeline.target();
       write_png(command.output / picture_name(frame.number), width, height,
                 command.item_buffer ? item_colors(target.read_items()) : target.read_colors());
@@ -72,6 +74,7 @@ int run(const RenderCommand& command) {
       records.size(), device_name(device.options.kind), report["frame_ms"]["p50"].get<double>(),
       report["visible"]["mean"].get<double>(), report["drawn_triangles"]["mean"].get<double>(),
       report["cut"]["mean"].get<double>());
+  if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   write_json(command.run.json, report);
   if (!command.timeline.empty()) write_json(command.timeline, chrome_trace({own_timeline("render")}, {}));
   return 0;
@@ -84,10 +87,12 @@ void add_render(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("render", "Draw a path in one process, without a display");
   sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
   add_run_flags(*sub, command->run);
+  add_target_flag(*sub, command->run);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
   add_cull_flags(*sub, command->cull);
   add_timeline_flag(*sub, command->timeline);
-  sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything");
+  sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything")
+      ->excludes("--target-ms");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
   sub->add_option("--every", command->every,
                   "Only every so many frames of the path, each as if it were the next one")

@@ -3,6 +3,7 @@
 #include "measure/json.hpp"
 #include "measure/session_faults.hpp"
 #include "measure/session_report.hpp"
+#include "measure/steering_report.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -58,6 +59,11 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
       "{} frames on {}, median {:.1f} ms, {} by the render node alone, {} digest mismatches, {} restarts\n",
       frames.size(), report.value("device", "no device"), report["frame_ms"]["p50"].get<double>(),
       fallback_frames, mismatches, outcome.restarted.size());
+  if (options.run.target_ms > 0) {
+    const std::string summary = add_steering(report, frames, options.run.target_ms, "busiest_role",
+                                             outcome.records.front().cost_coefficients);
+    fmt::print("{}", summary);
+  }
   write_json(json, report);
   return 0;
 }
@@ -69,6 +75,7 @@ void add_session(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("session", "Three processes on this machine, one picture");
   sub->footer("Example: triptych session scene.tpk --path walk.json -o pictures");
   add_session_flags(*sub, *options);
+  add_target_flag(*sub, options->run);
   sub->add_option("-o,--output", options->output, "Folder for the PNG files")->type_name("DIR");
   sub->add_flag("--hash", options->hash, "Put each picture's hash into the JSON");
   add_window_flag(*sub, options->window);

@@ -4,7 +4,8 @@
 #include "base/signals.hpp"
 #include "launch/command.hpp"
 #include "measure/json.hpp"
-#include "nodes/local_pipeline.hpp"
+#include "measure/steering_report.hpp"
+#include "nodes/local_steering.hpp"
 #include "scene/pack.hpp"
 #include "session/window_source.hpp"
 
@@ -38,18 +39,19 @@ int run(const ViewCommand& command) {
                                 .cull = command.cull.kind,
                                 .min_pixels = command.cull.min_pixels,
                                 .device = device.options});
+  std::optional<LocalSteering> steering = steer(pipeline, command.run.target_ms, device.names);
   std::vector<FrameRecord> records;
   std::vector<double> window_ms;
   while (!viewer.left()) {
     constexpr double patience_s = 1;
     if (!viewer.wait_for_frame(patience_s)) continue;
-    const FrameRequest frame = viewer.next_frame();
+    FrameRequest frame = viewer.next_frame();
     if (const FrameTarget& target = pipeline.target();
         target.width() != frame.state.view.width || target.height() != frame.state.view.height) {
       pipeline.resize(frame.state.view.width, frame.state.view.height);
     }
     pipeline.set_strategy(viewer.culling() ? command.cull.kind : StrategyKind::frustum);
-    const FrameRecord record = pipeline.draw(frame);
+    const FrameRecord record = steering ? steering->draw(frame) : pipeline.draw(frame);
     const Stopwatch stopwatch;
     viewer.show(frame, record, pipeline.target(), pipeline.device());
     window_ms.push_back(stopwatch.milliseconds());
@@ -66,6 +68,7 @@ int run(const ViewCommand& command) {
   add_device(report, device.names);
   fmt::print("{} frames on {}, median {:.1f} ms\n", records.size(), device_name(device.options.kind),
              report["frame_ms"]["p50"].get<double>());
+  if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   write_json(command.run.json, report);
   return 0;
 }
@@ -77,6 +80,7 @@ void add_view(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("view", "Walk through a pack in a window, in one process");
   sub->footer("Example: triptych view scene.tpk --path walk.json\nKeys:\n" + viewer_help());
   add_run_flags(*sub, command->run);
+  add_target_flag(*sub, command->run);
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
   sub->get_option("--frames")->required(false);
   sub->get_option("--context")->default_str("the display's own");

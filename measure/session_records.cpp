@@ -11,11 +11,14 @@ using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids,
                                    kernel_bytes, retransmissions, round_trip_ms, least_round_trip_ms)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SteeredFrame, target_ms, asked_pixel_error, pixel_error, predicted_ms,
+                                   cost_ms, wall_ms, undisturbed, in_reach)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
                                    latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,
                                    cut_drawables, drawn_triangles, tests, added, removed, level_changes,
-                                   visible_count, digest_mismatch, fallback, lost, visible, picture_hash)
+                                   visible_count, digest_mismatch, fallback, lost, visible, picture_hash,
+                                   steered)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceNames, vendor, renderer, version)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
@@ -99,7 +102,8 @@ json to_json(const RoleRecord& record) {
           {"raster", record.raster},
           {"timeline", record.timeline},
           {"clocks", record.clocks},
-          {"most_waiting", record.max_backlog}};
+          {"most_waiting", record.max_backlog},
+          {"cost_coefficients", record.cost_coefficients}};
 }
 
 void add_record(RoleRecord& sum, const RoleRecord& record) {
@@ -112,6 +116,7 @@ void add_record(RoleRecord& sum, const RoleRecord& record) {
                             record.timeline.spans.end());
   sum.timeline.lost += record.timeline.lost;
   if (!record.clocks.empty()) sum.clocks = record.clocks;
+  sum.cost_coefficients = record.cost_coefficients;
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
@@ -130,7 +135,8 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
             document.at("raster").get<std::string>(),
             document.at("timeline").get<ProcessTimeline>(),
             document.at("clocks").get<std::vector<PeerClock>>(),
-            document.at("most_waiting").get<Backlog>()};
+            document.at("most_waiting").get<Backlog>(),
+            document.at("cost_coefficients").get<CostCoefficients>()};
   } catch (const json::exception& error) {
     fail(place, "is not the record of a role: {}", error.what());
   }

@@ -1,6 +1,7 @@
 // What the three roles of a session report to the process that started them: JSON files, one per role.
 #pragma once
 
+#include "nodes/cost_model.hpp"
 #include "nodes/frame_record.hpp"
 #include "nodes/inbox.hpp"
 #include "protocol/mailbox.hpp"
@@ -38,7 +39,7 @@ struct ProcessTimeline {
 };
 
 /// Of the JSON of a RoleRecord: increased whenever its keys, or those of its parts, change.
-constexpr int role_record_version = 2;
+constexpr int role_record_version = 3;
 
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
@@ -46,8 +47,9 @@ struct RoleRecord {
   DeviceNames device;
   std::string raster;  ///< verdict of the role's raster certificate
   ProcessTimeline timeline;
-  std::vector<PeerClock> clocks;  ///< the render node's: its peers' clocks against its own
-  Backlog max_backlog{};          ///< the most that had arrived and was not used yet
+  std::vector<PeerClock> clocks;         ///< the render node's: its peers' clocks against its own
+  Backlog max_backlog{};                 ///< the most that had arrived and was not used yet
+  CostCoefficients cost_coefficients{};  ///< the render node's, of frames that were steered
 };
 
 /// What this process has recorded so far.

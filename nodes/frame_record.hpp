@@ -8,6 +8,18 @@
 
 namespace triptych {
 
+/// How a frame was steered to take no longer than a target (nodes/frame_steering.hpp).
+struct SteeredFrame {
+  double target_ms = 0;          ///< 0: it was not steered
+  double asked_pixel_error = 0;  ///< the frame's own may be larger
+  double pixel_error = 0;
+  double predicted_ms = 0;   ///< what it was to cost, before it was drawn
+  double cost_ms = 0;        ///< what it did, in the same measure
+  double wall_ms = 0;        ///< from its request to its picture; session: from picture to picture
+  bool undisturbed = false;  ///< whether that is the time of a quiet machine (base/spent_time.hpp)
+  bool in_reach = true;      ///< false: no pixel error was large enough
+};
+
 /// Wall-clock times in milliseconds, each stage up to its glFinish.
 struct FrameRecord {
   uint32_t number = 0;
@@ -32,6 +44,7 @@ struct FrameRecord {
   std::string lost{};         ///< on the first such frame: why
   VisibleSet visible{};       ///< V(i), where it is kept
   uint64_t picture_hash = 0;  ///< XXH3-64 of the picture's RGBA bytes, where it was read back
+  SteeredFrame steered{};
 };
 
 }  // namespace triptych

@@ -4,6 +4,7 @@
 #include "base/notice.hpp"
 #include "base/timeline.hpp"
 #include "nodes/frame_intake.hpp"
+#include "nodes/frame_steering.hpp"
 #include "nodes/local_pipeline.hpp"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ class RenderNode {
   /// Runs until the last frame, or until this process is to end.
   void run() {
     first_ = source_.next(numbers_.first);
+    if (options_.target_ms > 0) calibrate(*first_);
     if (options_.begin_alone) {
       lost_ = "the render node before this one ended";
     } else if (const auto failure = peers_.wait(*first_, options_.patient)) {
@@ -82,11 +84,25 @@ class RenderNode {
     double sent_ms;  ///< how much later it was sent to the switch nodes
   };
 
+  /// What a role may take is measured in wall time: of the other roles nothing else is known.
+  void calibrate(FrameRequest& first) {
+    steering_.emplace(pack_.skeleton(), SteeringOptions{.target_ms = options_.target_ms,
+                                                        .measure = CostMeasure::wall,
+                                                        .rules = options_.frame_rules});
+    stages_.resize(first.state.view.width, first.state.view.height);
+    steering_->calibrate(stages_, first);
+    steering_->steer(first);
+    done_at_ = spent_time();
+  }
+
   bool ready() { return first_ || source_.ready(released_.empty()); }
 
   /// The first frame was requested before its release, for the warm-up.
   FrameRequest next_frame(uint32_t number) {
-    return first_ ? *std::exchange(first_, std::nullopt) : source_.next(number);
+    if (first_) return *std::exchange(first_, std::nullopt);
+    FrameRequest frame = source_.next(number);
+    if (steering_) steering_->steer(frame);
+    return frame;
   }
 
   /// Waits until the next camera is to be released; false if this process is to end before that.
@@ -144,12 +160,27 @@ class RenderNode {
     record.visible_count = record.visible.size();
     record.level_changes = level_changes(pack_.skeleton(), before, record.visible);
     visible_ = record.visible;
+    if (steering_) record.steered = steered(record);
     ++summary_.frames;
     summary_.fallback_frames += record.fallback;
     sink_.show(frame.request, record, stages_);
     const TimelineScope scope("hand the picture over", frame.request.number);
     sink_.picture(std::move(record), stages_.target());
     return true;
+  }
+
+  /// The cost is that of the busiest role: switch nodes and render node work side by side.
+  SteeredFrame steered(const FrameRecord& record) {
+    const double culling_ms = record.occlusion_representation_ms + record.hardware_cull_ms;
+    const double cost_ms =
+        record.fallback ? culling_ms + record.render_ms : std::max(culling_ms, record.render_ms);
+    SteeredFrame steered = steering_->drawn(record.number, visible_, cost_ms);
+    const SpentTime now = spent_time();
+    steered.wall_ms = record.frame_ms;
+    steered.undisturbed = is_undisturbed(done_at_, now);
+    done_at_ = now;
+    summary_.cost_coefficients = steering_->model().coefficients();
+    return steered;
   }
 
   /// Together with the switch nodes where they are connected, otherwise by itself; nothing if this process is
@@ -276,6 +307,8 @@ class RenderNode {
   double done_ms_ = 0, last_done_ms_ = 0;
   std::string lost_;  ///< why the epoch ended, for the next record
   VisibleSet visible_;
+  std::optional<FrameSteering> steering_;
+  SpentTime done_at_;  ///< of frames that are steered: when the last picture was done
   RenderNodeSummary summary_;
 };
 

@@ -2,6 +2,7 @@
 // missing.
 #pragma once
 
+#include "nodes/cost_model.hpp"
 #include "nodes/frame_source.hpp"
 #include "nodes/peers.hpp"
 #include "nodes/session_rules.hpp"
@@ -24,6 +25,8 @@ struct RenderNodeOptions {
   /// Begin alone, too, where Connect throws before the first epoch, and try again.
   bool patient = false;
   SessionRules session_rules = {};
+  /// Milliseconds that the busiest role may take for a frame: pixel errors are raised to keep them. 0: none.
+  double target_ms = 0;
   /// Whether this role is to end; asked several times a second.
   std::function<bool()> stop = stop_requested;
 };
@@ -33,6 +36,7 @@ struct RenderNodeSummary {
   uint64_t frames = 0;
   uint64_t fallback_frames = 0;  ///< of those, drawn by the render node by itself
   uint64_t epochs = 0;
+  CostCoefficients cost_coefficients{};  ///< of what frames cost, where they were steered
 };
 
 /// Draws every frame of the source, in order, and hands each to the sink. At most two are in flight: camera

@@ -48,6 +48,7 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
           std::to_string(setup.render_listener->descriptor()), "--loop", std::to_string(options.loop),
           "--timeout", fmt::format("{}", options.timeout_ms)});
   if (run.frames > 0) append(words, {"--frames", std::to_string(run.frames)});
+  if (run.target_ms > 0) append(words, {"--target-ms", fmt::format("{}", run.target_ms)});
   if (options.rate > 0) append(words, {"--rate", fmt::format("{}", options.rate)});
   if (!options.output.empty()) append(words, {"-o", options.output.string()});
   if (!run.path.empty()) append(words, {"--path", run.path.string()});

@@ -116,13 +116,15 @@ int run_render(const RoleCommand& command) {
          .connect = [&](const std::function<bool()>& stop) { return connector.connect(stop); },
          .begin_alone = command.begin > 0,
          .patient = command.keep_trying,
-         .session_rules = injected_rules(Role::render)});
+         .session_rules = injected_rules(Role::render),
+         .target_ms = command.run.target_ms});
   }
   RoleRecord record = sink.finish();
   notice("render node: {} frames, {} of them by itself, {} epochs", done.frames, done.fallback_frames,
          done.epochs);
   record.device = device.names;
   record.raster = raster_verdict(device.names);
+  record.cost_coefficients = done.cost_coefficients;
   record.timeline = own_timeline(role_name(Role::render));
   write_json(command.run.json, to_json(record));
   return 0;

@@ -113,9 +113,13 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
   }
   const std::vector<uint8_t> colors = window_.show(*shown, picture_wanted_);
   if (picture_wanted_) save(colors);
-  window_.set_title(fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:g} px, culling {}",
+  // What was asked for may have been raised, to keep a target of time.
+  const double pixel_error = frame.state.pixel_error;
+  const std::string asked =
+      pixel_error > options_.pixel_error ? fmt::format(" (asked for {:g})", options_.pixel_error) : "";
+  window_.set_title(fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:.3g} px{}, culling {}",
                                 options_.window.title, record.frame_ms, record.visible.size(),
-                                record.cut_drawables, record.drawn_triangles, frame.state.pixel_error,
+                                record.cut_drawables, record.drawn_triangles, pixel_error, asked,
                                 options_.culling ? "on" : "off"));
 }
 
