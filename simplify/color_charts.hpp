@@ -11,6 +11,8 @@ namespace triptych {
 /// Colours that differ by this much in a channel, of 255, are told apart at a glance: less is noise, or part
 /// of a gradient.
 inline constexpr int distinct_colors = 32;
+/// Colours that differ by no more look the same.
+inline constexpr int equal_colors = 6;
 
 /// The largest difference of a channel.
 int color_difference(const VertexColor& a, const VertexColor& b);

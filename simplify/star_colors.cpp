@@ -14,7 +14,10 @@ namespace {
 
 glm::dvec3 channels(const VertexColor& color) { return {color[0], color[1], color[2]}; }
 
-double distinct(double difference) { return std::min(difference / distinct_colors, 1.0); }
+/// From 0 for colours that look the same to 1 for distinct ones.
+double distinct(double difference) {
+  return std::clamp((difference - equal_colors) / (distinct_colors - equal_colors), 0.0, 1.0);
+}
 
 /// Weights of the corners 0, u and v of a triangle at the point of its plane nearest to q; negative outside.
 glm::dvec3 weights_at(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& q) {

@@ -93,8 +93,9 @@ TEST(ImportPly, colours_are_the_same_from_memory_from_a_stream_and_from_the_file
         "_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
         "property ushort red\nproperty ushort green\nproperty ushort blue\n"
         "element face 1\nproperty list uint8 uint32 vertex_index\nend_header\n";
-    for (const uint16_t i : {0, 1, 2, 3}) {
-      for (const float value : {i % 2 * 1.0f, i / 2 * 1.0f, 0.0f}) append(bytes, value, big);
+    for (int i = 0; i < 4; ++i) {
+      for (const float value : {static_cast<float>(i % 2), static_cast<float>(i / 2), 0.0f})
+        append(bytes, value, big);
       for (const int channel : {20000 * i, 65535 - 9000 * i, 257 * i})
         append(bytes, static_cast<uint16_t>(channel), big);
     }
