@@ -260,7 +260,9 @@ Model colored_square(const json& accessor, const std::string& colors, const Impo
   document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 60}, {"byteLength", colors.size()}});
   document["accessors"].push_back(accessor);
   document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
-  return import_text("a.glb", glb(document, square_bytes() + colors), options);
+  // A file that streams read must not change: each has its own.
+  static int files = 0;
+  return import_text(std::to_string(files++) + ".glb", glb(document, square_bytes() + colors), options);
 }
 
 template <typename Value>

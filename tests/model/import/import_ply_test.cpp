@@ -109,8 +109,8 @@ TEST(ImportPly, colours_are_the_same_from_memory_from_a_stream_and_from_the_file
       return all;
     };
     const Model held = import_text("a.ply", bytes),
-                streamed = import_text("a.ply", bytes, {.stream_above = 0}),
-                stored = import_text("a.ply", bytes, {.held_bytes = 0});
+                streamed = import_text("b.ply", bytes, {.stream_above = 0}),
+                stored = import_text("c.ply", bytes, {.held_bytes = 0});
     EXPECT_TRUE(held.meshes[0].has_colors() && streamed.meshes[0].has_colors() &&
                 stored.meshes[0].has_colors());
     EXPECT_FALSE(held.meshes[0].stream);
