@@ -62,11 +62,14 @@ aiColor4D linear_color(const aiColor4D& color) {
   return {linear.r, linear.g, linear.b, color.a};
 }
 
+/// Assimp makes one of this name up where a file has none.
+bool is_made_up(const aiMaterial& material) {
+  return std::string_view(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME;
+}
+
 json material_of(const aiMaterial& material, ConversionNotes& notes) {
   aiColor4D color(0.8f, 0.8f, 0.8f, 1);
-  // Assimp makes one of this name up where a file has none.
-  const bool made_up = std::string_view(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME;
-  if (!made_up && material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
+  if (!is_made_up(material) && material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
     if (material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) color = linear_color(color);
   float opacity = 1;
   if (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) color.a = opacity;
@@ -80,7 +83,7 @@ json material_of(const aiMaterial& material, ConversionNotes& notes) {
   return {{"pbrMetallicRoughness", {{"baseColorFactor", factor}}}};
 }
 
-/// The meshes with triangles and where their bytes go: positions, then indices.
+/// The meshes with triangles and where their bytes go: positions, vertex colours if there are any, indices.
 struct Layout {
   json meshes = json::array(), views = json::array(), accessors = json::array();
   std::vector<int> mesh_of;  ///< the scene's mesh to the file's; −1 without triangles
@@ -106,12 +109,19 @@ Layout lay_out(const aiScene& scene, ConversionNotes& notes) {
       ++notes["meshes without triangles (points, lines) were skipped"];
       continue;
     }
-    if (mesh.HasVertexColors(0)) ++notes["meshes with vertex colours, which are not drawn yet"];
     if (mesh.HasBones()) ++notes["meshes with a skin, drawn as stored in the file"];
     const auto positions = add(uint64_t{mesh.mNumVertices} * 12, mesh.mNumVertices, 5126, "VEC3");
-    const auto numbers = add(triangles * 12, triangles * 3, 5125, "SCALAR");
-    json primitive = {{"attributes", {{"POSITION", positions}}}, {"indices", numbers}};
-    if (mesh.mMaterialIndex < scene.mNumMaterials) primitive["material"] = mesh.mMaterialIndex;
+    json primitive = {{"attributes", {{"POSITION", positions}}}};
+    const bool colored = mesh.HasVertexColors(0);
+    if (colored)
+      primitive["attributes"]["COLOR_0"] =
+          add(uint64_t{mesh.mNumVertices} * 12, mesh.mNumVertices, 5126, "VEC3");
+    primitive["indices"] = add(triangles * 12, triangles * 3, 5125, "SCALAR");
+    if (mesh.mMaterialIndex < scene.mNumMaterials) {
+      // Vertex colours of what has no material are not multiplied by that of others.
+      if (!colored || !is_made_up(*scene.mMaterials[mesh.mMaterialIndex]))
+        primitive["material"] = mesh.mMaterialIndex;
+    }
     const std::string name(mesh.mName.C_Str());
     layout.meshes.push_back({{"name", name}, {"primitives", {primitive}}});
   }
@@ -175,6 +185,10 @@ void write_mesh(const aiMesh& mesh, Output& output, const std::string& place, Co
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     const aiVector3D& vertex = mesh.mVertices[i];
     output.write(std::array<float, 3>{vertex.x, vertex.y, vertex.z});
+  }
+  for (unsigned i = 0; mesh.HasVertexColors(0) && i < mesh.mNumVertices; ++i) {
+    const aiColor4D color = linear_color(mesh.mColors[0][i]);  // those displayed, too
+    output.write(std::array<float, 3>{color.r, color.g, color.b});
   }
   std::vector<glm::dvec3> corners;
   std::vector<std::array<uint32_t, 3>> triangles;

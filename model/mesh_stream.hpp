@@ -2,6 +2,8 @@
 // needed.
 #pragma once
 
+#include "scene/vertex_color.hpp"
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -17,6 +19,7 @@ namespace triptych {
 struct CornerTriangle {
   std::array<glm::dvec3, 3> corners;
   uint32_t material;
+  CornerColors colors = {};  ///< as Mesh::colors; of streams without colours all zero
   bool operator==(const CornerTriangle&) const = default;
 };
 
@@ -32,6 +35,9 @@ class MeshStream {
 
   /// After triangulation of n-gons, before anything is dropped: exact, or as declared by the file.
   virtual uint64_t triangle_count() const = 0;
+
+  /// Whether vertices have colours.
+  virtual bool has_colors() const { return false; }
 
   /// Calls take with batches of some thousands of triangles in the file's order; the same triangles in the
   /// same order each time. Returns how many were dropped: their coordinates are not finite. Several threads

@@ -4,6 +4,8 @@ namespace triptych {
 
 uint64_t Mesh::triangle_count() const { return stream ? stream->triangle_count() : triangles.size(); }
 
+bool Mesh::has_colors() const { return stream ? stream->has_colors() : !colors.empty(); }
+
 std::string Model::name() const { return files.empty() ? "the model" : files.front().string(); }
 
 uint64_t Model::source_triangles() const {

@@ -36,9 +36,13 @@ struct Mesh {
   std::vector<glm::dvec3> positions;
   std::vector<Triangle> triangles;
   std::shared_ptr<const MeshStream> stream = nullptr;  ///< null: in memory
+  /// Of each position, where the file has any; empty otherwise. They multiply the base colour of the material
+  /// in linear light, but for material 0, which stands for none.
+  std::vector<VertexColor> colors = {};
 
   /// Of a stream: as MeshStream::triangle_count.
   uint64_t triangle_count() const;
+  bool has_colors() const;  ///< of vertices
 };
 
 /// One placement of a mesh in the model.

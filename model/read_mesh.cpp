@@ -14,6 +14,9 @@ uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take) {
     triangles.push_back({{mesh.positions[triangle.vertices[0]], mesh.positions[triangle.vertices[1]],
                           mesh.positions[triangle.vertices[2]]},
                          triangle.material});
+    if (!mesh.colors.empty()) {
+      for (size_t i = 0; i < 3; ++i) triangles.back().colors[i] = mesh.colors[triangle.vertices[i]];
+    }
     if (triangles.size() == batch) {
       take(triangles);
       triangles.clear();

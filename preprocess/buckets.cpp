@@ -3,6 +3,7 @@
 #include "scene/box.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace triptych {
@@ -37,7 +38,9 @@ std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm
   return found->number;
 }
 
-Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, SpoolFile& spool) : spool_(spool) {
+Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, bool colored, SpoolFile& spool)
+    : triangle_bytes_(colored ? sizeof(LatticeTriangle) : offsetof(LatticeTriangle, corner_colors)),
+      spool_(spool) {
   const uint64_t every = total / max_sample + 1;
   std::vector<glm::ivec3> sample;
   read(every, [&](std::span<const LatticeTriangle> batch) {
@@ -82,19 +85,20 @@ uint32_t Buckets::bucket_of(const glm::ivec3& point) const {
 /// another bucket uses it, both know that it is shared: the other one by the point's place, its own one by an
 /// entry in foreign_.
 void Buckets::distribute(const Read& read) {
-  std::vector<std::vector<LatticeTriangle>> waiting(places_.size());
+  std::vector<std::vector<std::byte>> waiting(places_.size());
   foreign_.resize(places_.size());
   std::vector<size_t> crowded(places_.size(), 1024);
   const auto flush = [&](size_t bucket) {
     if (waiting[bucket].empty()) return;
-    places_[bucket].push_back(spool_.append(std::as_bytes(std::span(waiting[bucket]))));
+    places_[bucket].push_back(spool_.append(waiting[bucket]));
     waiting[bucket].clear();
   };
   read(1, [&](std::span<const LatticeTriangle> batch) {
     for (const LatticeTriangle& triangle : batch) {
       const uint32_t bucket = bucket_of(center_of(triangle));
-      waiting[bucket].push_back(triangle);
-      if (waiting[bucket].size() == buffered_triangles) flush(bucket);
+      const auto bytes = std::as_bytes(std::span(&triangle, 1)).first(triangle_bytes_);
+      waiting[bucket].insert(waiting[bucket].end(), bytes.begin(), bytes.end());
+      if (waiting[bucket].size() >= buffered_triangles * triangle_bytes_) flush(bucket);
       for (const glm::ivec3& corner : triangle.corners) {
         const uint32_t home = bucket_of(corner);
         if (home == bucket) continue;
@@ -127,17 +131,17 @@ uint32_t Buckets::number_of(const glm::ivec3& point) const {
 uint64_t Buckets::triangles(size_t bucket) const {
   uint64_t bytes = 0;
   for (const SpoolPlace& place : places_[bucket]) bytes += place.size;
-  return bytes / sizeof(LatticeTriangle);
+  return bytes / triangle_bytes_;
 }
 
 Bucket Buckets::load(size_t bucket) const {
   Bucket result;
   result.triangles.resize(triangles(bucket));
-  auto* to = reinterpret_cast<std::byte*>(result.triangles.data());
+  auto next = result.triangles.begin();
   for (const SpoolPlace& place : places_[bucket]) {
     const std::vector<std::byte> bytes = spool_.read(place);
-    std::memcpy(to, bytes.data(), bytes.size());
-    to += bytes.size();
+    for (size_t at = 0; at < bytes.size(); at += triangle_bytes_)
+      std::memcpy(&*next++, bytes.data() + at, triangle_bytes_);
   }
   std::vector<glm::ivec3> shared = foreign_[bucket];
   for (const LatticeTriangle& triangle : result.triangles) {

@@ -41,8 +41,8 @@ class Buckets {
   /// Reads twice (a sample, then all) and writes all triangles to the spool file, which must outlive this.
   /// `total`: how many triangles there are; `limit`: how many go into a bucket, about; more only where they
   /// all have one centre. Deterministic. Memory: 12 MB for the sample, 30 KB for each bucket, 12 bytes for
-  /// each shared point.
-  Buckets(const Read& read, uint64_t total, uint64_t limit, SpoolFile& spool);
+  /// each shared point. `colored`: whether corners have colours; otherwise those are not kept.
+  Buckets(const Read& read, uint64_t total, uint64_t limit, bool colored, SpoolFile& spool);
 
   size_t count() const { return places_.size(); }
   uint64_t triangles(size_t bucket) const;
@@ -64,6 +64,7 @@ class Buckets {
   void distribute(const Read& read);
 
   std::vector<Split> splits_;  ///< a tree; 0 is its root
+  size_t triangle_bytes_;      ///< in the file: the first bytes of a LatticeTriangle
   SpoolFile& spool_;
   std::vector<std::vector<SpoolPlace>> places_;   ///< for each bucket where its triangles lie
   std::vector<std::vector<glm::ivec3>> foreign_;  ///< for each bucket the points in its space that others use

@@ -12,6 +12,8 @@
 #include "preprocess/parts.hpp"
 #include "scene/expand.hpp"
 
+#include <algorithm>
+
 namespace triptych {
 
 namespace {
@@ -158,6 +160,9 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   Parts parts;
   Hierarchies hierarchies;
   std::vector<PartLevels> levels;
+  if (std::any_of(model.meshes.begin(), model.meshes.end(),
+                  [](const Mesh& mesh) { return mesh.has_colors(); }))
+    skeleton.effects.push_back(vertex_colors_effect);
   stage("measure", [&] { plan = make_plan(model, options); });
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   auto& warnings = skeleton.import.warnings;

@@ -25,6 +25,26 @@ std::vector<uint32_t> runs_of(const std::vector<bool>& outward) {
   return ends;
 }
 
+/// Values of vertices in their new places; none where there are none.
+template <typename Value>
+std::vector<Value> moved(const std::vector<Value>& values, const std::vector<uint32_t>& places,
+                         size_t count) {
+  std::vector<Value> result(values.empty() ? 0 : count);
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (places[i] < count) result[places[i]] = values[i];
+  }
+  return result;
+}
+
+template <typename Value>
+void write_vertex_stream(const std::vector<Value>& values, ByteWriter& writer) {
+  std::vector<uint8_t> bytes(meshopt_encodeVertexBufferBound(values.size(), sizeof(Value)));
+  bytes.resize(
+      meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), values.data(), values.size(), sizeof(Value)));
+  writer.write(static_cast<uint32_t>(bytes.size()));
+  writer.write_all(std::span<const uint8_t>(bytes));
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_chunk(const Chunk& chunk) {
@@ -32,16 +52,15 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   std::vector<uint32_t> indices(chunk.indices.size());
   meshopt_optimizeVertexCacheFifo(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size(),
                                   cache_size);
-  std::vector<ChunkVertex> vertices(chunk.vertices.size());
-  vertices.resize(meshopt_optimizeVertexFetch(vertices.data(), indices.data(), indices.size(),
-                                              chunk.vertices.data(), chunk.vertices.size(),
-                                              sizeof(ChunkVertex)));
+  std::vector<uint32_t> places(chunk.vertices.size());
+  const size_t vertex_count =
+      meshopt_optimizeVertexFetchRemap(places.data(), indices.data(), indices.size(), chunk.vertices.size());
+  meshopt_remapIndexBuffer(indices.data(), indices.data(), indices.size(), places.data());
+  const std::vector<ChunkVertex> vertices = moved(chunk.vertices, places, vertex_count);
+  const std::vector<VertexColor> colors = moved(chunk.colors, places, vertex_count);
   std::vector<uint8_t> index_bytes(meshopt_encodeIndexBufferBound(indices.size(), vertices.size()));
   index_bytes.resize(
       meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
-  std::vector<uint8_t> vertex_bytes(meshopt_encodeVertexBufferBound(vertices.size(), sizeof(ChunkVertex)));
-  vertex_bytes.resize(meshopt_encodeVertexBuffer(vertex_bytes.data(), vertex_bytes.size(), vertices.data(),
-                                                 vertices.size(), sizeof(ChunkVertex)));
   std::vector<glm::ivec3> points;
   for (const ChunkVertex& vertex : vertices) points.push_back(vertex.point);
   const std::vector<uint32_t> runs = runs_of(outward_triangles(points, indices));
@@ -50,8 +69,11 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   writer.write(static_cast<uint32_t>(indices.size() / 3));
   writer.write(static_cast<uint32_t>(runs.size()));
   writer.write_all(std::span<const uint32_t>(runs));
-  writer.write(static_cast<uint32_t>(vertex_bytes.size()));
-  writer.write_all(std::span<const uint8_t>(vertex_bytes));
+  write_vertex_stream(vertices, writer);
+  if (!colors.empty()) {
+    writer.write(chunk_colors_stream);
+    write_vertex_stream(colors, writer);
+  }
   writer.write_all(std::span<const uint8_t>(index_bytes));
   return std::move(writer.bytes());
 }

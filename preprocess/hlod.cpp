@@ -18,18 +18,33 @@ uint32_t Baker::place(const glm::ivec3& point, const LeafSpan& span) {
   return found->second;
 }
 
-void Baker::add_triangle(const Triangle& triangle) {
+/// The material's for all corners.
+CornerColors Baker::colors_of(const Triangle& triangle) const {
+  VertexColor color = palette_[triangle.material];
+  color[3] = 255;
+  return {color, color, color};
+}
+
+void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors) {
   std::array<uint32_t, 3> turned = triangle.vertices;
   std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-  if (triangles_.insert(turned).second) baked_.surface.triangles.push_back(triangle);
+  if (!triangles_.insert(turned).second) return;
+  Surface& surface = baked_.surface;
+  if (colors && surface.colors.empty()) {
+    for (const Triangle& before : surface.triangles) surface.colors.push_back(colors_of(before));
+  }
+  const bool colored = colors || !surface.colors.empty();
+  surface.triangles.push_back(triangle);
+  if (colored) surface.colors.push_back(colors ? *colors : colors_of(triangle));
 }
 
 void Baker::add(const Surface& surface, std::span<const LeafSpan> spans) {
   std::vector<uint32_t> placed;
   for (size_t i = 0; i < surface.points.size(); ++i) placed.push_back(place(surface.points[i], spans[i]));
-  for (Triangle triangle : surface.triangles) {
+  for (size_t t = 0; t < surface.triangles.size(); ++t) {
+    Triangle triangle = surface.triangles[t];
     for (uint32_t& vertex : triangle.vertices) vertex = placed[vertex];
-    add_triangle(triangle);
+    add_triangle(triangle, surface.colors.empty() ? nullptr : &surface.colors[t]);
   }
 }
 
@@ -41,8 +56,13 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
     points.push_back(lattice_.nearest(transform * glm::dvec4(from.position(point), 1)));
   }
   const bool mirrors = rules_.mirrors_flip_winding && glm::determinant(glm::dmat3(transform)) < 0;
-  for (Triangle triangle : surface.triangles) {
-    if (mirrors) std::swap(triangle.vertices[1], triangle.vertices[2]);
+  for (size_t t = 0; t < surface.triangles.size(); ++t) {
+    Triangle triangle = surface.triangles[t];
+    CornerColors colors = surface.colors.empty() ? CornerColors{} : surface.colors[t];
+    if (mirrors) {
+      std::swap(triangle.vertices[1], triangle.vertices[2]);
+      std::swap(colors[1], colors[2]);
+    }
     std::array<glm::ivec3, 3> corners;
     for (size_t i = 0; i < 3; ++i) corners[i] = points[triangle.vertices[i]];
     if (degenerate(corners[0], corners[1], corners[2])) {
@@ -50,7 +70,7 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
       moved_ = std::max(moved_, std::sqrt(3.0) / 2 + 1 + 1e-9);
     }
     for (size_t i = 0; i < 3; ++i) triangle.vertices[i] = place(corners[i], spans[triangle.vertices[i]]);
-    add_triangle(triangle);
+    add_triangle(triangle, surface.colors.empty() ? nullptr : &colors);
   }
 }
 

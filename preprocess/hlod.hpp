@@ -42,7 +42,9 @@ inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked
 /// Collects surfaces into one: equal points and equal triangles are merged.
 class Baker {
  public:
-  Baker(const Lattice& lattice, const BuildRules& rules) : lattice_(lattice), rules_(rules) {}
+  /// palette: of the surfaces' materials; what has no colours of corners gets those, beside surfaces that do.
+  Baker(const Lattice& lattice, std::span<const VertexColor> palette, const BuildRules& rules)
+      : lattice_(lattice), palette_(palette), rules_(rules) {}
   /// Adds geometry that is on the model's lattice already.
   void add(const Surface& surface, std::span<const LeafSpan> spans);
   /// Adds geometry on the lattice of its mesh, under a transform: each position is rounded to the model's
@@ -56,9 +58,11 @@ class Baker {
 
  private:
   uint32_t place(const glm::ivec3& point, const LeafSpan& span);
-  void add_triangle(const Triangle& triangle);
+  void add_triangle(const Triangle& triangle, const CornerColors* colors);
+  CornerColors colors_of(const Triangle& triangle) const;
 
   const Lattice& lattice_;
+  std::span<const VertexColor> palette_;
   const BuildRules& rules_;
   Baked baked_;
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> points_;

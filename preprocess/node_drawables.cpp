@@ -106,7 +106,7 @@ class NodeDrawables {
     work_.run(
         UnitKind::root_geometry, std::span(&index, 1),
         [&](uint32_t node) {
-          Baker baker(lattice_, options_.rules);
+          Baker baker(lattice_, parts_.palette, options_.rules);
           bake(node, baker);
           const Baked baked = baker.finish(coarsest.error);
           return record_bytes(UnitResult{{}, {record_bytes(baked)}, record_bytes(RootFigures{baked.error})});
@@ -244,7 +244,7 @@ class NodeDrawables {
   }
 
   Baked bake_children(uint32_t node) const {
-    Baker baker(lattice_, options_.rules);
+    Baker baker(lattice_, parts_.palette, options_.rules);
     double error = 0;
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {

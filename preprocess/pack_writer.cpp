@@ -6,6 +6,7 @@
 #include "scene/pack_format.hpp"
 #include "scene/pack_skeleton.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <fstream>
@@ -79,8 +80,10 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
 
 void PackWriter::finish(StoredSkeleton skeleton) {
   skeleton.surrounding.chunks = std::move(chunks_);
+  const auto& effects = skeleton.surrounding.effects;
+  const bool colored = std::count(effects.begin(), effects.end(), vertex_colors_effect) > 0;
   std::vector<PackSection> table = {{.type = geometry_type,
-                                     .version = geometry_version,
+                                     .version = colored ? colored_geometry_version : geometry_version,
                                      .offset = sizeof(PackHeader),
                                      .size = file_.size() - sizeof(PackHeader),
                                      .checksum = geometry_checksum(skeleton.surrounding.chunks)}};

@@ -11,7 +11,8 @@
 namespace triptych {
 
 template <>
-inline constexpr auto record_members<Surface> = std::tuple(&Surface::points, &Surface::triangles);
+inline constexpr auto record_members<Surface> = std::tuple(&Surface::points, &Surface::triangles,
+                                                           &Surface::colors);
 
 /// A point that the part shares with other parts of its mesh.
 struct BorderPoint {

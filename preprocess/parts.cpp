@@ -177,16 +177,19 @@ class PartMaker {
 
   UnitResult divide_whole(const PlannedMesh& mesh) const {
     if (mesh.triangles == 0) return {{}, {}, record_bytes(DivisionFigures())};
-    const Welded welded =
-        weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors);
+    const Welded welded = weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice],
+                               plan_.colors, plan_.tint);
     return divide_welded(mesh, welded, limits(mesh, welded.surface.triangles.size()), {}, 0);
   }
 
   /// A mesh that is too large for memory: sorted into buckets, which are then divided.
   void divide_sorted(uint32_t index) {
     const PlannedMesh& mesh = plan_.meshes[index];
-    SortedMesh sorted(model_.meshes[mesh.mesh],
-                      ToLattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors),
+    const Mesh& source = model_.meshes[mesh.mesh];
+    const bool colored = source.has_colors();
+    SortedMesh sorted(source,
+                      ToLattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors,
+                                colored ? &plan_.tint : nullptr),
                       options_.bucket_triangles, work_.file("buckets"));
     std::vector<uint64_t> sizes;
     work_.run(
@@ -207,7 +210,7 @@ class PartMaker {
           UnitKind::divided_bucket, std::span(buckets).subspan(first, end - first),
           [&](uint32_t number) {
             Bucket bucket = sorted.buckets().load(number - first_bucket_);
-            const Welded welded = weld(bucket.triangles);
+            const Welded welded = weld(bucket.triangles, colored);
             bucket.triangles = {};
             return record_bytes(
                 divide_welded(mesh, welded, part_limits, bucket.shared, sorted.buckets().shared_points()));

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
+#include "model/import/display_color.hpp"
 #include "model/read_mesh.hpp"
 #include "preprocess/placements.hpp"
 #include "preprocess/strays.hpp"
@@ -41,18 +42,12 @@ Box box_of(const Mesh& mesh, const Affine& transform) {
   return box;
 }
 
-uint8_t to_srgb(float linear) {
-  const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-  const double srgb = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
-  return static_cast<uint8_t>(std::lround(srgb * 255));
-}
-
 void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
   std::map<std::array<uint8_t, 4>, uint32_t> indices;
   for (const Material& material : materials) {
     const glm::vec4& factor = material.base_color;
     const std::array<uint8_t, 4> color = {
-        to_srgb(factor.r), to_srgb(factor.g), to_srgb(factor.b),
+        display_byte(factor.r), display_byte(factor.g), display_byte(factor.b),
         static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
     const auto [found, inserted] = indices.try_emplace(color, static_cast<uint32_t>(plan.palette.size()));
     if (inserted) plan.palette.push_back(color);
@@ -188,6 +183,7 @@ void make_lattices(BuildPlan& plan) {
 BuildPlan make_plan(const Model& model, const BuildOptions& options) {
   BuildPlan plan;
   make_palette(model.materials, plan);
+  plan.tint = VertexTint(model.materials);
   Planner(model, options, plan).run();
   Progress progress("measuring meshes", plan.meshes.size());
   parallel_for(plan.meshes.size(), [&](size_t i) {

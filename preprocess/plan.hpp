@@ -4,6 +4,7 @@
 
 #include "model/model.hpp"
 #include "preprocess/build.hpp"
+#include "preprocess/vertex_tint.hpp"
 #include "scene/lattice.hpp"
 
 #include <array>
@@ -55,7 +56,8 @@ struct BuildPlan {
   std::vector<PlannedHierarchy> hierarchies;  ///< sub-hierarchies, and last the model's own
   std::vector<Lattice> lattices;              ///< 0: the model's
   std::vector<std::array<uint8_t, 4>> palette;
-  std::vector<uint32_t> colors;       ///< for each material its palette index
+  std::vector<uint32_t> colors;  ///< for each material its palette index
+  VertexTint tint;
   uint64_t dropped_triangles = 0;     ///< of meshes that have no valid triangle
   std::vector<std::string> warnings;  ///< what streams found when they were read
   uint64_t left_out = 0;              ///< placements whose transform is not usable

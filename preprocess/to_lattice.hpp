@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/mesh_stream.hpp"
+#include "preprocess/vertex_tint.hpp"
 #include "scene/affine.hpp"
 #include "scene/lattice.hpp"
 
@@ -17,20 +18,24 @@ namespace triptych {
 struct LatticeTriangle {
   std::array<glm::ivec3, 3> corners;
   uint32_t color;
+  CornerColors corner_colors = {};  ///< as they are drawn; unused where the mesh has none
   bool operator==(const LatticeTriangle&) const = default;
 };
 
 /// Puts triangles on a lattice: transformed, rounded, with the opposite winding if the transform mirrors.
 class ToLattice {
  public:
-  /// `colors` gives the palette index of each material; it must outlive this.
-  ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors);
+  /// `colors` gives the palette index of each material, `tint` what vertex colours become, if there are any.
+  /// Both must outlive this.
+  ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors,
+            const VertexTint* tint = nullptr);
   LatticeTriangle operator()(const CornerTriangle& triangle) const;
 
  private:
   Affine transform_;
   Lattice lattice_;
   std::span<const uint32_t> colors_;
+  const VertexTint* tint_;
   bool mirrors_;
 };
 

@@ -15,12 +15,12 @@ namespace {
 
 class Welder {
  public:
-  explicit Welder(size_t triangles) {
+  Welder(size_t triangles, bool colored) : colored_(colored) {
     places_.reserve(triangles / 2 + 4);
     surface.triangles.reserve(triangles);
   }
 
-  void add(const std::array<glm::ivec3, 3>& points, uint32_t color) {
+  void add(const std::array<glm::ivec3, 3>& points, const LatticeTriangle& triangle) {
     std::array<uint32_t, 3> corners;
     for (size_t i = 0; i < 3; ++i) {
       const auto [found, inserted] =
@@ -28,13 +28,15 @@ class Welder {
       if (inserted) surface.points.push_back(points[i]);
       corners[i] = found->second;
     }
-    surface.triangles.push_back({corners, color});
+    surface.triangles.push_back({corners, triangle.color});
+    if (colored_) surface.colors.push_back(triangle.corner_colors);
   }
   bool has(const glm::ivec3& point) const { return places_.contains(point); }
 
   Surface surface;
 
  private:
+  bool colored_;
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places_;
 };
 
@@ -71,9 +73,9 @@ std::vector<uint8_t> repeated_triangles(const Surface& surface) {
 
 }  // namespace
 
-Welded weld(std::span<const LatticeTriangle> triangles) {
+Welded weld(std::span<const LatticeTriangle> triangles, bool colored) {
   Welded welded;
-  Welder welder(triangles.size());
+  Welder welder(triangles.size(), colored);
   std::vector<const LatticeTriangle*> flat;
   for (const LatticeTriangle& triangle : triangles) {
     const auto& [a, b, c] = triangle.corners;
@@ -82,7 +84,7 @@ Welded weld(std::span<const LatticeTriangle> triangles) {
     } else if (degenerate(a, b, c)) {
       flat.push_back(&triangle);
     } else {
-      welder.add(triangle.corners, triangle.color);
+      welder.add(triangle.corners, triangle);
     }
   }
   const size_t with_area_before = welder.surface.triangles.size();
@@ -93,35 +95,40 @@ Welded weld(std::span<const LatticeTriangle> triangles) {
       ++welded.dropped_triangles;
       continue;
     }
-    welder.add(with_area(triangle->corners), triangle->color);
+    welder.add(with_area(triangle->corners), *triangle);
     ++welded.enlarged_triangles;
     welded.lone_triangles += there == 0;
   }
   const std::vector<uint8_t> repeated = repeated_triangles(welder.surface);
   std::vector<Triangle>& kept = welder.surface.triangles;
+  std::vector<CornerColors>& kept_colors = welder.surface.colors;
   size_t next = 0;
   for (size_t i = 0; i < kept.size(); ++i) {
-    if (!repeated[i])
+    if (!repeated[i]) {
+      if (colored) kept_colors[next] = kept_colors[i];
       kept[next++] = kept[i];
-    else if (i < with_area_before)
+    } else if (i < with_area_before) {
       ++welded.dropped_triangles;
+    }
   }
   kept.resize(next);
+  if (colored) kept_colors.resize(next);
   welded.surface = std::move(welder.surface);
   return welded;
 }
 
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
-            std::span<const uint32_t> colors) {
+            std::span<const uint32_t> colors, const VertexTint& tint) {
   if (const auto loaded = mesh.stream ? mesh.stream->load() : nullptr)
-    return weld(*loaded, transform, lattice, colors);
-  const ToLattice to_lattice(transform, lattice, colors);
+    return weld(*loaded, transform, lattice, colors, tint);
+  const bool colored = mesh.has_colors();
+  const ToLattice to_lattice(transform, lattice, colors, colored ? &tint : nullptr);
   std::vector<LatticeTriangle> triangles;
   triangles.reserve(mesh.triangle_count());
   uint64_t not_finite = read_mesh(mesh, [&](std::span<const CornerTriangle> batch) {
     for (const CornerTriangle& triangle : batch) triangles.push_back(to_lattice(triangle));
   });
-  Welded welded = weld(triangles);
+  Welded welded = weld(triangles, colored);
   welded.dropped_triangles += not_finite;
   if (!mesh.stream) {
     std::vector<uint8_t> used(mesh.positions.size(), 0);

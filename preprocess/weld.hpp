@@ -21,11 +21,12 @@ struct Welded {
 /// stays, whatever their colour. A triangle that has an area in its mesh and none on the lattice is dropped
 /// if its corners belong to other triangles, and otherwise enlarged: two of its corners are moved by at most
 /// a step (with_area()). So no triangle is further than that from what is left of it. Deterministic. Welded
-/// vertices are not counted here: corners are not the file's vertices.
-Welded weld(std::span<const LatticeTriangle> triangles);
+/// vertices are not counted here: corners are not the file's vertices. Where two colours meet at one point it
+/// stays one point, and the corners keep their colours, if the triangles are `colored`.
+Welded weld(std::span<const LatticeTriangle> triangles, bool colored);
 
 /// A whole mesh, transformed and rounded to the lattice. `colors` gives the palette index of each material.
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
-            std::span<const uint32_t> colors);
+            std::span<const uint32_t> colors, const VertexTint& tint = {});
 
 }  // namespace triptych

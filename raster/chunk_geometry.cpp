@@ -16,7 +16,7 @@ uint64_t bytes_of(const std::vector<Value>& values) {
 
 }  // namespace
 
-RasterChunk::RasterChunk(const Chunk& chunk) {
+RasterChunk::RasterChunk(const Chunk& chunk) : vertex_color(chunk.colors) {
   for (const ChunkVertex& vertex : chunk.vertices) {
     x.push_back(vertex.point.x);
     y.push_back(vertex.point.y);
@@ -52,7 +52,7 @@ RasterChunk::VertexRange RasterChunk::vertices(uint32_t first_triangle, uint32_t
 
 uint64_t RasterChunk::bytes() const {
   uint64_t sum = sizeof *this + bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(piece) + bytes_of(color) +
-                 bytes_of(outward) + bytes_of(ranges_);
+                 bytes_of(outward) + bytes_of(ranges_) + bytes_of(vertex_color);
   for (const auto& values : corner) sum += bytes_of(values);
   return sum;
 }

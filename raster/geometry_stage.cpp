@@ -69,15 +69,17 @@ void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& co
 
 }  // namespace
 
+VertexStage::VertexStage(const FrameView& view)
+    : clip(clip_terms(view)), orthographic(view.clip.orthographic) {}
+
 GeometryTerms::GeometryTerms(const FrameView& view, const BoxProjector& of_view)
-    : projector(&of_view),
-      clip(clip_terms(view)),
-      orthographic(view.clip.orthographic),
+    : VertexStage(view),
+      projector(&of_view),
       window(view.view().width, view.view().height),
       limits{view.view().width, view.view().height} {}
 
 template <typename Position>
-Position GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const {
+Position VertexStage::to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const {
   using Number = typename Position::value_type;
   // Integers are added exactly and converted once: shared vertices come out bit-equal whichever chunk brings
   // them.
@@ -93,6 +95,8 @@ Position GeometryTerms::to_clip(const PlacedLattice& placed, const RasterChunk& 
   return {clip.frustum.x * eye_x + clip.frustum.z * eye_z, clip.frustum.y * eye_y + clip.frustum.w * eye_z,
           clip.depth.x, -eye_z};
 }
+
+template glm::dvec4 VertexStage::to_clip(const PlacedLattice&, const RasterChunk&, size_t) const;
 
 TransformTerms GeometryTerms::transform_terms(const PlacedLattice& placed) const {
   TransformTerms terms{.rows = {},

@@ -18,22 +18,28 @@ struct StretchTriangles {
   int32_t bottom = 0, top = -1;              ///< rows that any of them has pixels in
 };
 
+/// From vertices of chunks to clip space, under one view.
+struct VertexStage {
+  explicit VertexStage(const FrameView& view);
+
+  ClipTerms clip;
+  bool orthographic;
+
+  /// A vertex in clip space, computed in floats (glm::vec4) or, from the same terms, in doubles (glm::dvec4).
+  template <typename Position>
+  Position to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
+};
+
 /// What is the same for all that is drawn into one picture.
-struct GeometryTerms {
+struct GeometryTerms : VertexStage {
   GeometryTerms(const FrameView& view, const BoxProjector& projector);
 
   const BoxProjector* projector;
-  ClipTerms clip;
-  bool orthographic;
   WindowTransform window;
   PictureLimits limits;
 
   /// For the kernels of an instruction set.
   TransformTerms transform_terms(const PlacedLattice& placed) const;
-
-  /// A vertex in clip space, computed in floats (glm::vec4) or, from the same terms, in doubles (glm::dvec4).
-  template <typename Position>
-  Position to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
 };
 
 /// range: numbered. pieces: boxes of the chunk's pieces, placed. Depths of `triangles` keep the limits of

@@ -12,8 +12,8 @@ namespace triptych {
 
 using Rgba = std::array<uint8_t, 4>;
 
-/// The picture of what the buffer holds under the view, rows from bottom to top: flat faces in the light that
-/// visibility/shading.hpp has, over the background.
+/// The picture of what the buffer holds under the view, rows from bottom to top: flat faces, or the colours
+/// of corners over them, in the light that visibility/shading.hpp has, over the background.
 void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture);
 
 /// The drawable that shows at each pixel, plus 1; 0 where none does.

@@ -34,7 +34,9 @@ void DrawListBuilder::add_command(const ChunkRange& range, int32_t front, uint32
                            .first_index = range.first_index + 3 * first_triangle,
                            .base_vertex = static_cast<int32_t>(range.base_vertex),
                            .base_instance = static_cast<uint32_t>(list.records.size())});
-  if (list.groups.empty() || list.groups.back().front != front) list.groups.push_back({front, 0});
+  const DrawGroup group{front, range.colored, 0};
+  if (list.groups.empty() || list.groups.back().front != front || list.groups.back().colored != range.colored)
+    list.groups.push_back(group);
   ++list.groups.back().count;
 }
 

@@ -17,6 +17,7 @@ namespace triptych {
 struct ChunkRange {
   uint32_t first_index = 0, index_count = 0, base_vertex = 0;
   std::vector<uint32_t> outward_runs = {};  ///< Chunk::outward_runs
+  bool colored = false;                     ///< whether vertices have colours, in buffers of such chunks
   bool loaded() const { return index_count > 0; }
 };
 
@@ -34,9 +35,10 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Commands that follow each other and show the same sides of triangles.
+/// Commands that follow each other, show the same sides of triangles, and are all of coloured chunks or none.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
+  bool colored = false;
   uint32_t count = 0;
 };
 

@@ -9,7 +9,8 @@ namespace triptych {
 
 namespace {
 uint64_t bytes_of(const Chunk& chunk) {
-  return chunk.vertices.size() * sizeof(ChunkVertex) + chunk.indices.size() * sizeof(uint32_t);
+  return chunk.vertices.size() * sizeof(ChunkVertex) + chunk.colors.size() * sizeof(VertexColor) +
+         chunk.indices.size() * sizeof(uint32_t);
 }
 }  // namespace
 

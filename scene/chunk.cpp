@@ -33,6 +33,20 @@ std::vector<LatticeBox> Chunk::pieces() const {
   return boxes;
 }
 
+namespace {
+
+/// A size, and so many bytes that hold `count` values.
+template <typename Value>
+std::vector<Value> read_vertex_stream(ByteReader& reader, size_t count, const std::string& place) {
+  const auto bytes = reader.read_all<uint8_t>(reader.read<uint32_t>());
+  std::vector<Value> values(count);
+  if (meshopt_decodeVertexBuffer(values.data(), count, sizeof(Value), bytes.data(), bytes.size()) != 0)
+    fail(place, "does not decode");
+  return values;
+}
+
+}  // namespace
+
 Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
                    std::span<const LatticeBox> pieces, size_t palette_size, const std::string& place) {
   ByteReader reader(bytes, place);
@@ -47,17 +61,19 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
     if (outward_runs[i] > triangle_count || (i > 0 && outward_runs[i] <= outward_runs[i - 1]))
       fail(place, "has a run of triangles that ends at {} of {}", outward_runs[i], triangle_count);
   }
-  const auto vertex_bytes = reader.read_all<uint8_t>(reader.read<uint32_t>());
-  const auto index_bytes = reader.read_all<uint8_t>(reader.left());
-  Chunk chunk{.vertices = {}, .indices = {}, .outward_runs = std::move(outward_runs)};
-  chunk.vertices.resize(vertex_count);
-  chunk.indices.resize(size_t{triangle_count} * 3);
-  if (meshopt_decodeVertexBuffer(chunk.vertices.data(), vertex_count, sizeof(ChunkVertex),
-                                 vertex_bytes.data(), vertex_bytes.size()) != 0 ||
-      meshopt_decodeIndexBuffer(chunk.indices.data(), chunk.indices.size(), index_bytes.data(),
-                                index_bytes.size()) != 0) {
-    fail(place, "does not decode");
+  Chunk chunk{.vertices = read_vertex_stream<ChunkVertex>(reader, vertex_count, place),
+              .indices = {},
+              .outward_runs = std::move(outward_runs)};
+  auto rest = reader.read_all<uint8_t>(reader.left());
+  if (!rest.empty() && rest.front() < first_index_byte) {
+    if (rest.front() != chunk_colors_stream) fail(place, "has a stream of the unknown kind {}", rest.front());
+    ByteReader attributes(std::as_bytes(std::span(rest).subspan(1)), place);
+    chunk.colors = read_vertex_stream<VertexColor>(attributes, vertex_count, place);
+    rest = attributes.read_all<uint8_t>(attributes.left());
   }
+  chunk.indices.resize(size_t{triangle_count} * 3);
+  if (meshopt_decodeIndexBuffer(chunk.indices.data(), chunk.indices.size(), rest.data(), rest.size()) != 0)
+    fail(place, "does not decode");
   for (const uint32_t index : chunk.indices) {
     if (index >= vertex_count) fail(place, "names vertex {} of {}", index, vertex_count);
   }

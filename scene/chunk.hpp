@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/skeleton.hpp"
+#include "scene/vertex_color.hpp"
 
 #include <array>
 #include <cstdint>
@@ -26,6 +27,9 @@ inline constexpr size_t max_colors = size_t{1} << 24;
 /// The most pieces of a chunk, for the same reason.
 inline constexpr size_t max_chunk_pieces = 256;
 
+/// The byte that begins a chunk's stream of vertex colours. That of indices begins with 0xe0 or more.
+inline constexpr uint8_t chunk_colors_stream = 1, first_index_byte = 0xe0;
+
 struct Chunk {
   std::vector<ChunkVertex> vertices;
   std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise from outside
@@ -33,6 +37,9 @@ struct Chunk {
   /// turn; those after the last run are not. Outward ones belong to a closed surface whose backs nobody
   /// outside of it sees (preprocess/outward.hpp).
   std::vector<uint32_t> outward_runs = {};
+  /// Of each vertex, shown in place of the palette's and interpolated over triangles; empty if the chunk has
+  /// none.
+  std::vector<VertexColor> colors = {};
 
   size_t triangle_count() const { return indices.size() / 3; }
   /// The runs, triangle by triangle.

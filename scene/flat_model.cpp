@@ -38,9 +38,11 @@ void put(const Skeleton& skeleton, const Chunk& chunk, const Place& place, FlatM
   const Lattice& lattice = skeleton.lattices[skeleton.chunks[place.chunk].lattice];
   const Affine& affine = skeleton.transforms[place.transform];
   auto vertex = model.vertices.begin() + static_cast<std::ptrdiff_t>(place.first_vertex);
-  for (const ChunkVertex& from : chunk.vertices) {
+  for (size_t i = 0; i < chunk.vertices.size(); ++i) {
+    const ChunkVertex& from = chunk.vertices[i];
     const glm::dvec3 position = affine * glm::dvec4(lattice.position(from.point), 1);
-    *vertex++ = {glm::vec3((position - model.origin) / model.unit), skeleton.palette[from.color]};
+    *vertex++ = {glm::vec3((position - model.origin) / model.unit),
+                 chunk.colors.empty() ? skeleton.palette[from.color] : chunk.colors[i]};
   }
   auto index = model.indices.begin() + static_cast<std::ptrdiff_t>(place.first_index);
   const auto first = static_cast<uint32_t>(place.first_vertex);

@@ -14,7 +14,7 @@ namespace triptych {
 /// 16 bytes, as graphics cards and ray tracers read it.
 struct FlatVertex {
   glm::vec3 position;            ///< model position = FlatModel::origin + FlatModel::unit · position
-  std::array<uint8_t, 4> color;  ///< sRGB bytes
+  std::array<uint8_t, 4> color;  ///< sRGB bytes; a triangle shows its last corner's, also of vertex colours
 };
 static_assert(sizeof(FlatVertex) == 16);
 

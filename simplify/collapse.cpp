@@ -38,6 +38,8 @@ const Collapse* Collapser::find(ShrinkingMesh& mesh, uint32_t point, uint32_t ta
   if (!star_.read(mesh, point)) return nullptr;
   collapse_.point = point;
   look_around(mesh);
+  has_colors_ = mesh.has_colors();
+  if (has_colors_) colors_.read(mesh, point, star_.spokes());
   if (target != any) return try_target(mesh, target) ? &collapse_ : nullptr;
   list_choices();
   for (size_t i = 0; i < choices_.size(); ++i) {
@@ -116,6 +118,10 @@ void Collapser::list_choices() {
       const bool along = (border.first == target) != (border.last == target) && border.moved < infinity;
       squared_distance = std::max(squared_distance, along ? border.moved : squared(d));
     }
+    if (has_colors_) {
+      const double faded = glm::length(d) * colors_.difference(target);
+      squared_distance = std::max(squared_distance, faded * faded);
+    }
     choices_.push_back({squared_distance, target});
   }
 }
@@ -131,6 +137,7 @@ bool Collapser::try_target(ShrinkingMesh& mesh, uint32_t target) {
   for (const Star::Fan& fan : star_.fans()) {
     if (!(fan.closed ? map_closed(fan, target) : map_open(fan, target)) && !move_fan(mesh, fan, target))
       return false;
+    if (has_colors_) add_color_change(fan, target);
   }
   for (const auto& [spoke, error] : pending_) {
     if (!cover(mesh, star_.spokes()[spoke], target, error)) return false;
@@ -239,6 +246,18 @@ bool Collapser::map_open(const Star::Fan& fan, uint32_t target) {
   return true;
 }
 
+/// Adds what a change of colours in the fan counts to the errors of its triangles before the collapse.
+void Collapser::add_color_change(const Star::Fan& fan, uint32_t target) {
+  const double change = colors_.change(fan, target, from_, to_, way_, collapse_.errors);
+  if (!(change > 0)) return;
+  double before = 0;
+  for (size_t i = fan.begin; i < fan.end; ++i) before = std::max(before, before_[i]);
+  for (size_t i = fan.begin; i < fan.end; ++i) {
+    if (collapse_.errors[i] >= 0)
+      collapse_.errors[i] = std::max(collapse_.errors[i], (before + length_ * change) * slack);
+  }
+}
+
 /// Bounds the fan by moving the point, and with it the triangles, straight to the target: nothing moves
 /// further than the point does.
 bool Collapser::move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target) {
@@ -289,6 +308,7 @@ void Collapser::apply(ShrinkingMesh& mesh) {
       mesh.remove(spokes[i].triangle);
     } else {
       mesh.face(spokes[i].triangle).error = collapse_.errors[i];
+      if (has_colors_) mesh.set_color(spokes[i].triangle, collapse_.point, colors_.at_target(i));
       moving[count++] = spokes[i].triangle;
     }
   }

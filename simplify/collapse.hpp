@@ -3,6 +3,7 @@
 
 #include "simplify/fan.hpp"
 #include "simplify/star.hpp"
+#include "simplify/star_colors.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -26,7 +27,11 @@ struct Collapse {
 /// Finds collapses and does them. Each fan of the star gets its own bound, the best of these: for a closed
 /// fan around the target, the heights of star and fan over each other; for an open one that ends at the
 /// target and at p, the distance to the line from p to the target, plus heights; for any, the length of the
-/// collapsed edge. All three hold for colours, borders and non-manifold edges as well.
+/// collapsed edge. All three hold for materials, borders and non-manifold edges as well.
+///
+/// Where corners have colours, a change of them counts as far as the point moves, if it is distinct, and in
+/// proportion if it is less: features narrower than the bound, or fainter, may vanish. Seams stay, as lines
+/// between materials do.
 class Collapser {
  public:
   static constexpr uint32_t any = 0xffffffffu;
@@ -73,10 +78,13 @@ class Collapser {
   bool all_fit(ShrinkingMesh& mesh, uint32_t target, uint32_t neighbour, uint32_t third) const;
   bool map_closed(const Star::Fan& fan, uint32_t target);
   bool map_open(const Star::Fan& fan, uint32_t target);
+  void add_color_change(const Star::Fan& fan, uint32_t target);
   bool move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target);
   bool cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, double error);
 
   Star star_;
+  StarColors colors_;  ///< if the mesh has any
+  bool has_colors_ = false;
   std::vector<ProjectedStar> projected_;  ///< for each fan
   std::vector<uint8_t> projects_;         ///< 0: not yet known, 1: it does, 2: it does not
   ProjectedStar along_;

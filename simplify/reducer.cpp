@@ -59,6 +59,7 @@ class MeshoptReducer : public Reducer {
 
 std::unique_ptr<Reducer> make_reducer(Simplifier simplifier, const Surface& surface,
                                       std::span<const uint8_t> locked) {
+  if (!surface.colors.empty()) return std::make_unique<CollapseReducer>(surface, locked);
   switch (simplifier) {
     case Simplifier::openmesh:
       return std::make_unique<OpenMeshReducer>(surface, locked);

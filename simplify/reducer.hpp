@@ -33,7 +33,8 @@ class Reducer {
 };
 
 /// `locked`, if not empty, says for each point whether it must stay. The surface holds at least one triangle;
-/// both are kept by reference.
+/// both are kept by reference. Surfaces whose corners have colours are always collapsed: the other
+/// simplifiers do not know of them.
 std::unique_ptr<Reducer> make_reducer(Simplifier simplifier, const Surface& surface,
                                       std::span<const uint8_t> locked);
 

@@ -1,16 +1,23 @@
 #include "simplify/shrinking_mesh.hpp"
 
+#include "simplify/color_charts.hpp"
+
 #include <algorithm>
 
 namespace triptych {
 
 ShrinkingMesh::ShrinkingMesh(const Surface& surface)
-    : points_(surface.points), slots_(surface.points.size()) {
+    : points_(surface.points), colors_(surface.colors), slots_(surface.points.size()) {
   alive_ = surface.triangles.size();
   faces_.reserve(alive_);
   for (const Triangle& triangle : surface.triangles) {
     faces_.push_back({triangle.vertices, triangle.material, 0});
     for (const uint32_t corner : triangle.vertices) ++slots_[corner].capacity;
+  }
+  if (has_colors()) {
+    ColorCharts charts = color_charts(surface);
+    for (size_t i = 0; i < faces_.size(); ++i) faces_[i].material = charts.of_triangles[i];
+    chart_materials_ = std::move(charts.materials);
   }
   uint32_t next = 0;
   for (Slot& slot : slots_) {
@@ -50,6 +57,11 @@ void ShrinkingMesh::star(uint32_t point, std::vector<Spoke>& spokes) {
     spokes[i] = {own[i], face.corners[at == 2 ? 0 : at + 1], face.corners[at == 0 ? 2 : at - 1],
                  face.material, face.error};
   }
+}
+
+void ShrinkingMesh::set_color(uint32_t triangle, uint32_t point, const VertexColor& color) {
+  const auto& corners = faces_[triangle].corners;
+  colors_[triangle][corners[0] == point ? 0 : corners[1] == point ? 1 : 2] = color;
 }
 
 void ShrinkingMesh::remove(uint32_t triangle) {
@@ -108,9 +120,14 @@ Piece ShrinkingMesh::piece() const {
   Piece piece;
   piece.surface.triangles.reserve(alive_);
   std::vector<uint32_t> places(points_.size(), gone);
-  for (const Face& face : faces_) {
+  for (size_t i = 0; i < faces_.size(); ++i) {
+    const Face& face = faces_[i];
     if (face.corners[0] == gone) continue;
     Triangle& triangle = piece.surface.triangles.emplace_back(Triangle{face.corners, face.material});
+    if (has_colors()) {
+      triangle.material = chart_materials_[face.material];
+      piece.surface.colors.push_back(colors_[i]);
+    }
     for (uint32_t& corner : triangle.vertices) {
       if (places[corner] == gone) {
         places[corner] = static_cast<uint32_t>(piece.sources.size());

@@ -22,8 +22,8 @@ class ShrinkingMesh {
 
   struct Face {
     std::array<uint32_t, 3> corners;  ///< the first is `gone` if the triangle was removed
-    uint32_t material;
-    double error;  ///< a bound of its points' distance from the source
+    uint32_t material;                ///< where corners have colours, the chart (simplify/color_charts.hpp)
+    double error;                     ///< a bound of its points' distance from the source
   };
   static constexpr uint32_t gone = 0xffffffffu;
 
@@ -33,6 +33,11 @@ class ShrinkingMesh {
   size_t face_count() const { return faces_.size(); }
   Face& face(uint32_t index) { return faces_[index]; }
   const Face& face(uint32_t index) const { return faces_[index]; }
+  /// Whether corners have colours, and those of a triangle.
+  bool has_colors() const { return !colors_.empty(); }
+  const CornerColors& colors(uint32_t triangle) const { return colors_[triangle]; }
+  /// Of the corner that is at the point.
+  void set_color(uint32_t triangle, uint32_t point, const VertexColor& color);
 
   /// How many triangles hold the point.
   size_t degree(uint32_t point) const { return slots_[point].alive; }
@@ -59,6 +64,8 @@ class ShrinkingMesh {
 
   std::vector<glm::ivec3> points_;
   std::vector<Face> faces_;
+  std::vector<CornerColors> colors_;       ///< for each face; empty if the surface has none
+  std::vector<uint32_t> chart_materials_;  ///< for each chart its material
   /// For each point its triangles in places_, the first `count`, gone ones among them.
   std::vector<Slot> slots_;
   std::vector<uint32_t> places_;

@@ -103,7 +103,7 @@ class ChainMaker {
   /// The reducer's next surface, with its fast bound.
   Stage reduce(size_t goal) {
     // The tight bound may be smaller by this factor.
-    const double largest = limits_.max_bound * (limits_.bound == Bound::tight ? 4 : 1);
+    const double largest = limits_.max_bound * (is_measured() ? 4 : 1);
     Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
     reduced_further_ = reduced.further;
     Stage level{std::move(reduced.piece), 0, std::move(reduced.errors)};
@@ -139,9 +139,12 @@ class ChainMaker {
     return clusters_within(current_.piece.surface, locked_of(current_.piece), cell, goal, limits_.colors);
   }
 
+  /// Distances that are measured do not tell how colours of corners change.
+  bool is_measured() const { return limits_.bound == Bound::tight && source_.colors.empty(); }
+
   Level measured() {
     Level level{current_.piece, current_.bound};
-    if (limits_.bound == Bound::tight) {
+    if (is_measured()) {
       if (!meter_) meter_.emplace(source_, limits_.colors);
       level.bound = meter_->bound(level.piece.surface, {tight, level.bound, current_.errors});
     }

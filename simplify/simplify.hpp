@@ -21,7 +21,7 @@ enum class Simplifier : uint8_t {
 enum class Bound : uint8_t {
   /// From the construction; for simplifiers without one, measured quickly from level to level, and added up.
   fast,
-  /// Measured against the source, and never above the fast one.
+  /// Measured against the source, and never above the fast one; the fast one where corners have colours.
   tight,
 };
 

@@ -2,6 +2,7 @@
 
 #include "simplify/key_hash.hpp"
 
+#include <bit>
 #include <tsl/robin_map.h>
 
 namespace triptych {
@@ -12,8 +13,10 @@ LatticeBox Surface::box() const {
   return box;
 }
 
-Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles) {
+Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles,
+              std::span<const CornerColors> colors) {
   Piece piece;
+  piece.surface.colors.assign(colors.begin(), colors.end());
   tsl::robin_map<uint32_t, uint32_t, KeyHash> local;
   local.reserve(triangles.size() / 2 + 16);
   piece.surface.triangles.assign(triangles.begin(), triangles.end());
@@ -47,20 +50,26 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   // A point has a vertex for each of its colours and pieces; most have only one, and the map is for the
   // others.
   std::vector<uint32_t> first(surface.points.size(), none);
-  tsl::robin_map<uint64_t, uint32_t, KeyHash> further;
+  using Key = std::array<uint32_t, 4>;
+  tsl::robin_map<Key, uint32_t, KeyHash, KeyEqual> further;
+  const bool colored = !surface.colors.empty();
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
     const uint32_t color = surface.triangles[i].material;
     const uint8_t piece = pieces.empty() ? 0 : pieces[i];
-    for (const uint32_t point : surface.triangles[i].vertices) {
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t point = surface.triangles[i].vertices[k];
+      const VertexColor own = colored ? surface.colors[i][k] : VertexColor{};
       const ChunkVertex vertex{surface.points[point], color & 0xffffffu, piece};
       const auto next = static_cast<uint32_t>(chunk.vertices.size());
       if (first[point] == none) first[point] = next;
       uint32_t index = first[point];
-      if (index != next && chunk.vertices[index] != vertex) {
-        const uint64_t key = uint64_t{piece} << 56 | uint64_t{color} << 32 | point;
-        index = further.try_emplace(key, next).first->second;
+      if (index != next && (chunk.vertices[index] != vertex || (colored && chunk.colors[index] != own)))
+        index =
+            further.try_emplace(Key{point, color, std::bit_cast<uint32_t>(own), piece}, next).first->second;
+      if (index == next) {
+        chunk.vertices.push_back(vertex);
+        if (colored) chunk.colors.push_back(own);
       }
-      if (index == next) chunk.vertices.push_back(vertex);
       chunk.indices.push_back(index);
     }
   }

@@ -18,6 +18,9 @@ namespace triptych {
 struct Surface {
   std::vector<glm::ivec3> points;
   std::vector<Triangle> triangles;
+  /// Of the corners of each triangle, as they are drawn; empty if the surface has none. Corners at one point
+  /// may differ: a seam runs there.
+  std::vector<CornerColors> colors = {};
 
   LatticeBox box() const;
 };
@@ -28,14 +31,16 @@ struct Piece {
   std::vector<uint32_t> sources;  ///< for each point of the piece its index in the whole
 };
 
-/// The given triangles of the surface as a piece of its own, points in the order of their first use.
-Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles);
+/// The given triangles of the surface as a piece of its own, points in the order of their first use. colors:
+/// of the triangles, or empty.
+Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles,
+              std::span<const CornerColors> colors = {});
 
 /// The surface's points in the sets that its triangles connect.
 DisjointSets connected_points(const Surface& surface);
 
-/// The surface as it is drawn: a vertex for each point, colour and piece that meet. `pieces`: for each
-/// triangle ChunkVertex::piece; empty if all of it is one piece.
+/// The surface as it is drawn: a vertex for each point, colour (of palette and corner) and piece that meet.
+/// `pieces`: for each triangle ChunkVertex::piece; empty if all of it is one piece.
 Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
 
 /// True if the corners lie on one line; exact.

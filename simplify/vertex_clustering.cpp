@@ -1,6 +1,7 @@
 #include "simplify/vertex_clustering.hpp"
 
 #include "simplify/cell_moves.hpp"
+#include "simplify/color_charts.hpp"
 #include "simplify/key_hash.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ class Clustering {
   }
 
   size_t triangles() const { return kept_.size(); }  ///< more than `most` if it gave up
-  Clustered result() const { return {extract(surface_.points, kept_), bound_}; }
+  Clustered result() const { return {extract(surface_.points, kept_, colors_of_kept()), bound_}; }
 
  private:
   bool map_triangles() {
@@ -80,7 +81,7 @@ class Clustering {
     for (const Image& image : images) {
       Triangle triangle = surface_.triangles[image.triangle];
       for (uint32_t& vertex : triangle.vertices) vertex = image_[vertex];
-      if (!keep(triangle)) return false;
+      if (!keep(triangle, image.triangle)) return false;
     }
     return true;
   }
@@ -90,11 +91,12 @@ class Clustering {
     struct Candidate {
       double area = -1;
       Triangle triangle{};
-      bool moved = false;  ///< its corners are not those of a triangle of the surface
+      uint32_t source = 0;  ///< index of the one that it stands for
+      bool moved = false;   ///< its corners are not those of a triangle of the surface
     };
     tsl::robin_map<Key<3>, Candidate, KeyHash, KeyEqual> lines;
     std::vector<Key<3>> order;
-    for (size_t t = 0; t < surface_.triangles.size(); ++t) {
+    for (uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       const Triangle& triangle = surface_.triangles[t];
       const auto& [a, b, c] = triangle.vertices;
       const std::array<uint32_t, 3> corners = {image_[a], image_[b], image_[c]};
@@ -108,7 +110,7 @@ class Clustering {
       if (line_of_three) {
         // Three different points on a line: rare; the triangle itself may stay in its place.
         bound_ = std::max(bound_, 2 * moved_);
-        if (!keep(triangle)) return false;
+        if (!keep(triangle, t)) return false;
         continue;
       }
       // Two corners went to p and one to q.
@@ -131,18 +133,18 @@ class Clustering {
           thin.vertices[single] = q;
           thin.vertices[(single + i) % 3] = r;
           thin.vertices[(single + 3 - i) % 3] = p;
-          found.value() = {area, thin, true};
+          found.value() = {area, thin, t, true};
         }
       }
       if (const double area = planes_.area(t); !found->second.moved && area > found->second.area) {
-        found.value() = {area, triangle, false};
+        found.value() = {area, triangle, t, false};
       }
     }
     for (const Key<3>& key : order) {
       if (sides_.contains(key)) continue;
       const Candidate& candidate = lines.at(key);
       if (!candidate.moved) bound_ = std::max(bound_, 2 * moved_);
-      if (!keep(candidate.triangle)) return false;
+      if (!keep(candidate.triangle, candidate.source)) return false;
     }
     return true;
   }
@@ -150,24 +152,25 @@ class Clustering {
   /// Triangles that became points: where no kept triangle has the point for a corner, the largest of them
   /// stays.
   void keep_points() {
-    tsl::robin_map<Key<2>, std::pair<double, Triangle>, KeyHash, KeyEqual> points;
+    tsl::robin_map<Key<2>, std::pair<double, uint32_t>, KeyHash, KeyEqual> points;
     std::vector<Key<2>> order;
-    for (size_t t = 0; t < surface_.triangles.size(); ++t) {
+    for (uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       const Triangle& triangle = surface_.triangles[t];
       const auto& [a, b, c] = triangle.vertices;
       const Key<2> key = {image_[a], color(triangle)};
       if (image_[a] != image_[b] || image_[b] != image_[c] || corners_.contains(key)) continue;
       const double area = planes_.area(t);
-      const auto [found, inserted] = points.try_emplace(key, area, triangle);
+      const auto [found, inserted] = points.try_emplace(key, area, t);
       if (inserted) {
         order.push_back(key);
       } else if (area > found->second.first) {
-        found.value() = {area, triangle};
+        found.value() = {area, t};
       }
     }
     for (const Key<2>& point : order) {
       bound_ = std::max(bound_, std::min(2 * moved_, std::sqrt(3.0) * cell_));
-      if (!keep(points.at(point).second)) return;
+      const uint32_t source = points.at(point).second;
+      if (!keep(surface_.triangles[source], source)) return;
     }
   }
 
@@ -176,14 +179,35 @@ class Clustering {
   }
   uint32_t color(const Triangle& triangle) const { return colors_ == Colors::keep ? triangle.material : 0; }
 
-  bool keep(const Triangle& triangle) {
+  /// source: index of the triangle that it comes from, corner by corner.
+  bool keep(const Triangle& triangle, uint32_t source) {
     kept_.push_back(triangle);
+    if (!surface_.colors.empty()) sources_.push_back(source);
     if (kept_.size() > max_) return false;
     const auto& [a, b, c] = triangle.vertices;
     const uint32_t own = color(triangle);
     for (const uint32_t corner : {a, b, c}) corners_.insert({corner, own});
     for (const Key<3>& line : {side(a, b, own), side(b, c, own), side(c, a, own)}) sides_.insert(line);
     return true;
+  }
+
+  /// Corners keep their colours; where that of the point that they moved to is not distinct, they get it, so
+  /// that they meet there in one colour.
+  std::vector<CornerColors> colors_of_kept() const {
+    std::vector<CornerColors> colors;
+    if (surface_.colors.empty()) return colors;
+    std::vector<VertexColor> of_points(surface_.points.size());
+    for (size_t t = surface_.triangles.size(); t-- > 0;) {
+      for (size_t k = 0; k < 3; ++k) of_points[surface_.triangles[t].vertices[k]] = surface_.colors[t][k];
+    }
+    for (size_t i = 0; i < kept_.size(); ++i) {
+      CornerColors& own = colors.emplace_back(surface_.colors[sources_[i]]);
+      for (size_t k = 0; k < 3; ++k) {
+        const VertexColor& there = of_points[kept_[i].vertices[k]];
+        if (color_difference(own[k], there) < distinct_colors) own[k] = there;
+      }
+    }
+    return colors;
   }
 
   const Surface& surface_;
@@ -193,6 +217,7 @@ class Clustering {
   double cell_, moved_ = 0, bound_ = 0;
   std::vector<uint32_t> image_;
   std::vector<Triangle> kept_;
+  std::vector<uint32_t> sources_;  ///< for each kept triangle, where corners have colours
   tsl::robin_set<Key<2>, KeyHash, KeyEqual> corners_;
   tsl::robin_set<Key<3>, KeyHash, KeyEqual> sides_;
 };

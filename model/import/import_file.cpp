@@ -36,9 +36,11 @@ uint64_t drop_unusable(Mesh& mesh) {
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     if (!is_usable(mesh.positions[i])) continue;
     mesh.positions[kept] = mesh.positions[i];
+    if (!mesh.colors.empty()) mesh.colors[kept] = mesh.colors[i];
     renamed[i] = kept++;
   }
   mesh.positions.resize(kept);
+  if (!mesh.colors.empty()) mesh.colors.resize(kept);
   for (Triangle& triangle : mesh.triangles) {
     for (uint32_t& vertex : triangle.vertices) vertex = renamed[vertex];
   }

@@ -38,10 +38,11 @@ struct GltfFile {
 GltfBuffer gltf_view_bytes(const GltfFile& gltf, int64_t view, const std::string& place);
 std::vector<std::byte> read_gltf_bytes(const GltfBuffer& range);
 
-/// The triangles and positions of a primitive that Draco compressed, in memory.
+/// The triangles and vertices of a primitive that Draco compressed, in memory.
 struct GltfDracoMesh {
   IndexTable indices;
   PositionTable positions;
+  std::optional<ColorTable> colors = std::nullopt;
 };
 /// Error (place) if they cannot be unpacked.
 GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& draco, const std::string& place);
@@ -73,6 +74,7 @@ class GltfAccessor {
   /// Whether all elements can be read directly from the file, so that they can stay there.
   bool can_stream() const { return !sparse_ && stride_ <= PositionTable::max_stride; }
   PositionTable positions() const;  ///< of three components
+  ColorTable colors() const;        ///< of three components, and perhaps one more
   IndexTable indices() const;
 
   /// Reads all elements; needed before component().
@@ -109,6 +111,7 @@ class GltfMeshes {
     IndexedPart triangles;
     int64_t positions = -1;                 ///< accessor
     std::optional<PositionTable> unpacked;  ///< in place of the accessor
+    std::optional<ColorTable> colors;
     const GltfPrimitive* primitive = nullptr;
     bool can_stream = false;
   };
@@ -124,6 +127,7 @@ class GltfMeshes {
   std::vector<Part> read_parts(size_t index);
   std::optional<Part> read_primitive(const GltfPrimitive& primitive, const std::string& place);
   void read_indices(const GltfPrimitive& primitive, const std::string& place, Part& part);
+  void read_colors(const GltfPrimitive& primitive, const std::string& place, Part& part);
   bool read_draco(const GltfPrimitive& primitive, const std::string& place, Part& part);
   void read_triangles(const Part& part, const Move& move, Mesh& mesh);
   Move skinning(const Part& part, const std::vector<Affine>& joints);
@@ -137,7 +141,8 @@ class GltfMeshes {
   std::vector<std::optional<uint32_t>> meshes_;  ///< the file's to the model's
   std::vector<uint32_t> renamed_;  ///< an accessor's vertex to the mesh's, while a primitive is read
   std::map<std::pair<int64_t, int64_t>, std::optional<uint32_t>> skinned_;  ///< by mesh and skin
-  std::string first_damage_;  ///< the warning of primitives that cannot be read
+  std::string first_damage_;      ///< the warning of primitives that cannot be read
+  std::string first_bad_colors_;  ///< and of those whose colours cannot
   int64_t last_accessor_ = -1;
   std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor
 };

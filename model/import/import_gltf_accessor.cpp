@@ -142,6 +142,12 @@ PositionTable GltfAccessor::positions() const {
           .normalized = normalized_};
 }
 
+ColorTable GltfAccessor::colors() const {
+  ColorTable table{.values = positions(), .linear = true};
+  table.values.normalized = component_type_ < gltf_float;
+  return table;
+}
+
 IndexTable GltfAccessor::indices() const {
   return {data_.source, data_.offset, count_, stride_, scalar_type_of(component_type_)};
 }

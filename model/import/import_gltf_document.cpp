@@ -198,9 +198,11 @@ class DocumentParser {
       primitive.has_targets = !members_.list(given, "targets").empty();
       if (const Json* draco = MemberReader::extension(given, "KHR_draco_mesh_compression")) {
         const auto attributes = members_.references(*draco, "attributes");
-        const auto positions = attributes.find("POSITION");
-        primitive.draco = {members_.integer(*draco, "bufferView", -1),
-                           positions == attributes.end() ? -1 : positions->second};
+        const auto id_of = [&](const char* name) {
+          const auto found = attributes.find(name);
+          return found == attributes.end() ? -1 : found->second;
+        };
+        primitive.draco = {members_.integer(*draco, "bufferView", -1), id_of("POSITION"), id_of("COLOR_0")};
       }
       mesh.primitives.push_back(std::move(primitive));
     }

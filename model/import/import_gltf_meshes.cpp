@@ -12,8 +12,6 @@ namespace {
 constexpr uint32_t unnamed = std::numeric_limits<uint32_t>::max();
 
 void warn_of_attributes(const GltfPrimitive& primitive, FileImport& target) {
-  if (primitive.attributes.count("COLOR_0"))
-    target.warn("primitives with vertex colours, which are not drawn yet");
   if (primitive.has_targets) target.warn("primitives with morph targets, drawn as stored in the file");
 }
 
@@ -93,7 +91,7 @@ std::optional<uint32_t> GltfMeshes::read_mesh(size_t index) {
       PositionTable positions = part.unpacked
                                     ? *part.unpacked
                                     : GltfAccessor(gltf_, part.positions, part.triangles.place).positions();
-      streamed.push_back({std::move(part.triangles), std::move(positions)});
+      streamed.push_back({std::move(part.triangles), std::move(positions), std::move(part.colors)});
     }
     return target_.add_stream(source.name, std::make_shared<IndexedStream>(std::move(streamed)));
   }
@@ -147,10 +145,38 @@ std::optional<GltfMeshes::Part> GltfMeshes::read_primitive(const GltfPrimitive& 
   if (positions.count() >= unnamed) fail(place, "more vertices than 32 bits can index");
   part.triangles.vertex_count = positions.count();
   part.can_stream = positions.can_stream();
+  read_colors(primitive, place, part);
   read_indices(primitive, place, part);
   if (part.triangles.mode == TriangleMode::list)
     target_.warn("indices are left over after the last triangle", part.triangles.index_count() % 3);
   return part;
+}
+
+/// Of vertices; those that cannot be read are counted, and the primitive is drawn without them.
+void GltfMeshes::read_colors(const GltfPrimitive& primitive, const std::string& place, Part& part) {
+  const auto attribute = primitive.attributes.find("COLOR_0");
+  if (attribute == primitive.attributes.end()) return;
+  try {
+    GltfAccessor accessor(gltf_, attribute->second, place);
+    if (accessor.components() != 3 && accessor.components() != 4)
+      fail(place, "colours of {} components", accessor.components());
+    if (accessor.count() < part.triangles.vertex_count)
+      fail(place, "{} colours of {} vertices", accessor.count(), part.triangles.vertex_count);
+    part.colors = accessor.colors();
+    if (accessor.can_stream() && part.colors->values.source) return;
+    // Sparse ones, and zeros without a buffer, are assembled in memory, and read from there.
+    PositionTable& values = part.colors->values;
+    accessor.load();
+    values.stride = scalar_bytes(values.fields[0].type) * static_cast<size_t>(accessor.components());
+    values.source = std::make_shared<StreamSource>(place, accessor.take_elements());
+    values.offset = 0;
+  } catch (const Error& error) {
+    part.colors.reset();
+    if (first_bad_colors_.empty())
+      first_bad_colors_ = fmt::format(
+          "primitives whose vertex colours cannot be read are drawn without, the first: {}", error.what());
+    target_.warn(first_bad_colors_);
+  }
 }
 
 /// False where the data cannot be unpacked, but the file holds them uncompressed too.
@@ -161,6 +187,7 @@ bool GltfMeshes::read_draco(const GltfPrimitive& primitive, const std::string& p
     part.triangles.indices = std::move(mesh.indices);
     part.triangles.mode = TriangleMode::list;
     part.unpacked = std::move(mesh.positions);
+    part.colors = std::move(mesh.colors);
     part.can_stream = true;
     return true;
   } catch (const Error&) {
@@ -213,6 +240,11 @@ void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) 
   if (part.unpacked)
     unpacked.emplace(Positions{std::nullopt, std::make_unique<PositionCache>(*part.unpacked)});
   Positions& source = unpacked ? *unpacked : positions(part.positions, part.triangles.place);
+  std::optional<ColorCache> colors;
+  if (part.colors) {
+    colors.emplace(*part.colors);
+    mesh.colors.resize(mesh.positions.size());
+  }
   std::vector<std::array<uint32_t, 3>> triangles;
   uint32_t lowest = unnamed, highest = 0;
   IndexedTriangles reader(part.triangles);
@@ -237,6 +269,8 @@ void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) 
         name = static_cast<uint32_t>(mesh.positions.size());
         const glm::dvec3 position = source.at(corners[k]);
         mesh.positions.push_back(move ? move(corners[k], position) : position);
+        if (colors || !mesh.colors.empty())
+          mesh.colors.push_back(colors ? colors->at(corners[k]) : VertexColor{});
       }
       triangle.vertices[k] = name;
     }

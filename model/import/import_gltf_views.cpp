@@ -79,6 +79,32 @@ GltfBuffer gltf_view_bytes(const GltfFile& gltf, int64_t index, const std::strin
   return gltf.unpacked_views[number] = {unpacked.take(), 0, elements.size()};
 }
 
+namespace {
+
+/// Three components of each point. Error (place) where they cannot be read; what: what they are.
+std::vector<glm::dvec3> values_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute,
+                                  const std::string& place, const char* what) {
+  std::vector<glm::dvec3> values;
+  for (uint32_t i = 0; i < mesh.num_points(); ++i) {
+    glm::dvec3 value{0};
+    const draco::AttributeValueIndex index = attribute.mapped_index(draco::PointIndex(i));
+    if (index.value() >= attribute.size() || !attribute.ConvertValue<double, 3>(index, &value.x))
+      fail(place, "its {} cannot be read", what);
+    values.push_back(value);
+  }
+  return values;
+}
+
+/// What colours of this type are divided by, where they are not normalized while they are converted.
+double largest_channel(const draco::PointAttribute& attribute) {
+  if (attribute.normalized()) return 1;
+  return attribute.data_type() == draco::DT_UINT8    ? 255
+         : attribute.data_type() == draco::DT_UINT16 ? 65535
+                                                     : 1;
+}
+
+}  // namespace
+
 GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& packed, const std::string& file_place) {
   const std::string place = file_place + ": KHR_draco_mesh_compression";
   const std::vector<std::byte> bytes = read_gltf_bytes(gltf_view_bytes(gltf, packed.view, place));
@@ -93,14 +119,7 @@ GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& packed, const 
       packed.positions >= 0 ? mesh->GetAttributeByUniqueId(static_cast<uint32_t>(packed.positions))
                             : mesh->GetNamedAttribute(draco::GeometryAttribute::POSITION);
   if (!attribute || attribute->num_components() != 3) fail(place, "its data hold no positions");
-  std::vector<glm::dvec3> positions;
-  for (uint32_t i = 0; i < mesh->num_points(); ++i) {
-    glm::dvec3 position{0};
-    const draco::AttributeValueIndex value = attribute->mapped_index(draco::PointIndex(i));
-    if (value.value() >= attribute->size() || !attribute->ConvertValue<double, 3>(value, &position.x))
-      fail(place, "its positions cannot be read");
-    positions.push_back(position);
-  }
+  const std::vector<glm::dvec3> positions = values_of(*mesh, *attribute, place, "positions");
   std::vector<uint32_t> indices;
   for (uint32_t i = 0; i < mesh->num_faces(); ++i) {
     for (const draco::PointIndex& corner : mesh->face(draco::FaceIndex(i))) indices.push_back(corner.value());
@@ -110,11 +129,24 @@ GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& packed, const 
     unpacked.append(std::as_bytes(values));
     return unpacked.take();
   };
-  return {{source_of(std::span(indices)), 0, indices.size(), sizeof(uint32_t), ScalarType::uint32},
-          {.source = source_of(std::span(positions)),
-           .count = positions.size(),
-           .stride = sizeof(glm::dvec3),
-           .fields = {{{0, ScalarType::float64}, {8, ScalarType::float64}, {16, ScalarType::float64}}}}};
+  const auto table_of = [&](const std::vector<glm::dvec3>& values) {
+    return PositionTable{
+        .source = source_of(std::span(values)),
+        .count = values.size(),
+        .stride = sizeof(glm::dvec3),
+        .fields = {{{0, ScalarType::float64}, {8, ScalarType::float64}, {16, ScalarType::float64}}}};
+  };
+  GltfDracoMesh result{
+      {source_of(std::span(indices)), 0, indices.size(), sizeof(uint32_t), ScalarType::uint32},
+      table_of(positions)};
+  const draco::PointAttribute* colors =
+      packed.colors >= 0 ? mesh->GetAttributeByUniqueId(static_cast<uint32_t>(packed.colors)) : nullptr;
+  if (colors && colors->num_components() >= 3) {
+    result.colors = ColorTable{.values = table_of(values_of(*mesh, *colors, place, "colours")),
+                               .scale = glm::dvec3(1 / largest_channel(*colors)),
+                               .linear = true};
+  }
+  return result;
 }
 
 }  // namespace triptych

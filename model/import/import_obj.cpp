@@ -8,6 +8,7 @@
 #include "model/import/mesh_spool.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -132,10 +133,20 @@ class ObjImport {
       }
       position[i] = *number;
     }
-    int further = 0;
-    while (!take_word(line).empty()) ++further;
-    if (further >= 3) target_.warn("vertices with a colour, which is not drawn yet");
-    spool_.add_vertex(position);
+    spool_.add_vertex(position, read_vertex_color(line));
+  }
+
+  /// What follows the position: red, green and blue, or a weight before them, which is not used.
+  std::optional<glm::dvec3> read_vertex_color(std::string_view line) {
+    std::array<double, 4> numbers;
+    size_t count = 0;
+    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+      const auto number = to_number(word);
+      if (!number || !std::isfinite(*number)) return std::nullopt;
+      if (count < numbers.size()) numbers[count++] = *number;
+    }
+    if (count < 3) return std::nullopt;
+    return glm::dvec3(numbers[count - 3], numbers[count - 2], numbers[count - 1]);
   }
 
   void read_face(std::string_view line) {

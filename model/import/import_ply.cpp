@@ -115,10 +115,27 @@ std::array<size_t, 3> coordinates_of(const PlyElement& element, FileImport& targ
   }
   if (element.count > std::numeric_limits<uint32_t>::max())
     fail(target.place(), "more vertices than 32 bits can index");
-  if (element.find({"red", "green", "blue", "diffuse_red", "r"})) {
-    target.warn("vertices with a colour, which is not drawn yet", element.count);
+  return at;
+}
+
+/// Which properties of a vertex hold red, green and blue, if it has them.
+std::optional<std::array<size_t, 3>> channels_of(const PlyElement& element) {
+  const std::array found = {element.find({"red", "diffuse_red", "r"}),
+                            element.find({"green", "diffuse_green", "g"}),
+                            element.find({"blue", "diffuse_blue", "b"})};
+  std::array<size_t, 3> at;
+  for (size_t i = 0; i < 3; ++i) {
+    if (!found[i] || element.properties[*found[i]].count_type) return std::nullopt;
+    at[i] = *found[i];
   }
   return at;
+}
+
+/// What a channel's value is multiplied by to be from 0 to 1: whole numbers go to 255, whatever their type,
+/// but for the one of 16 bits.
+double channel_scale(PlyType type) {
+  if (type == PlyType::float32 || type == PlyType::float64) return 1;
+  return 1.0 / (type == PlyType::uint16 ? 65535 : 255);
 }
 
 size_t corner_list_of(const PlyElement& element, uint64_t vertex_count, const FileImport& target) {
@@ -131,9 +148,10 @@ size_t corner_list_of(const PlyElement& element, uint64_t vertex_count, const Fi
 
 void read_vertices(const PlyElement& element, PlyValues& values, FileImport& target, MeshSpool& spool) {
   const std::array<size_t, 3> at = coordinates_of(element, target);
+  const auto channels = channels_of(element);
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin_record();
-    glm::dvec3 position{0};
+    glm::dvec3 position{0}, color{0};
     for (size_t k = 0; k < element.properties.size(); ++k) {
       const PlyProperty& property = element.properties[k];
       if (property.count_type) {
@@ -143,9 +161,11 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
       const double value = values.read(property.type);
       for (int axis = 0; axis < 3; ++axis) {
         if (k == at[static_cast<size_t>(axis)]) position[axis] = value;
+        if (channels && k == (*channels)[static_cast<size_t>(axis)])
+          color[axis] = value * channel_scale(property.type);
       }
     }
-    spool.add_vertex(position);
+    spool.add_vertex(position, channels ? std::optional(color) : std::nullopt);
   }
 }
 
@@ -207,9 +227,9 @@ void read_strips(const PlyElement& element, uint64_t vertex_count, PlyValues& va
   });
 }
 
-PositionTable vertex_table(const PlyElement& element, FileImport& target) {
+/// The properties `at` of all vertices.
+PositionTable table_of(const PlyElement& element, const std::array<size_t, 3>& at) {
   PositionTable table{.source = nullptr, .fields = {}};
-  const std::array<size_t, 3> at = coordinates_of(element, target);
   for (size_t k = 0; k < element.properties.size(); ++k) {
     for (size_t axis = 0; axis < 3; ++axis) {
       if (k == at[axis]) table.fields[axis] = {table.stride, element.properties[k].type};
@@ -240,12 +260,19 @@ bool can_stream(const PlyHeader& header) {
 void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count, FileImport& target) {
   const auto source = target.content();
   PositionTable vertices;
+  std::optional<ColorTable> colors;
   FaceTable faces{.source = source, .element = {}, .material = {}, .end = source->size()};
   for (const PlyElement& element : header.elements) {
     const auto record = element.record_bytes();
     if (element.name == "vertex") {
-      vertices = vertex_table(element, target);
+      vertices = table_of(element, coordinates_of(element, target));
       vertices.offset = offset;
+      if (const auto channels = channels_of(element)) {
+        colors.emplace(ColorTable{.values = table_of(element, *channels)});
+        colors->values.offset = offset;
+        for (int i = 0; i < 3; ++i)
+          colors->scale[i] = channel_scale(element.properties[(*channels)[static_cast<size_t>(i)]].type);
+      }
     } else if (element.name == "face") {
       faces.element = element;
       faces.begin = offset;
@@ -261,21 +288,26 @@ void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count,
   vertices.source = source;
   vertices.swapped = faces.swapped = header.encoding == PlyEncoding::big_endian;
   vertices.check();
-  const auto stream = std::make_shared<FaceStream>(std::move(vertices), std::move(faces));
+  if (colors) {
+    colors->values.source = source;
+    colors->values.swapped = vertices.swapped;
+  }
+  const auto stream = std::make_shared<FaceStream>(std::move(vertices), std::move(faces), std::move(colors));
   target.add_instance(target.add_stream(target.file().stem().string(), stream), Affine(1));
 }
 
 /// Warns of normals, confidences and other properties that the model does not have.
 void warn_of_unused(const PlyHeader& header, FileImport& target) {
   static constexpr std::array used = {"x", "y", "z", "vertex_indices", "vertex_index"};
-  static constexpr std::array colours = {"red",   "green",       "blue",
-                                         "alpha", "diffuse_red", "r"};  // have a warning
+  static constexpr std::array colours = {"red",           "green",        "blue", "alpha", "diffuse_red",
+                                         "diffuse_green", "diffuse_blue", "r",    "g",     "b"};
   for (const PlyElement& element : header.elements) {
     if (element.name != "vertex" && element.name != "face" && element.name != "tristrips") continue;
     std::string names;
     for (const PlyProperty& property : element.properties) {
       const bool known = std::count(used.begin(), used.end(), property.name) > 0 ||
-                         std::count(colours.begin(), colours.end(), property.name) > 0;
+                         (element.name == "vertex" && channels_of(element) &&
+                          std::count(colours.begin(), colours.end(), property.name) > 0);
       if (!known && names.size() < 120) names += " " + property.name.substr(0, 40);
     }
     if (!names.empty())

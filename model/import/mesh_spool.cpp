@@ -1,6 +1,7 @@
 #include "model/import/mesh_spool.hpp"
 
 #include "base/error.hpp"
+#include "model/import/display_color.hpp"
 #include "model/import/mesh_stream_faces.hpp"
 #include "model/import/triangulate.hpp"
 
@@ -14,9 +15,23 @@ namespace {
 constexpr uint64_t max_in_memory = uint64_t{1} << 18;
 }  // namespace
 
-void MeshSpool::add_vertex(const glm::dvec3& position) {
+/// Before the vertex is added.
+void MeshSpool::add_color(const std::optional<glm::dvec3>& color) {
+  constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+  constexpr glm::vec3 none(no_number);
+  if (colors_.size() == 0) {
+    if (!color) return;
+    if (in_file_) colors_.move_to_file(target_.options().temporary_folder);
+    for (uint64_t i = 0; i < vertex_count(); ++i) colors_.append(std::as_bytes(std::span(&none, 1)));
+  }
+  const glm::vec3 stored = color ? glm::vec3(*color) : none;
+  colors_.append(std::as_bytes(std::span(&stored, 1)));
+}
+
+void MeshSpool::add_vertex(const glm::dvec3& position, const std::optional<glm::dvec3>& color) {
   if (vertex_count() == std::numeric_limits<uint32_t>::max())
     fail(target_.place(), "more vertices than 32 bits can index");
+  add_color(color);
   vertices_.append(std::as_bytes(std::span(&position, 1)));
   grow_beyond(vertex_count());
 }
@@ -42,6 +57,7 @@ void MeshSpool::grow_beyond(uint64_t triangles_or_vertices) {
   if (in_file_ || triangles_or_vertices <= std::min(max_in_memory, target_.memory_left())) return;
   in_file_ = true;
   vertices_.move_to_file(target_.options().temporary_folder);
+  if (colors_.size() > 0) colors_.move_to_file(target_.options().temporary_folder);
   faces_.move_to_file(target_.options().temporary_folder);
 }
 
@@ -58,6 +74,8 @@ void MeshSpool::finish() {
 void MeshSpool::place_in_memory() {
   std::vector<glm::dvec3> positions(vertex_count()), corners;
   if (!positions.empty()) std::memcpy(positions.data(), vertices_.bytes().data(), vertices_.bytes().size());
+  std::vector<glm::vec3> colors(colors_.size() / sizeof(glm::vec3));
+  if (!colors.empty()) std::memcpy(colors.data(), colors_.bytes().data(), colors_.bytes().size());
   std::vector<uint32_t> local(positions.size()), owner(positions.size(), 0), face;
   std::vector<std::array<uint32_t, 3>> cut;
   uint32_t number = 0;
@@ -77,6 +95,7 @@ void MeshSpool::place_in_memory() {
           owner[vertex] = number;
           local[vertex] = static_cast<uint32_t>(mesh.positions.size());
           mesh.positions.push_back(positions[vertex]);
+          if (!colors.empty()) mesh.colors.push_back(vertex_color(glm::dvec3(colors[vertex])));
         }
         vertex = local[vertex];
       }
@@ -84,6 +103,7 @@ void MeshSpool::place_in_memory() {
       target_.warn(fan_warning, corners.size() > max_clipped_corners);
       for (const auto& [a, b, c] : cut) mesh.triangles.push_back({{face[a], face[b], face[c]}, head[0]});
     }
+    if (std::none_of(mesh.colors.begin(), mesh.colors.end(), is_colored)) mesh.colors.clear();
     if (const auto added = target_.add_mesh(std::move(mesh))) target_.add_instance(*added, Affine(1));
   }
 }
@@ -94,6 +114,15 @@ void MeshSpool::place_streams() {
       .count = vertex_count(),
       .stride = sizeof(glm::dvec3),
       .fields = {{{0, ScalarType::float64}, {8, ScalarType::float64}, {16, ScalarType::float64}}}};
+  std::optional<ColorTable> colors;
+  if (colors_.size() > 0) {
+    colors.emplace();
+    colors->values = {
+        .source = colors_.take_file(target_.place()),
+        .count = vertices.count,
+        .stride = sizeof(glm::vec3),
+        .fields = {{{0, ScalarType::float32}, {4, ScalarType::float32}, {8, ScalarType::float32}}}};
+  }
   const auto faces = faces_.take_file(target_.place());
   for (Part& part : parts_) {
     FaceTable table{.source = faces,
@@ -106,7 +135,7 @@ void MeshSpool::place_streams() {
                     .begin = part.begin,
                     .end = part.end,
                     .end_known = true};
-    const auto stream = std::make_shared<FaceStream>(vertices, std::move(table));
+    const auto stream = std::make_shared<FaceStream>(vertices, std::move(table), colors);
     target_.add_instance(target_.add_stream(std::move(part.name), stream), Affine(1));
   }
 }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ class MeshSpool {
  public:
   explicit MeshSpool(FileImport& target) : target_(target) {}
 
-  void add_vertex(const glm::dvec3& position);
+  /// color: as displayed, 0 to 1; nothing if the vertex has none.
+  void add_vertex(const glm::dvec3& position, const std::optional<glm::dvec3>& color = std::nullopt);
   uint64_t vertex_count() const { return vertices_.size() / sizeof(glm::dvec3); }
   /// The faces that follow belong to a mesh of this name; a mesh without faces is dropped.
   void begin_mesh(std::string name);
@@ -36,11 +38,13 @@ class MeshSpool {
   };
   /// Continues in a file if there is this much.
   void grow_beyond(uint64_t triangles_or_vertices);
+  void add_color(const std::optional<glm::dvec3>& color);
   void place_in_memory();
   void place_streams();
 
   FileImport& target_;
   ByteSpool vertices_;  ///< three doubles each
+  ByteSpool colors_;    ///< three floats for each vertex, no numbers for none; empty while none has one
   ByteSpool faces_;     ///< material, number of corners, corners: 32 bits each
   std::vector<Part> parts_;
   uint64_t triangles_ = 0;

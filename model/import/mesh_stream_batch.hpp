@@ -27,12 +27,13 @@ class TriangleBatch {
  public:
   explicit TriangleBatch(const TakeTriangles& take) : take_(take) { batch_.reserve(batch_triangles); }
 
-  void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, uint32_t material) {
+  void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, uint32_t material,
+           const CornerColors& colors = {}) {
     if (!is_usable(a) || !is_usable(b) || !is_usable(c)) {
       ++dropped_;
       return;
     }
-    batch_.push_back({{a, b, c}, material});
+    batch_.push_back({{a, b, c}, material, colors});
     if (batch_.size() == batch_triangles) flush();
   }
 

@@ -27,12 +27,32 @@ uint64_t promised_triangles(const FaceTable& faces) {
   return std::max(count, items - std::min(items, 2 * count));
 }
 
+struct Vertex {
+  glm::dvec3 position{0};
+  VertexColor color{};
+};
+
+class VertexCache {
+ public:
+  VertexCache(const PositionTable& positions, const std::optional<ColorTable>& colors)
+      : positions_(positions) {
+    if (colors) colors_.emplace(*colors);
+  }
+  uint64_t count() const { return positions_.count(); }
+  Vertex at(uint64_t index) { return {positions_.at(index), colors_ ? colors_->at(index) : VertexColor{}}; }
+
+ private:
+  PositionCache positions_;
+  std::optional<ColorCache> colors_;
+};
+
 /// Reads the faces one after the other.
 class FaceReader {
  public:
-  FaceReader(const PositionTable& vertices, const FaceTable& faces, TriangleBatch& batch)
+  FaceReader(const PositionTable& vertices, const FaceTable& faces, const std::optional<ColorTable>& colors,
+             TriangleBatch& batch)
       : faces_(faces),
-        positions_(vertices),
+        vertices_(vertices, colors),
         window_(faces.source, faces.begin, faces.end),
         batch_(batch),
         type_(faces.element.properties[faces.list].type) {}
@@ -75,14 +95,18 @@ class FaceReader {
       uint32_t index = 0;  // a negative one becomes larger than 2^31; the error below shows it with its sign
       std::memcpy(&index, bytes, sizeof(index));
       if (faces_.swapped) index = __builtin_bswap32(index);
-      if (index < positions_.count() && (type_ == ScalarType::uint32 || index < uint32_t{1} << 31))
+      if (index < vertices_.count() && (type_ == ScalarType::uint32 || index < uint32_t{1} << 31))
         return index;
     }
     const double value = load_scalar(bytes, type_, faces_.swapped);
-    if (!(value >= 0 && value < static_cast<double>(positions_.count())) || value != std::floor(value)) {
-      fail(window_.place(), "a face's vertex is {}, and must be from 0 to {}", value, positions_.count() - 1);
+    if (!(value >= 0 && value < static_cast<double>(vertices_.count())) || value != std::floor(value)) {
+      fail(window_.place(), "a face's vertex is {}, and must be from 0 to {}", value, vertices_.count() - 1);
     }
     return static_cast<uint32_t>(value);
+  }
+
+  void add(const Vertex& a, const Vertex& b, const Vertex& c) {
+    batch_.add(a.position, b.position, c.position, material_, {a.color, b.color, c.color});
   }
 
   void read_corners(uint64_t count) {
@@ -90,45 +114,51 @@ class FaceReader {
     if (count > max_clipped_corners) return read_fan(count);
     const std::byte* bytes = window_.take(count * item);
     corners_.resize(count);
-    for (uint64_t i = 0; i < count; ++i) corners_[i] = positions_.at(vertex(bytes + i * item));
-    if (count == 3) return batch_.add(corners_[0], corners_[1], corners_[2], material_);
+    for (uint64_t i = 0; i < count; ++i) corners_[i] = vertices_.at(vertex(bytes + i * item));
+    if (count == 3) return add(corners_[0], corners_[1], corners_[2]);
     skipped_ += count < 3;
-    triangulate(corners_, triangles_);
-    for (const auto& [a, b, c] : triangles_) batch_.add(corners_[a], corners_[b], corners_[c], material_);
+    outline_.clear();
+    for (const Vertex& corner : corners_) outline_.push_back(corner.position);
+    triangulate(outline_, triangles_);
+    for (const auto& [a, b, c] : triangles_) add(corners_[a], corners_[b], corners_[c]);
   }
 
   /// Reads a face of any number of corners without keeping them.
   void read_fan(uint64_t count) {
     ++fans_;
     const size_t item = scalar_bytes(type_);
-    const glm::dvec3 first = positions_.at(vertex(window_.take(item)));
-    glm::dvec3 before = positions_.at(vertex(window_.take(item)));
+    const Vertex first = vertices_.at(vertex(window_.take(item)));
+    Vertex before = vertices_.at(vertex(window_.take(item)));
     for (uint64_t i = 2; i < count; ++i) {
-      const glm::dvec3 corner = positions_.at(vertex(window_.take(item)));
-      batch_.add(first, before, corner, material_);
+      const Vertex corner = vertices_.at(vertex(window_.take(item)));
+      add(first, before, corner);
       before = corner;
     }
   }
 
   const FaceTable& faces_;
-  PositionCache positions_;
+  VertexCache vertices_;
   SourceWindow window_;
   TriangleBatch& batch_;
   ScalarType type_;
   uint32_t material_ = 0;
-  std::vector<glm::dvec3> corners_;
+  std::vector<Vertex> corners_;
+  std::vector<glm::dvec3> outline_;
   std::vector<std::array<uint32_t, 3>> triangles_;
   uint64_t skipped_ = 0, fans_ = 0;
 };
 
 }  // namespace
 
-FaceStream::FaceStream(PositionTable vertices, FaceTable faces)
-    : vertices_(std::move(vertices)), faces_(std::move(faces)), triangle_count_(promised_triangles(faces_)) {}
+FaceStream::FaceStream(PositionTable vertices, FaceTable faces, std::optional<ColorTable> colors)
+    : vertices_(std::move(vertices)),
+      faces_(std::move(faces)),
+      colors_(std::move(colors)),
+      triangle_count_(promised_triangles(faces_)) {}
 
 uint64_t FaceStream::read(const TakeTriangles& take) const {
   TriangleBatch batch(take);
-  FaceReader reader(vertices_, faces_, batch);
+  FaceReader reader(vertices_, faces_, colors_, batch);
   reader.run();
   const uint64_t dropped = batch.finish();
   dropped_ = dropped;

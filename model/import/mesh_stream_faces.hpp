@@ -22,15 +22,18 @@ struct FaceTable {
 
 class FaceStream : public MeshStream {
  public:
-  FaceStream(PositionTable vertices, FaceTable faces);
+  /// colors: of the vertices.
+  FaceStream(PositionTable vertices, FaceTable faces, std::optional<ColorTable> colors = std::nullopt);
 
   uint64_t triangle_count() const override { return triangle_count_; }
+  bool has_colors() const override { return colors_.has_value(); }
   uint64_t read(const TakeTriangles& take) const override;
   std::vector<std::string> warnings() const override;
 
  private:
   PositionTable vertices_;
   FaceTable faces_;
+  std::optional<ColorTable> colors_;
   uint64_t triangle_count_;
   mutable std::atomic<uint64_t> dropped_{0}, skipped_faces_{0}, fans_{0}, trailing_bytes_{0};
 };

@@ -1,5 +1,7 @@
 #include "model/import/mesh_stream_positions.hpp"
 
+#include "model/import/display_color.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cstring>
@@ -154,6 +156,11 @@ void PositionCache::read(uint64_t block, glm::dvec3* positions) {
       positions[i][axis] = load_scalar(record + field.at, field.type, table_.swapped, table_.normalized);
     }
   }
+}
+
+VertexColor ColorCache::at(uint64_t index) {
+  const glm::dvec3 color(glm::vec3(values_.at(index) * scale_));  // as MeshSpool keeps them
+  return linear_ ? vertex_color_of_linear(color) : vertex_color(color);
 }
 
 }  // namespace triptych

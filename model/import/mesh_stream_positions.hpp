@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/import/mesh_stream_source.hpp"
+#include "scene/vertex_color.hpp"
 
 #include <array>
 #include <cstdint>
@@ -92,6 +93,26 @@ class PositionCache {
   std::vector<void*> slabs_;  ///< memory from the kernel, all of which the destructor returns
   size_t hand_ = 0;
   std::vector<std::byte> raw_;
+};
+
+/// Colours of vertices in a file: red, green and blue in place of x, y and z.
+struct ColorTable {
+  PositionTable values;
+  glm::dvec3 scale{1};  ///< what values are multiplied by to be from 0 to 1
+  bool linear = false;  ///< linear light; otherwise as displayed
+};
+
+/// Reads colours by their number, as PositionCache does positions.
+class ColorCache {
+ public:
+  explicit ColorCache(const ColorTable& table)
+      : values_(table.values), scale_(table.scale), linear_(table.linear) {}
+  VertexColor at(uint64_t index);
+
+ private:
+  PositionCache values_;
+  glm::dvec3 scale_;
+  bool linear_;
 };
 
 }  // namespace triptych

@@ -6,10 +6,11 @@
 namespace triptych {
 
 StoredMesh::StoredMesh(std::shared_ptr<SpoolFile> file, const Mesh& mesh)
-    : vertices_(mesh.positions.size()), triangles_(mesh.triangles.size()) {
+    : vertices_(mesh.positions.size()), triangles_(mesh.triangles.size()), has_colors_(mesh.has_colors()) {
   ByteWriter writer;
   writer.write_all(std::span<const glm::dvec3>(mesh.positions));
   writer.write_all(std::span<const Triangle>(mesh.triangles));
+  writer.write_all(std::span<const VertexColor>(mesh.colors));
   place_ = file->append(writer.bytes());
   file_ = std::move(file);
 }
@@ -20,6 +21,7 @@ std::shared_ptr<const Mesh> StoredMesh::load() const {
   auto mesh = std::make_shared<Mesh>();
   mesh->positions = reader.read_all<glm::dvec3>(vertices_);
   mesh->triangles = reader.read_all<Triangle>(triangles_);
+  if (has_colors_) mesh->colors = reader.read_all<VertexColor>(vertices_);
   return mesh;
 }
 
@@ -31,7 +33,8 @@ uint64_t held_triangles(const Mesh& mesh) {
 }
 
 uint64_t held_bytes(const Mesh& mesh) {
-  return mesh.positions.capacity() * sizeof(glm::dvec3) + mesh.triangles.capacity() * sizeof(Triangle);
+  return mesh.positions.capacity() * sizeof(glm::dvec3) + mesh.triangles.capacity() * sizeof(Triangle) +
+         mesh.colors.capacity() * sizeof(VertexColor);
 }
 
 }  // namespace triptych

@@ -15,13 +15,15 @@ class StoredMesh : public MeshStream {
   StoredMesh(std::shared_ptr<SpoolFile> file, const Mesh& mesh);
 
   uint64_t triangle_count() const override { return triangles_; }
+  bool has_colors() const override { return has_colors_; }
   uint64_t read(const TakeTriangles& take) const override;
   std::shared_ptr<const Mesh> load() const override;
 
  private:
   std::shared_ptr<const SpoolFile> file_;
   uint64_t vertices_, triangles_;
-  SpoolPlace place_;  ///< positions, then triangles
+  bool has_colors_;
+  SpoolPlace place_;  ///< positions, triangles, and colours if there are any
 };
 
 /// Triangles of a mesh that is held in memory, or stored; 0 for those that stay in the model's file.

@@ -37,22 +37,31 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
   }
   glNamedBufferStorage(palette_, static_cast<GLsizeiptr>(colors.size() * sizeof(float)), colors.data(), 0);
   describe_vertices(vertex_array_);
+  describe_vertices(colored_vertex_array_, true);
 }
 
 void Geometry::attach_buffers() {
   glVertexArrayVertexBuffer(vertex_array_, vertices_stream, vertices_.buffer, 0, sizeof(ChunkVertex));
   glVertexArrayElementBuffer(vertex_array_, indices_.buffer);
+  if (colors_.used == 0) return;
+  glVertexArrayVertexBuffer(colored_vertex_array_, vertices_stream, colored_vertices_.buffer, 0,
+                            sizeof(ChunkVertex));
+  glVertexArrayVertexBuffer(colored_vertex_array_, colors_stream, colors_.buffer, 0, sizeof(VertexColor));
+  glVertexArrayElementBuffer(colored_vertex_array_, indices_.buffer);
 }
 
 void Geometry::upload(uint32_t chunk, const Chunk& geometry) {
-  const uint64_t vertex = vertices_.append(std::as_bytes(std::span(geometry.vertices)));
+  const bool colored = !geometry.colors.empty();
+  Arena& vertices = colored ? colored_vertices_ : vertices_;
+  const uint64_t vertex = vertices.append(std::as_bytes(std::span(geometry.vertices)));
+  if (colored) colors_.append(std::as_bytes(std::span(geometry.colors)));
   const uint64_t index = indices_.append(std::as_bytes(std::span(geometry.indices)));
   if (index / sizeof(uint32_t) > UINT32_MAX || vertex / sizeof(ChunkVertex) > INT32_MAX) {
     fail("device memory", "more geometry than one buffer can address");
   }
   ranges_[chunk] = {static_cast<uint32_t>(index / sizeof(uint32_t)),
                     static_cast<uint32_t>(geometry.indices.size()),
-                    static_cast<uint32_t>(vertex / sizeof(ChunkVertex)), geometry.outward_runs};
+                    static_cast<uint32_t>(vertex / sizeof(ChunkVertex)), geometry.outward_runs, colored};
 }
 
 void Geometry::require(std::span<const DrawItem> items) {
@@ -69,9 +78,10 @@ void Geometry::require(std::span<const DrawItem> items) {
   if (changed) attach_buffers();
 }
 
-void Geometry::bind(GLuint records) const {
-  glVertexArrayVertexBuffer(vertex_array_, records_stream, records, 0, sizeof(DrawRecord));
-  glBindVertexArray(vertex_array_);
+void Geometry::bind(GLuint records, bool colored) const {
+  const GLuint vertex_array = colored ? colored_vertex_array_ : vertex_array_;
+  glVertexArrayVertexBuffer(vertex_array, records_stream, records, 0, sizeof(DrawRecord));
+  glBindVertexArray(vertex_array);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_binding, palette_);
 }
 

@@ -10,7 +10,8 @@
 
 namespace triptych {
 
-/// Vertices and indices of the chunks uploaded so far, in two growing buffers, and the palette.
+/// Vertices and indices of the chunks uploaded so far, in growing buffers, and the palette. Chunks whose
+/// vertices have colours have buffers of vertices of their own.
 class Geometry {
  public:
   Geometry(const Skeleton& skeleton, Residency& residency);
@@ -21,9 +22,12 @@ class Geometry {
   std::span<const ChunkRange> ranges() const { return ranges_; }
 
   /// Bytes of device memory in use.
-  uint64_t memory_bytes() const { return vertices_.capacity + indices_.capacity; }
-  /// Binds vertex array and palette for drawing. records: a buffer with a DrawRecord for each base instance.
-  void bind(GLuint records) const;
+  uint64_t memory_bytes() const {
+    return vertices_.capacity + indices_.capacity + colored_vertices_.capacity + colors_.capacity;
+  }
+  /// Binds vertex array and palette for drawing, of chunks whose vertices have colours or of the others.
+  /// records: a buffer with a DrawRecord for each base instance.
+  void bind(GLuint records, bool colored) const;
 
  private:
   struct Arena {
@@ -38,9 +42,9 @@ class Geometry {
   const Skeleton& skeleton_;
   Residency& residency_;
   std::vector<ChunkRange> ranges_;
-  Arena vertices_, indices_;
+  Arena vertices_, indices_, colored_vertices_, colors_;
   GlBuffer palette_;
-  GlVertexArray vertex_array_;
+  GlVertexArray vertex_array_, colored_vertex_array_;
 };
 
 }  // namespace triptych

@@ -5,11 +5,11 @@
 namespace triptych {
 
 namespace {
-GlProgram make_pass(TargetKind kind, Projection projection) {
-  const std::string vertex = geometry_vertex_shader(projection);
+GlProgram make_pass(TargetKind kind, Projection projection, BaseColors colors) {
+  const std::string vertex = geometry_vertex_shader(projection, colors);
   switch (kind) {
     case TargetKind::color:
-      return make_program("colour", vertex, color_fragment_shader());
+      return make_program("colour", vertex, color_fragment_shader(colors));
     case TargetKind::item:
       return make_program("item", vertex, item_fragment_shader());
     case TargetKind::depth_only:
@@ -17,7 +17,7 @@ GlProgram make_pass(TargetKind kind, Projection projection) {
     case TargetKind::color_and_item:
       break;
   }
-  return make_program("colour and item", vertex, color_and_item_fragment_shader());
+  return make_program("colour and item", vertex, color_and_item_fragment_shader(colors));
 }
 
 /// Of triangles whose fronts go round so; 0: both.
@@ -35,11 +35,12 @@ void show_sides(int32_t front) {
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
     : geometry_(skeleton, residency), representation_(representation), builder_(skeleton) {}
 
-Renderer::Pass& Renderer::pass(TargetKind kind) {
+Renderer::Pass& Renderer::pass(TargetKind kind, BaseColors colors) {
   const Projection projection = view_->view().camera.projection;
-  std::optional<Pass>& pass = passes_[static_cast<size_t>(projection)][static_cast<size_t>(kind)];
+  std::optional<Pass>& pass =
+      passes_[static_cast<size_t>(colors)][static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
-  pass.emplace(make_pass(kind, projection));
+  pass.emplace(make_pass(kind, projection, colors));
   return *pass;
 }
 
@@ -62,17 +63,24 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
   bounds_.upload(std::span<const PixelDepthBound>(list_.bounds));
   commands_.upload(std::span<const DrawCommand>(list_.commands));
 
-  const Pass& used = pass(framebuffer.kind());
-  glUseProgram(used.program);
-  used.uniforms.set(*view_);
+  const TargetKind kind = framebuffer.kind();
+  const bool shows_colors = kind == TargetKind::color || kind == TargetKind::color_and_item;
+  const auto use = [&](bool colored) {
+    const Pass& used = pass(kind, colored && shows_colors ? BaseColors::vertices : BaseColors::palette);
+    glUseProgram(used.program);
+    used.uniforms.set(*view_);
+    geometry_.bind(records_, colored);
+  };
+  bool colored = list_.groups.front().colored;
+  use(colored);
   framebuffer.bind();
-  geometry_.bind(records_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal
   uintptr_t offset = 0;
   for (const DrawGroup& group : list_.groups) {
+    if (group.colored != colored) use(colored = group.colored);
     show_sides(group.front);
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
                                 static_cast<GLsizei>(group.count), 0);

@@ -4,6 +4,7 @@
 #include "render/draw_list.hpp"
 #include "render/gl/framebuffer.hpp"
 #include "render/gl/geometry.hpp"
+#include "render/gl/shaders.hpp"
 #include "render/gl/view_uniforms.hpp"
 
 #include <optional>
@@ -30,10 +31,10 @@ class Renderer {
     GlProgram program;
     ViewUniforms uniforms;
   };
-  Pass& pass(TargetKind kind);
+  Pass& pass(TargetKind kind, BaseColors colors);
 
   Geometry geometry_;
-  std::optional<Pass> passes_[2][4];  ///< by projection and kind; made when first used
+  std::optional<Pass> passes_[2][2][4];  ///< by base colours, projection and kind; made when first used
   Representation& representation_;
   DrawListBuilder builder_;
   std::vector<DrawItem> items_;

@@ -35,12 +35,15 @@ void bound_fragment() {
 }
 )";
 
+/// Of the base colour, between vertices.
+std::string flatness(BaseColors colors) { return colors == BaseColors::palette ? "flat " : ""; }
+
 // The shaded colour of a fragment, the same source text for every pass that draws colours.
-const std::string shaded = fmt::format("const float ambient = {}, diffuse = {}, head = {};\n", ambient_light,
-                                       diffuse_light, head_light) +
-                           R"(
+std::string shaded(BaseColors colors) {
+  return fmt::format("const float ambient = {}, diffuse = {}, head = {};\n{}in vec4 base_color;\n",
+                     ambient_light, diffuse_light, head_light, flatness(colors)) +
+         R"(
 in vec3 eye_position;
-flat in vec4 base_color;
 uniform vec3 light;  // direction to the light, eye space
 layout(location = 0) out vec4 color;
 void shade_fragment() {
@@ -50,6 +53,7 @@ void shade_fragment() {
   color = vec4(base_color.rgb * (ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z)), 1.0);
 }
 )";
+}
 
 // From eye space to clip space; what ViewUniforms sets goes in.
 const std::string frustum_uniforms = R"(
@@ -96,14 +100,16 @@ bool counts() {
 
 }  // namespace
 
-std::string geometry_vertex_shader(Projection projection) {
-  return version + draw_record + frustum_uniforms + R"(
-layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };
+std::string geometry_vertex_shader(Projection projection, BaseColors colors) {
+  const bool palette = colors == BaseColors::palette;
+  return version + draw_record + frustum_uniforms + flatness(colors) + "out vec4 base_color;\n" +
+         (palette ? "layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };\n"
+                  : "layout(location = 8) in vec4 vertex_color;\n") +
+         R"(
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
 invariant gl_Position;
 out vec3 eye_position;
-flat out vec4 base_color;
 flat out vec3 bound_x, bound_y;
 flat out vec4 bound_at;
 flat out uint item;
@@ -112,7 +118,9 @@ void main() {
   vec3 p = vec3(point + cell);
   eye_position = vec3(dot(row_x.xyz, p) + row_x.w, dot(row_y.xyz, p) + row_y.w, dot(row_z.xyz, p) + row_z.w);
 )" + project(projection) +
-         R"(  base_color = palette[color_and_piece & 0xffffffu];
+         (palette ? "  base_color = palette[color_and_piece & 0xffffffu];\n"
+                  : "  base_color = vertex_color;\n") +
+         R"(
   BoundRecord bound = bounds[first_bound + (color_and_piece >> 24)];
   bound_x = bound.x.xyz;
   bound_y = bound.y.xyz;
@@ -124,8 +132,8 @@ void main() {
 
 std::string depth_fragment_shader() { return version + bounded + "void main() { bound_fragment(); }\n"; }
 
-std::string color_fragment_shader() {
-  return version + bounded + shaded + R"(
+std::string color_fragment_shader(BaseColors colors) {
+  return version + bounded + shaded(colors) + R"(
 void main() {
   bound_fragment();
   shade_fragment();
@@ -133,8 +141,8 @@ void main() {
 )";
 }
 
-std::string color_and_item_fragment_shader() {
-  return version + bounded + shaded + R"(
+std::string color_and_item_fragment_shader(BaseColors colors) {
+  return version + bounded + shaded(colors) + R"(
 flat in uint item;
 layout(location = 1) out uint id;
 void main() {
@@ -172,7 +180,9 @@ void main() {
 )";
 }
 
-std::string flat_model_fragment_shader() { return version + shaded + "void main() { shade_fragment(); }\n"; }
+std::string flat_model_fragment_shader() {
+  return version + shaded(BaseColors::palette) + "void main() { shade_fragment(); }\n";
+}
 
 std::string rectangle_vertex_shader() {
   return version + "#extension GL_ARB_shader_draw_parameters : require\n" + rectangles_block + R"(

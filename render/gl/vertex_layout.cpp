@@ -7,7 +7,7 @@
 
 namespace triptych {
 
-void describe_vertices(GLuint vertex_array) {
+void describe_vertices(GLuint vertex_array, bool colored) {
   GLuint attribute = 0;
   const auto add = [&](GLuint stream) {
     glVertexArrayAttribBinding(vertex_array, attribute, stream);
@@ -29,6 +29,10 @@ void describe_vertices(GLuint vertex_array) {
   add_integers(records_stream, 3, GL_INT, offsetof(DrawRecord, cell));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, item));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, first_bound));
+  if (colored) {
+    glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+    add(colors_stream);
+  }
   glVertexArrayBindingDivisor(vertex_array, records_stream, 1);
 }
 

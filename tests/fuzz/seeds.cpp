@@ -33,7 +33,7 @@ void write_gltf() {
 {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}],
 "materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,0.75]},"alphaMode":"BLEND"}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]},
-{"primitives":[{"attributes":{"POSITION":2},"mode":5},{"attributes":{"POSITION":3},"indices":1,"mode":6}]}],
+{"primitives":[{"attributes":{"POSITION":2,"COLOR_0":3},"mode":5},{"attributes":{"POSITION":3},"indices":1,"mode":6}]}],
 "nodes":[{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],"children":[1]},{"mesh":1,"rotation":[0,0,0,1],
 "extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":3}}}}],"scenes":[{"nodes":[0]}],"scene":0})";
   const std::string data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAAAAABAAIAAgABAAMA";
@@ -74,6 +74,11 @@ void write_text_formats() {
   ply.write(uint8_t{3});
   for (const int32_t value : {0, 1, 2}) ply.write(value);
   write("ply/binary.ply", ply.bytes());
+  write("ply/colors.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty float blue\nelement face 1\nproperty list uchar "
+        "int "
+        "vertex_indices\nend_header\n0 0 0 255 0 0.5\n4 0 0 0 9 1\n1 1 0 3 0 nan\n3 0 1 2\n");
   ByteWriter mixed;
   mixed.write_all(
       std::span<const char>(std::string("ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list "
@@ -193,6 +198,12 @@ void write_pack() {
     return std::move(parts.bytes());
   };
   write("pack/parts", parts_of(0, encode_skeleton(skeleton), encoded));
+  Chunk colored = chunk;
+  colored.colors.resize(colored.vertices.size(), {250, 120, 30, 255});
+  const auto colored_bytes = encode_chunk(colored);
+  Skeleton of_colored = skeleton;
+  of_colored.chunks[0].size = colored_bytes.size();
+  write("pack/colors", parts_of(0, encode_skeleton(of_colored), colored_bytes));
   const StoredSkeleton instanced = with_instances(std::move(skeleton));
   write("pack/instances",
         parts_of(2, encode_skeleton(instanced.surrounding), encode_sub_hierarchies(instanced)));

@@ -100,5 +100,43 @@ TEST(Weld, materials_become_palette_entries) {
   }
 }
 
+TEST(Weld, where_two_colours_meet_is_one_point_and_the_corners_keep_theirs) {
+  constexpr VertexColor red{255, 0, 0, 255}, blue{0, 0, 255, 255};
+  Mesh mesh{"m",
+            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+            {{{0, 1, 2}, 0}, {{4, 3, 5}, 0}}};
+  mesh.colors = {red, red, red, blue, blue, blue};
+  const Surface surface = weld(mesh, Affine(1), lattice, colors).surface;
+  EXPECT_EQ(surface.points.size(), 4u);
+  EXPECT_EQ(surface.colors, (std::vector<CornerColors>{{red, red, red}, {blue, blue, blue}}));
+}
+
+TEST(Weld, colours_stay_with_their_corners_where_triangles_are_mirrored_or_dropped) {
+  constexpr VertexColor red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255};
+  Mesh mesh{"m", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 1, 1}, 0}, {{0, 1, 2}, 0}, {{0, 1, 2}, 0}}};
+  mesh.colors = {red, green, blue};
+  Affine mirror(1);
+  mirror[0].x = -1;
+  const Surface surface = weld(mesh, mirror, lattice, colors).surface;
+  ASSERT_EQ(surface.colors.size(), 1u);
+  for (size_t k = 0; k < 3; ++k) {
+    const glm::ivec3 point = surface.points[surface.triangles[0].vertices[k]];
+    EXPECT_EQ(surface.colors[0][k], point.x != 0 ? green : point.y != 0 ? blue : red);
+  }
+}
+
+TEST(Weld, vertex_colours_multiply_base_colours_in_linear_light_and_the_first_material_is_none) {
+  const std::vector<Material> materials = {{}, {{0.5f, 1, 0.25f, 1}}};
+  const VertexTint tint(materials);
+  constexpr VertexColor grey{188, 188, 188, 255};  // about half in linear light
+  EXPECT_EQ(tint({grey, grey, grey}, 0)[0], grey);
+  const VertexColor drawn = tint({grey, grey, grey}, 1)[2];
+  EXPECT_NEAR(drawn[0], 137, 1);  // a quarter
+  EXPECT_EQ(drawn[1], 188);
+  EXPECT_NEAR(drawn[2], 99, 1);  // an eighth
+  EXPECT_EQ(tint({}, 1)[0], (VertexColor{188, 255, 137, 255}))
+      << "a corner without a colour has the material's";
+}
+
 }  // namespace
 }  // namespace triptych

@@ -88,7 +88,8 @@ TEST_P(DevicesAgree, in_coverage_to_a_few_pixels_and_in_colours_but_where_planes
 // Not slivers: OpenGL drops fragments of theirs that leave their bounds, and the rasteriser keeps them. Not
 // dust, where a pixel is a drawable. Coplanar faces are what differs there.
 INSTANTIATE_TEST_SUITE_P(Scenes, DevicesAgree,
-                         testing::Values("room", "flat", "world", "instances", "far", "storeys", "triangle"),
+                         testing::Values("room", "flat", "world", "instances", "far", "storeys", "painted",
+                                         "triangle"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tests/support/small_pack.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
@@ -207,6 +208,62 @@ TEST(Chunk, a_point_has_one_vertex_for_each_of_its_colours_and_pieces) {
     const ChunkVertex expected{surface.points[triangle.vertices[i % 3]], triangle.material & 0xffffffu,
                                pieces[i / 3]};
     EXPECT_EQ(chunk.vertices[chunk.indices[i]], expected) << i;
+  }
+}
+
+/// A colour for each vertex that says which one it is.
+Chunk colored(Chunk chunk) {
+  for (size_t i = 0; i < chunk.vertices.size(); ++i)
+    chunk.colors.push_back({static_cast<uint8_t>(i), static_cast<uint8_t>(i >> 8), 7, 255});
+  return chunk;
+}
+
+TEST(Chunk, colours_of_vertices_come_back_with_their_vertices) {
+  const Chunk chunk = colored(random_chunk(5, 700, 900));
+  const Chunk again = decoded(chunk, encode_chunk(chunk), info_of(chunk), 7);
+  ASSERT_EQ(again.colors.size(), again.vertices.size());
+  for (size_t i = 0; i < again.vertices.size(); ++i) {
+    const size_t before = again.colors[i][0] + size_t{256} * again.colors[i][1];
+    EXPECT_EQ(again.vertices[i], chunk.vertices[before]);
+    EXPECT_EQ(again.colors[i], chunk.colors[before]);
+  }
+}
+
+TEST(Chunk, without_colours_the_bytes_hold_none) {
+  const Chunk chunk = random_chunk(5, 700, 900);
+  EXPECT_TRUE(decoded(chunk, encode_chunk(chunk), info_of(chunk), 7).colors.empty());
+  EXPECT_LT(encode_chunk(chunk).size(), encode_chunk(colored(chunk)).size());
+}
+
+TEST(Chunk, damaged_streams_of_colours_are_refused) {
+  const Chunk chunk = colored(test::grid_chunk({0, 0, 0}, 4, 3));
+  const auto bytes = encode_chunk(chunk);
+  uint32_t runs = 0, positions = 0;
+  std::memcpy(&runs, bytes.data() + 8, sizeof(runs));
+  std::memcpy(&positions, bytes.data() + 12 + 4 * size_t{runs}, sizeof(positions));
+  const size_t kind = 16 + 4 * size_t{runs} + positions;
+  ASSERT_EQ(std::to_integer<int>(bytes[kind]), chunk_colors_stream);
+  EXPECT_NO_THROW(decoded(chunk, bytes, info_of(chunk), 7));
+  // An unknown kind, a size beyond the end, a size that is too small, another codec.
+  for (const auto& [at, value] : {std::pair{kind, 9}, {kind + 4, 255}, {kind + 1, 1}, {kind + 5, 3}}) {
+    auto damaged = bytes;
+    damaged[at] = static_cast<std::byte>(value);
+    EXPECT_THROW(decoded(chunk, damaged, info_of(chunk), 7), Error) << at;
+  }
+  for (size_t size = kind; size < bytes.size(); ++size)
+    EXPECT_THROW(decoded(chunk, std::span(bytes).first(size), info_of(chunk), 7), Error) << size;
+}
+
+TEST(MakeChunk, a_point_with_two_colours_becomes_two_vertices) {
+  Surface surface{.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}},
+                  .triangles = {{{0, 1, 2}, 0}, {{2, 1, 3}, 0}}};
+  constexpr VertexColor red{255, 0, 0, 255}, blue{0, 0, 255, 255};
+  surface.colors = {{red, red, red}, {red, blue, blue}};
+  const Chunk chunk = make_chunk(surface);
+  EXPECT_EQ(chunk.vertices.size(), 5u);
+  ASSERT_EQ(chunk.colors.size(), 5u);
+  for (size_t t = 0; t < 2; ++t) {
+    for (size_t k = 0; k < 3; ++k) EXPECT_EQ(chunk.colors[chunk.indices[3 * t + k]], surface.colors[t][k]);
   }
 }
 

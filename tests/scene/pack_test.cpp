@@ -224,6 +224,22 @@ TEST(Pack, sections_of_an_unknown_type_are_passed_over) {
   EXPECT_EQ(error_of(file, whole), "");
 }
 
+TEST(Pack, vertex_colours_give_the_geometry_a_version_of_its_own_and_come_back) {
+  const std::filesystem::path plain = write_pack(small_pack());
+  const std::string whole = read_text_file(plain);
+  EXPECT_EQ(value_at<uint32_t>(whole, value_at<uint64_t>(whole, 16) + 4), geometry_version);
+  SmallPack colored = small_pack();
+  colored.skeleton.effects = {vertex_colors_effect};
+  for (Chunk& chunk : colored.chunks) chunk.colors.resize(chunk.vertices.size(), {1, 2, 3, 255});
+  const std::filesystem::path file = write_pack(colored);
+  const std::string bytes = read_text_file(file);
+  EXPECT_EQ(value_at<uint32_t>(bytes, value_at<uint64_t>(bytes, 16) + 4), colored_geometry_version);
+  const Pack pack(file);
+  EXPECT_EQ(pack.skeleton().effects, (std::vector<std::string>{vertex_colors_effect}));
+  const Chunk chunk = pack.read_chunk(0);
+  EXPECT_EQ(chunk.colors, std::vector<VertexColor>(chunk.vertices.size(), {1, 2, 3, 255}));
+}
+
 TEST(Pack, a_pack_without_its_skeleton_or_with_a_newer_one_is_refused) {
   const auto file = write_pack(small_pack());
   std::string without = read_text_file(file);

@@ -41,6 +41,7 @@ class Random {
 ///   sheared    one mesh under transforms whose axes nearly coincide, and flattened ones
 ///   far        the room, a million units from the origin
 ///   storeys    sub-hierarchies within sub-hierarchies: stacked, turned, stretched, mirrored
+///   painted    meshes with vertex colours, smooth ones and ones with seams, among others without
 ///   triangle   nothing but one triangle
 const std::vector<std::string>& names();
 Model make(const std::string& name);

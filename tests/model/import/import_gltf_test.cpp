@@ -1,4 +1,5 @@
 #include "gltf_support.hpp"
+#include "model/read_mesh.hpp"
 
 #include <cmath>
 #include <glm/vec4.hpp>
@@ -243,15 +244,75 @@ TEST(ImportGltf, deeply_nested_json_is_refused) {
 TEST(ImportGltf, what_is_not_drawn_or_not_placed_is_said) {
   json document = square();
   document["meshes"].push_back(document["meshes"][0]);
-  document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0;
   document["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   document["materials"][0]["alphaMode"] = "BLEND";
   document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   document["images"] = {{{"uri", "missing.png"}}};
   const Model model = import_json(document);
-  for (const char* warning :
-       {"1 meshes are placed nowhere", "vertex colours", "morph targets", "transparent", "textures"}) {
+  for (const char* warning : {"1 meshes are placed nowhere", "morph targets", "transparent", "textures"}) {
     EXPECT_TRUE(warns(model, warning)) << warning;
+  }
+}
+
+/// The square with colours behind it in its buffer: four elements of a type, as bytes.
+Model colored_square(const json& accessor, const std::string& colors, const ImportOptions& options = {}) {
+  json document = square();
+  document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 60}, {"byteLength", colors.size()}});
+  document["accessors"].push_back(accessor);
+  document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+  // A file that streams read must not change: each has its own.
+  static int files = 0;
+  return import_text(std::to_string(files++) + ".glb", glb(document, square_bytes() + colors), options);
+}
+
+template <typename Value>
+std::string four(std::initializer_list<Value> element) {
+  std::string bytes;
+  for (int i = 0; i < 4; ++i) {
+    for (const Value value : element) append(bytes, value);
+  }
+  return bytes;
+}
+
+TEST(ImportGltf, vertex_colours_of_every_type_are_linear_light) {
+  const auto accessor = [](int type, const char* kind) {
+    return json{{"bufferView", 2},
+                {"componentType", type},
+                {"count", 4},
+                {"type", kind},
+                {"normalized", type != 5126}};
+  };
+  const VertexColor wanted{255, 188, 0, 255};  // one, a half, none
+  for (const uint64_t stream_above : {uint64_t{1000}, uint64_t{0}}) {
+    const ImportOptions options{.stream_above = stream_above};
+    for (const Model& model :
+         {colored_square(accessor(5126, "VEC3"), four<float>({1, 0.5f, 0}), options),
+          colored_square(accessor(5126, "VEC4"), four<float>({1, 0.5f, 0, 0.25f}), options),
+          colored_square(accessor(5121, "VEC4"), four<uint8_t>({255, 128, 0, 9}), options),
+          colored_square(accessor(5123, "VEC3"), four<uint16_t>({65535, 32768, 0}), options)}) {
+      EXPECT_EQ(model.meshes[0].stream != nullptr, stream_above == 0);
+      EXPECT_TRUE(model.meshes[0].has_colors());
+      read_mesh(model.meshes[0], [&](std::span<const CornerTriangle> batch) {
+        for (const CornerTriangle& triangle : batch) {
+          for (const VertexColor& color : triangle.colors) {
+            for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(color[i], wanted[i], 1);
+          }
+        }
+      });
+      EXPECT_TRUE(model.report.warnings.empty());
+    }
+  }
+}
+
+TEST(ImportGltf, vertex_colours_that_cannot_be_read_are_said_and_lose_no_triangle) {
+  for (const json& accessor :
+       {json{{"bufferView", 2}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}},
+        json{{"bufferView", 2}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}},
+        json{{"bufferView", 9}, {"componentType", 5126}, {"count", 4}, {"type", "VEC3"}}}) {
+    const Model model = colored_square(accessor, four<float>({1, 0.5f, 0}));
+    EXPECT_EQ(model.source_triangles(), 2u);
+    EXPECT_FALSE(model.meshes[0].has_colors());
+    EXPECT_TRUE(warns(model, "vertex colours cannot be read"));
   }
 }
 

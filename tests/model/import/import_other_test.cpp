@@ -146,6 +146,23 @@ TEST(ImportOther, diffuse_colours_of_collada_and_fbx_are_those_displayed) {
   }
 }
 
+TEST(ImportOther, vertex_colours_are_those_displayed_and_no_material_is_made_up_for_them) {
+  std::string dae = collada;
+  std::string source =
+      "<source id=\"c\"><float_array id=\"ca\" count=\"9\">1 0.5 0 1 0.5 0 1 0.5 "
+      "0</float_array><technique_common>"
+      "<accessor source=\"#ca\" count=\"3\" stride=\"3\">";
+  for (const char* channel : {"R", "G", "B"})
+    source += std::string("<param name=\"") + channel + "\" type=\"float\"/>";
+  dae.insert(dae.find("</vertices>"), "<input semantic=\"COLOR\" source=\"#c\"/>");
+  dae.insert(dae.find("<vertices id"), source + "</accessor></technique_common></source>");
+  const Model model = import_text("a.dae", dae);
+  ASSERT_EQ(model.meshes.at(0).colors.size(), 3u);
+  for (const VertexColor& color : model.meshes[0].colors) EXPECT_EQ(color, (VertexColor{255, 128, 0, 255}));
+  EXPECT_EQ(model.meshes[0].triangles.at(0).material, 0u);
+  EXPECT_FALSE(warns(model, "colours"));
+}
+
 TEST(ImportOther, a_byte_order_mark_and_gzip_around_a_file_are_taken_off) {
   EXPECT_EQ(import_text("a.off", "\xef\xbb\xbf" + off).source_triangles(), 2u);
   const auto file = write_model("packed", "");

@@ -1,4 +1,5 @@
 #include "import_support.hpp"
+#include "model/read_mesh.hpp"
 
 namespace triptych {
 namespace {
@@ -41,9 +42,9 @@ TEST(ImportPly, an_ascii_file_is_read_with_its_doubles_and_what_is_not_drawn_is_
   EXPECT_EQ(model.source_triangles(), 2u);
   EXPECT_EQ(model.meshes[0].positions[0], glm::dvec3(0.1, 0, 0));
   EXPECT_EQ(model.meshes[0].positions[3], glm::dvec3(0, 1, 0));
-  EXPECT_TRUE(warns(model, "4 vertices with a colour"));
+  EXPECT_TRUE(model.meshes[0].colors.empty()) << "red alone is no colour";
   EXPECT_TRUE(warns(model, "1 records of the element \"extra\""));
-  EXPECT_TRUE(warns(model, "properties of \"vertex\" are not used: weights"));
+  EXPECT_TRUE(warns(model, "properties of \"vertex\" are not used: red weights"));
   EXPECT_TRUE(warns(model, "properties of \"face\" are not used: flags"));
 }
 
@@ -54,6 +55,69 @@ TEST(ImportPly, both_byte_orders_give_the_same_doubles) {
     for (int i = 0; i < 4; ++i)
       EXPECT_EQ(model.meshes[0].positions[static_cast<size_t>(i)], glm::dvec3(i + 0.5, i * 0.1, -7));
     EXPECT_EQ(model.meshes[0].triangles[1].vertices, (std::array<uint32_t, 3>{0, 2, 3}));
+  }
+}
+
+std::string ascii_triangle(const std::string& channels, const std::string& colors) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
+         channels + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " + colors +
+         "\n1 0 0 " + colors + "\n0 1 0 " + colors + "\n3 0 1 2\n";
+}
+
+TEST(ImportPly, colours_of_vertices_are_read_whatever_their_type_and_the_order_of_channels) {
+  const auto color = [](const std::string& channels, const std::string& colors) {
+    const Model model = import_text("a.ply", ascii_triangle(channels, colors));
+    EXPECT_EQ(model.meshes.at(0).colors.size(), 3u);
+    EXPECT_TRUE(model.report.warnings.empty());
+    return model.meshes.at(0).colors.at(1);
+  };
+  const auto named = [](const std::string& type, std::initializer_list<const char*> names) {
+    std::string properties;
+    for (const char* name : names) properties += "property " + type + " " + name + "\n";
+    return properties;
+  };
+  const VertexColor wanted{255, 51, 0, 255};
+  EXPECT_EQ(color(named("uchar", {"red", "green", "blue"}), "255 51 0"), wanted);
+  EXPECT_EQ(color(named("uint8", {"alpha", "blue", "green", "red"}), "9 0 51 255"), wanted);
+  EXPECT_EQ(color(named("float", {"red", "green", "blue", "alpha"}), "1 0.2 0 0.5"), wanted);
+  EXPECT_EQ(color(named("float", {"r", "g", "b"}), "7.5 0.2 -1"), wanted) << "what is beyond is clamped";
+  EXPECT_EQ(color(named("ushort", {"red", "green", "blue"}), "65535 13107 0"), wanted);
+  EXPECT_EQ(color(named("int", {"red", "green", "blue"}), "255 51 0"), wanted);
+  EXPECT_EQ(color(named("uchar", {"diffuse_red", "diffuse_green", "diffuse_blue"}), "255 51 0"), wanted);
+}
+
+TEST(ImportPly, colours_are_the_same_from_memory_from_a_stream_and_from_the_file_in_place) {
+  for (const bool big : {false, true}) {
+    std::string bytes =
+        std::string("ply\nformat binary_") + (big ? "big" : "little") +
+        "_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "property ushort red\nproperty ushort green\nproperty ushort blue\n"
+        "element face 1\nproperty list uint8 uint32 vertex_index\nend_header\n";
+    for (int i = 0; i < 4; ++i) {
+      for (const float value : {static_cast<float>(i % 2), static_cast<float>(i / 2), 0.0f})
+        append(bytes, value, big);
+      for (const int channel : {20000 * i, 65535 - 9000 * i, 257 * i})
+        append(bytes, static_cast<uint16_t>(channel), big);
+    }
+    append(bytes, uint8_t{4}, big);
+    for (const uint32_t i : {0u, 1u, 3u, 2u}) append(bytes, i, big);
+    const auto read = [](const Model& model) {
+      std::vector<CornerTriangle> all;
+      read_mesh(model.meshes.at(0), [&](std::span<const CornerTriangle> batch) {
+        all.insert(all.end(), batch.begin(), batch.end());
+      });
+      return all;
+    };
+    const Model held = import_text("a.ply", bytes),
+                streamed = import_text("b.ply", bytes, {.stream_above = 0}),
+                stored = import_text("c.ply", bytes, {.held_bytes = 0});
+    EXPECT_TRUE(held.meshes[0].has_colors() && streamed.meshes[0].has_colors() &&
+                stored.meshes[0].has_colors());
+    EXPECT_FALSE(held.meshes[0].stream);
+    EXPECT_TRUE(streamed.meshes[0].stream && stored.meshes[0].stream);
+    EXPECT_EQ(read(held), read(streamed));
+    EXPECT_EQ(read(held), read(stored));
+    EXPECT_EQ(read(held)[0].colors[1], (VertexColor{78, 220, 1, 255}));
   }
 }
 

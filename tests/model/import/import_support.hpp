@@ -35,8 +35,9 @@ inline std::filesystem::path empty_folder(const std::string& name) {
   return folder;
 }
 
-inline Model import_text(const std::string& name, std::string_view contents) {
-  return import_model({write_model(name, contents)});
+inline Model import_text(const std::string& name, std::string_view contents,
+                         const ImportOptions& options = {}) {
+  return import_model({write_model(name, contents)}, options);
 }
 
 /// What the error says behind the file's name; empty if there is none.

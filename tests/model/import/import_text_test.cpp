@@ -2,6 +2,7 @@
 #include "import_support.hpp"
 #include "model/import/beside.hpp"
 #include "model/import/import_reader.hpp"
+#include "model/read_mesh.hpp"
 
 #include <cmath>
 
@@ -87,6 +88,33 @@ TEST(ImportText, a_colour_that_cannot_be_read_loses_no_file) {
   write_model("bad.mtl", "newmtl a\nKd red\nnewmtl b\nKd 0 0 1\n");
   const Model model = import_text("a.obj", "mtllib bad.mtl\n" + square + "usemtl a\nf 1 2 3\n");
   EXPECT_TRUE(warns(model, "colours without three numbers"));
+}
+
+TEST(ImportText, colours_behind_the_vertices_of_an_obj_are_read) {
+  const Model model = import_text("a.obj",
+                                  "v 0 0 0 1 0.5 0\nv 1 0 0 1.0 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\n"
+                                  "f 1 2 3\nf 1 3 4\no plain\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 5 6 7\n");
+  ASSERT_EQ(model.meshes.size(), 2u);
+  EXPECT_EQ(model.meshes[0].colors,
+            (std::vector<VertexColor>{{255, 128, 0, 255}, {255, 0, 0, 255}, {0, 0, 255, 255}, {}}))
+      << "a fourth number before the colour is a weight, and a vertex may have none";
+  EXPECT_TRUE(model.meshes[1].colors.empty());
+  EXPECT_TRUE(model.report.warnings.empty());
+}
+
+TEST(ImportText, an_obj_with_colours_is_the_same_in_memory_and_as_a_stream) {
+  const std::string text = "v 0 0 0\nv 1 0 0 0.1 0.2 0.3\nv 1 1 0 1 1 1\nv 0 1 0 nan 0 0\nf 1 2 3\nf 1 3 4\n";
+  const auto read = [](const Model& model) {
+    std::vector<CornerTriangle> all;
+    read_mesh(model.meshes.at(0), [&](std::span<const CornerTriangle> batch) {
+      all.insert(all.end(), batch.begin(), batch.end());
+    });
+    return all;
+  };
+  const Model held = import_text("a.obj", text), streamed = import_text("a.obj", text, {.max_in_memory = 0});
+  EXPECT_TRUE(streamed.meshes[0].stream);
+  EXPECT_EQ(read(held), read(streamed));
+  EXPECT_FALSE(is_colored(read(held)[1].colors[2])) << "no number is no colour";
 }
 
 }  // namespace
