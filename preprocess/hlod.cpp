@@ -18,30 +18,36 @@ uint32_t Baker::place(const glm::ivec3& point, const LeafSpan& span) {
   return found->second;
 }
 
-void Baker::add_triangle(const Triangle& triangle) {
+/// Of triangles that are equal the first one stays, and says which object it is.
+void Baker::add_triangle(const Triangle& triangle, std::span<const SourceObjectId> objects, size_t index) {
   std::array<uint32_t, 3> turned = triangle.vertices;
   std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-  if (triangles_.insert(turned).second) baked_.surface.triangles.push_back(triangle);
+  if (!triangles_.insert(turned).second) return;
+  baked_.surface.triangles.push_back(triangle);
+  if (!objects.empty()) baked_.objects.push_back(objects[index]);
 }
 
-void Baker::add(const Surface& surface, std::span<const LeafSpan> spans) {
+void Baker::add(const Surface& surface, std::span<const LeafSpan> spans,
+                std::span<const SourceObjectId> objects) {
   std::vector<uint32_t> placed;
   for (size_t i = 0; i < surface.points.size(); ++i) placed.push_back(place(surface.points[i], spans[i]));
-  for (Triangle triangle : surface.triangles) {
+  for (size_t i = 0; i < surface.triangles.size(); ++i) {
+    Triangle triangle = surface.triangles[i];
     for (uint32_t& vertex : triangle.vertices) vertex = placed[vertex];
-    add_triangle(triangle);
+    add_triangle(triangle, objects, i);
   }
 }
 
 void Baker::add(const Surface& surface, const Lattice& from, const Affine& transform,
-                std::span<const LeafSpan> spans) {
+                std::span<const LeafSpan> spans, std::span<const SourceObjectId> objects) {
   moved_ = std::max(moved_, std::sqrt(3.0) / 2 * (1 + 1e-9));
   std::vector<glm::ivec3> points;
   for (const glm::ivec3& point : surface.points) {
     points.push_back(lattice_.nearest(transform * glm::dvec4(from.position(point), 1)));
   }
   const bool mirrors = rules_.mirrors_flip_winding && glm::determinant(glm::dmat3(transform)) < 0;
-  for (Triangle triangle : surface.triangles) {
+  for (size_t index = 0; index < surface.triangles.size(); ++index) {
+    Triangle triangle = surface.triangles[index];
     if (mirrors) std::swap(triangle.vertices[1], triangle.vertices[2]);
     std::array<glm::ivec3, 3> corners;
     for (size_t i = 0; i < 3; ++i) corners[i] = points[triangle.vertices[i]];
@@ -50,7 +56,7 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
       moved_ = std::max(moved_, std::sqrt(3.0) / 2 + 1 + 1e-9);
     }
     for (size_t i = 0; i < 3; ++i) triangle.vertices[i] = place(corners[i], spans[triangle.vertices[i]]);
-    add_triangle(triangle);
+    add_triangle(triangle, objects, index);
   }
 }
 

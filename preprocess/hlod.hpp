@@ -6,6 +6,7 @@
 #include "preprocess/part.hpp"
 #include "preprocess/pieces.hpp"
 #include "scene/lattice.hpp"
+#include "scene/source_objects.hpp"
 #include "simplify/key_hash.hpp"
 #include "simplify/simplify.hpp"
 #include "simplify/surface.hpp"
@@ -34,29 +35,34 @@ struct Baked {
   Surface surface;
   std::vector<LeafSpan> spans;  ///< for each point
   double error = 0;             ///< proven bound of the two-sided distance to the source, model units
+  /// For each triangle its source object, counted as the hierarchy does; empty where the model has none.
+  std::vector<SourceObjectId> objects = {};
 };
 
 template <>
-inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked::spans, &Baked::error);
+inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked::spans, &Baked::error,
+                                                         &Baked::objects);
 
 /// Collects surfaces into one: equal points and equal triangles are merged.
 class Baker {
  public:
   Baker(const Lattice& lattice, const BuildRules& rules) : lattice_(lattice), rules_(rules) {}
-  /// Adds geometry that is on the model's lattice already.
-  void add(const Surface& surface, std::span<const LeafSpan> spans);
+  /// Adds geometry that is on the model's lattice already. `objects`: of each triangle the source object, or
+  /// empty for a model that has none.
+  void add(const Surface& surface, std::span<const LeafSpan> spans,
+           std::span<const SourceObjectId> objects = {});
   /// Adds geometry on the lattice of its mesh, under a transform: each position is rounded to the model's
   /// lattice. Where that leaves a triangle without area, its corners move by one more step, so that no
   /// triangle is lost.
   void add(const Surface& surface, const Lattice& from, const Affine& transform,
-           std::span<const LeafSpan> spans);
+           std::span<const LeafSpan> spans, std::span<const SourceObjectId> objects = {});
   /// What was collected. `error`: the bound of what was added; the result's bound also has how far it was
   /// moved.
   Baked finish(double error);
 
  private:
   uint32_t place(const glm::ivec3& point, const LeafSpan& span);
-  void add_triangle(const Triangle& triangle);
+  void add_triangle(const Triangle& triangle, std::span<const SourceObjectId> objects, size_t index);
 
   const Lattice& lattice_;
   const BuildRules& rules_;

@@ -77,7 +77,7 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
   chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
 }
 
-void PackWriter::finish(StoredSkeleton skeleton) {
+void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> objects) {
   skeleton.surrounding.chunks = std::move(chunks_);
   std::vector<PackSection> table = {{.type = geometry_type,
                                      .version = geometry_version,
@@ -101,6 +101,10 @@ void PackWriter::finish(StoredSkeleton skeleton) {
   const bool instanced = !skeleton.instances.empty();
   if (instanced) {
     add_section(sub_hierarchies_type, [&](const auto& write) { write(encode_sub_hierarchies(skeleton)); });
+  }
+  if (!objects.empty()) {
+    add_section(objects_type, [&](const auto& write) { write(objects); });
+    table.back().version = objects_version;
   }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,
