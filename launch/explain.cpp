@@ -143,8 +143,9 @@ void explain_objects(const PackObjects& objects, const Skeleton& skeleton, Drawa
   if (hit) {
     const SourceObjectId object = objects.object_at(drawable, hit->placement, hit->triangle);
     if (object != no_id) shown = {object};
+  } else {
+    shown = objects.objects_below(node);
   }
-  if (shown.empty()) shown = objects.objects_below(node);
   if (shown.empty()) fmt::print("  it belongs to no object that the model's files name\n");
   if (shown.size() > 1) fmt::print("  it shows {} objects:\n", in_threes(static_cast<double>(shown.size())));
   for (size_t i = 0; i < std::min(most, shown.size()); ++i) fmt::print("{}", object_text(objects, shown[i]));

@@ -70,8 +70,7 @@ struct SourceObjects {
   bool empty() const { return objects.empty(); }
   std::span<const uint32_t> sets_of(SourceObjectId object) const;
   std::span<const SourceProperty> properties_of(uint32_t set) const;
-  /// The names of the objects that it is in, from the outermost: "Hall / Roof". Empty if it is in none; of
-  /// very many the nearest ones.
+  /// The names of the objects that it is in, from the outermost: "Hall / Roof". Empty if it is in none.
   std::string path_of(SourceObjectId object) const;
 };
 
