@@ -2,9 +2,11 @@
 #include "base/progress.hpp"
 #include "launch/command.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/object_report.hpp"
 #include "launch/text_table.hpp"
 #include "measure/explanation.hpp"
 #include "measure/json.hpp"
+#include "measure/pixel_hit.hpp"
 #include "scene/pack.hpp"
 
 #include <cmath>
@@ -130,8 +132,31 @@ void print(const DrawableExplanation& explanation, double pixel_error) {
   fmt::print("{}", fate_text(explanation, pixel_error));
 }
 
+/// Prints and reports the objects that a drawable shows: the one at the pixel, where there is a pixel that
+/// says which, or all of them.
+void explain_objects(const PackObjects& objects, const Skeleton& skeleton, DrawableId drawable,
+                     std::optional<PixelHit> hit, nlohmann::json& report) {
+  constexpr size_t most = 8;
+  if (objects.source().empty()) return;
+  const SceneNodeId node = skeleton.drawables[drawable].scene_node;
+  std::vector<SourceObjectId> shown;
+  if (hit) {
+    const SourceObjectId object = objects.object_at(drawable, hit->placement, hit->triangle);
+    if (object != no_id) shown = {object};
+  } else {
+    shown = objects.objects_below(node);
+  }
+  if (shown.empty()) fmt::print("  it belongs to no object that the model's files name\n");
+  if (shown.size() > 1) fmt::print("  it shows {} objects:\n", in_threes(static_cast<double>(shown.size())));
+  for (size_t i = 0; i < std::min(most, shown.size()); ++i) fmt::print("{}", object_text(objects, shown[i]));
+  if (shown.size() > most) fmt::print("  and {} more objects\n", shown.size() - most);
+  nlohmann::json& list = report["objects"] = nlohmann::json::array();
+  for (const SourceObjectId object : shown) list.push_back(to_json(objects, object));
+}
+
 int run(const ExplainCommand& command) {
   const Pack pack(command.run.pack);
+  const PackObjects objects = pack.read_objects();
   const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   if (command.frame >= frames.size()) {
     fail(command.run.path.string(), "has no frame {}: it has {}", command.frame, frames.size());
@@ -155,12 +180,16 @@ int run(const ExplainCommand& command) {
       const DrawableExplanation explanation = explainer.explain(*owner);
       print(explanation, command.run.pixel_error());
       report["pixel"] = to_json(explanation);
+      const View& view = frames[command.frame].state.view;
+      explain_objects(objects, pack.skeleton(), *owner,
+                      hit_at(pack, *owner, view, command.pixel[0], command.pixel[1]), report["pixel"]);
     }
   }
   if (command.drawable) {
     const DrawableExplanation explanation = explainer.explain(*command.drawable);
     print(explanation, command.run.pixel_error());
     report["drawable"] = to_json(explanation);
+    explain_objects(objects, pack.skeleton(), *command.drawable, std::nullopt, report["drawable"]);
   }
   add_device(report, device.names);
   write_json(command.run.json, report);

@@ -162,6 +162,10 @@ json nodes_of(const aiScene& scene, const Layout& layout, const glm::dmat3& to_m
     const auto [node, index] = open.back();
     open.pop_back();
     json entry = {{"matrix", matrix_of(node->mTransformation, place)}};
+    const std::string name(node->mName.C_Str());
+    // Assimp makes names up for its own root and for nodes that FBX does not have.
+    const bool own = node != scene.mRootNode && name.find("_$AssimpFbx$_") == std::string::npos;
+    if (own && !name.empty()) entry["name"] = name;
     json children = json::array();
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
       if (node->mMeshes[i] >= layout.mesh_of.size()) fail(place, "names a mesh that is not there");

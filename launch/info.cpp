@@ -1,5 +1,6 @@
 #include "base/one_line.hpp"
 #include "launch/command.hpp"
+#include "launch/object_report.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
@@ -82,28 +83,58 @@ std::string in_words(const nlohmann::json& value) {
   return words;
 }
 
-int run(const std::filesystem::path& file, const std::filesystem::path& json) {
-  const Pack pack(file);
-  const nlohmann::json description = describe(pack);
+struct InfoCommand {
+  std::filesystem::path file, json;
+  bool objects = false;
+  std::string find;
+};
+
+void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description) {
+  const PackObjects objects = pack.read_objects();
+  const std::vector<SourceObjectId> found = find_objects(objects.source(), find);
+  fmt::print("{} objects", in_threes(static_cast<double>(objects.source().objects.size())));
+  if (!find.empty())
+    fmt::print(", {} with \"{}\"", in_threes(static_cast<double>(found.size())), one_line(find));
+  fmt::print("\n");
+  if (!found.empty()) fmt::print("\n{}", object_table(objects, found));
+  description["source_object_count"] = objects.source().objects.size();
+  nlohmann::json& list = description["source_objects"] = nlohmann::json::array();
+  for (const SourceObjectId id : found) list.push_back(to_json(objects, id));
+}
+
+int run(const InfoCommand& command) {
+  const Pack pack(command.file);
+  nlohmann::json description = describe(pack);
+  if (command.objects) {
+    list_objects(pack, command.find, description);
+    write_json(command.json, description);
+    return 0;
+  }
   for (const auto& [key, value] : description.items()) {
     if (key != "hierarchy" && key != "objects") fmt::print("{:<17} {}\n", key, in_words(value));
   }
   print_objects(pack.skeleton());
   print_hierarchy(pack.skeleton());
-  write_json(json, description);
+  write_json(command.json, description);
   return 0;
 }
 
 }  // namespace
 
 void add_info(CLI::App& app, Action& action) {
-  auto file = std::make_shared<std::filesystem::path>();
-  auto json = std::make_shared<std::filesystem::path>();
+  auto command = std::make_shared<InfoCommand>();
   CLI::App* sub = app.add_subcommand("info", "Print what is in a pack");
   sub->footer("Example: triptych info scene.tpk");
-  add_common_flags(*sub, *json);
-  sub->add_option("pack", *file, "The pack")->required()->type_name("FILE.tpk");
-  sub->callback([=, &action] { action = [=] { return run(*file, *json); }; });
+  add_common_flags(*sub, command->json);
+  sub->add_option("pack", command->file, "The pack")->required()->type_name("FILE.tpk");
+  CLI::Option* objects = sub->add_flag("--objects", command->objects,
+                                       "The objects of the model's files: names, kinds, layers, storeys, "
+                                       "GUIDs, and how many scene nodes show them");
+  sub->add_option("--find", command->find,
+                  "Only objects that have this text in one of these, or in the value of a property")
+      ->needs(objects)
+      ->type_name("TEXT");
+  sub->callback([=, &action] { action = [=] { return run(*command); }; });
 }
 
 }  // namespace triptych

@@ -11,10 +11,12 @@ Model flattened(Model model) {
     open.pop_back();
     const Group& group = model.groups[placed.group];
     for (const Instance& instance : group.instances)
-      model.instances.push_back({instance.mesh, placed.transform * glm::dmat4(instance.transform)});
+      model.instances.push_back({instance.mesh, placed.transform * glm::dmat4(instance.transform),
+                                 object_in(placed.first_object, instance.object)});
     for (size_t i = group.groups.size(); i-- > 0;) {
       const GroupInstance& inner = group.groups[i];
-      open.push_back({inner.group, placed.transform * glm::dmat4(inner.transform)});
+      open.push_back({inner.group, placed.transform * glm::dmat4(inner.transform),
+                      object_in(placed.first_object, inner.first_object)});
     }
   }
   model.groups.clear();

@@ -1,9 +1,11 @@
-// A model as the user gives it: meshes, instances of them, materials. Positions and transforms are in double.
+// A model as the user gives it: meshes, instances of them, materials, names and properties. Positions and
+// transforms are in double.
 #pragma once
 
 #include "model/mesh_stream.hpp"
 #include "scene/affine.hpp"
 #include "scene/import_report.hpp"
+#include "scene/source_objects.hpp"
 
 #include <array>
 #include <cstdint>
@@ -47,13 +49,26 @@ struct Mesh {
 
 /// One placement of a mesh in the model.
 struct Instance {
+  Instance() = default;
+  Instance(uint32_t of_mesh, const Affine& placed, SourceObjectId of_object = no_id)
+      : mesh(of_mesh), object(of_object), transform(placed) {}
+
   uint32_t mesh = 0;
+  /// Index into SourceObjects::objects; in a group counted from GroupInstance::first_object. no_id: of none.
+  SourceObjectId object = no_id;
   Affine transform{1};
 };
 
 /// One placement of a group, in the model or in another group.
 struct GroupInstance {
+  GroupInstance() = default;
+  GroupInstance(uint32_t of_group, const Affine& placed, SourceObjectId first = no_id)
+      : group(of_group), first_object(first), transform(placed) {}
+
   uint32_t group = 0;
+  /// What the objects of all that is in the group count from, in another group again from what that one
+  /// counts from: each placement has its own. no_id: what is in it belongs to none.
+  SourceObjectId first_object = no_id;
   Affine transform{1};  ///< the group's space to that of what it is placed in
 };
 
@@ -70,6 +85,7 @@ struct Model {
   /// What repeats, stored once; empty for most models, which are lists of instances. See model/flatten.hpp.
   std::vector<Group> groups;
   std::vector<GroupInstance> group_instances;
+  SourceObjects source_objects;  ///< empty for models without names
   /// What was or will be read: the model files, and the buffers and material libraries that they name. What
   /// triptych-import opens beside a file is not among them.
   std::vector<std::filesystem::path> files;

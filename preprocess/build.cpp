@@ -7,6 +7,7 @@
 #include "base/rounding.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_work.hpp"
+#include "preprocess/encode_objects.hpp"
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
 #include "preprocess/parts.hpp"
@@ -75,6 +76,44 @@ struct Hierarchies {
       instances.push_back({i, numbers[inner.hierarchy], inner.transform, placed.stretches[inner.transform]});
     }
     return instances;
+  }
+
+  /// Which placements of one hierarchy belong to which source object; the same numbers of local scene nodes
+  /// and instances as in the pack.
+  HierarchyObjects objects_in(size_t hierarchy, const PlacedParts& placed) const {
+    HierarchyObjects found;
+    std::vector<ObjectRun> runs;
+    DrawableId first_drawable = 0;
+    for (uint32_t i = 0; i < nodes[hierarchy].size(); ++i) {
+      const HierarchyNode& node = nodes[hierarchy][i];
+      const NodeContent& content = drawables[hierarchy].contents[i];
+      for (uint32_t k = 0; k < content.triangle_objects.size(); ++k)
+        found.add_drawable(first_drawable + k, content.triangle_objects[k]);
+      first_drawable += static_cast<DrawableId>(content.drawables.size());
+      if (const uint32_t inner = sub_hierarchy_of(node, objects[hierarchy]); inner != no_id)
+        found.instances.push_back(placed.sub_hierarchies[inner].first_object);
+      if (node.child_count > 0 || node.object >= objects[hierarchy].members.size()) continue;
+      runs.clear();
+      for (const uint32_t member : objects[hierarchy].members[node.object]) {  // each is a placement
+        const SourceObjectId object = placed.objects[placed.placed[member].instance];
+        if (runs.empty() || runs.back().object != object) runs.push_back({0, object});
+        ++runs.back().placements;
+      }
+      const bool any = std::any_of(runs.begin(), runs.end(), [](auto& run) { return run.object != no_id; });
+      if (any) found.add_leaf(i, runs);
+    }
+    return found;
+  }
+
+  /// The section OBJS; empty for a model without objects. Before move_to().
+  std::vector<std::byte> encoded_objects(SourceObjects source, const Parts& parts) const {
+    if (source.empty()) return {};
+    StoredObjects stored{std::move(source), {}};
+    stored.hierarchies.push_back(objects_in(nodes.size() - 1, parts.hierarchies.back()));
+    for (size_t i = 0; i + 1 < nodes.size(); ++i) {
+      if (!nodes[i].empty()) stored.hierarchies.push_back(objects_in(i, parts.hierarchies[i]));
+    }
+    return encode_objects(stored);
   }
 
   /// Moves the skeleton's content from here and from the parts into it.
@@ -173,6 +212,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   }
   stage("weld and partition",
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });
+  SourceObjects source_objects = std::move(model.source_objects);
   model = {};
   stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });
   stage("hierarchy", [&] { hierarchies.make_nodes(options.hierarchy); });
@@ -182,6 +222,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   stage("write", [&] {
     for (std::string& warning : skeleton.import.warnings) warning = without_folders(warning, files);
     levels = {};
+    const std::vector<std::byte> objects = hierarchies.encoded_objects(std::move(source_objects), parts);
     hierarchies.move_to(stored, parts);
     parts = {};
     hierarchies = {};
@@ -189,7 +230,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     report.placed_triangles = skeleton.placed_triangles;
     describe_tree(stored, file, report);
     report.import = skeleton.import;
-    work.pack().finish(std::move(stored));
+    work.pack().finish(std::move(stored), objects);
   });
   report.pack_bytes = std::filesystem::file_size(file);
   return report;

@@ -25,7 +25,9 @@ CornerColors Baker::colors_of(const Triangle& triangle) const {
   return {color, color, color};
 }
 
-void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors) {
+/// Of triangles that are equal the first one stays, and says which object it is.
+void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors,
+                         std::span<const SourceObjectId> objects, size_t index) {
   std::array<uint32_t, 3> turned = triangle.vertices;
   std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
   if (!triangles_.insert(turned).second) return;
@@ -36,20 +38,22 @@ void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors) {
   const bool colored = colors || !surface.colors.empty();
   surface.triangles.push_back(triangle);
   if (colored) surface.colors.push_back(colors ? *colors : colors_of(triangle));
+  if (!objects.empty()) baked_.objects.push_back(objects[index]);
 }
 
-void Baker::add(const Surface& surface, std::span<const LeafSpan> spans) {
+void Baker::add(const Surface& surface, std::span<const LeafSpan> spans,
+                std::span<const SourceObjectId> objects) {
   std::vector<uint32_t> placed;
   for (size_t i = 0; i < surface.points.size(); ++i) placed.push_back(place(surface.points[i], spans[i]));
   for (size_t t = 0; t < surface.triangles.size(); ++t) {
     Triangle triangle = surface.triangles[t];
     for (uint32_t& vertex : triangle.vertices) vertex = placed[vertex];
-    add_triangle(triangle, surface.colors.empty() ? nullptr : &surface.colors[t]);
+    add_triangle(triangle, surface.colors.empty() ? nullptr : &surface.colors[t], objects, t);
   }
 }
 
 void Baker::add(const Surface& surface, const Lattice& from, const Affine& transform,
-                std::span<const LeafSpan> spans) {
+                std::span<const LeafSpan> spans, std::span<const SourceObjectId> objects) {
   moved_ = std::max(moved_, std::sqrt(3.0) / 2 * (1 + 1e-9));
   std::vector<glm::ivec3> points;
   for (const glm::ivec3& point : surface.points) {
@@ -70,7 +74,7 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
       moved_ = std::max(moved_, std::sqrt(3.0) / 2 + 1 + 1e-9);
     }
     for (size_t i = 0; i < 3; ++i) triangle.vertices[i] = place(corners[i], spans[triangle.vertices[i]]);
-    add_triangle(triangle, surface.colors.empty() ? nullptr : &colors);
+    add_triangle(triangle, surface.colors.empty() ? nullptr : &colors, objects, t);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "preprocess/part.hpp"
 #include "preprocess/pieces.hpp"
 #include "scene/lattice.hpp"
+#include "scene/source_objects.hpp"
 #include "simplify/key_hash.hpp"
 #include "simplify/simplify.hpp"
 #include "simplify/surface.hpp"
@@ -34,10 +35,13 @@ struct Baked {
   Surface surface;
   std::vector<LeafSpan> spans;  ///< for each point
   double error = 0;             ///< proven bound of the two-sided distance to the source, model units
+  /// For each triangle its source object, counted as the hierarchy does; empty where the model has none.
+  std::vector<SourceObjectId> objects = {};
 };
 
 template <>
-inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked::spans, &Baked::error);
+inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked::spans, &Baked::error,
+                                                         &Baked::objects);
 
 /// Collects surfaces into one: equal points and equal triangles are merged.
 class Baker {
@@ -45,20 +49,23 @@ class Baker {
   /// palette: of the surfaces' materials; what has no colours of corners gets those, beside surfaces that do.
   Baker(const Lattice& lattice, std::span<const VertexColor> palette, const BuildRules& rules)
       : lattice_(lattice), palette_(palette), rules_(rules) {}
-  /// Adds geometry that is on the model's lattice already.
-  void add(const Surface& surface, std::span<const LeafSpan> spans);
+  /// Adds geometry that is on the model's lattice already. `objects`: of each triangle the source object, or
+  /// empty for a model that has none.
+  void add(const Surface& surface, std::span<const LeafSpan> spans,
+           std::span<const SourceObjectId> objects = {});
   /// Adds geometry on the lattice of its mesh, under a transform: each position is rounded to the model's
   /// lattice. Where that leaves a triangle without area, its corners move by one more step, so that no
   /// triangle is lost.
   void add(const Surface& surface, const Lattice& from, const Affine& transform,
-           std::span<const LeafSpan> spans);
+           std::span<const LeafSpan> spans, std::span<const SourceObjectId> objects = {});
   /// What was collected. `error`: the bound of what was added; the result's bound also has how far it was
   /// moved.
   Baked finish(double error);
 
  private:
   uint32_t place(const glm::ivec3& point, const LeafSpan& span);
-  void add_triangle(const Triangle& triangle, const CornerColors* colors);
+  void add_triangle(const Triangle& triangle, const CornerColors* colors, std::span<const SourceObjectId> objects,
+                    size_t index);
   CornerColors colors_of(const Triangle& triangle) const;
 
   const Lattice& lattice_;

@@ -3,6 +3,7 @@
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "preprocess/hlod.hpp"
+#include "preprocess/triangle_objects.hpp"
 
 #include <algorithm>
 
@@ -18,6 +19,7 @@ struct HlodFigures {
   std::vector<double> errors;  ///< of each drawable
   double coarsest_error = 0;   ///< of the geometry that its parent begins with
   bool stuck = false;
+  std::vector<std::vector<std::byte>> objects;  ///< NodeContent::triangle_objects
 };
 
 struct RootFigures {
@@ -37,7 +39,7 @@ struct Coarsest {
 template <>
 inline constexpr auto record_members<HlodFigures> = std::tuple(&HlodFigures::errors,
                                                                &HlodFigures::coarsest_error,
-                                                               &HlodFigures::stuck);
+                                                               &HlodFigures::stuck, &HlodFigures::objects);
 template <>
 inline constexpr auto record_members<RootFigures> = std::tuple(&RootFigures::error);
 
@@ -230,12 +232,16 @@ class NodeDrawables {
   }
 
   UnitResult simplify_children(uint32_t node) const {
-    Hlod hlod = make_hlod(bake_children(node), nodes_[node].first_place, nodes_[node].end_place, lattice_,
+    Baked children = bake_children(node);
+    const TriangleObjects objects(children);
+    Hlod hlod = make_hlod(std::move(children), nodes_[node].first_place, nodes_[node].end_place, lattice_,
                           options_.hlod_triangles, options_.simplify, options_.in_pieces());
-    HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck};
+    hlod.coarsest.objects = objects.of(hlod.coarsest.surface);
+    HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck, {}};
     UnitResult result;
     for (HlodDrawable& drawable : hlod.drawables) {
       figures.errors.push_back(drawable.error);
+      if (parts_.has_objects) figures.objects.push_back(objects.encoded(drawable.chunk));
       result.chunks.push_back({std::move(drawable.chunk), placed_.lattice});
     }
     result.geometry.push_back(record_bytes(hlod.coarsest));
@@ -259,11 +265,14 @@ class NodeDrawables {
     if (is_leaf_of_parts(node)) return bake_leaf(node, baker);
     const auto baked = load<Baked>(work_.surfaces(), coarsest_[node].baked);
     if (nodes_[node].child_count > 0) {
-      baker.add(baked.surface, baked.spans);
+      baker.add(baked.surface, baked.spans, baked.objects);
     } else {
       const PlannedSubHierarchy& placed = placed_.sub_hierarchies[stands_for(node)];
       const std::vector<LeafSpan> none(baked.surface.points.size());
-      baker.add(baked.surface, lattice_of(placed), placed_.transforms[placed.transform], none);
+      std::vector<SourceObjectId> objects;
+      for (const SourceObjectId local : baked.objects)
+        objects.push_back(object_in(placed.first_object, local));
+      baker.add(baked.surface, lattice_of(placed), placed_.transforms[placed.transform], none, objects);
     }
   }
 
@@ -277,18 +286,20 @@ class NodeDrawables {
       std::vector<LeafSpan> spans(part.surface.points.size());
       const std::vector<LeafSpan> known = load_spans(members[i]);
       for (const BorderPoint& border : part.borders) spans[border.point] = known[border.number];
+      std::vector<SourceObjectId> objects;
+      if (parts_.has_objects) objects.assign(part.surface.triangles.size(), placed_.objects[placed.instance]);
       if (placed.transform == 0) {
-        baker.add(part.surface, spans);
+        baker.add(part.surface, spans, objects);
       } else {
         const Lattice& lattice = parts_.lattices[parts_.parts[placed.part].lattice];
-        baker.add(part.surface, lattice, placed_.transforms[placed.transform], spans);
+        baker.add(part.surface, lattice, placed_.transforms[placed.transform], spans, objects);
       }
     }
   }
 
   void take(uint32_t node, const StoredUnit& stored) {
     NodeContent& content = contents[node];
-    const auto figures = stored.figures_as<HlodFigures>();
+    auto figures = stored.figures_as<HlodFigures>();
     stuck += figures.stuck;
     coarsest_[node].error = figures.coarsest_error;
     coarsest_[node].baked = stored.geometry.at(0);
@@ -300,6 +311,7 @@ class NodeDrawables {
       content.drawables.push_back(drawable);
       content.box.extend(stored.chunks[i].box);
     }
+    content.triangle_objects = std::move(figures.objects);
     double children = 0;  // the largest error of one
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {

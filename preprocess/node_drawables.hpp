@@ -17,6 +17,9 @@ struct NodeContent {
   LatticeBox box;
   std::vector<Drawable> drawables;    ///< first_placement: in `placements`
   std::vector<Placement> placements;  ///< of all drawables
+  /// Of an inner node, for each drawable the source objects of its triangles
+  /// (preprocess/triangle_objects.hpp); empty where the model has none.
+  std::vector<std::vector<std::byte>> triangle_objects;
 };
 
 /// What a hierarchy looks like from those that it is placed in.

@@ -78,7 +78,7 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
   chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
 }
 
-void PackWriter::finish(StoredSkeleton skeleton) {
+void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> objects) {
   skeleton.surrounding.chunks = std::move(chunks_);
   const auto& effects = skeleton.surrounding.effects;
   const bool colored = std::count(effects.begin(), effects.end(), vertex_colors_effect) > 0;
@@ -104,6 +104,10 @@ void PackWriter::finish(StoredSkeleton skeleton) {
   const bool instanced = !skeleton.instances.empty();
   if (instanced) {
     add_section(sub_hierarchies_type, [&](const auto& write) { write(encode_sub_hierarchies(skeleton)); });
+  }
+  if (!objects.empty()) {
+    add_section(objects_type, [&](const auto& write) { write(objects); });
+    table.back().version = objects_version;
   }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,

@@ -51,8 +51,9 @@ class PackWriter {
   /// Makes sure that what was added survives the end of the process. Returns what another process can keep.
   Kept flush();
   /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place. Without
-  /// instances the pack has the format version without sub-hierarchies.
-  void finish(StoredSkeleton skeleton);
+  /// instances the pack has the format version without sub-hierarchies. `objects`: the section OBJS
+  /// (preprocess/encode_objects.hpp); the pack has none if it is empty.
+  void finish(StoredSkeleton skeleton, std::span<const std::byte> objects = {});
   void finish(Skeleton skeleton) { finish(StoredSkeleton{std::move(skeleton), {}, {}}); }
 
  private:

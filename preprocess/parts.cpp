@@ -267,6 +267,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
     parts.hierarchies.push_back({.placed = {},
                                  .boxes = {},
                                  .border_counts = {},
+                                 .objects = {},
                                  .transforms = std::move(planned.transforms),
                                  .stretches = std::move(planned.stretches),
                                  .sub_hierarchies = std::move(planned.sub_hierarchies),
@@ -276,11 +277,13 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   }
   std::vector<uint32_t> ordinals(plan.meshes.size(), 0);  // of the next instance of each mesh
   uint64_t placed_instances = 0;
-  for (const PlannedInstance& instance : plan.instances) {
+  for (size_t i = 0; i < plan.instances.size(); ++i) {
+    const PlannedInstance& instance = plan.instances[i];
     PlacedParts& hierarchy = parts.hierarchies[instance.hierarchy];
     const auto number = static_cast<uint32_t>(hierarchy.border_counts.size());
     const uint32_t ordinal = ordinals[instance.mesh]++;
     hierarchy.border_counts.push_back(maker.border_counts[instance.mesh]);
+    if (!plan.objects.empty()) hierarchy.objects.push_back(plan.objects[i]);
     for (uint32_t part = first[instance.mesh]; part < first[instance.mesh + 1]; ++part) {
       hierarchy.placed.push_back({part, instance.transform, number});
       hierarchy.boxes.push_back(maker.boxes[part][ordinal]);
@@ -293,6 +296,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   parts.parts = std::move(maker.infos);
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);
+  parts.has_objects = !plan.objects.empty();
   return parts;
 }
 

@@ -40,6 +40,7 @@ struct PlacedParts {
   std::vector<PlacedPart> placed;       ///< by instance
   std::vector<LatticeBox> boxes;        ///< of each placed part, on the hierarchy's lattice
   std::vector<uint32_t> border_counts;  ///< for each instance how many border points its mesh has
+  std::vector<SourceObjectId> objects;  ///< for each instance, as BuildPlan::objects; empty as that
   std::vector<Affine> transforms;       ///< 0: the identity
   std::vector<double> stretches;        ///< for each transform its largest singular value
   std::vector<PlannedSubHierarchy> sub_hierarchies;
@@ -54,6 +55,7 @@ struct Parts {
   std::vector<PlacedParts> hierarchies;
   std::vector<Lattice> lattices;  ///< 0: the model's
   std::vector<std::array<uint8_t, 4>> palette;
+  bool has_objects = false;  ///< whether the model has source objects
 };
 
 /// Divides all meshes: a mesh, or a bucket of one, is a unit. What is dropped is added to the report. Error

@@ -67,9 +67,12 @@ class GroupPlacer {
   void inline_group(const GroupInstance& placed, HierarchyPlacements& into) const {
     const Group& group = model_.groups[placed.group];
     for (const Instance& instance : group.instances)
-      into.inlined.push_back({instance.mesh, compose(placed.transform, instance.transform)});
+      into.inlined.push_back({instance.mesh, compose(placed.transform, instance.transform),
+                              object_in(placed.first_object, instance.object)});
     for (const GroupInstance& inner : group.groups)
-      place({inner.group, compose(placed.transform, inner.transform)}, into);
+      place({inner.group, compose(placed.transform, inner.transform),
+             object_in(placed.first_object, inner.first_object)},
+            into);
   }
 
   /// From the outermost down: a group with a single place becomes part of what it is in.
@@ -103,10 +106,12 @@ class GroupPlacer {
     user.groups.erase(found);
     const HierarchyPlacements& hierarchy = hierarchies_[group];
     hierarchy.each_instance([&](const Instance& instance) {
-      user.inlined.push_back({instance.mesh, compose(placed.transform, instance.transform)});
+      user.inlined.push_back({instance.mesh, compose(placed.transform, instance.transform),
+                              object_in(placed.first_object, instance.object)});
     });
     for (const GroupInstance& inner : hierarchy.groups)
-      user.groups.push_back({inner.group, compose(placed.transform, inner.transform)});
+      user.groups.push_back({inner.group, compose(placed.transform, inner.transform),
+                             object_in(placed.first_object, inner.first_object)});
   }
 
   void drop_unused_ones() {

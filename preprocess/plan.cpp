@@ -94,7 +94,7 @@ class Planner {
       });
       for (const GroupInstance& instance : placements.groups)
         plan_.hierarchies.back().sub_hierarchies.push_back(
-            {instance.group, add_transform(instance.transform)});
+            {instance.group, add_transform(instance.transform), instance.first_object});
     }
   }
 
@@ -130,6 +130,7 @@ class Planner {
     mesh.stretch = std::max(mesh.stretch, hierarchy.stretch * hierarchy.stretches[planned.transform]);
     mesh.instances.push_back(static_cast<uint32_t>(plan_.instances.size()));
     plan_.instances.push_back(planned);
+    if (!model_.source_objects.empty()) plan_.objects.push_back(instance.object);
   }
 
   const Model& model_;

@@ -38,6 +38,8 @@ struct PlannedInstance {
 struct PlannedSubHierarchy {
   uint32_t hierarchy = 0;  ///< index into BuildPlan::hierarchies, before the one that it is in
   uint32_t transform = 0;  ///< index into the transforms of the hierarchy that it is in
+  /// What the source objects in it count from, itself counted from what those of the hierarchy count from.
+  SourceObjectId first_object = no_id;
 };
 
 struct PlannedHierarchy {
@@ -52,7 +54,9 @@ struct PlannedHierarchy {
 
 struct BuildPlan {
   std::vector<PlannedMesh> meshes;
-  std::vector<PlannedInstance> instances;     ///< by hierarchy
+  std::vector<PlannedInstance> instances;  ///< by hierarchy
+  /// For each instance its source object, counted as its hierarchy does; empty where the model has none.
+  std::vector<SourceObjectId> objects;
   std::vector<PlannedHierarchy> hierarchies;  ///< sub-hierarchies, and last the model's own
   std::vector<Lattice> lattices;              ///< 0: the model's
   std::vector<std::array<uint8_t, 4>> palette;

@@ -4,6 +4,7 @@
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "scene/expand.hpp"
+#include "scene/pack_objects.hpp"
 #include "scene/pack_skeleton.hpp"
 
 #include <string_view>
@@ -72,12 +73,16 @@ std::vector<PackSection> Pack::read_table() {
   return ByteReader(table_bytes, table_place).read_all<PackSection>(header.section_count);
 }
 
-Pack::Sections Pack::find_sections(std::span<const PackSection> table) const {
+Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
   const std::string place = name_ + ": section table";
   constexpr std::array types = {geometry_type, skeleton_type, sub_hierarchies_type};
   const auto name_of = [&](size_t type) { return std::string_view(types[type].data(), types[type].size()); };
   Sections found{};
   for (const PackSection& section : table) {  // sections of other types are left to programs that know them
+    if (section.type == objects_type) {
+      if (objects_) fail(place, "names two OBJS sections");
+      objects_ = section;
+    }
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));
@@ -108,6 +113,16 @@ std::vector<std::byte> Pack::read_section(const PackSection& section, const std:
     fail(place, "byte {}: the checksum does not match: the pack is damaged, build it again", section.offset);
   }
   return bytes;
+}
+
+PackObjects Pack::read_objects() const {
+  if (!objects_) return PackObjects(skeleton_);
+  const std::string place = name_ + ": section OBJS";
+  if (objects_->version != objects_version) {
+    fail(place, "is of version {}, this program reads {}: {}", objects_->version, objects_version,
+         objects_->version < objects_version ? "build the pack again" : "a newer program wrote it");
+  }
+  return {decode_objects(read_section(*objects_, place), place), skeleton_, place};
 }
 
 Chunk Pack::read_chunk(uint32_t chunk) const {

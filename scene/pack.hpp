@@ -10,11 +10,14 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace triptych {
+
+class PackObjects;
 
 /// An open pack: the skeleton in memory, chunks read on demand. Safe to read from several threads.
 class Pack {
@@ -27,6 +30,10 @@ class Pack {
   const Skeleton& skeleton() const { return skeleton_; }
   /// Reads, verifies and decodes one chunk. Error (file, chunk) for damage.
   Chunk read_chunk(uint32_t chunk) const;
+  /// Reads and verifies what the model's files say of the objects in it, which opening a pack does not touch.
+  /// Error (file, section, byte) for damage, or for a section of another version. Without objects: an empty
+  /// one. The pack must outlive it. scene/pack_objects.hpp has what it returns.
+  PackObjects read_objects() const;
   /// The same for all files with the same content: a hash of the skeleton and every chunk's checksum.
   uint64_t content_hash() const { return content_hash_; }
   uint64_t size() const { return size_; }
@@ -38,7 +45,7 @@ class Pack {
   using Sections = std::array<const PackSection*, 3>;
   void read();
   std::vector<PackSection> read_table();
-  Sections find_sections(std::span<const PackSection> table) const;
+  Sections find_sections(std::span<const PackSection> table);
   std::vector<std::byte> read_section(const PackSection& section, const std::string& place) const;
   std::vector<std::byte> read_bytes(uint64_t offset, uint64_t count, const std::string& place) const;
 
@@ -47,6 +54,7 @@ class Pack {
   uint32_t format_version_ = 0;
   uint64_t size_ = 0, geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
+  std::optional<PackSection> objects_;
 };
 
 }  // namespace triptych

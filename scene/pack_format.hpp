@@ -17,12 +17,15 @@ inline constexpr uint32_t instanced_pack_format_version = 3;
 
 inline constexpr std::array<char, 8> pack_magic = {'T', 'R', 'I', 'P', 'T', 'Y', 'C', 'H'};
 inline constexpr std::array<char, 4> geometry_type = {'G', 'E', 'O', 'M'};
-/// Of that section; the others are of version 1.
+/// Of that section; SKEL and SUBH are of version 1.
 inline constexpr uint32_t geometry_version = 2;
 /// Of that section where chunks may have vertex colours (Skeleton::effects names them).
 inline constexpr uint32_t colored_geometry_version = 3;
 inline constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
 inline constexpr std::array<char, 4> sub_hierarchies_type = {'S', 'U', 'B', 'H'};
+/// Only in packs of models with names. It is not read when a pack is opened.
+inline constexpr std::array<char, 4> objects_type = {'O', 'B', 'J', 'S'};
+inline constexpr uint32_t objects_version = 1;
 
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;

@@ -38,7 +38,7 @@ class ArchiveImport {
       target_.remark("the build places nothing; every object that no other one holds is drawn where it is");
       items = loose_objects(*part);
     }
-    for (const ThreeMfUse& item : items) place(root, item, to_model_);
+    for (const ThreeMfUse& item : items) place(root, item, to_model_, no_id);
   }
 
  private:
@@ -88,7 +88,7 @@ class ArchiveImport {
               return use.part.empty() && use.object == number;
             });
           });
-      if (!held) loose.push_back({"", id, Affine(1)});
+      if (!held) loose.push_back({"", id, Affine(1), "", ""});
     }
     return loose;
   }
@@ -113,7 +113,20 @@ class ArchiveImport {
     return found->second;
   }
 
-  void place(const std::string& from, const ThreeMfUse& use, const Affine& outer) {
+  /// A placement is an object where the file says more of it than a number; otherwise it belongs to the one
+  /// that it is in.
+  SourceObjectId object_of(const ThreeMfUse& use, const ThreeMfObject& object, SourceObjectId parent) {
+    const std::string& guid = use.guid.empty() ? object.guid : use.guid;
+    const std::string& part_number = use.part_number.empty() ? object.part_number : use.part_number;
+    if (object.name.empty() && guid.empty() && part_number.empty()) return parent;
+    return target_.objects().add({.name = object.name.empty() ? part_number : object.name,
+                                  .type = object.name.empty() ? "" : part_number,
+                                  .guid = guid,
+                                  .number = std::to_string(use.object)},
+                                 parent);
+  }
+
+  void place(const std::string& from, const ThreeMfUse& use, const Affine& outer, SourceObjectId parent) {
     const std::string name = use.part.empty() ? from : use.part;
     const ThreeMfPart* part = part_named(name);
     const auto found =
@@ -129,9 +142,10 @@ class ArchiveImport {
     const Affine placed = outer * glm::dmat4(use.transform);
     if (!is_usable(placed[0]) || !is_usable(placed[1]) || !is_usable(placed[2]) || !is_usable(placed[3]))
       return target_.warn("placements were dropped: their transforms are not finite");
-    if (const auto mesh = mesh_of(*part, object)) target_.add_instance(*mesh, placed);
+    const SourceObjectId source = object_of(use, object, parent);
+    if (const auto mesh = mesh_of(*part, object)) target_.add_instance(*mesh, placed, source);
     open_.push_back(&object);
-    for (const ThreeMfUse& component : object.components) place(name, component, placed);
+    for (const ThreeMfUse& component : object.components) place(name, component, placed, source);
     open_.pop_back();
   }
 

@@ -19,6 +19,7 @@ struct ThreeMfUse {
   std::string part;  ///< empty: the same one
   uint64_t object = 0;
   Affine transform{1};
+  std::string guid, part_number;  ///< where the use says them itself
 };
 
 /// Of a triangle or an object: which colour of which group; no group where there is none.
@@ -34,7 +35,7 @@ struct ThreeMfTriangle {
 };
 
 struct ThreeMfObject {
-  std::string name;
+  std::string name, guid, part_number;
   bool is_support = false;  ///< no part of what is meant ("support", "other")
   std::vector<glm::dvec3> positions;
   std::vector<ThreeMfTriangle> triangles;

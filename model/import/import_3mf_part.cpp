@@ -128,6 +128,8 @@ class PartParser {
     object_ = &part_.objects[*id];
     *object_ = {};
     object_->name = std::string(attributes.text("name"));
+    object_->guid = std::string(attributes.text("UUID"));
+    object_->part_number = std::string(attributes.text("partnumber"));
     const std::string_view type = attributes.text("type");
     object_->is_support = type == "support" || type == "other";
     if (const auto group = attributes.number("pid"))
@@ -167,7 +169,8 @@ class PartParser {
     const auto object = attributes.number("objectid");
     if (!object) return target_.warn("items without an object were skipped");
     ThreeMfUse use{std::string(attributes.text("path")), *object,
-                   transform_of(attributes.text("transform"), target_)};
+                   transform_of(attributes.text("transform"), target_), std::string(attributes.text("UUID")),
+                   std::string(attributes.text("partnumber"))};
     if (is_item && attributes.text("printable") == "0")
       target_.warn("items are marked as not to be printed; they are drawn");
     if (is_item) {

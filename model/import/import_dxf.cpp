@@ -92,13 +92,17 @@ class DrawingReader {
   /// Reads entities up to the end of a block or section, or of the file.
   void read_entities(DxfBlock& block, std::string_view end) {
     DxfSurfaces surfaces(drawing_, block, target_);
+    size_t inserts = 0;  // before the last entity: attributes belong to an insert that stands before them
     while (advance()) {
       if (record_.type == end) return;
       if (record_.type == "ENDSEC" || record_.type == "EOF" || record_.type == "SECTION") {
         kept_ = true;
         return;
       }
+      if (record_.type == "ATTRIB" && inserts < block.inserts.size())
+        block.inserts.back().attributes.emplace_back(record_.text(2), record_.text(1));
       if (record_.type == "SEQEND" || record_.type == "VERTEX" || record_.type == "ATTRIB") continue;
+      inserts = block.inserts.size();
       const DxfRecord entity = std::move(record_);
       record_ = {};
       vertices_.clear();

@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -53,6 +54,8 @@ struct DxfInsert {
   glm::dvec3 column{0}, row{0};  ///< from one copy to the next
   uint32_t columns = 1, rows = 1;
   DxfStyle style;
+  std::string handle;
+  std::vector<std::pair<std::string, std::string>> attributes;  ///< tags and values of its ATTRIBs
 };
 
 /// What a block, or the model space, holds.

@@ -168,6 +168,7 @@ void add_insert(const DxfRecord& entity, const DxfStyle& style, DxfSurfaces& sur
   insert.row = placed * glm::dvec4(0, entity.number(45), 0, 0);
   insert.columns = static_cast<uint32_t>(std::clamp<int64_t>(entity.integer(70, 1), 1, 1 << 20));
   insert.rows = static_cast<uint32_t>(std::clamp<int64_t>(entity.integer(71, 1), 1, 1 << 20));
+  insert.handle = entity.text(5);
   surfaces.block().inserts.push_back(std::move(insert));
 }
 

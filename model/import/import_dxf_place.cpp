@@ -30,7 +30,7 @@ class Placing {
 
   void run() {
     place_model_space();
-    for (const DxfInsert& insert : drawing_.model_space.inserts) place_insert(insert, to_model_, {});
+    for (const DxfInsert& insert : drawing_.model_space.inserts) place_insert(insert, to_model_, {}, no_id);
     for (const auto& [layer, count] : hidden_) {
       const DxfLayer& hidden = drawing_.layers[layer];
       target_.warn(fmt::format("faces and inserts on the layer \"{}\" are not drawn, since it is {}",
@@ -107,7 +107,7 @@ class Placing {
       }
       if (const auto mesh = add_mesh(space, drawing_.layers[layer].name, {},
                                      [&](uint32_t of_triangle) { return of_triangle == layer; }))
-        target_.add_instance(*mesh, to_model_);
+        target_.add_instance(*mesh, to_model_, layer_object(layer));
     }
   }
 
@@ -133,7 +133,27 @@ class Placing {
     return found->second;
   }
 
-  void place_insert(const DxfInsert& insert, const Affine& outer, const Inherited& inherited) {
+  /// What stands in the model space itself: one object for each layer.
+  SourceObjectId layer_object(uint32_t layer) {
+    const std::string& name = drawing_.layers[layer].name;
+    return target_.objects().add({.name = name, .type = "LAYER", .layer = name});
+  }
+
+  SourceObjectId insert_object(const DxfInsert& insert, const DxfBlock& block, uint32_t layer,
+                               SourceObjectId parent) {
+    std::vector<uint32_t> sets;
+    if (!insert.attributes.empty()) {
+      const auto [found, added] = attribute_sets_.try_emplace(&insert);
+      if (added) found->second = target_.objects().add_set("Attributes", insert.attributes);
+      sets.push_back(found->second);
+    }
+    return target_.objects().add(
+        {.name = block.name, .type = "INSERT", .layer = drawing_.layers[layer].name, .number = insert.handle},
+        parent, sets);
+  }
+
+  void place_insert(const DxfInsert& insert, const Affine& outer, const Inherited& inherited,
+                    SourceObjectId parent) {
     const Inherited inner{layer_of(insert.style, inherited), color_of(insert.style, inherited)};
     if (drawing_.layers[inner.layer].frozen) return count_hidden(inner.layer, 1);
     const auto found = drawing_.blocks.find(insert.block);
@@ -148,6 +168,7 @@ class Placing {
       return target_.warn("inserts within themselves were skipped");
     if (block.triangles.empty() && block.inserts.empty()) return;
     const auto mesh = mesh_of(block, inner);
+    const SourceObjectId object = insert_object(insert, block, inner.layer, parent);
     const Affine to_base({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -block.base);
     for (uint32_t row = 0; row < insert.rows; ++row) {
       for (uint32_t column = 0; column < insert.columns; ++column) {
@@ -160,9 +181,9 @@ class Placing {
           target_.warn("placements were dropped: their transforms are not finite");
           continue;
         }
-        if (mesh) target_.add_instance(*mesh, placed);
+        if (mesh) target_.add_instance(*mesh, placed, object);
         open_.push_back(&block);
-        for (const DxfInsert& nested : block.inserts) place_insert(nested, placed, inner);
+        for (const DxfInsert& nested : block.inserts) place_insert(nested, placed, inner, object);
         open_.pop_back();
       }
     }
@@ -174,6 +195,7 @@ class Placing {
   std::map<DxfColor, uint32_t> materials_;
   std::map<const DxfBlock*, bool> inherits_;  ///< whether the mesh depends on the insert
   std::map<std::pair<const DxfBlock*, Inherited>, std::optional<uint32_t>> meshes_;
+  std::map<const DxfInsert*, uint32_t> attribute_sets_;
   std::map<uint32_t, uint64_t> hidden_;  ///< faces and inserts by layer
   std::vector<const DxfBlock*> open_;    ///< those that hold what is being placed
   uint64_t hidden_elsewhere_ = 0, placements_ = 0;

@@ -56,7 +56,8 @@ FileImport::FileImport(std::filesystem::path file, Model& model, const ImportOpt
       first_instance_(model.instances.size()),
       first_group_instance_(model.group_instances.size()),
       first_warning_(model.report.warnings.size()),
-      to_metres_y_up_(to_metres_y_up(options)) {
+      to_metres_y_up_(to_metres_y_up(options)),
+      objects_(model.source_objects, file_.string()) {
   model_.files.push_back(file_);
   for (const Mesh& mesh : model_.meshes) {
     in_memory_ += held_triangles(mesh);
@@ -159,8 +160,8 @@ uint32_t FileImport::push_mesh(Mesh mesh) {
   return static_cast<uint32_t>(model_.meshes.size() - 1);
 }
 
-void FileImport::add_instance(uint32_t mesh, const Affine& transform) {
-  model_.instances.push_back({mesh, to_metres_y_up_ * glm::dmat4(transform)});
+void FileImport::add_instance(uint32_t mesh, const Affine& transform, SourceObjectId object) {
+  model_.instances.push_back({mesh, to_metres_y_up_ * glm::dmat4(transform), object});
 }
 
 uint32_t FileImport::add_group(Group group) {
@@ -168,8 +169,8 @@ uint32_t FileImport::add_group(Group group) {
   return static_cast<uint32_t>(model_.groups.size() - 1);
 }
 
-void FileImport::add_group_instance(uint32_t group, const Affine& transform) {
-  model_.group_instances.push_back({group, to_metres_y_up_ * glm::dmat4(transform)});
+void FileImport::add_group_instance(uint32_t group, const Affine& transform, SourceObjectId first_object) {
+  model_.group_instances.push_back({group, to_metres_y_up_ * glm::dmat4(transform), first_object});
 }
 
 void FileImport::finish() {

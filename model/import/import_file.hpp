@@ -3,6 +3,7 @@
 
 #include "model/import/import.hpp"
 #include "model/import/import_limits.hpp"
+#include "model/import/object_collector.hpp"
 #include "model/import/packed_file.hpp"
 
 #include <filesystem>
@@ -72,10 +73,12 @@ class FileImport {
   /// those used; nullopt if no triangle is left. Indices must be in range.
   std::optional<uint32_t> add_mesh(Mesh mesh);
   uint32_t add_stream(std::string name, std::shared_ptr<const MeshStream> stream);
-  void add_instance(uint32_t mesh, const Affine& transform);
+  void add_instance(uint32_t mesh, const Affine& transform, SourceObjectId object = no_id);
   /// The group's instances are in its own space: only those of groups in the model are turned to metres.
   uint32_t add_group(Group group);
-  void add_group_instance(uint32_t group, const Affine& transform);
+  void add_group_instance(uint32_t group, const Affine& transform, SourceObjectId first_object = no_id);
+  /// What the file says of its objects.
+  ObjectCollector& objects() { return objects_; }
 
   /// Moves the warnings into the model's report. Error if the file placed no triangle.
   void finish();
@@ -92,6 +95,7 @@ class FileImport {
   uint64_t held_bytes_ = 0;
   std::shared_ptr<SpoolFile> store_;  ///< for meshes beyond ImportOptions::held_bytes
   Affine to_metres_y_up_{1};
+  ObjectCollector objects_;
   std::vector<std::pair<std::string, uint64_t>> warnings_;  ///< for a count of 0 no number is printed
 };
 

@@ -187,12 +187,18 @@ std::vector<Affine> global_transforms(const GltfDocument& gltf, const std::vecto
 class Placer {
  public:
   Placer(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes, const GltfGroups& groups,
-         std::vector<Affine> globals)
-      : gltf_(gltf), target_(target), meshes_(meshes), groups_(groups), globals_(std::move(globals)) {}
+         std::vector<Affine> globals, std::vector<SourceObjectId> objects)
+      : gltf_(gltf),
+        target_(target),
+        meshes_(meshes),
+        groups_(groups),
+        globals_(std::move(globals)),
+        objects_(std::move(objects)) {}
 
   void place_groups() {
     for (size_t group = 0; group < groups_.nodes.size(); ++group) {
       into_ = Group();
+      first_object_ = objects_[groups_.nodes[group]];
       uses_ = groups_.uses[group];
       // Depth first from a node that is the group; that node's own transform belongs to the placement.
       walk({{groups_.nodes[group], Affine(1)}}, true);
@@ -200,6 +206,7 @@ class Placer {
       numbers_.push_back(empty ? GltfGroups::none : target_.add_group(std::move(*into_)));
     }
     into_.reset();
+    first_object_ = 0;
     uses_ = 1;
   }
 
@@ -226,7 +233,7 @@ class Placer {
         transform =
             compose(transform, gltf_local_transform(gltf_.model.nodes[index], node_place(target_, index)));
         if (const uint32_t group = groups_.of_node[index]; group != GltfGroups::none) {
-          place_group(group, transform);
+          place_group(group, transform, object_of(index));
           continue;
         }
       }
@@ -244,11 +251,16 @@ class Placer {
     }
   }
 
+  /// Of a node; counted from the group's own that is being made.
+  SourceObjectId object_of(size_t node) const {
+    return objects_[node] == no_id ? no_id : objects_[node] - first_object_;
+  }
+
   void place_node(size_t index, const Affine& transform) {
     const auto& node = gltf_.model.nodes[index];
     if (node.mesh == -1) return;
     const std::string place = node_place(target_, index);
-    if (node.skin >= 0 && place_skinned(node, place)) return;
+    if (node.skin >= 0 && place_skinned(node, object_of(index), place)) return;
     const auto mesh = meshes_.mesh(node.mesh, place);
     if (!mesh) return target_.warn("nodes place a mesh without triangles", uses_);
     std::vector<Affine> placements = {Affine(1)};
@@ -258,16 +270,16 @@ class Placer {
       if (!is_finite(placed)) {
         target_.warn(not_finite, uses_);
       } else if (into_) {
-        into_->instances.push_back({*mesh, placed});
+        into_->instances.push_back({*mesh, placed, object_of(index)});
       } else {
-        target_.add_instance(*mesh, placed);
+        target_.add_instance(*mesh, placed, object_of(index));
       }
     }
   }
 
   /// Only its joints move a skinned mesh. Where they all move it alike, which is how most files are at rest,
   /// the mesh stays as it is. False if the skin cannot be read.
-  bool place_skinned(const GltfNode& node, const std::string& place) {
+  bool place_skinned(const GltfNode& node, SourceObjectId object, const std::string& place) {
     std::vector<Affine> joints;
     std::optional<uint32_t> mesh;
     Affine transform(1);
@@ -284,7 +296,7 @@ class Placer {
       return false;
     }
     if (mesh && is_finite(transform)) {
-      target_.add_instance(*mesh, transform);
+      target_.add_instance(*mesh, transform, object);
     } else {
       target_.warn(mesh ? not_finite : "nodes place a mesh without triangles");
     }
@@ -302,15 +314,15 @@ class Placer {
     return distance <= 1e-5 * size;
   }
 
-  void place_group(uint32_t group, const Affine& transform) {
+  void place_group(uint32_t group, const Affine& transform, SourceObjectId first_object) {
     const uint32_t number = numbers_[group];
     if (number == GltfGroups::none) return;
     if (!is_finite(transform)) {
       target_.warn(not_finite, uses_ * groups_.placements[group]);
     } else if (into_) {
-      into_->groups.push_back({number, transform});
+      into_->groups.push_back({number, transform, first_object});
     } else {
-      target_.add_group_instance(number, transform);
+      target_.add_group_instance(number, transform, first_object);
     }
   }
 
@@ -320,10 +332,12 @@ class Placer {
   FileImport& target_;
   GltfMeshes& meshes_;
   const GltfGroups& groups_;
-  std::vector<Affine> globals_;    ///< of every node to the scene, if there are skins
-  std::optional<Group> into_;      ///< nullopt: the model
-  uint64_t uses_ = 1;              ///< how many places in the scene the current content has
-  std::vector<uint32_t> numbers_;  ///< of groups in the model
+  std::vector<Affine> globals_;          ///< of every node to the scene, if there are skins
+  std::vector<SourceObjectId> objects_;  ///< of every node
+  SourceObjectId first_object_ = 0;      ///< what objects of the current content count from
+  std::optional<Group> into_;            ///< nullopt: the model
+  uint64_t uses_ = 1;                    ///< how many places in the scene the current content has
+  std::vector<uint32_t> numbers_;        ///< of groups in the model
 };
 
 }  // namespace
@@ -334,7 +348,8 @@ void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& mesh
   const GltfGroups groups = find_gltf_groups(gltf.model, roots, target.options());
   std::vector<Affine> globals;
   if (!gltf.model.skins.empty()) globals = global_transforms(gltf.model, parents, target);
-  Placer placer(gltf, target, meshes, groups, std::move(globals));
+  Placer placer(gltf, target, meshes, groups, std::move(globals),
+                add_gltf_objects(gltf.model, roots, groups, target));
   placer.place_groups();
   placer.place_scene(roots);
 }

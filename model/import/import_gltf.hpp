@@ -160,11 +160,22 @@ struct GltfGroups {
 };
 
 /// Two subtrees are equal if their nodes place the same meshes under transforms that are equal to the bit,
-/// without the transform of the topmost one. All of them together must place as much as the options require
-/// (ImportOptions::find_groups), and they must have at least two places: a subtree that is only part of
-/// another group, once, is not a group. `roots`: of a tree. Reads no geometry.
+/// without the transform of the topmost one, and the same nodes below it have names, of whatever text. All of
+/// them together must place as much as the options require (ImportOptions::find_groups), and they must have
+/// at least two places: a subtree that is only part of another group, once, is not a group. `roots`: of a
+/// tree. Reads no geometry.
 GltfGroups find_gltf_groups(const GltfDocument& gltf, const std::vector<size_t>& roots,
                             const ImportOptions& options);
+
+/// Whether a node has a name or extras of its own.
+bool gltf_node_is_named(const GltfNode& node);
+
+/// Adds the objects of the scene, and says for each node which one its mesh belongs to: nodes with names or
+/// extras, topmost nodes of groups, and nodes with a named mesh that are in no object; the others belong to
+/// the object that they are in. Equal subtrees that are groups have as many objects, one after the other in
+/// the same order. Nothing is added, and all is no_id, where neither nodes nor meshes have names.
+std::vector<SourceObjectId> add_gltf_objects(const GltfDocument& gltf, const std::vector<size_t>& roots,
+                                             const GltfGroups& groups, FileImport& target);
 
 /// The transform of a node relative to its parent. Error (place) for lists of the wrong length.
 Affine gltf_local_transform(const GltfNode& node, const std::string& place);

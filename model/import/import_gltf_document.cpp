@@ -211,6 +211,14 @@ class DocumentParser {
 
   GltfNode node(const Json& entry) {
     GltfNode node;
+    if (const Json* name = MemberReader::find(entry, "name"); name && name->is_string())
+      node.name = name->get<std::string>();
+    if (const Json* extras = MemberReader::find(entry, "extras"); extras && extras->is_object()) {
+      for (const auto& [key, value] : extras->items()) {
+        if (value.is_string()) node.extras.emplace_back(key, value.get<std::string>());
+        if (value.is_number() || value.is_boolean()) node.extras.emplace_back(key, value.dump());
+      }
+    }
     node.mesh = members_.integer(entry, "mesh", -1);
     node.skin = members_.integer(entry, "skin", -1);
     node.children = members_.integers(entry, "children");

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -73,6 +74,9 @@ struct GltfMesh {
 };
 
 struct GltfNode {
+  std::string name;
+  /// Members of "extras" that are texts, numbers or truth values, as texts.
+  std::vector<std::pair<std::string, std::string>> extras;
   int64_t mesh = -1, skin = -1;
   std::vector<int64_t> children;
   std::vector<double> matrix, translation, rotation, scale;  ///< empty where they are not given

@@ -96,6 +96,8 @@ class Kinds {
       const uint32_t of_child = of_node[static_cast<size_t>(child)];
       write_transform(gltf_.nodes[static_cast<size_t>(child)], key);
       key.write(of_child);
+      // Each placement of a group has objects of its own, but as many.
+      key.write(static_cast<uint8_t>(gltf_node_is_named(gltf_.nodes[static_cast<size_t>(child)])));
       kind.children.push_back(of_child);
       kind.placements += kinds[of_child].placements;
       kind.triangles += kinds[of_child].triangles;

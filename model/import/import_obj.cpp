@@ -85,8 +85,10 @@ class ObjImport {
       read_vertex(line);
     } else if (word == "f" || word == "fo") {
       read_face(without_comment(line, false));
-    } else if (word == "o" || word == "g") {
-      spool_.begin_mesh(std::string(name()));
+    } else if (word == "o") {
+      spool_.begin_object(std::string(name()));
+    } else if (word == "g") {
+      spool_.begin_group(std::string(name()));
     } else if (word == "usemtl") {
       use_material(std::string(name()));
     } else if (word == "mtllib") {

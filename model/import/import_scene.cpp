@@ -56,12 +56,28 @@ class SceneImport : public SceneSink {
 
   void mesh(SceneMesh mesh) override { meshes_.push_back(std::move(mesh)); }
 
+  void property_set(ScenePropertySet set) override {
+    property_sets_.push_back(target_.objects().add_set(set.name, set.properties));
+  }
+
+  void object(SceneObject object) override {
+    for (uint32_t& set : object.property_sets) set = property_sets_[set];
+    objects_.push_back(target_.objects().add({.name = object.name,
+                                              .type = object.type,
+                                              .guid = object.guid,
+                                              .layer = object.layer,
+                                              .storey = object.storey,
+                                              .number = object.id},
+                                             no_id, object.property_sets));
+  }
+
   void instance(const SceneInstance& instance) override {
     if (!is_usable(instance.transform)) {
       target_.warn("placements were left out: their coordinates are not finite");
       return;
     }
-    if (const auto mesh = placed(instance)) target_.add_instance(*mesh, instance.transform);
+    const SourceObjectId object = instance.object == no_record ? no_id : objects_[instance.object];
+    if (const auto mesh = placed(instance)) target_.add_instance(*mesh, instance.transform, object);
   }
 
  private:
@@ -142,7 +158,8 @@ class SceneImport : public SceneSink {
   FileImport& target_;
   std::shared_ptr<const StreamSource> source_;
   SourceReader reader_;
-  std::vector<uint32_t> materials_;  ///< of the stream to the model's
+  std::vector<uint32_t> materials_;                ///< of the stream to the model's
+  std::vector<uint32_t> property_sets_, objects_;  ///< of the stream to the model's
   std::vector<SceneMesh> meshes_;
   std::map<std::pair<uint32_t, uint32_t>, std::optional<uint32_t>>
       placed_;  ///< by mesh and inherited material

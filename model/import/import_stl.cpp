@@ -49,7 +49,7 @@ class AsciiStl {
         read_vertex();
       } else if (is_keyword(word, "solid")) {
         end_facet();
-        spool_.begin_mesh(std::string(trimmed(line_)));
+        spool_.begin_object(std::string(trimmed(line_)));
         line_ = {};
       } else if (is_keyword(word, "endsolid")) {
         end_facet();

@@ -39,6 +39,36 @@ void MeshSpool::add_vertex(const glm::dvec3& position, const std::optional<glm::
 void MeshSpool::begin_mesh(std::string name) {
   if (parts_.empty() || parts_.back().faces > 0) parts_.push_back({{}, faces_.size()});
   parts_.back().name = std::move(name);
+  parts_.back().object = parts_.back().group = no_id;
+}
+
+void MeshSpool::begin_object(std::string name) {
+  object_ = no_id;
+  if (!name.empty()) {
+    object_ = static_cast<uint32_t>(names_.size());
+    names_.push_back({name});
+  }
+  begin_mesh(std::move(name));
+  parts_.back().object = object_;
+}
+
+void MeshSpool::begin_group(std::string name) {
+  uint32_t group = no_id;
+  if (!name.empty()) {
+    const auto [found, added] =
+        groups_.try_emplace(std::pair(object_, name), static_cast<uint32_t>(names_.size()));
+    group = found->second;
+    if (added) names_.push_back({name, object_});
+  }
+  begin_mesh(std::move(name));
+  parts_.back().object = object_, parts_.back().group = group;
+}
+
+SourceObjectId MeshSpool::object_of(uint32_t name) {
+  if (name == no_id) return no_id;
+  Name& named = names_[name];
+  if (named.id == no_id) named.id = target_.objects().add({.name = named.name}, object_of(named.within));
+  return named.id;
 }
 
 void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material) {
@@ -104,7 +134,8 @@ void MeshSpool::place_in_memory() {
       for (const auto& [a, b, c] : cut) mesh.triangles.push_back({{face[a], face[b], face[c]}, head[0]});
     }
     if (std::none_of(mesh.colors.begin(), mesh.colors.end(), is_colored)) mesh.colors.clear();
-    if (const auto added = target_.add_mesh(std::move(mesh))) target_.add_instance(*added, Affine(1));
+    if (const auto added = target_.add_mesh(std::move(mesh)))
+      target_.add_instance(*added, Affine(1), object_of(part));
   }
 }
 
@@ -136,7 +167,7 @@ void MeshSpool::place_streams() {
                     .end = part.end,
                     .end_known = true};
     const auto stream = std::make_shared<FaceStream>(vertices, std::move(table), colors);
-    target_.add_instance(target_.add_stream(std::move(part.name), stream), Affine(1));
+    target_.add_instance(target_.add_stream(std::move(part.name), stream), Affine(1), object_of(part));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,8 +24,12 @@ class MeshSpool {
   /// color: as displayed, 0 to 1; nothing if the vertex has none.
   void add_vertex(const glm::dvec3& position, const std::optional<glm::dvec3>& color = std::nullopt);
   uint64_t vertex_count() const { return vertices_.size() / sizeof(glm::dvec3); }
-  /// The faces that follow belong to a mesh of this name; a mesh without faces is dropped.
+  /// The faces that follow belong to a mesh of this name; a mesh without faces is dropped. It is no object.
   void begin_mesh(std::string name);
+  /// The same, and they belong to an object of this name: `begin_group` to one within the object before, the
+  /// same one where the name comes again.
+  void begin_object(std::string name);
+  void begin_group(std::string name);
   /// The corners' vertices may be added later. Fewer than three corners are skipped and counted.
   void add_face(std::span<const uint32_t> corners, uint32_t material);
   /// Places the meshes. Every vertex that a face names must have been added.
@@ -35,10 +40,21 @@ class MeshSpool {
     std::string name;
     uint64_t begin = 0;  ///< byte of the first face
     uint64_t faces = 0, end = 0;
+    uint32_t object = no_id, group = no_id;  ///< of names_, the group within the object
+  };
+  struct Name {
+    std::string name;
+    uint32_t within = no_id;  ///< of names_
+    SourceObjectId id = no_id;
   };
   /// Continues in a file if there is this much.
   void grow_beyond(uint64_t triangles_or_vertices);
   void add_color(const std::optional<glm::dvec3>& color);
+  /// The object of what names_ has there, added when it is used first.
+  SourceObjectId object_of(uint32_t name);
+  SourceObjectId object_of(const Part& part) {
+    return object_of(part.group == no_id ? part.object : part.group);
+  }
   void place_in_memory();
   void place_streams();
 
@@ -47,6 +63,9 @@ class MeshSpool {
   ByteSpool colors_;    ///< three floats for each vertex, no numbers for none; empty while none has one
   ByteSpool faces_;     ///< material, number of corners, corners: 32 bits each
   std::vector<Part> parts_;
+  std::vector<Name> names_;
+  std::map<std::pair<uint32_t, std::string>, uint32_t> groups_;  ///< by the object that they are within
+  uint32_t object_ = no_id;                                      ///< of names_: the last one that began
   uint64_t triangles_ = 0;
   bool in_file_ = false;
 };

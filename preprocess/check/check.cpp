@@ -6,6 +6,7 @@
 #include "base/threads.hpp"
 #include "preprocess/check/check_distances.hpp"
 #include "preprocess/outward.hpp"
+#include "scene/pack_objects.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,7 @@ class Checking {
     check_nested_boxes();
     check_errors();
     check_chunks();
+    check_objects();
     check_distances();
     return std::move(report_);
   }
@@ -110,6 +112,15 @@ class Checking {
         violation(report_.box_violations, "drawable {}: chunk {} leaves the box of scene node {}", id, i,
                   skeleton_.drawables[id].scene_node);
       }
+    }
+  }
+
+  void check_objects() {
+    try {
+      pack_.read_objects();
+    } catch (const Error& error) {
+      ++report_.checksum_errors;
+      if (report_.messages.size() < options_.messages) report_.messages.push_back(error.what());
     }
   }
 

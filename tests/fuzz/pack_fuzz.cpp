@@ -1,10 +1,12 @@
 // The pack reader behind its checksums, which a fuzzer cannot guess: first byte 0, then the length of a
 // skeleton, the skeleton, and the geometry that its chunks are in. First byte 1: a pack file as it stands.
-// First byte 2: the length of a skeleton, the skeleton, and the section of sub-hierarchies.
+// First byte 2: the length of a skeleton, the skeleton, and the section of sub-hierarchies. First byte 3: the
+// section of objects.
 #include "base/error.hpp"
 #include "fuzz_target.hpp"
 #include "scene/expand.hpp"
 #include "scene/pack.hpp"
+#include "scene/pack_objects.hpp"
 #include "scene/pack_skeleton.hpp"
 
 #include <cstdlib>
@@ -58,9 +60,36 @@ void expand_parts(std::span<const std::byte> bytes) {
   }
 }
 
+/// Of a skeleton of one scene node with two drawables of three placements and five triangles.
+void read_objects(std::span<const std::byte> bytes) {
+  Skeleton skeleton;
+  skeleton.scene_nodes = {{.drawable_count = 2}};
+  skeleton.drawables = {{.placement_count = 3, .triangles = 5}, {.placement_count = 3, .triangles = 5}};
+  const PackObjects objects(decode_objects(bytes, "objects"), skeleton, "objects");
+  const SourceObjects& source = objects.source();
+  for (SourceObjectId id = 0; id < source.objects.size(); ++id) {
+    source.path_of(id);
+    for (const uint32_t set : source.sets_of(id)) {
+      for (const SourceProperty& property : source.properties_of(set))
+        if (source.texts[property.value].size() > TextTable::max_bytes) std::abort();
+    }
+    for (const SceneNodeId node : objects.nodes_of(id)) {
+      if (node != 0) std::abort();
+    }
+  }
+  for (const SourceObjectId object : objects.objects_below(0)) {
+    if (object >= source.objects.size()) std::abort();
+  }
+  for (const DrawableId drawable : {0u, 1u}) {
+    const SourceObjectId object = objects.object_at(drawable, 2, 4);
+    if (object != no_id && object >= source.objects.size()) std::abort();
+  }
+}
+
 void read_file_of(std::span<const uint8_t> bytes) {
   const Pack pack(fuzz::file_of(bytes));
   for (uint32_t i = 0; i < pack.skeleton().chunks.size(); ++i) pack.read_chunk(i);
+  pack.read_objects();
 }
 
 }  // namespace
@@ -74,6 +103,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (data[0] == 0) triptych::read_parts(std::as_bytes(rest));
     if (data[0] == 1) triptych::read_file_of(rest);
     if (data[0] == 2) triptych::expand_parts(std::as_bytes(rest));
+    if (data[0] == 3) triptych::read_objects(std::as_bytes(rest));
   } catch (const triptych::Error&) {
   }
   return 0;

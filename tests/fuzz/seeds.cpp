@@ -2,7 +2,9 @@
 #include "base/bytes.hpp"
 #include "base/file.hpp"
 #include "preprocess/encode_chunk.hpp"
+#include "preprocess/encode_objects.hpp"
 #include "preprocess/pack_writer.hpp"
+#include "preprocess/triangle_objects.hpp"
 #include "scene/pack.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "wire_seeds.hpp"
@@ -186,6 +188,21 @@ void write_pack() {
     const Pack opened(file);  // or the seed is none
     std::filesystem::remove(file);
   }
+
+  StoredObjects objects;
+  SourceObjects& source = objects.objects;
+  source.objects = {{.name = source.texts.add("Hall")},
+                    {.name = source.texts.add("Wall"), .type = source.texts.add("IfcWall"), .parent = 0}};
+  source.set_uses = {0};
+  source.sets = {{.name = source.texts.add("Pset")}};
+  source.properties = {{source.texts.add("Key"), source.texts.add("Value")}};
+  HierarchyObjects& hierarchy = objects.hierarchies.emplace_back();
+  hierarchy.add_leaf(0, std::vector<ObjectRun>{{1, no_id}, {2, 1}});
+  hierarchy.add_drawable(1, encode_triangle_objects(std::vector<SourceObjectId>{1, 1, no_id, 0, 1}));
+  ByteWriter section;
+  section.write(uint8_t{3});
+  section.write_all(std::span<const std::byte>(encode_objects(objects)));
+  write("pack/objects", section.bytes());
 
   const auto encoded = encode_chunk(chunk);
   const auto parts_of = [](uint8_t kind, const std::vector<std::byte>& first,

@@ -1,4 +1,5 @@
 // 3MF: units, axes, items and components, colours, and archives that are damaged.
+#include "described.hpp"
 #include "placed.hpp"
 #include "zip_support.hpp"
 
@@ -8,6 +9,7 @@
 namespace triptych {
 namespace {
 
+using test::described;
 using test::warns;
 using test::write_zip;
 
@@ -113,6 +115,21 @@ TEST(Import3mf, no_damage_makes_it_crash) {
   test::expect_robust(
       "a.3mf", test::bytes_of(write_zip("whole.3mf",
                                         {{"3D/3dmodel.model", part("", object, "<item objectid=\"1\"/>")}})));
+}
+
+TEST(Import3mf, placements_with_a_name_a_part_number_or_an_id_are_objects) {
+  const std::string assembly =
+      object +
+      "<object id=\"2\" name=\"box\"><components><component objectid=\"1\" p:UUID=\"u-1\"/><component "
+      "objectid=\"3\"/></components></object>" +
+      "<object id=\"3\">" + tetrahedron + "</object>";
+  const Model model =
+      import_part(part("xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\"",
+                       assembly, "<item objectid=\"2\" partnumber=\"P7\"/><item objectid=\"3\"/>"));
+  EXPECT_EQ(described(model),
+            (std::vector<std::string>{"box > thing guid u-1 number 1", "box (P7) number 2", "none"}));
+  EXPECT_TRUE(import_part(part("", "<object id=\"3\">" + tetrahedron + "</object>", "<item objectid=\"3\"/>"))
+                  .source_objects.empty());
 }
 
 }  // namespace

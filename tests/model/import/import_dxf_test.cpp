@@ -1,4 +1,5 @@
 // DXF: entities that are surfaces, blocks and their inserts, layers, colours, units.
+#include "described.hpp"
 #include "placed.hpp"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 namespace triptych {
 namespace {
 
+using test::described;
 using test::expect_robust;
 using test::import_error;
 using test::import_text;
@@ -232,6 +234,21 @@ TEST(ImportDxf, no_damage_makes_it_crash) {
       block, "0 LAYER 2 A 62 1");
   expect_robust("a.dxf", text);
   expect_robust("a.dxf", binary(text, true));
+}
+
+TEST(ImportDxf, layers_of_the_model_space_and_inserts_are_objects) {
+  const std::string outer = " 0 BLOCK 2 OUTER 10 0 20 0 30 0 0 INSERT 5 B2 8 0 2 T 10 5 20 0 0 ENDBLK";
+  const Model model = import_text(
+      "a.dxf",
+      drawing(face +
+                  " 0 INSERT 5 A1 8 walls 66 1 2 OUTER 0 ATTRIB 8 0 2 ROOM 1 12b 0 ATTRIB 8 0 2 USE 1 "
+                  "office 0 SEQEND " +
+                  face + " 0 ATTRIB 2 LOST 1 x",
+              block + outer));
+  EXPECT_EQ(described(model),
+            (std::vector<std::string>{"0 (LAYER) layer 0", "OUTER > T (INSERT) layer walls number B2"}));
+  EXPECT_EQ(described(model, model.source_objects.objects.back().parent),
+            "OUTER (INSERT) layer walls number A1 {Attributes: ROOM=12b USE=office}");
 }
 
 }  // namespace

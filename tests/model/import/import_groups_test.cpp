@@ -1,4 +1,5 @@
 // Subtrees of a glTF scene that repeat, and models with groups.
+#include "described.hpp"
 #include "import_support.hpp"
 #include "model/flatten.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 using nlohmann::json;
 using test::append;
+using test::described;
 using test::write_model;
 
 /// Meshes 0 and 1 of two triangles, mesh 2 of one; the nodes are the caller's.
@@ -167,6 +169,43 @@ TEST(ImportGroups, what_is_dropped_in_a_group_is_counted_as_often_as_it_is_place
   EXPECT_FALSE(expected.report.warnings.empty());
   EXPECT_EQ(found.report.warnings, expected.report.warnings);
   EXPECT_EQ(found.placed_triangles(), expected.placed_triangles());
+}
+
+TEST(ImportGroups, each_placement_of_a_group_has_the_names_of_its_own_nodes) {
+  json scene = storeys();
+  const std::vector<std::string> names = {"floor 1", "",       "desk a", "desk b", "", "",    "floor 2",
+                                          "",        "desk c", "desk d", "",       "", "lawn"};
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (!names[i].empty()) scene["nodes"][i]["name"] = names[i];
+  }
+  scene["nodes"][8]["extras"] = {{"price", 12.5}, {"oak", true}, {"maker", "x"}, {"list", {1, 2}}};
+  scene["meshes"][1]["name"] = "desk";
+  const std::vector<std::string> expected = {"lawn",
+                                             "floor 1",
+                                             "floor 1 > desk a",
+                                             "floor 1 > desk b",
+                                             "floor 2",
+                                             "floor 2 > desk c {extras: maker=x oak=true price=12.5}",
+                                             "floor 2 > desk d"};
+  const Model grouped = import_document(scene, from(3, 6));
+  ASSERT_EQ(grouped.groups.size(), 1u);
+  EXPECT_EQ(described(grouped), expected);
+  ImportOptions flat;
+  flat.find_groups = false;
+  std::vector<std::string> flat_ones = described(import_document(scene, flat)), grouped_ones = expected;
+  std::sort(flat_ones.begin(), flat_ones.end()), std::sort(grouped_ones.begin(), grouped_ones.end());
+  EXPECT_EQ(flat_ones, grouped_ones);
+}
+
+TEST(ImportGroups, meshes_name_nodes_that_have_none_and_files_without_names_have_no_objects) {
+  EXPECT_TRUE(import_document(storeys(), from(3, 6)).source_objects.empty());
+  json scene = storeys();
+  scene["meshes"][1]["name"] = "desk";
+  ImportOptions flat;
+  flat.find_groups = false;
+  const std::vector<std::string> said = described(import_document(scene, flat));
+  EXPECT_EQ(std::count(said.begin(), said.end(), "desk"), 4);
+  EXPECT_EQ(std::count(said.begin(), said.end(), "none"), 3);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // IFC, which triptych-import-ifc reads with web-ifc in Node: shapes, units, places, colours, and what is not
 // drawn.
+#include "described.hpp"
 #include "ifc_files.hpp"
 #include "placed.hpp"
 
@@ -8,6 +9,7 @@ namespace {
 
 using test::block;
 using test::converted_unit;
+using test::described;
 using test::element;
 using test::expect_box;
 using test::ifc_file;
@@ -194,6 +196,13 @@ TEST(ImportIfc, breps_with_voids_and_faces_with_holes_keep_both) {
                           "1.,1.,0.", "1.,3.,0.", "3.,3.,0.", "3.,1.,0."};
   for (int i = 0; i < 8; ++i) text += fmt::format("#{}=IFCCARTESIANPOINT(({}));\n", 120 + i, points[i]);
   EXPECT_EQ(import_text("hole.ifc", ifc_file(text)).placed_triangles(), 8u);
+}
+
+TEST(ImportIfc, products_are_objects_with_guid_kind_storey_and_number) {
+  const Model model = import_text("a.ifc", ifc_file(wall));
+  EXPECT_EQ(described(model),
+            (std::vector<std::string>{"Wall 100 (IfcWall) guid 0YvctVUKr0kugbFTf5100 storey First "
+                                      "floor number #100"}));
 }
 
 }  // namespace

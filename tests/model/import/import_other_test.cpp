@@ -1,5 +1,6 @@
 // Formats that triptych-import reads with Assimp, and what happens to us when it crashes, hangs or eats
 // memory.
+#include "described.hpp"
 #include "import_support.hpp"
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 namespace triptych {
 namespace {
 
+using test::described;
 using test::import_error;
 using test::import_text;
 using test::warns;
@@ -288,6 +290,12 @@ TEST(ImportOther, a_program_that_is_not_there_is_named) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("/nonexistent/triptych-import"), std::string::npos);
   }
+}
+
+TEST(ImportOther, nodes_are_objects_by_their_names_and_what_assimp_makes_up_is_none) {
+  EXPECT_EQ(described(import_text("a.dae", collada)), (std::vector<std::string>{"n", "k"}));
+  EXPECT_EQ(described(import_text("a.fbx", fbx)), (std::vector<std::string>{"m"}));
+  EXPECT_EQ(described(import_text("a.off", off)), (std::vector<std::string>{"none"}));
 }
 
 }  // namespace

@@ -45,6 +45,14 @@ TEST_P(StepSchema, an_assembly_shares_its_parts_and_keeps_names_and_colours) {
   std::set<std::string> names;
   for (const Mesh& mesh : model.meshes) names.insert(mesh.name);
   EXPECT_EQ(names, (std::set<std::string>{"Block", "Plate"}));
+  std::set<std::string> types;
+  for (const Instance& instance : model.instances) {
+    ASSERT_NE(instance.object, no_id);
+    const SourceObject& object = model.source_objects.objects.at(instance.object);
+    types.insert(std::string(model.source_objects.texts[object.type]));
+    EXPECT_NE(object.number, 0u);
+  }
+  EXPECT_EQ(types, names);
   const auto triangles = placed_triangles(model);
   EXPECT_EQ(count_of(triangles, {1, 0, 0, 1}), 6u) << "three tops";
   EXPECT_EQ(count_of(triangles, {0, 0, 1, 1}), 30u);

@@ -1,4 +1,5 @@
 // What all readers of text share: byte order marks, line ends, numbers, names of other files.
+#include "described.hpp"
 #include "import_support.hpp"
 #include "model/import/beside.hpp"
 #include "model/import/import_reader.hpp"
@@ -9,6 +10,7 @@
 namespace triptych {
 namespace {
 
+using test::described;
 using test::import_error;
 using test::import_text;
 using test::warns;
@@ -115,6 +117,25 @@ TEST(ImportText, an_obj_with_colours_is_the_same_in_memory_and_as_a_stream) {
   EXPECT_TRUE(streamed.meshes[0].stream);
   EXPECT_EQ(read(held), read(streamed));
   EXPECT_FALSE(is_colored(read(held)[1].colors[2])) << "no number is no colour";
+}
+
+TEST(ImportText, objects_and_groups_of_obj_and_solids_of_stl_are_objects) {
+  const std::string face = "f 1 2 3\n";
+  const std::string grouped = square + face + "o House\n" + face + "g Roof\n" + face + "g Door\n" + face +
+                              "g Roof\n" + face + "o Shed\ng Roof\n" + face + "g\n" + face;
+  const std::vector<std::string> expected = {"none",         "House",       "House > Roof", "House > Door",
+                                             "House > Roof", "Shed > Roof", "Shed"};
+  const Model model = import_text("a.obj", grouped);
+  EXPECT_EQ(described(model), expected);
+  EXPECT_EQ(model.instances[2].object, model.instances[4].object) << "the same group again";
+  ImportOptions streamed;
+  streamed.max_in_memory = 0;
+  EXPECT_EQ(described(import_model({write_model("b.obj", grouped)}, streamed)), expected);
+  EXPECT_TRUE(import_text("c.obj", square + face).source_objects.empty());
+  EXPECT_EQ(described(import_text("a.stl",
+                                  "solid my part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
+                                  "0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n")),
+            (std::vector<std::string>{"my part"}));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The stream between a reader's process and the importer: what is written is read, and damage is an error.
 #include "base/descriptor.hpp"
+#include "described.hpp"
 #include "model/import/import_file.hpp"
 #include "model/import/scene_writer.hpp"
 #include "placed.hpp"
@@ -11,6 +12,7 @@
 namespace triptych {
 namespace {
 
+using test::described;
 using test::expect_box;
 using test::warns;
 using test::write_model;
@@ -121,6 +123,14 @@ TEST(SceneStream, every_cut_is_an_error_and_no_flipped_byte_does_harm) {
       }
     }
   }
+}
+
+TEST(SceneStream, instances_keep_their_objects_with_all_that_is_said_of_them) {
+  const Model model = imported(small_scene());
+  EXPECT_EQ(
+      described(model),
+      (std::vector<std::string>{
+          "Wall (IfcWall) guid guid layer Layer storey Storey number #1 {Set: Name=Value Other=}", "none"}));
 }
 
 }  // namespace

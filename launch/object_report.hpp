@@ -1,0 +1,28 @@
+// Source objects for people and as JSON.
+#pragma once
+
+#include "scene/pack_objects.hpp"
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace triptych {
+
+/// The objects of which a name, kind, GUID, layer, storey, number or property value holds the text, whatever
+/// the case of its ASCII letters; all of them for an empty text.
+std::vector<SourceObjectId> find_objects(const SourceObjects& source, std::string_view text);
+
+/// "id", "scene_nodes" (ids of leaves), and where the file says them "name", "type", "layer", "storey",
+/// "guid", "number", "parent" (an id), "path" and "properties" {set: {name: value}}.
+nlohmann::json to_json(const PackObjects& objects, SourceObjectId id);
+
+/// A table of the first objects, one line each, without columns that all of them lack.
+std::string object_table(const PackObjects& objects, std::span<const SourceObjectId> ids);
+
+/// What is known of an object in a few lines, indented; its first properties.
+std::string object_text(const PackObjects& objects, SourceObjectId id);
+
+}  // namespace triptych
