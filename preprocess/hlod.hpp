@@ -64,8 +64,8 @@ class Baker {
 
  private:
   uint32_t place(const glm::ivec3& point, const LeafSpan& span);
-  void add_triangle(const Triangle& triangle, const CornerColors* colors, std::span<const SourceObjectId> objects,
-                    size_t index);
+  void add_triangle(const Triangle& triangle, const CornerColors* colors,
+                    std::span<const SourceObjectId> objects, size_t index);
   CornerColors colors_of(const Triangle& triangle) const;
 
   const Lattice& lattice_;

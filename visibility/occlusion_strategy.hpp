@@ -26,7 +26,7 @@ class OcclusionStrategy final : public ExactStrategy {
 };
 
 /// `approximate`: the same, but a box that shows at fewer pixels than a threshold is hidden. Occlusion
-/// queries count pixels (GL_NV_occlusion_query, which interactive-display-2003 §4 uses only to ask for any).
+/// queries count pixels, and interactive-display-2003 §4 only asks for any.
 ///
 /// Each drawable that it leaves out owns fewer than so many pixels of the un-culled picture of the cut: where
 /// it owns one, its boxes are at or in front of whatever was drawn, and all boxes that it is tested by are

@@ -45,7 +45,7 @@ TEST_F(MeasureAccuracy, writes_a_row_a_setting_as_json_and_csv_and_a_report_with
       EXPECT_TRUE(row[key].is_number()) << key;
     EXPECT_LE(row["deviation_px"]["max"].get<double>(), row["pixel_error"].get<double>());
     EXPECT_LE(row["deviation_px"]["median"].get<double>(), row["deviation_px"]["p99"].get<double>());
-    if (row["pixel_error"] == 0.1) {
+    if (row["pixel_error"] == 0.1 && !row.contains("may_miss")) {
       EXPECT_EQ(row["wrong_pixel_share"], 0) << row;
     }
   }
