@@ -12,7 +12,7 @@ constexpr CostCoefficients first_guess = {2, 0.1, 50e-6, 5e-3, 500e-6};
 /// How much of its weight a frame keeps when the next one comes: half of it after 23.
 constexpr double fading = 0.97;
 /// A coefficient that is off by all of itself weighs as much as this relative error, squared.
-constexpr double hold = 0.05;
+constexpr double hold = 0.005;
 /// How fast the factor follows; how far, so that a frame that was disturbed counts little; and its limits.
 constexpr double following = 0.3, max_change = 1.5, max_factor = 8;
 constexpr double min_ms = 1e-6;

@@ -116,7 +116,7 @@ TEST(FrameGovernor, short_frames_do_not_make_it_careful_however_uncertain_they_a
 
 TEST(FrameGovernor, certain_predictions_use_all_of_the_target) {
   FrameGovernor governor(10);
-  for (int i = 0; i < 500; ++i) governor.learn(8, 8.0 + i % 2);
+  for (int i = 0; i < 500; ++i) governor.learn(8, i % 2 == 0 ? 8 : 8.4);
   EXPECT_EQ(governor.aim_ms(), 10);
 }
 
