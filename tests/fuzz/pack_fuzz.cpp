@@ -63,7 +63,7 @@ void expand_parts(std::span<const std::byte> bytes) {
 /// Of a skeleton of one scene node with two drawables of three placements and five triangles.
 void read_objects(std::span<const std::byte> bytes) {
   Skeleton skeleton;
-  skeleton.scene_nodes = {{.drawable_count = 2}};
+  skeleton.scene_nodes = {{.box = {}, .drawable_count = 2}};
   skeleton.drawables = {{.placement_count = 3, .triangles = 5}, {.placement_count = 3, .triangles = 5}};
   const PackObjects objects(decode_objects(bytes, "objects"), skeleton, "objects");
   const SourceObjects& source = objects.source();

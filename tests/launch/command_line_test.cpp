@@ -23,8 +23,8 @@ TEST(CommandLine, help_lists_the_words_of_a_flag_and_nothing_of_how_they_are_sto
 }
 
 TEST(CommandLine, a_threshold_in_pixels_is_of_the_approximate_strategy_alone) {
-  for (const auto& [add, line] : {std::pair(add_render, std::string("render p --path w -o o")),
-                                  std::pair(add_view, std::string("view p"))}) {
+  for (const auto& [add, line] : {std::pair(&add_render, std::string("render p --path w -o o")),
+                                  std::pair(&add_view, std::string("view p"))}) {
     const auto parse = [add = add, line = line](const std::string& flags) {
       CLI::App app;
       Action action;
