@@ -1,6 +1,7 @@
 #include "preprocess/triangle_objects.hpp"
 
 #include "base/bytes.hpp"
+#include "scene/stored_objects.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -115,9 +116,11 @@ std::vector<std::byte> encode_triangle_objects(std::span<const SourceObjectId> o
   for (size_t i = 0; i < objects.size();) {
     size_t end = i;
     while (end < objects.size() && objects[end] == objects[i]) ++end;
-    writer.write_varint(end - i);
+    const uint64_t count = end - i - 1;
     const auto step = static_cast<int32_t>(objects[i] - before);  // modulo 2^32
-    writer.write_varint(static_cast<uint32_t>(step) << 1 ^ static_cast<uint32_t>(step >> 31));
+    const uint32_t zigzag = static_cast<uint32_t>(step) << 1 ^ static_cast<uint32_t>(step >> 31);
+    writer.write_varint(uint64_t{zigzag} << run_count_bits | std::min(count, long_run));
+    if (count >= long_run) writer.write_varint(count - long_run);
     before = objects[i];
     i = end;
   }

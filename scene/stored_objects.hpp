@@ -41,14 +41,22 @@ struct HierarchyObjects {
   std::span<const std::byte> triangles_of(size_t drawable) const;
 };
 
+/// The first number of a run of triangles holds the count less 1 in its lowest bits, where it is less than
+/// all of them set; otherwise how much more it is follows.
+inline constexpr int run_count_bits = 3;
+inline constexpr uint64_t long_run = (1u << run_count_bits) - 1;
+
 /// Calls take(count, object) for each run of triangles. Error (place) for bytes that are none.
 template <typename Take>
 void each_run(std::span<const std::byte> triangles, const std::string& place, const Take& take) {
   ByteReader reader(triangles, place);
   SourceObjectId object = 0;
   while (reader.left() > 0) {
-    const uint64_t count = reader.read_varint();
-    const auto step = static_cast<uint32_t>(reader.read_varint());
+    const uint64_t first = reader.read_varint();
+    const uint64_t more = (first & long_run) == long_run ? reader.read_varint() : 0;
+    if (more > no_id) fail(place, "a run of {} triangles", more);
+    const uint64_t count = (first & long_run) + 1 + more;
+    const auto step = static_cast<uint32_t>(first >> run_count_bits);
     object += step >> 1 ^ (~(step & 1) + 1);
     take(count, object);
   }

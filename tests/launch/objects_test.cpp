@@ -34,7 +34,8 @@ class NamedObjects : public testing::Test {
     std::vector<std::string> words = {"info", pack, "--objects", "--json", json};
     if (!find.empty()) words.insert(words.end(), {"--find", find});
     run(words);
-    return json_of(json)["source_objects"];
+    const nlohmann::json report = json_of(json);
+    return report["source_objects"];
   }
 
   /// Names of the objects at a pixel of 64 × 64, which are half a unit wide.
@@ -43,7 +44,8 @@ class NamedObjects : public testing::Test {
          std::to_string(x) + "," + std::to_string(y), "--size", "64x64", "--pixel-error", pixel_error,
          "--device", "cpu", "--json", json});
     std::vector<std::string> names;
-    for (const nlohmann::json& object : json_of(json)["pixel"]["objects"]) names.push_back(object["name"]);
+    const nlohmann::json report = json_of(json);
+    for (const nlohmann::json& object : report["pixel"]["objects"]) names.push_back(object["name"]);
     return names;
   }
 
@@ -70,7 +72,7 @@ TEST_F(NamedObjects, info_lists_and_finds_them) {
 TEST_F(NamedObjects, explain_names_the_object_at_a_pixel_at_every_level) {
   size_t coarse = 0;
   for (const int cube : {0, 3, 9, 15}) {
-    EXPECT_EQ(explained(4 * cube + 1, 31, "0"), std::vector<std::string>{"cube " + std::to_string(cube)});
+    EXPECT_EQ(explained(4 * cube + 1, 31, "0.01"), std::vector<std::string>{"cube " + std::to_string(cube)});
     const std::vector<std::string> names = explained(4 * cube + 1, 31, "2");  // a unit: half a cube may go
     EXPECT_LE(names.size(), 1u);
     if (names.empty()) continue;

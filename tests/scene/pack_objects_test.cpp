@@ -79,7 +79,7 @@ TEST(PackObjects, what_is_written_is_read_back) {
   EXPECT_EQ(text(objects, source.objects[2].guid), "");
   EXPECT_EQ(source.path_of(1), "Hall");
   EXPECT_EQ(source.path_of(0), "");
-  EXPECT_TRUE(source.sets_of(0).size() == 1 && source.sets_of(1).empty());
+  EXPECT_TRUE(source.sets_of(0).empty() && source.sets_of(1).size() == 1);
   ASSERT_EQ(source.sets_of(2).size(), 2u);
   const auto costs = source.properties_of(source.sets_of(2)[0]);
   ASSERT_EQ(costs.size(), 1u);
