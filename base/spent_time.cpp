@@ -18,12 +18,6 @@ namespace triptych {
 
 namespace {
 
-double process_cpu_milliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
 /// The number that the word with this index in the file's first line begins with; 0 where there is none.
 double number_in(int folder, const char* file, size_t index) {
   const int descriptor = ::openat(folder, file, O_RDONLY | O_CLOEXEC);
@@ -69,6 +63,12 @@ double runnable_threads() {
 }
 
 }  // namespace
+
+double process_cpu_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
 
 SpentTime spent_time() {
   return {.wall_ms = steady_milliseconds(),

@@ -17,6 +17,10 @@ struct SpentTime {
   double runnable = 1;
 };
 
+/// Processor time of all threads of this process so far, milliseconds: SpentTime::cpu_ms alone, without
+/// files.
+double process_cpu_milliseconds();
+
 /// What was spent up to now. Reads files of /proc, which takes some ten microseconds and two for each thread.
 SpentTime spent_time();
 

@@ -4,7 +4,7 @@
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "base/signals.hpp"
-#include "measure/frame_timing.hpp"
+#include "base/spent_time.hpp"
 #include "measure/model_methods.hpp"
 #include "nodes/device_choice.hpp"
 

@@ -1,5 +1,6 @@
 #include "measure/accuracy/accuracy_ground.hpp"
 
+#include "base/spent_time.hpp"
 #include "measure/accuracy/motion.hpp"
 #include "measure/frame_timing.hpp"
 #include "render/png_file.hpp"

@@ -38,7 +38,7 @@ TEST_F(MeasureAccuracy, writes_a_row_a_setting_as_json_and_csv_and_a_report_with
   std::set<std::string> settings;
   for (const nlohmann::json& row : report["rows"]) {
     settings.insert(row["strategy"].get<std::string>() + row["size"].get<std::string>() +
-                    row["pixel_error"].dump());
+                    row["pixel_error"].dump() + row["min_pixels"].dump());
     EXPECT_EQ(row["compared_frames"], 2);
     for (const char* key : {"wrong_pixel_share", "hole_share", "swap_share", "cover_kept", "popping", "rmse",
                             "ssim", "missed_triangle_share", "untraced_share"})

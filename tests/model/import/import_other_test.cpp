@@ -162,7 +162,7 @@ TEST(ImportOther, vertex_colours_are_those_displayed_and_no_material_is_made_up_
   ASSERT_EQ(model.meshes.at(0).colors.size(), 3u);
   for (const VertexColor& color : model.meshes[0].colors) EXPECT_EQ(color, (VertexColor{255, 128, 0, 255}));
   EXPECT_EQ(model.meshes[0].triangles.at(0).material, 0u);
-  EXPECT_FALSE(warns(model, "colours"));
+  EXPECT_FALSE(warns(model, "vertex colours"));
 }
 
 TEST(ImportOther, a_byte_order_mark_and_gzip_around_a_file_are_taken_off) {
