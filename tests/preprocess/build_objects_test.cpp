@@ -16,8 +16,10 @@ namespace {
 
 const BuildOptions small_leaves{.part_triangles = 300, .leaf_triangles = 900, .hlod_triangles = 300};
 
+/// The running test's own: others may run beside it.
 std::filesystem::path file_of(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("triptych_objects_" + name + ".tpk");
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  return std::filesystem::path(testing::TempDir()) / ("triptych_objects_" + test + "_" + name + ".tpk");
 }
 
 Pack built(const Model& model, const std::string& name, const BuildOptions& options = small_leaves) {
