@@ -6,7 +6,7 @@
 #include "launch/text_table.hpp"
 #include "measure/explanation.hpp"
 #include "measure/json.hpp"
-#include "measure/pixel_hit.hpp"
+#include "measure/pixel_rays.hpp"
 #include "scene/pack.hpp"
 
 #include <cmath>
@@ -135,13 +135,13 @@ void print(const DrawableExplanation& explanation, double pixel_error) {
 /// Prints and reports the objects that a drawable shows: the one at the pixel, where there is a pixel that
 /// says which, or all of them.
 void explain_objects(const PackObjects& objects, const Skeleton& skeleton, DrawableId drawable,
-                     std::optional<PixelHit> hit, nlohmann::json& report) {
+                     const std::optional<PixelRays::Hit>& hit, nlohmann::json& report) {
   constexpr size_t most = 8;
   if (objects.source().empty()) return;
   const SceneNodeId node = skeleton.drawables[drawable].scene_node;
   std::vector<SourceObjectId> shown;
   if (hit) {
-    const SourceObjectId object = objects.object_at(drawable, hit->placement, hit->triangle);
+    const SourceObjectId object = objects.object_at(drawable, hit->surface.placement, hit->surface.triangle);
     if (object != no_id) shown = {object};
   } else {
     shown = objects.objects_below(node);
@@ -180,9 +180,11 @@ int run(const ExplainCommand& command) {
       const DrawableExplanation explanation = explainer.explain(*owner);
       print(explanation, command.run.pixel_error());
       report["pixel"] = to_json(explanation);
-      const View& view = frames[command.frame].state.view;
+      const FrameView view(pack.skeleton(), frames[command.frame].state);
+      const int row = view.view().height - 1 - command.pixel[1];
       explain_objects(objects, pack.skeleton(), *owner,
-                      hit_at(pack, *owner, view, command.pixel[0], command.pixel[1]), report["pixel"]);
+                      PixelRays(view).hit(PackSurfaces(pack), *owner, command.pixel[0], row),
+                      report["pixel"]);
     }
   }
   if (command.drawable) {

@@ -104,7 +104,8 @@ std::optional<PackSurfaces::Hit> PackSurfaces::first_hit(DrawableId id, const gl
     const Placement& placement = skeleton().placements[index];
     const auto chunk = tree(placement.chunk);
     const auto hit = chunk->first_hit(placings_[placement.transform], origin, direction, from);
-    if (hit && (!first || hit->along < first->along)) first = Hit{hit->along, chunk->color(hit->triangle)};
+    if (hit && (!first || hit->along < first->along))
+      first = Hit{hit->along, i, hit->triangle, chunk->color(hit->triangle)};
   }
   return first;
 }

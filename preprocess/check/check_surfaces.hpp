@@ -34,7 +34,9 @@ class PackSurfaces {
   /// Where a line first meets a drawable; as ChunkTree::first_hit.
   struct Hit {
     double along = 0;
-    uint32_t color = 0;  ///< of the triangle: index into the palette
+    uint32_t placement = 0;  ///< of the drawable's, counted from its first one
+    uint32_t triangle = 0;   ///< of the chunk that it places
+    uint32_t color = 0;      ///< of the triangle: index into the palette
   };
   std::optional<Hit> first_hit(DrawableId drawable, const glm::dvec3& origin, const glm::dvec3& direction,
                                double from) const;
