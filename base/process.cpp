@@ -2,10 +2,13 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <string_view>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -37,6 +40,18 @@ Pipe open_pipe(const std::string& place) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(place, "cannot have a pipe: {}", std::strerror(errno));
   return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+std::string find_program(const std::string& name) {
+  const char* const path = std::getenv("PATH");
+  std::string_view left = path ? path : "/usr/local/bin:/usr/bin:/bin";
+  while (!left.empty()) {
+    const size_t end = std::min(left.find(':'), left.size());
+    std::string file = std::string(left.substr(0, end)) + "/" + name;
+    if (end > 0 && ::access(file.c_str(), X_OK) == 0) return file;
+    left.remove_prefix(std::min(end + 1, left.size()));
+  }
+  return "";
 }
 
 pid_t start_program(const Program& program, const std::string& place) {

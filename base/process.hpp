@@ -29,6 +29,9 @@ struct Program {
   std::vector<int> default_signals, ignored_signals;
 };
 
+/// The first program of this name on the PATH; empty if there is none.
+std::string find_program(const std::string& name);
+
 /// Starts the program; the caller waits for its end. One that cannot be executed ends with exit code 127.
 /// Error (place) if no further process can be made.
 pid_t start_program(const Program& program, const std::string& place);

@@ -32,19 +32,6 @@ std::filesystem::path reader_folder() {
   return program.parent_path().parent_path() / "share/triptych/ifc";
 }
 
-/// The first file of this name on the PATH; empty if there is none.
-std::string find_program(const std::string& program) {
-  const char* const path = std::getenv("PATH");
-  std::string_view left = path ? path : "/usr/local/bin:/usr/bin:/bin";
-  while (!left.empty()) {
-    const size_t end = std::min(left.find(':'), left.size());
-    std::string file = fmt::format("{}/{}", left.substr(0, end), program);
-    if (end > 0 && ::access(file.c_str(), X_OK) == 0) return file;
-    left.remove_prefix(std::min(end + 1, left.size()));
-  }
-  return "";
-}
-
 /// The word that the script writes the number of each product to before it has it read; 0 between them.
 class CurrentProduct {
  public:

@@ -6,7 +6,6 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdlib>
 #include <fcntl.h>
 #include <string>
 #include <string_view>
@@ -31,15 +30,8 @@ std::string read_all(int descriptor) {
 }  // namespace
 
 std::optional<Butteraugli> Butteraugli::find() {
-  const char* const path = std::getenv("PATH");
-  std::string_view folders = path ? path : "";
-  while (!folders.empty()) {
-    const size_t end = std::min(folders.find(':'), folders.size());
-    const std::filesystem::path program = std::filesystem::path(folders.substr(0, end)) / "butteraugli_main";
-    if (end > 0 && ::access(program.c_str(), X_OK) == 0) return Butteraugli(program);
-    folders.remove_prefix(std::min(end + 1, folders.size()));
-  }
-  return std::nullopt;
+  const std::string program = find_program("butteraugli_main");
+  return program.empty() ? std::nullopt : std::optional(Butteraugli(program));
 }
 
 double Butteraugli::distance(const std::filesystem::path& reference,

@@ -12,7 +12,7 @@ class Butteraugli {
   static std::optional<Butteraugli> find();
 
   /// How far two PNG files of one size are apart to the eye: the 3-norm of the distance map; 0 for equal
-  /// ones, about 1 where a person begins to notice it. Error (the program) where it fails.
+  /// ones. Error (the program) where it fails.
   double distance(const std::filesystem::path& reference, const std::filesystem::path& shown) const;
 
   static constexpr const char* package = "libjxl-devtools";
