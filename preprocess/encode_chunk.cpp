@@ -2,6 +2,7 @@
 
 #include "base/bytes.hpp"
 #include "preprocess/outward.hpp"
+#include "preprocess/write_packed.hpp"
 
 #include <meshoptimizer.h>
 
@@ -36,15 +37,6 @@ std::vector<Value> moved(const std::vector<Value>& values, const std::vector<uin
   return result;
 }
 
-template <typename Value>
-void write_vertex_stream(const std::vector<Value>& values, ByteWriter& writer) {
-  std::vector<uint8_t> bytes(meshopt_encodeVertexBufferBound(values.size(), sizeof(Value)));
-  bytes.resize(
-      meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), values.data(), values.size(), sizeof(Value)));
-  writer.write(static_cast<uint32_t>(bytes.size()));
-  writer.write_all(std::span<const uint8_t>(bytes));
-}
-
 }  // namespace
 
 std::vector<std::byte> encode_chunk(const Chunk& chunk) {
@@ -69,10 +61,10 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk) {
   writer.write(static_cast<uint32_t>(indices.size() / 3));
   writer.write(static_cast<uint32_t>(runs.size()));
   writer.write_all(std::span<const uint32_t>(runs));
-  write_vertex_stream(vertices, writer);
+  write_packed(vertices, writer);
   if (!colors.empty()) {
     writer.write(chunk_colors_stream);
-    write_vertex_stream(colors, writer);
+    write_packed(colors, writer);
   }
   writer.write_all(std::span<const uint8_t>(index_bytes));
   return std::move(writer.bytes());

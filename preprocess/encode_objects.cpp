@@ -1,6 +1,7 @@
 #include "preprocess/encode_objects.hpp"
 
 #include "base/bytes.hpp"
+#include "preprocess/write_packed.hpp"
 
 #include <algorithm>
 #include <meshoptimizer.h>
@@ -40,18 +41,6 @@ void write_texts(const TextTable& texts, const std::vector<uint32_t>& order, Byt
     writer.write_varint(text.size() - shared);
     writer.write_all(std::span<const char>(text.substr(shared)));
   }
-}
-
-template <typename Item>
-void write_array(const std::vector<Item>& items, ByteWriter& writer) {
-  std::vector<uint8_t> code;
-  if (!items.empty()) {
-    code.resize(meshopt_encodeVertexBufferBound(items.size(), sizeof(Item)));
-    code.resize(
-        meshopt_encodeVertexBuffer(code.data(), code.size(), items.data(), items.size(), sizeof(Item)));
-  }
-  writer.write(static_cast<uint32_t>(code.size()));
-  writer.write_all(std::span<const uint8_t>(code));
 }
 
 /// No object as 0, everything else one larger.
@@ -102,14 +91,14 @@ std::vector<std::byte> encode_objects(const StoredObjects& stored) {
          {&object.name, &object.type, &object.guid, &object.layer, &object.storey, &object.number})
       rename(*text);
   }
-  write_array(objects, writer);
-  write_array(source.set_uses, writer);
+  write_packed(objects, writer);
+  write_packed(source.set_uses, writer);
   std::vector<SourcePropertySet> sets = source.sets;
   for (SourcePropertySet& set : sets) rename(set.name);
-  write_array(sets, writer);
+  write_packed(sets, writer);
   std::vector<SourceProperty> properties = source.properties;
   for (SourceProperty& property : properties) rename(property.name), rename(property.value);
-  write_array(properties, writer);
+  write_packed(properties, writer);
   for (const HierarchyObjects& hierarchy : stored.hierarchies) write_hierarchy(hierarchy, writer);
   return std::move(writer.bytes());
 }
