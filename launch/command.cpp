@@ -48,6 +48,32 @@ void force_simd(const std::string& word) {
 
 }  // namespace
 
+std::string command_line(const CLI::App& command) {
+  std::string line;
+  for (const CLI::App* at = &command; at->get_parent() != nullptr; at = at->get_parent())
+    line = " " + at->get_name() + line;
+  line = "triptych" + line;
+  const auto append = [&](const std::string& word) {
+    const bool plain =
+        word.find_first_of(" \t'\"\\$`&|;<>()*?[]#~!{}\n") == std::string::npos && !word.empty();
+    line += " ";
+    if (plain) {
+      line += word;
+      return;
+    }
+    line += "'";
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += "'";
+  };
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0) continue;
+    const bool flag = option->get_expected_max() == 0;
+    if (!option->get_positional()) append(option->get_name());
+    if (!flag) append(CLI::detail::join(option->results(), ","));
+  }
+  return line;
+}
+
 void add_common_flags(CLI::App& command, std::filesystem::path& json) {
   command.add_option("--json", json, "Write what was found as one JSON object")->type_name("FILE");
   command

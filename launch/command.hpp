@@ -55,6 +55,10 @@ void check_cull_flags(const CLI::App& command, const CullChoice& cull);
 void add_batch_flag(CLI::App& command, size_t& packet_ids);
 void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
 
+/// The words of a command that was parsed, as a shell takes them: for reports that name the command that
+/// printed them.
+std::string command_line(const CLI::App& command);
+
 void add_sample(CLI::App& app, Action& action);
 void add_build(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);

@@ -31,6 +31,7 @@ struct MeasureAccuracyCommand {
   std::vector<PictureSize> sizes;
   std::vector<std::string> devices, strategies;
   std::filesystem::path output;
+  const CLI::App* words = nullptr;  ///< what was parsed
   std::vector<uint32_t> min_pixels = {4, 16};
   AccuracyOptions options;
 };
@@ -168,8 +169,7 @@ int run(const MeasureAccuracyCommand& command) {
   report["frames"] = frames.front().size();
   report["triangles"] = subjects.skeleton().placed_triangles;
   report["title"] = fmt::format("What accuracy costs: {}", command.run.pack.filename().string());
-  report["command"] = fmt::format("triptych measure accuracy {} --path {} -o {}", command.run.pack.string(),
-                                  command.run.path.string(), command.output.string());
+  report["command"] = command_line(*command.words);
   for (const ChosenDevice& device : chosen) {
     if (device.options.kind == DeviceKind::gl) report["gl"] = opengl_json(device.names);
   }
@@ -195,6 +195,7 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
       "accuracy", "What each pixel of error costs in time, and what it spoils in pictures");
   sub->footer("Example: triptych measure accuracy scene.tpk --path walk.json -o accuracy");
   command->run.pixel_errors = {0.25, 0.5, 1, 2, 4, 8, 16, 32};
+  command->words = sub;
   add_run_flags(*sub, command->run);
   take_list(sub->get_option("--pixel-error"))->default_str("0.25,0.5,1,2,4,8,16,32")->type_name("PX,...");
   sub->add_option("-o,--output", command->output,

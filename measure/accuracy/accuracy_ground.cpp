@@ -14,8 +14,7 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
                                const PackSurfaces& surfaces, std::span<const FrameRequest> frames,
                                const AccuracyOptions& options, const std::optional<Butteraugli>& perceptual,
                                AccuracyResult& result)
-    : subject_(subject),
-      device_(device),
+    : device_(device),
       surfaces_(surfaces),
       skeleton_(subject.pack.skeleton()),
       frames_(frames),
@@ -120,23 +119,28 @@ void AccuracyGround::add_motion(PictureMeasures& measures, const RecentColors& r
     measures.flickering_pixels = flickering_pixels(recent.before_last, recent.last, recent.current);
 }
 
+void AccuracyGround::add_cover(const FrameView& shifted, std::span<const DrawableId> ordered,
+                               CoverCounts& counts) {
+  count_cover(surfaces_, shifted, draw_items(shifted, ordered).items, small_leaves_, counts);
+}
+
 void AccuracyGround::measure_covers(size_t frame) {
   reference_cover_.clear();
-  const std::vector<SceneNodeId> leaves = small_leaves(skeleton_, view_of(frame, 0), reference_.items);
+  small_leaves_ = small_leaves(skeleton_, view_of(frame, 0), reference_.items);
   std::vector<CoverCounts> shown(whole_cuts_.size());
-  for (const glm::dvec2& shift : pixel_shifts(leaves.empty() ? 0 : options_.shifts)) {
+  for (const glm::dvec2& shift : pixel_shifts(small_leaves_.empty() ? 0 : options_.shifts)) {
     const auto moved = [&](double pixel_error) {
       return FrameView(skeleton_, shifted(view_of(frame, pixel_error).state, shift), rules_);
     };
     const FrameView full = moved(0);
-    count_cover(skeleton_, draw_items(full, lister_.list(full)).items, leaves, reference_cover_);
+    count_cover(skeleton_, draw_items(full, lister_.list(full)).items, small_leaves_, reference_cover_);
     for (size_t cut = 0; cut < whole_cuts_.size(); ++cut) {
       const FrameView view = moved(whole_cuts_[cut].pixel_error);
-      count_cover(surfaces_, view, draw_items(view, lister_.list(view)).items, leaves, shown[cut]);
+      add_cover(view, lister_.list(view), shown[cut]);
     }
   }
   for (size_t cut = 0; cut < whole_cuts_.size(); ++cut)
-    whole_cuts_[cut].measures.cover = cover_of(shown[cut]);
+    whole_cuts_[cut].measures.cover = compare_cover(reference_cover_, shown[cut]);
 }
 
 double AccuracyGround::perceptual_distance(const ShownPicture& shown) const {
@@ -209,13 +213,10 @@ void AccuracyGround::compare_setting(Setting& setting, size_t frame, const Frame
         measure_picture(surfaces_, view, frames_[frame].number, reference_, shown, {whole.cut, points_});
     if (plan.perceptual && perceptual_) measures.butteraugli = perceptual_distance(shown);
     if (whole.measures.cover) {
-      const std::vector<SceneNodeId> leaves = small_leaves(skeleton_, view_of(frame, 0), reference_.items);
       CoverCounts counts;
-      for (const glm::dvec2& shift : pixel_shifts(leaves.empty() ? 0 : options_.shifts)) {
-        const FrameView moved(skeleton_, shifted(view.state, shift), rules_);
-        count_cover(surfaces_, moved, draw_items(moved, ordered).items, leaves, counts);
-      }
-      measures.cover = cover_of(counts);
+      for (const glm::dvec2& shift : pixel_shifts(small_leaves_.empty() ? 0 : options_.shifts))
+        add_cover(FrameView(skeleton_, shifted(view.state, shift), rules_), ordered, counts);
+      measures.cover = compare_cover(reference_cover_, counts);
     }
   }
   add_motion(measures, setting.recent);

@@ -62,10 +62,10 @@ class AccuracyGround {
   VisibleSet drawn_of(const Setting& setting, const FrameRecord& record) const;
   void add_motion(PictureMeasures& measures, const RecentColors& recent) const;
   void measure_covers(size_t frame);
-  Cover cover_of(const CoverCounts& shown) const { return compare_cover(reference_cover_, shown); }
+  /// Adds what drawables of a shifted view cover of the small leaves.
+  void add_cover(const FrameView& shifted, std::span<const DrawableId> ordered, CoverCounts& counts);
   double perceptual_distance(const ShownPicture& shown) const;
 
-  const AccuracySubject& subject_;
   const SpeedDevice& device_;
   const PackSurfaces& surfaces_;
   const Skeleton& skeleton_;
@@ -80,7 +80,8 @@ class AccuracyGround {
   std::vector<size_t> points_;
   ShownPicture reference_;
   RecentColors recent_reference_;
-  CoverCounts reference_cover_;
+  std::vector<SceneNodeId> small_leaves_;  ///< of the reference that was compared last
+  CoverCounts reference_cover_;            ///< of those
   std::vector<WholeCut> whole_cuts_;
   std::vector<Setting> settings_;
 };
