@@ -22,6 +22,21 @@ TEST(CommandLine, help_lists_the_words_of_a_flag_and_nothing_of_how_they_are_sto
   EXPECT_EQ(help.find("->"), std::string::npos);
 }
 
+TEST(CommandLine, is_told_as_a_shell_takes_it_with_every_flag_that_was_given) {
+  CLI::App app;
+  Action action;
+  add_measure(app, action);
+  app.parse("triptych measure accuracy 'my pack.tpk' --path w.json --pixel-error 1,2 -o \"it's\" --shifts 2",
+            true);
+  const CLI::App* accuracy = app.get_subcommands().front()->get_subcommands().front();
+  const std::string line = command_line(*accuracy);
+  EXPECT_EQ(line.find("triptych measure accuracy "), 0u) << line;
+  for (const char* words :
+       {" 'my pack.tpk'", " --path w.json", " --pixel-error 1,2", " --output 'it'\\''s'", " --shifts 2"})
+    EXPECT_NE(line.find(words), std::string::npos) << words << " in " << line;
+  EXPECT_EQ(line.find("--points"), std::string::npos) << line;
+}
+
 TEST(CommandLine, a_threshold_in_pixels_is_of_the_approximate_strategy_alone) {
   for (const auto& [add, line] : {std::pair(&add_render, std::string("render p --path w -o o")),
                                   std::pair(&add_view, std::string("view p"))}) {
