@@ -42,6 +42,9 @@ struct ImportOptions {
   bool find_groups = true;
   uint64_t group_placements = 8;
   uint64_t group_triangles = 1u << 14;
+  /// DXF and 3MF place blocks and objects within each other, so that a small file may ask for any number of
+  /// placements: those beyond so many are skipped, with a warning.
+  uint64_t max_placements = 10'000'000;
   /// The program that reads further formats; empty: one of triptych-import, triptych-import-ifc and
   /// triptych-import-step beside the program that runs.
   std::filesystem::path converter = {};

@@ -6,6 +6,7 @@
 #include "model/import/display_color.hpp"
 
 #include <algorithm>
+#include <fmt/core.h>
 #include <glm/mat4x4.hpp>
 
 namespace triptych {
@@ -13,7 +14,6 @@ namespace triptych {
 namespace {
 
 constexpr size_t max_depth = 256;
-constexpr uint64_t max_placements = 10'000'000;
 
 class ArchiveImport {
  public:
@@ -127,13 +127,14 @@ class ArchiveImport {
   }
 
   void place(const std::string& from, const ThreeMfUse& use, const Affine& outer, SourceObjectId parent) {
+    const uint64_t most = target_.options().max_placements;
+    if (++placements_ > most) return target_.warn(fmt::format("placements beyond {} were skipped", most));
     const std::string name = use.part.empty() ? from : use.part;
     const ThreeMfPart* part = part_named(name);
     const auto found =
         part ? part->objects.find(use.object) : std::map<uint64_t, ThreeMfObject>::const_iterator();
     if (!part || found == part->objects.end())
       return target_.warn("placements of objects that are not in the file were skipped");
-    if (++placements_ > max_placements) return target_.warn("placements beyond ten million were skipped");
     const ThreeMfObject& object = found->second;
     if (std::find(open_.begin(), open_.end(), &object) != open_.end() || open_.size() >= max_depth)
       return target_.warn("objects within themselves were skipped");

@@ -5,6 +5,7 @@
 #include "model/import/import_dxf.hpp"
 
 #include <algorithm>
+#include <fmt/core.h>
 #include <glm/mat4x4.hpp>
 #include <tuple>
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr uint32_t layer_zero = 0;
 constexpr size_t max_depth = 256;
-constexpr uint64_t max_placements = 10'000'000;
 
 /// What the content of a block takes over from its insert.
 struct Inherited {
@@ -42,6 +42,13 @@ class Placing {
   }
 
  private:
+  /// Counts an insert, skipped ones too, or a further copy of its block.
+  bool is_beyond_limit() {
+    const uint64_t most = target_.options().max_placements;
+    if (++placements_ > most) target_.warn(fmt::format("inserts beyond {} were skipped", most));
+    return placements_ > most;
+  }
+
   /// Counts what a layer hides; the first ones by name.
   void count_hidden(uint32_t layer, uint64_t count) {
     constexpr size_t most = 12;
@@ -154,6 +161,7 @@ class Placing {
 
   void place_insert(const DxfInsert& insert, const Affine& outer, const Inherited& inherited,
                     SourceObjectId parent) {
+    if (is_beyond_limit()) return;
     const Inherited inner{layer_of(insert.style, inherited), color_of(insert.style, inherited)};
     if (drawing_.layers[inner.layer].frozen) return count_hidden(inner.layer, 1);
     const auto found = drawing_.blocks.find(insert.block);
@@ -172,7 +180,7 @@ class Placing {
     const Affine to_base({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -block.base);
     for (uint32_t row = 0; row < insert.rows; ++row) {
       for (uint32_t column = 0; column < insert.columns; ++column) {
-        if (++placements_ > max_placements) return target_.warn("inserts beyond ten million were skipped");
+        if (row + column > 0 && is_beyond_limit()) return;
         Affine at = insert.transform;
         at[3] += insert.column * static_cast<double>(column) + insert.row * static_cast<double>(row);
         const Affine placed = outer * glm::dmat4(at) * glm::dmat4(to_base);

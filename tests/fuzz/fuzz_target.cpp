@@ -85,6 +85,7 @@ void import_both_ways(std::span<const uint8_t> bytes, void (*import)(FileImport&
   const std::filesystem::path file = file_of(bytes);
   ImportOptions in_memory;
   in_memory.group_placements = in_memory.group_triangles = 1;
+  in_memory.max_placements = 1000;
   ImportOptions streamed = in_memory;
   in_memory.stream_above = in_memory.max_in_memory = uint64_t{1} << 40;
   streamed.stream_above = streamed.max_in_memory = 0;

@@ -25,8 +25,9 @@ std::string part(const std::string& unit, const std::string& resources, const st
          "</resources><build>" + build + "</build></model>";
 }
 
-Model import_part(const std::string& xml) {
-  return import_model({write_zip("a.3mf", {{"[Content_Types].xml", "<Types/>"}, {"3D/3dmodel.model", xml}})});
+Model import_part(const std::string& xml, const ImportOptions& options = {}) {
+  return import_model({write_zip("a.3mf", {{"[Content_Types].xml", "<Types/>"}, {"3D/3dmodel.model", xml}})},
+                      options);
 }
 
 void expect_bounds(const Model& model, size_t triangles, const glm::dvec3& low, const glm::dvec3& high) {
@@ -60,6 +61,20 @@ TEST(Import3mf, items_and_components_are_placed_by_their_transforms) {
                        "<item objectid=\"3\"/><item objectid=\"8\"/>"));
   EXPECT_TRUE(warns(itself, "1 objects within themselves"));
   EXPECT_TRUE(warns(itself, "1 placements of objects that are not in the file"));
+}
+
+TEST(Import3mf, placements_beyond_a_limit_are_counted_and_skipped) {
+  ImportOptions options;
+  options.max_placements = 100;
+  std::string nested = object;
+  for (int id = 2; id < 40; ++id) {
+    const std::string inner = "<component objectid=\"" + std::to_string(id - 1) + "\"/>";
+    nested += "<object id=\"" + std::to_string(id) + "\"><components>" + inner + inner +
+              "<component objectid=\"99\"/></components></object>";
+  }
+  const Model model = import_part(part("", nested, "<item objectid=\"39\"/>"), options);
+  EXPECT_TRUE(warns(model, "placements beyond 100 were skipped"));
+  EXPECT_LE(test::placed_triangles(model).size(), 200u);
 }
 
 TEST(Import3mf, without_items_every_object_is_drawn_and_supports_are_not) {

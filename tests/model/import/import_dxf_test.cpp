@@ -166,6 +166,25 @@ TEST(ImportDxf, colours_are_the_entitys_the_layers_or_the_inserts) {
   EXPECT_EQ(color_of("0 INSERT 8 True 2 B 62 3", in_block("8 Red")), red);
 }
 
+TEST(ImportDxf, inserts_beyond_a_limit_are_counted_and_skipped) {
+  ImportOptions options;
+  options.max_placements = 100;
+  const auto with = [&](const std::string& insert, const std::string& blocks) {
+    return import_model({test::write_model("a.dxf", drawing(insert, blocks))}, options);
+  };
+  const Model hundred = with("0 INSERT 2 T 70 20 71 5 44 3 45 3", block);
+  EXPECT_EQ(test::placed_triangles(hundred).size(), 100u);
+  EXPECT_FALSE(warns(hundred, "were skipped"));
+  const Model most = with("0 INSERT 2 T 70 1000000 71 1000000 44 3 45 3", block);
+  EXPECT_EQ(test::placed_triangles(most).size(), 100u);
+  EXPECT_TRUE(warns(most, "inserts beyond 100 were skipped"));
+  // Inserts that place nothing count as well: within an array there may be many.
+  const std::string holder = block + " 0 BLOCK 2 H 0 INSERT 2 T 0 INSERT 2 missing 0 ENDBLK";
+  const Model nested = with("0 INSERT 2 H 70 1000000 44 3", holder);
+  EXPECT_EQ(test::placed_triangles(nested).size(), 33u);
+  EXPECT_TRUE(warns(nested, "33 inserts of blocks that are not in the file"));
+}
+
 TEST(ImportDxf, its_unit_is_that_of_the_header_unless_one_is_asked_for) {
   const std::string inches = drawing(face, "", "", "9 $ACADVER 1 AC1015 9 $INSUNITS 70 1");
   expect_bounds(import_text("a.dxf", inches), 1, {0, 0, 0}, {2 * 0.0254, 0.0254, 0});
