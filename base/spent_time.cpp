@@ -70,6 +70,12 @@ double process_cpu_milliseconds() {
   return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
+StageWatch::StageWatch() : began_{.wall_ms = steady_milliseconds(), .cpu_ms = process_cpu_milliseconds()} {}
+
+SpentTime StageWatch::spent() const {
+  return SpentTime{.wall_ms = steady_milliseconds(), .cpu_ms = process_cpu_milliseconds()} - began_;
+}
+
 SpentTime spent_time() {
   return {.wall_ms = steady_milliseconds(),
           .cpu_ms = process_cpu_milliseconds(),

@@ -24,6 +24,17 @@ double process_cpu_milliseconds();
 /// What was spent up to now. Reads files of /proc, which takes some ten microseconds and two for each thread.
 SpentTime spent_time();
 
+/// Wall and processor time of one stage of a frame, from here on: without files, for what is measured often.
+class StageWatch {
+ public:
+  StageWatch();
+  /// The other members are left 0.
+  SpentTime spent() const;
+
+ private:
+  SpentTime began_;
+};
+
 /// What was spent from `before` to `after`, `runnable` left out. Never negative: a thread that has ended
 /// takes its waiting along.
 SpentTime operator-(const SpentTime& after, const SpentTime& before);

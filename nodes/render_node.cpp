@@ -41,6 +41,7 @@ class RenderNode {
                        .batches = options.cull,
                        .device = options.device,
                        .rules = options.frame_rules}),
+        cost_measure_(measure_of(stages_.device().names())),
         peers_(options.connect, sink, options.stop) {}
 
   /// Runs until the last frame, or until this process is to end.
@@ -84,10 +85,9 @@ class RenderNode {
     double sent_ms;  ///< how much later it was sent to the switch nodes
   };
 
-  /// What a role may take is measured in wall time: of the other roles nothing else is known.
   void calibrate(FrameRequest& first) {
     steering_.emplace(pack_.skeleton(), SteeringOptions{.target_ms = options_.target_ms,
-                                                        .measure = CostMeasure::wall,
+                                                        .measure = cost_measure_,
                                                         .rules = options_.frame_rules});
     stages_.resize(first.state.view.width, first.state.view.height);
     steering_->calibrate(stages_, first);
@@ -169,12 +169,8 @@ class RenderNode {
     return true;
   }
 
-  /// The cost is that of the busiest role: switch nodes and render node work side by side.
   SteeredFrame steered(const FrameRecord& record) {
-    const double culling_ms = record.occlusion_representation_ms + record.hardware_cull_ms;
-    const double cost_ms =
-        record.fallback ? culling_ms + record.render_ms : std::max(culling_ms, record.render_ms);
-    SteeredFrame steered = steering_->drawn(record.number, visible_, cost_ms);
+    SteeredFrame steered = steering_->drawn(record.number, visible_, cost_ms_);
     const SpentTime now = spent_time();
     steered.wall_ms = record.frame_ms;
     steered.undisturbed = is_undisturbed(done_at_, now);
@@ -221,7 +217,9 @@ class RenderNode {
 
   FrameRecord draw_fallback(const FrameRequest& frame) {
     stages_.resume(visible_);
+    const StageWatch watch;
     FrameRecord record = stages_.draw(frame);
+    cost_ms_ = cost_of(watch.spent(), cost_measure_);
     record.fallback = true;
     done_ms_ = clock_.milliseconds();
     return record;
@@ -230,12 +228,17 @@ class RenderNode {
   Awaited<FrameRecord> draw_together(const Released& released) {
     const FrameRequest& frame = released.request;
     PictureStage& picture = stages_.picture();
-    double drawing_ms = 0;
+    SpentTime drawing;
+    const auto add_drawing = [&](const StageWatch& watch) {
+      const SpentTime spent = watch.spent();
+      drawing.wall_ms += spent.wall_ms;
+      drawing.cpu_ms += spent.cpu_ms;
+    };
     const auto draw_more = [&](const std::vector<DrawableId>& drawables) {
-      const Stopwatch stopwatch;
+      const StageWatch watch;
       options_.session_rules.slow_down();
       picture.draw(drawables);
-      drawing_ms += stopwatch.milliseconds();
+      add_drawing(watch);
     };
     Inbox& inbox = *peers_.inbox();
     const FrameView view(pack_.skeleton(), frame.state, options_.frame_rules);
@@ -251,21 +254,29 @@ class RenderNode {
       picture.begin(view, frame.number);
       draw_more(ordered);
     }
-    const Stopwatch finishing;
+    const StageWatch finishing;
     options_.session_rules.slow_down();
     picture.finish();
+    add_drawing(finishing);
     done_ms_ = clock_.milliseconds();
     FrameRecord record;
+    const StageTimes& times = intake.sentinel.times;
+    const bool by_wall = cost_measure_ == CostMeasure::wall;
+    double culling_cost_ms = by_wall ? times.hardware_cull_ms : times.hardware_cull_cpu_ms;
     if (const auto report = frame.number > 0 ? inbox.report(frame.number - 1) : std::nullopt) {
       record.occlusion_representation_ms = report->occlusion_representation_ms;
+      culling_cost_ms +=
+          by_wall ? report->occlusion_representation_ms : report->occlusion_representation_cpu_ms;
       record_latency(record, released, *report, intake);
     }
-    record.render_ms = drawing_ms + finishing.milliseconds();
+    // Switch nodes and render node work side by side.
+    cost_ms_ = std::max(culling_cost_ms, cost_of(drawing, cost_measure_));
+    record.render_ms = drawing.wall_ms;
     record.waiting_ms = intake.waiting_ms - intake.network_ms;
     record.network_ms = intake.network_ms;
-    record.hardware_cull_ms = intake.sentinel.times.hardware_cull_ms;
-    record.cut_drawables = intake.sentinel.times.cut_size;
-    record.tests = intake.sentinel.times.queries;
+    record.hardware_cull_ms = times.hardware_cull_ms;
+    record.cut_drawables = times.cut_size;
+    record.tests = times.queries;
     record.added = intake.sentinel.added;
     record.removed = intake.sentinel.removed;
     record.drawn_triangles = picture.drawn_triangles();
@@ -299,13 +310,15 @@ class RenderNode {
   FrameSource::Numbers numbers_;
   const RenderNodeOptions& options_;
   LocalPipeline stages_;
+  CostMeasure cost_measure_;
   Peers peers_;
   Stopwatch clock_;
   uint32_t next_release_ = numbers_.first;
   std::deque<Released> released_;      ///< cameras that were released, whose pictures are not drawn yet
   std::optional<FrameRequest> first_;  ///< until it is released
   double done_ms_ = 0, last_done_ms_ = 0;
-  std::string lost_;  ///< why the epoch ended, for the next record
+  double cost_ms_ = 0;  ///< of the last frame, in cost_measure_: what its busiest role took
+  std::string lost_;    ///< why the epoch ended, for the next record
   VisibleSet visible_;
   std::optional<FrameSteering> steering_;
   SpentTime done_at_;  ///< of frames that are steered: when the last picture was done

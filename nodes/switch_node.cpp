@@ -1,6 +1,8 @@
 #include "nodes/switch_node.hpp"
 
 #include "base/clock.hpp"
+#include "base/spent_time.hpp"
+#include "base/threads.hpp"
 #include "nodes/frame_intake.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
@@ -117,7 +119,7 @@ class Epoch {
 
   /// HC in frame i: R(i) is drawn, V(i−1) is known.
   std::optional<Ending> cull(uint32_t frame) {
-    const Stopwatch stopwatch;
+    const StageWatch watch;
     const VisibleSet& previous = sets_.latest();
     Sentinel sentinel{.frame = frame, .visible = 0, .added = 0, .removed = 0, .digest = 0, .times = {}};
     PacketSender sender(*this, sentinel);
@@ -126,7 +128,9 @@ class Epoch {
     sets_.add(frame, result.visible);
     sentinel.visible = static_cast<uint32_t>(result.visible.size());
     sentinel.digest = frame_digest(frame, camera_.state, node_.pack.content_hash(), result.visible);
-    sentinel.times = {.hardware_cull_ms = to_the_microsecond(stopwatch.milliseconds()),
+    const SpentTime spent = watch.spent();
+    sentinel.times = {.hardware_cull_ms = to_the_microsecond(spent.wall_ms),
+                      .hardware_cull_cpu_ms = to_the_microsecond(spent.cpu_ms / thread_count()),
                       .queries = static_cast<uint32_t>(result.tests),
                       .cut_size = static_cast<uint32_t>(result.selected),
                       .sent_at_ms = to_the_microsecond(steady_milliseconds())};
@@ -144,7 +148,7 @@ class Epoch {
     camera_ = *next;
     const double camera_waiting_ms = waiting.milliseconds();
     const double began_at_ms = steady_milliseconds();
-    const Stopwatch whole;
+    const StageWatch whole;
     begin(camera_);
     Awaited<IntakeResult> intake = take_frame(
         inbox_, node_.pack.skeleton(), node_.pack.content_hash(), current, sets_.latest(),
@@ -160,17 +164,19 @@ class Epoch {
       node_.stage->represent(intake->visible);
     }
     node_.stage->finish();
-    const double represent_ms = whole.milliseconds() - intake->waiting_ms;
+    const SpentTime spent = whole.spent();
     sets_.add(frame, std::move(intake->visible));
     ++node_.summary.represented;
-    return inbox_.send(Role::render, Channel::nodes,
-                       SwitchReport{.frame = frame,
-                                    .began_at_ms = to_the_microsecond(began_at_ms),
-                                    .occlusion_representation_ms = to_the_microsecond(represent_ms),
-                                    .camera_waiting_ms = to_the_microsecond(camera_waiting_ms),
-                                    .packets_waiting_ms = to_the_microsecond(intake->waiting_ms),
-                                    .drawables = static_cast<uint32_t>(node_.stage->represented().size()),
-                                    .triangles = node_.stage->represented_triangles()});
+    return inbox_.send(
+        Role::render, Channel::nodes,
+        SwitchReport{.frame = frame,
+                     .began_at_ms = to_the_microsecond(began_at_ms),
+                     .occlusion_representation_ms = to_the_microsecond(spent.wall_ms - intake->waiting_ms),
+                     .occlusion_representation_cpu_ms = to_the_microsecond(spent.cpu_ms / thread_count()),
+                     .camera_waiting_ms = to_the_microsecond(camera_waiting_ms),
+                     .packets_waiting_ms = to_the_microsecond(intake->waiting_ms),
+                     .drawables = static_cast<uint32_t>(node_.stage->represented().size()),
+                     .triangles = node_.stage->represented_triangles()});
   }
 
   LastingState& node_;

@@ -248,7 +248,7 @@ void describe(Body& body, M& message) {
   body.plain(message.digest);
   for (auto* count : {&message.visible, &message.added, &message.removed, &times.queries, &times.cut_size})
     body.count(*count);
-  body.times({&times.hardware_cull_ms, &times.sent_at_ms});
+  body.times({&times.hardware_cull_ms, &times.hardware_cull_cpu_ms, &times.sent_at_ms});
 }
 
 template <typename Body, Either<FullSet> M>
@@ -264,7 +264,8 @@ void describe(Body& body, M& message) {
 
 template <typename Body, Either<SwitchReport> M>
 void describe(Body& body, M& message) {
-  body.times({&message.began_at_ms, &message.occlusion_representation_ms, &message.camera_waiting_ms,
+  body.times({&message.began_at_ms, &message.occlusion_representation_ms,
+              &message.occlusion_representation_cpu_ms, &message.camera_waiting_ms,
               &message.packets_waiting_ms});
   body.count(message.drawables);
   body.count(message.triangles);

@@ -16,7 +16,7 @@
 
 namespace triptych {
 
-inline constexpr uint32_t protocol_version = 5;
+inline constexpr uint32_t protocol_version = 6;
 
 /// The first message on every socket, in both directions.
 struct Hello {
@@ -52,6 +52,7 @@ struct DeltaMessage {
 /// What HC did for the frame, and how long it took.
 struct StageTimes {
   double hardware_cull_ms = 0;
+  double hardware_cull_cpu_ms = 0;  ///< its processor time over the threads that the sender works with
   uint32_t queries = 0;   ///< boxes tested
   uint32_t cut_size = 0;  ///< drawables of cut i
   double sent_at_ms = 0;  ///< the sender's steady clock
@@ -87,6 +88,7 @@ struct SwitchReport {
   uint32_t frame = 0;      ///< i, the frame in which it was drawn
   double began_at_ms = 0;  ///< the sender's steady clock, once camera i+1 had arrived
   double occlusion_representation_ms = 0;
+  double occlusion_representation_cpu_ms = 0;  ///< its processor time over the threads of the sender
   double camera_waiting_ms = 0;   ///< for camera i+1, before it began
   double packets_waiting_ms = 0;  ///< for V(i), meanwhile
   uint32_t drawables = 0;         ///< drawn into it

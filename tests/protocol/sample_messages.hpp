@@ -34,14 +34,14 @@ inline Hello sample_hello(Role role) {
 }
 
 inline std::vector<Message> sample_messages() {
-  const StageTimes times{4.25, 431, 1800, 9.5};
+  const StageTimes times{4.25, 2.125, 431, 1800, 9.5};
   return {sample_hello(Role::switch_1),
           CameraMessage{12, {sample_view(), 1.5}, true, true},
           DeltaMessage{12, {1ull << 50, 17}, encode_delta({{1, 2, 3, 900}, {4, 77}}, {4, 77, 5000})},
           Sentinel{12, 1000, 4, 3, 0xfedcba9876543210, times},
           FullSetRequest{12},
           FullSet{12, {0, 5, 6, 7, 123456}},
-          SwitchReport{12, 99.5, 7.5, 0.25, 1.75, 1000, 3'000'000'000},
+          SwitchReport{12, 99.5, 7.5, 3.75, 0.25, 1.75, 1000, 3'000'000'000},
           Bye{"the pack differs"},
           Ready{12},
           ClockRequest{3},

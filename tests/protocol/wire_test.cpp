@@ -79,15 +79,17 @@ TEST(Wire, bodies_are_as_long_as_documented) {
   EXPECT_EQ(encode(walk).size(), header_bytes + 88) << "camera";
   walk.state.view.camera.left *= 2;
   EXPECT_EQ(encode(walk).size(), header_bytes + 88 + 1 + 16) << "camera of a lopsided frustum";
-  const Sentinel sentinel{
-      .frame = 1,
-      .visible = 60,
-      .added = 2,
-      .removed = 2,
-      .digest = 7,
-      .times = {
-          .hardware_cull_ms = to_the_microsecond(20.1), .queries = 200, .cut_size = 900, .sent_at_ms = 0}};
-  EXPECT_LE(encode(sentinel).size(), header_bytes + 8 + 3 + 2 + 2 + 1 + 4) << "sentinel";
+  const Sentinel sentinel{.frame = 1,
+                          .visible = 60,
+                          .added = 2,
+                          .removed = 2,
+                          .digest = 7,
+                          .times = {.hardware_cull_ms = to_the_microsecond(20.1),
+                                    .hardware_cull_cpu_ms = to_the_microsecond(9.7),
+                                    .queries = 200,
+                                    .cut_size = 900,
+                                    .sent_at_ms = 0}};
+  EXPECT_LE(encode(sentinel).size(), header_bytes + 8 + 3 + 2 + 2 + 1 + 9) << "sentinel";
   EXPECT_EQ(encode(FullSetRequest{1}).size(), header_bytes) << "full set request";
 }
 

@@ -129,6 +129,25 @@ TEST_F(ViewWindow, shows_what_a_person_does_and_culling_changes_no_pixel) {
   EXPECT_GE(json_of(json).at("frames").get<int>(), looks);
 }
 
+TEST_F(ViewWindow, says_to_which_pixel_error_a_target_of_time_raises_frames) {
+  Program program(view({"--json", json, "--target-ms", "0.000001"}));  // which nothing keeps
+  find_window();
+  EXPECT_NE(title().find("64 px (asked for 1)"), std::string::npos) << title();
+  const Picture raised = look();
+  EXPECT_GT(colors_in(raised), 2u);
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report.at("steering").at("out_of_reach_frames"), report.at("frames"));
+
+  Program with_time(view({"--json", json, "--target-ms", "1000000"}));
+  find_window();
+  EXPECT_NE(title().find(" 1 px,"), std::string::npos) << title();
+  xdotool("key Escape");
+  EXPECT_EQ(with_time.wait(std::chrono::seconds(60)), 0) << with_time.errors();
+  EXPECT_EQ(json_of(json).at("steering").at("raised_frames"), 0);
+}
+
 TEST_F(ViewWindow, draws_in_the_size_that_the_window_has) {
   Program program(view());
   find_window();
