@@ -9,6 +9,7 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
+#include <assimp/config.h>
 #include <assimp/metadata.h>
 #include <cmath>
 #include <cstdio>
@@ -123,6 +124,7 @@ void convert(const std::string& file, const std::string& unpacked_extension) {
   Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
   Assimp::DefaultLogger::get()->attachStream(new Warnings, Assimp::Logger::Warn | Assimp::Logger::Err);
   Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // else nodes have their ids
   const std::string extension = lower_case(
       unpacked_extension.empty() ? std::filesystem::path(file).extension().string() : unpacked_extension);
   const auto bytes = bytes_to_read(file, !unpacked_extension.empty());

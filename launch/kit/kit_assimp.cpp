@@ -24,25 +24,17 @@ struct Convention {
   double per_metre = 1;  ///< units
   bool z_up = false;
   bool vertex_colors = false;  ///< in place of materials
-  bool flat = false;           ///< only what the scene's root holds itself is written
-  double full_channel = 1;     ///< what a colour's channels go up to
 };
 
 // PLY and FBX are text: the binary PLY's colours are not of the type that its header names, and the binary
-// FBX lacks the zeros that end its records, so that nothing reads it.
+// FBX lacks the zeros that end its records, so that nothing reads it. In 3MF it writes no colour rightly.
 constexpr std::array conventions = {Convention{.format = "obj", .exporter = "obj"},
                                     Convention{.format = "ply", .exporter = "ply", .vertex_colors = true},
                                     Convention{.format = "stl", .exporter = "stlb"},
                                     Convention{.format = "dae", .exporter = "collada"},
                                     Convention{.format = "x3d", .exporter = "x3d"},
                                     Convention{.format = "fbx", .exporter = "fbxa", .per_metre = 100},
-                                    Convention{.format = "3ds", .exporter = "3ds", .z_up = true},
-                                    Convention{.format = "3mf",
-                                               .exporter = "3mf",
-                                               .per_metre = 1000,
-                                               .z_up = true,
-                                               .flat = true,
-                                               .full_channel = 255}};
+                                    Convention{.format = "3ds", .exporter = "3ds", .z_up = true}};
 
 const Convention* convention_of(const std::string& format) {
   const auto found = std::find_if(conventions.begin(), conventions.end(),
@@ -62,11 +54,11 @@ Value* owned(const std::vector<Value>& values) {
   return array;
 }
 
-/// `above`: added to the channel's byte, where the exporter cuts fractions off.
-aiColor4D color_of(const KitSolid& solid, double full_channel, double above = 0) {
-  const auto channel = [&](double byte) { return static_cast<ai_real>((byte + above) / 255 * full_channel); };
+/// `above`: added to each channel's byte, where the exporter makes bytes and cuts fractions off.
+aiColor4D color_of(const KitSolid& solid, double above = 0) {
+  const auto channel = [&](double byte) { return static_cast<ai_real>((byte + above) / 255); };
   const auto& [red, green, blue] = solid.colour;
-  return {channel(red), channel(green), channel(blue), static_cast<ai_real>(full_channel)};
+  return {channel(red), channel(green), channel(blue), 1};
 }
 
 aiMesh* new_mesh(const KitSolid& solid, const Convention& convention) {
@@ -81,7 +73,7 @@ aiMesh* new_mesh(const KitSolid& solid, const Convention& convention) {
   result->mNumVertices = static_cast<unsigned>(positions.size());
   result->mVertices = owned(positions);
   if (convention.vertex_colors)
-    result->mColors[0] = owned(std::vector<aiColor4D>(positions.size(), color_of(solid, 1, 0.5)));
+    result->mColors[0] = owned(std::vector<aiColor4D>(positions.size(), color_of(solid, 0.5)));
   result->mNumFaces = static_cast<unsigned>(mesh.triangles.size());
   result->mFaces = new aiFace[mesh.triangles.size()];
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -92,12 +84,12 @@ aiMesh* new_mesh(const KitSolid& solid, const Convention& convention) {
   return result;
 }
 
-aiMaterial* new_material(const KitSolid& solid, const Convention& convention) {
+aiMaterial* new_material(const KitSolid& solid) {
   auto* material = new aiMaterial;
   const auto& [red, green, blue] = solid.colour;
   const aiString name(fmt::format("colour_{}_{}_{}", red, green, blue));
   material->AddProperty(&name, AI_MATKEY_NAME);
-  const aiColor4D color = color_of(solid, convention.full_channel);
+  const aiColor4D color = color_of(solid);
   material->AddProperty(&color, 1, AI_MATKEY_COLOR_DIFFUSE);
   return material;
 }
@@ -109,21 +101,21 @@ void set_children(aiNode& node, const std::vector<aiNode*>& children) {
 }
 
 /// A node for each storey, and one in it for each of its solids.
-aiNode* new_nodes(bool flat) {
-  auto* root = new aiNode("kit");
-  std::vector<aiNode*> top;
-  std::vector<std::vector<aiNode*>> in_storey(kit_storeys().size());
+aiNode* new_nodes() {
+  std::vector<std::vector<aiNode*>> solids(kit_storeys().size());
   for (size_t i = 0; i < kit_solids().size(); ++i) {
     auto* node = new aiNode(kit_solids()[i].name);
     node->mNumMeshes = 1;
     node->mMeshes = owned(std::vector<unsigned>{static_cast<unsigned>(i)});
-    (flat ? top : in_storey[kit_solids()[i].storey]).push_back(node);
+    solids[kit_solids()[i].storey].push_back(node);
   }
-  for (size_t i = 0; i < in_storey.size() && !flat; ++i) {
-    top.push_back(new aiNode(kit_storeys()[i].name));
-    set_children(*top.back(), in_storey[i]);
+  std::vector<aiNode*> storeys;
+  for (size_t i = 0; i < solids.size(); ++i) {
+    storeys.push_back(new aiNode(kit_storeys()[i].name));
+    set_children(*storeys.back(), solids[i]);
   }
-  set_children(*root, top);
+  auto* root = new aiNode("kit");
+  set_children(*root, storeys);
   return root;
 }
 
@@ -134,7 +126,7 @@ std::unique_ptr<aiScene> scene_for(const Convention& convention) {
   std::map<std::array<uint8_t, 3>, unsigned> known;
   for (const KitSolid& solid : kit_solids()) {
     const auto [found, added] = known.try_emplace(solid.colour, static_cast<unsigned>(materials.size()));
-    if (added) materials.push_back(new_material(solid, convention));
+    if (added) materials.push_back(new_material(solid));
     meshes.push_back(new_mesh(solid, convention));
     meshes.back()->mMaterialIndex = found->second;
   }
@@ -142,7 +134,7 @@ std::unique_ptr<aiScene> scene_for(const Convention& convention) {
   scene->mMeshes = owned(meshes);
   scene->mNumMaterials = static_cast<unsigned>(materials.size());
   scene->mMaterials = owned(materials);
-  scene->mRootNode = new_nodes(convention.flat);
+  scene->mRootNode = new_nodes();
   return scene;
 }
 

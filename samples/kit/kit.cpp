@@ -27,6 +27,7 @@ constexpr const char *own = "triptych", *assimp = "Assimp", *occt = "OpenCASCADE
 constexpr std::array formats = {Format{"gltf", own, "kit.bin"},
                                 Format{"glb", own},
                                 Format{"dxf", own},
+                                Format{"3mf", own},
                                 Format{"obj", assimp, "kit.mtl"},
                                 Format{"ply", assimp},
                                 Format{"stl", assimp},
@@ -34,7 +35,7 @@ constexpr std::array formats = {Format{"gltf", own, "kit.bin"},
                                 Format{"3ds", assimp},
                                 Format{"x3d", assimp},
                                 Format{"fbx", assimp},
-                                Format{"3mf", assimp},
+
                                 Format{"step", occt},
                                 Format{"igs", occt},
                                 Format{"ifc", web_ifc}};
@@ -69,6 +70,7 @@ void write_format(const std::string& format, const std::filesystem::path& progra
   if (format == "gltf") return write_kit_gltf(folder);
   if (format == "glb") return write_kit_glb(folder);
   if (format == "dxf") return write_kit_dxf(folder);
+  if (format == "3mf") return write_kit_3mf(folder);
   if (format == "ifc") {
     const std::filesystem::path plan = folder / "plan.json";
     write_kit_plan(plan);

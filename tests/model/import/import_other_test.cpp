@@ -165,6 +165,16 @@ TEST(ImportOther, vertex_colours_are_those_displayed_and_no_material_is_made_up_
   EXPECT_FALSE(warns(model, "vertex colours"));
 }
 
+TEST(ImportOther, a_material_has_a_texture_only_where_that_has_a_name) {
+  const auto x3d = [](const std::string& image) {
+    return import_text("a.x3d", "<X3D><Scene><Shape><Appearance><Material diffuseColor='1 0 0'/>" + image +
+                                    "</Appearance><IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate "
+                                    "point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape></Scene></X3D>");
+  };
+  EXPECT_FALSE(warns(x3d("<ImageTexture/>"), "textures"));
+  EXPECT_TRUE(warns(x3d("<ImageTexture url='\"wood.png\"'/>"), "textures"));
+}
+
 TEST(ImportOther, a_byte_order_mark_and_gzip_around_a_file_are_taken_off) {
   EXPECT_EQ(import_text("a.off", "\xef\xbb\xbf" + off).source_triangles(), 2u);
   const auto file = write_model("packed", "");
@@ -294,6 +304,11 @@ TEST(ImportOther, a_program_that_is_not_there_is_named) {
 
 TEST(ImportOther, nodes_are_objects_by_their_names_and_what_assimp_makes_up_is_none) {
   EXPECT_EQ(described(import_text("a.dae", collada)), (std::vector<std::string>{"n", "k"}));
+  std::string named = collada;
+  named.replace(named.find("<node id=\"n\">"), 13, "<node id=\"n\" name=\"Left &lt;wing\">");
+  EXPECT_EQ(described(import_text("a.dae", named)), (std::vector<std::string>{"Left <wing", "k"}));
+  named.replace(named.find("<node id=\"k\">"), 13, "<node>");
+  EXPECT_EQ(described(import_text("a.dae", named)), (std::vector<std::string>{"Left <wing", "g"}));
   EXPECT_EQ(described(import_text("a.fbx", fbx)), (std::vector<std::string>{"m"}));
   EXPECT_EQ(described(import_text("a.off", off)), (std::vector<std::string>{"none"}));
 }
