@@ -1,3 +1,4 @@
+#include "base/signals.hpp"
 #include "base/threads.hpp"
 #include "launch/command.hpp"
 #include "launch/number_flags.hpp"
@@ -50,7 +51,7 @@ int run_building(SampleCommand command) {
 }
 
 int run_kit(const SampleCommand& command) {
-  const KitReport report = make_kit({}, command.output);
+  const KitReport report = make_kit({.stop = stop_requested}, command.output);
   nlohmann::json files = nlohmann::json::array();
   for (const KitFile& file : report.files) {
     fmt::print("{:<40}{:>10} bytes, by {}\n", (command.output / file.name).string(), file.bytes, file.writer);

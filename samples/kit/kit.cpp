@@ -110,6 +110,7 @@ KitReport make_kit(const KitOptions& options, const std::filesystem::path& folde
   const WorkFolder work(folder);
   KitReport report = described();
   for (const Format& format : formats) {
+    if (options.stop && options.stop()) fail(std::string("kit.") + format.name, "was told to end before it");
     write_format(format.name, programs, work.path());
     for (const std::string& name : {std::string("kit.") + format.name, std::string(format.beside)}) {
       if (name.empty()) continue;

@@ -200,11 +200,11 @@ TEST(SampleKit, its_solids_are_closed_and_its_box_shows_turns_and_mirror_images)
 }
 
 /// What make_kit complains of; it leaves nothing in its folder.
-std::string complaint(const std::filesystem::path& programs) {
+std::string complaint(const std::filesystem::path& programs, bool (*stop)() = nullptr) {
   const Folder folder("kit_none");
   std::string message;
   try {
-    make_kit({.programs = programs}, folder.path());
+    make_kit({.programs = programs, .stop = stop}, folder.path());
   } catch (const Error& error) {
     message = error.what();
   }
@@ -237,6 +237,7 @@ TEST(SampleKit, a_program_that_is_missing_or_fails_is_named_with_its_format_and_
   EXPECT_NE(complaint(programs_with("exit 7")).find("exit code 7"), std::string::npos);
   EXPECT_EQ(complaint(programs_with("[ $1 = dae ] || { " + writes + " }; exit 0")),
             "kit.dae: was not written by Assimp");
+  EXPECT_EQ(complaint("", [] { return true; }), "kit.gltf: was told to end before it");
   EXPECT_NE(complaint(programs_with(writes + "exit 0")).find("kit.ifc: is written by "), std::string::npos);
 }
 
