@@ -66,6 +66,22 @@ TEST_P(StepSchema, an_assembly_shares_its_parts_and_keeps_names_and_colours) {
   EXPECT_TRUE(model.report.warnings.empty()) << model.report.warnings.front();
 }
 
+TEST(ImportStep, what_has_no_colour_has_that_of_the_assembly_it_is_placed_in) {
+  const auto file = place_of("pair.stp");
+  test::write_step_coloured_assembly(file);
+  const Model model = import_model({file});
+  std::map<std::pair<bool, bool>, glm::vec4> colors;  // by whether it is the second pair, and the second part
+  for (const PlacedTriangle& triangle : placed_triangles(model)) {
+    const double x = (triangle.corners[0].x + triangle.corners[1].x + triangle.corners[2].x) / 3;
+    colors[{x > 0.06, std::fmod(x, 0.1) > 0.015}] = triangle.color;
+  }
+  EXPECT_EQ(colors.size(), 4u);
+  EXPECT_EQ((colors[{false, false}]), Material().base_color);
+  EXPECT_EQ((colors[{false, true}]), glm::vec4(0, 0, 1, 1));
+  EXPECT_EQ((colors[{true, false}]), glm::vec4(0, 1, 0, 1));
+  EXPECT_EQ((colors[{true, true}]), glm::vec4(0, 0, 1, 1)) << "a part's own colour is kept";
+}
+
 TEST(ImportStep, the_axis_that_is_up_is_z_unless_the_user_says_another) {
   const auto file = place_of("cylinder.step");
   test::write_step_cylinder(file, "MM");

@@ -79,6 +79,30 @@ void write_step_assembly(const std::filesystem::path& file, const std::string& s
   writer.Write(file.c_str());
 }
 
+void write_step_coloured_assembly(const std::filesystem::path& file) {
+  be_quiet();
+  opencascade::handle<TDocStd_Document> document;
+  XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  const TDF_Label plain = shapes->AddShape(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), Standard_False);
+  const TDF_Label blue = shapes->AddShape(BRepPrimAPI_MakeBox(10, 10, 5).Shape(), Standard_False);
+  colors->SetColor(blue, display_color(0, 0, 1), XCAFDoc_ColorSurf);
+  const TDF_Label pair = shapes->NewShape(), whole = shapes->NewShape();
+  shapes->AddComponent(pair, plain, along_x(0));
+  shapes->AddComponent(pair, blue, along_x(20));
+  shapes->AddComponent(whole, pair, along_x(0));
+  colors->SetColor(shapes->AddComponent(whole, pair, along_x(100)), display_color(0, 1, 0),
+                   XCAFDoc_ColorSurf);
+  shapes->UpdateAssemblies();
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("write.step.schema", "AP214IS");
+  Interface_Static::SetCVal("write.step.unit", "MM");
+  STEPCAFControl_Writer writer;
+  writer.Transfer(document, STEPControl_AsIs);
+  writer.Write(file.c_str());
+}
+
 void write_step_cylinder(const std::filesystem::path& file, const std::string& unit) {
   be_quiet();
   STEPControl_Controller::Init();

@@ -10,6 +10,10 @@ namespace triptych::test {
 /// and twice a part without a colour of its own, the second time in green. Names: "Frame", "Block", "Plate".
 void write_step_assembly(const std::filesystem::path& file, const std::string& schema);
 
+/// Two parts within an assembly that is placed twice along x: one has no colour, the other is blue. The
+/// second placement of the assembly is green.
+void write_step_coloured_assembly(const std::filesystem::path& file);
+
 /// A cylinder of radius 50 and height 100 units around z.
 void write_step_cylinder(const std::filesystem::path& file, const std::string& unit);
 
