@@ -46,17 +46,16 @@ Quantity_Color color_of(const KitSolid& solid) {
   return {solid.colour[0] / 255.0, solid.colour[1] / 255.0, solid.colour[2] / 255.0, Quantity_TOC_sRGB};
 }
 
-/// `assemblies`: one for each storey; otherwise all solids stand by themselves.
-opencascade::handle<TDocStd_Document> document_of_kit(bool assemblies) {
+/// An assembly for each storey.
+opencascade::handle<TDocStd_Document> document_of_kit() {
   opencascade::handle<TDocStd_Document> document;
   XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
   const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  const TDF_Label kit = shapes->NewShape();
+  TDataStd_Name::Set(kit, "kit");
   std::vector<TDF_Label> storeys;
-  const TDF_Label kit = assemblies ? shapes->NewShape() : TDF_Label();
-  if (assemblies) TDataStd_Name::Set(kit, "kit");
-  for (size_t i = 0; i < kit_storeys().size() && assemblies; ++i) {
-    const KitStorey& storey = kit_storeys()[i];
+  for (const KitStorey& storey : kit_storeys()) {
     storeys.push_back(shapes->NewShape());
     TDataStd_Name::Set(storeys.back(), storey.name.c_str());
     TDataStd_Name::Set(shapes->AddComponent(kit, storeys.back(), TopLoc_Location()), storey.name.c_str());
@@ -65,7 +64,6 @@ opencascade::handle<TDocStd_Document> document_of_kit(bool assemblies) {
     const TDF_Label part = shapes->AddShape(prism_of(solid), Standard_False);
     TDataStd_Name::Set(part, solid.name.c_str());
     colors->SetColor(part, color_of(solid), XCAFDoc_ColorSurf);
-    if (!assemblies) continue;
     const TDF_Label placed = shapes->AddComponent(storeys[solid.storey], part, TopLoc_Location());
     TDataStd_Name::Set(placed, solid.name.c_str());
   }
@@ -95,9 +93,8 @@ bool opencascade_writes(const std::string& format) { return format == "step" || 
 
 void write_kit_with_opencascade(const std::string& format, const std::filesystem::path& file) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
-  const bool step = format == "step";  // Reading IGES gives back no assemblies.
-  const auto document = document_of_kit(step);
-  if (!(step ? write_step(document, file) : write_iges(document, file)))
+  const auto document = document_of_kit();
+  if (!(format == "step" ? write_step(document, file) : write_iges(document, file)))
     fail("OpenCASCADE", "cannot write {}", file.string());
 }
 

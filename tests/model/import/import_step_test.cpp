@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
 namespace triptych {
@@ -49,6 +50,8 @@ TEST_P(StepSchema, an_assembly_shares_its_parts_and_keeps_names_and_colours) {
   for (const Instance& instance : model.instances) {
     ASSERT_NE(instance.object, no_id);
     const SourceObject& object = model.source_objects.objects.at(instance.object);
+    EXPECT_EQ(model.source_objects.texts[object.name], model.source_objects.texts[object.type])
+        << "placements have no names of their own";
     types.insert(std::string(model.source_objects.texts[object.type]));
     EXPECT_NE(object.number, 0u);
   }
@@ -144,6 +147,31 @@ TEST(ImportStep, an_iges_file_is_read_in_its_unit) {
     const Model model = import_model({file});
     EXPECT_EQ(model.placed_triangles(), 12u);
     expect_box(model, {0, 0, -0.02}, {0.01, 0.03, 0});
+  }
+}
+
+TEST(ImportStep, solids_in_groups_of_iges_are_objects_by_their_names) {
+  for (const char* third : {"Third", ""}) {
+    const auto file = place_of("groups.igs");
+    test::write_iges_groups(file, third);
+    const Model model = import_model({file});
+    ASSERT_EQ(model.instances.size(), 3u);
+    std::map<std::string, double> middles;
+    for (const Instance& instance : model.instances) {
+      const Mesh& mesh = model.meshes[instance.mesh];
+      EXPECT_EQ(mesh.triangle_count(), 12u);
+      double sum = 0;
+      for (const auto& triangle : test::triangles_of(mesh))
+        sum += (instance.transform * glm::dvec4(triangle.corners[0], 1)).x / 12;
+      const SourceObject& object = model.source_objects.objects.at(instance.object);
+      middles[std::string(model.source_objects.texts[object.name])] = std::round(sum * 50) / 50;
+      EXPECT_EQ(model.source_objects.texts[object.type], "Whole");
+    }
+    EXPECT_EQ(middles, (std::map<std::string, double>{
+                           {"Left", 0}, {"Right", 0.02}, {*third ? third : "Whole", 0.04}}));
+    const auto triangles = placed_triangles(model);
+    for (const glm::vec4& color : {glm::vec4(1, 0, 0, 1), {0, 0, 1, 1}, {0, 1, 0, 1}})
+      EXPECT_EQ(count_of(triangles, color), 12u);
   }
 }
 
