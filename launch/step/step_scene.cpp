@@ -1,6 +1,7 @@
 #include "launch/step/step_scene.hpp"
 
 #include "base/error.hpp"
+#include "launch/step/step_names.hpp"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -14,7 +15,6 @@
 #include <Standard_OutOfMemory.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
-#include <TDataStd_Name.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS.hxx>
@@ -32,25 +32,6 @@ namespace {
 
 constexpr double metres_per_millimetre = 0.001, size_per_chord = 10'000;
 constexpr double max_turn = 0.5;  ///< radians between neighbouring triangles, where the chord allows more
-
-std::string text_of(const TCollection_ExtendedString& text) {
-  const TCollection_AsciiString utf8(text);  // converts
-  return {utf8.ToCString(), static_cast<size_t>(utf8.Length())};
-}
-
-/// Empty for names as "=>[0:1:1:3]", which OpenCASCADE gives to placements, and writes.
-std::string name_of(const TDF_Label& label) {
-  opencascade::handle<TDataStd_Name> name;
-  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return "";
-  std::string text = text_of(name->Get());
-  return text.starts_with("=>[") ? "" : text;
-}
-
-/// Of a placement, or else of what it places.
-std::string name_of(const XCAFPrs_DocumentNode& node) {
-  std::string name = name_of(node.Label);
-  return name.empty() ? name_of(node.RefLabel) : name;
-}
 
 std::string entry_of(const TDF_Label& label) {
   TCollection_AsciiString entry;
@@ -100,27 +81,6 @@ class Faces {
   std::vector<glm::dvec3> positions_;
   std::map<uint32_t, std::vector<uint32_t>> by_material_;
 };
-
-/// A solid or shell of a product, with a name of its own.
-struct Body {
-  std::string name;
-  TopoDS_Shape shape;
-};
-
-/// Of a product with several: IGES has no other parts. One alone is the product.
-std::vector<Body> named_bodies_of(const TDF_Label& product) {
-  std::vector<Body> bodies;
-  TDF_LabelSequence labels;
-  XCAFDoc_ShapeTool::GetSubShapes(product, labels);
-  for (const TDF_Label& label : labels) {
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    const bool is_body = !shape.IsNull() && shape.ShapeType() <= TopAbs_SHELL;
-    if (std::string name = name_of(label); is_body && !name.empty())
-      bodies.push_back({std::move(name), shape});
-  }
-  if (bodies.size() < 2) bodies.clear();
-  return bodies;
-}
 
 class StepScene {
  public:
