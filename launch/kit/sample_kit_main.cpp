@@ -8,6 +8,7 @@
 #include <Standard_Failure.hxx>
 #include <cstdio>
 #include <locale>
+#include <unistd.h>
 
 namespace triptych {
 
@@ -36,7 +37,7 @@ int main(int count, char** arguments) {
       return 2;
     }
     write(arguments[1], arguments[2]);
-    return 0;
+    ::_exit(0);  // OpenCASCADE keeps what it made until the process ends
   } catch (const Standard_Failure& failure) {
     complain(std::string("OpenCASCADE: ") + failure.GetMessageString());
   } catch (const std::exception& error) {
