@@ -17,8 +17,8 @@ target_include_directories(glad SYSTEM PUBLIC $<INSTALL_INTERFACE:${header_dir}/
 install(TARGETS glad EXPORT triptych ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/triptych)
 install(DIRECTORY ${GLAD_DIR}/include/ DESTINATION ${header_dir}/loader)
 
-install(TARGETS triptych triptych-import triptych-import-ifc triptych-import-step RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# The reader of IFC: our scripts, and of web-ifc what Node runs.
+install(TARGETS triptych triptych-import triptych-import-ifc triptych-import-step triptych-sample-kit RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# The reader and the writer of IFC: our scripts, and of web-ifc what Node runs.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/launch/ifc/ DESTINATION ${CMAKE_INSTALL_DATADIR}/triptych/ifc
         FILES_MATCHING PATTERN *.mjs PATTERN package.json PATTERN package-lock.json PATTERN LICENSE.md
         PATTERN web-ifc-api-node.js PATTERN web-ifc-node.wasm)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <assimp/ColladaMetaData.h>
 #include <assimp/material.h>
 #include <cerrno>
 #include <cmath>
@@ -67,6 +68,15 @@ bool is_made_up(const aiMaterial& material) {
   return std::string_view(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME;
 }
 
+/// Whether it has one that has a name: X3D allows an image without any.
+bool names_texture(const aiMaterial& material, aiTextureType type) {
+  aiString path;
+  for (unsigned i = 0; i < material.GetTextureCount(type); ++i) {
+    if (material.GetTexture(type, i, &path) == aiReturn_SUCCESS && path.length > 0) return true;
+  }
+  return false;
+}
+
 json material_of(const aiMaterial& material, ConversionNotes& notes) {
   aiColor4D color(0.8f, 0.8f, 0.8f, 1);
   if (!is_made_up(material) && material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
@@ -77,8 +87,7 @@ json material_of(const aiMaterial& material, ConversionNotes& notes) {
   for (const float value : {color.r, color.g, color.b, color.a})
     factor.push_back(std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 1.0f);
   if (color.a < 1) ++notes["transparent materials are drawn opaque"];
-  if (material.GetTextureCount(aiTextureType_DIFFUSE) + material.GetTextureCount(aiTextureType_BASE_COLOR) >
-      0)
+  if (names_texture(material, aiTextureType_DIFFUSE) || names_texture(material, aiTextureType_BASE_COLOR))
     ++notes["materials with textures, which are not drawn yet"];
   return {{"pbrMetallicRoughness", {{"baseColorFactor", factor}}}};
 }
@@ -142,6 +151,17 @@ json matrix_of(const aiMatrix4x4& m, const std::string& place) {
   return matrix;
 }
 
+/// What the file calls it: Assimp makes names up for nodes that FBX does not have, and for those that COLLADA
+/// does not name, which may have an id.
+std::string name_of(const aiNode& node) {
+  std::string name(node.mName.C_Str());
+  if (name.find("_$AssimpFbx$_") != std::string::npos) return "";
+  if (!name.starts_with("$ColladaAutoName$_")) return name;
+  aiString id;
+  if (node.mMetaData && node.mMetaData->Get(AI_METADATA_COLLADA_ID, id)) return id.C_Str();
+  return "";
+}
+
 /// In glTF a node holds one mesh: further ones become children.
 json nodes_of(const aiScene& scene, const Layout& layout, const glm::dmat3& to_model,
               const std::string& place) {
@@ -162,10 +182,8 @@ json nodes_of(const aiScene& scene, const Layout& layout, const glm::dmat3& to_m
     const auto [node, index] = open.back();
     open.pop_back();
     json entry = {{"matrix", matrix_of(node->mTransformation, place)}};
-    const std::string name(node->mName.C_Str());
-    // Assimp makes names up for its own root and for nodes that FBX does not have.
-    const bool own = node != scene.mRootNode && name.find("_$AssimpFbx$_") == std::string::npos;
-    if (own && !name.empty()) entry["name"] = name;
+    if (const std::string name = name_of(*node); node != scene.mRootNode && !name.empty())
+      entry["name"] = name;
     json children = json::array();
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
       if (node->mMeshes[i] >= layout.mesh_of.size()) fail(place, "names a mesh that is not there");

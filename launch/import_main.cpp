@@ -5,10 +5,12 @@
 #include "base/one_line.hpp"
 #include "launch/import_glb.hpp"
 #include "launch/reader_limits.hpp"
+#include "launch/x3d_text.hpp"
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
+#include <assimp/config.h>
 #include <assimp/metadata.h>
 #include <cmath>
 #include <cstdio>
@@ -61,15 +63,21 @@ std::string lower_case(std::string text) {
 
 /// The file's bytes behind a UTF-8 byte order mark; nothing if it can be read where it is. Assimp takes the
 /// mark for a part of the first word, except in XML. `unpacked`: the name does not say the format.
-std::optional<std::string> bytes_to_read(const std::string& file, bool unpacked) {
+std::optional<std::string> bytes_to_read(const std::string& file, const std::string& extension,
+                                         bool unpacked) {
   std::ifstream stream(file, std::ios::binary);
   std::string beginning(4, '\0');
   stream.read(beginning.data(), 4);
   const bool marked = beginning.starts_with("\xef\xbb\xbf") && beginning[3] != '<';
-  if (!marked && !unpacked) return std::nullopt;
+  const bool x3d = extension == ".x3d";
+  if (!marked && !unpacked && !x3d) return std::nullopt;
   stream.clear();
   stream.seekg(marked ? 3 : 0);
-  return std::string(std::istreambuf_iterator<char>(stream), {});
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  if (!x3d) return bytes;
+  // Files that it names are found only where it is read from its place.
+  if (!marked && !unpacked && bytes.find("<Inline") != std::string::npos) return std::nullopt;
+  return without_quotes_in_lists(bytes);
 }
 
 /// From the unit and axes of an FBX file, which Assimp does not apply itself, to metres and y up: the axis
@@ -123,9 +131,10 @@ void convert(const std::string& file, const std::string& unpacked_extension) {
   Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
   Assimp::DefaultLogger::get()->attachStream(new Warnings, Assimp::Logger::Warn | Assimp::Logger::Err);
   Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // else nodes have their ids
   const std::string extension = lower_case(
       unpacked_extension.empty() ? std::filesystem::path(file).extension().string() : unpacked_extension);
-  const auto bytes = bytes_to_read(file, !unpacked_extension.empty());
+  const auto bytes = bytes_to_read(file, extension, !unpacked_extension.empty());
   const aiScene* scene =
       bytes ? importer.ReadFileFromMemory(bytes->data(), bytes->size(), 0,
                                           extension.substr(std::min<size_t>(1, extension.size())).c_str())

@@ -121,6 +121,7 @@ std::vector<std::string> names_written_into(const CLI::Option& folder, const std
   constexpr std::array<std::string_view, 4> samples = {"building", "plant", "isosurface", "statue"};
   if (std::count(samples.begin(), samples.end(), command) > 0)
     return {"scene.*", "walk.json", "fly.json", "spin.json", "jump.json", "ATTRIBUTION.txt"};
+  if (command == "kit") return {"kit.*", "walk.json"};
   return {"[0-9]*.png"};
 }
 

@@ -1,8 +1,10 @@
+#include "base/signals.hpp"
 #include "base/threads.hpp"
 #include "launch/command.hpp"
 #include "launch/number_flags.hpp"
 #include "measure/json.hpp"
 #include "samples/building/building.hpp"
+#include "samples/kit/kit.hpp"
 #include "samples/plant/plant.hpp"
 #include "samples/services/services.hpp"
 #include "samples/surfaces/isosurface.hpp"
@@ -45,6 +47,23 @@ int run_building(SampleCommand command) {
                             {"undecoded_images", report.undecoded_images},
                             {"undefined_materials", report.undefined_materials},
                             {"transparent_materials", report.transparent_materials}});
+  return 0;
+}
+
+int run_kit(const SampleCommand& command) {
+  const KitReport report = make_kit({.stop = stop_requested}, command.output);
+  nlohmann::json files = nlohmann::json::array();
+  for (const KitFile& file : report.files) {
+    fmt::print("{:<40}{:>10} bytes, by {}\n", (command.output / file.name).string(), file.bytes, file.writer);
+    files.push_back(
+        {{"file", file.name}, {"format", file.format}, {"writer", file.writer}, {"bytes", file.bytes}});
+  }
+  fmt::print("{} solids in {} colours, {} triangles in each format\n", report.solids, report.colours,
+             report.triangles);
+  write_json(command.json, {{"files", files},
+                            {"solids", report.solids},
+                            {"colours", report.colours},
+                            {"triangles", report.triangles}});
   return 0;
 }
 
@@ -142,6 +161,15 @@ void add_sample(CLI::App& app, Action& action) {
       ->check(whole_number(0))
       ->capture_default_str();
   building->callback([command, &action] { action = [command] { return run_building(*command); }; });
+
+  CLI::App* kit = sample->add_subcommand(
+      "kit", "A small building in every format that a library here can write, the same in each");
+  kit->footer("Example: triptych sample kit -o kit");
+  add_common_flags(*kit, command->json);
+  kit->add_option("-o,--output", command->output, "Folder for kit.gltf, kit.obj and so on, and the path")
+      ->required()
+      ->type_name("DIR");
+  kit->callback([command, &action] { action = [command] { return run_kit(*command); }; });
 
   CLI::App* plant = sample->add_subcommand(
       "plant", "A coal-fired power plant: some 1,200 objects, among them one network of pipes");

@@ -17,8 +17,8 @@ std::filesystem::path made(const std::filesystem::path& folder) {
 
 }  // namespace
 
-GltfWriter::GltfWriter(const std::filesystem::path& folder, const std::string& generator)
-    : folder_(made(folder)), buffer_(folder_ / "scene.bin") {
+GltfWriter::GltfWriter(const std::filesystem::path& folder, const std::string& generator, std::string name)
+    : folder_(made(folder)), name_(std::move(name)), buffer_(folder_ / (name_ + ".bin")) {
   gltf_["asset"] = {{"version", "2.0"}, {"generator", generator}};
   gltf_["scene"] = 0;
   gltf_["scenes"] = Json::array({{{"nodes", Json::array()}}});
@@ -112,9 +112,9 @@ void GltfWriter::set_attribution(const std::string& copyright, Json extras) {
 }
 
 void GltfWriter::finish() {
-  gltf_["buffers"].push_back({{"uri", "scene.bin"}, {"byteLength", buffer_.size()}});
+  gltf_["buffers"].push_back({{"uri", name_ + ".bin"}, {"byteLength", buffer_.size()}});
   buffer_.commit();
-  write_file(folder_ / "scene.gltf", gltf_.dump() + "\n");
+  write_file(folder_ / (name_ + ".gltf"), gltf_.dump() + "\n");
 }
 
 }  // namespace triptych

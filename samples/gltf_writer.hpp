@@ -1,4 +1,5 @@
-// Writes a glTF 2.0 scene of shared, flat-coloured meshes: `scene.gltf` and, streamed, `scene.bin`.
+// Writes a glTF 2.0 scene of shared, flat-coloured meshes: `scene.gltf` and, streamed, `scene.bin`, or the
+// same under another name.
 #pragma once
 
 #include "base/file.hpp"
@@ -21,7 +22,7 @@ namespace triptych {
 class GltfWriter {
  public:
   /// Makes the folder. Error if that fails.
-  GltfWriter(const std::filesystem::path& folder, const std::string& generator);
+  GltfWriter(const std::filesystem::path& folder, const std::string& generator, std::string name = "scene");
 
   /// One primitive for each part. Returns the mesh's number.
   size_t add_mesh(const std::string& name, const std::vector<MeshPart>& parts);
@@ -42,6 +43,7 @@ class GltfWriter {
   size_t material(const glm::dvec3& colour);
 
   std::filesystem::path folder_;
+  std::string name_;
   AtomicFile buffer_;
   nlohmann::ordered_json gltf_;
   std::map<std::array<uint32_t, 3>, size_t> materials_;

@@ -3,6 +3,7 @@
 import { readFileSync, writeSync } from 'node:fs';
 import { IfcModel, Messages, reference, references, text } from './model.mjs';
 import { faceColors, partsByColor, resolvePointNumbers } from './face_sets.mjs';
+import { handOnMaterialsOfTypes } from './materials.mjs';
 import { Objects } from './objects.mjs';
 import { openIfc } from './open_ifc.mjs';
 import { SceneWriter } from './scene_writer.mjs';
@@ -136,6 +137,7 @@ async function convert(path, skipped) {
   const objects = new Objects(model, writer);
   const colors = faceColors(model);
   const unresolved = resolvePointNumbers(model);
+  handOnMaterialsOfTypes(model);
   if (unresolved > 0) say(`warning: ${unresolved} face sets number their points by another list (PnIndex), which was not followed`);
   const failures = new Failures();
   const progress = new Progress();
@@ -162,6 +164,7 @@ async function convert(path, skipped) {
       if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) {
         await model.openAgain();
         resolvePointNumbers(model);
+        handOnMaterialsOfTypes(model);
       }
     } finally {
       reading(0);

@@ -1,6 +1,7 @@
 #include "launch/step/step_scene.hpp"
 
 #include "base/error.hpp"
+#include "launch/step/step_names.hpp"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -14,8 +15,8 @@
 #include <Standard_OutOfMemory.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
-#include <TDataStd_Name.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
@@ -31,16 +32,6 @@ namespace {
 
 constexpr double metres_per_millimetre = 0.001, size_per_chord = 10'000;
 constexpr double max_turn = 0.5;  ///< radians between neighbouring triangles, where the chord allows more
-
-std::string text_of(const TCollection_ExtendedString& text) {
-  const TCollection_AsciiString utf8(text);  // converts
-  return {utf8.ToCString(), static_cast<size_t>(utf8.Length())};
-}
-
-std::string name_of(const TDF_Label& label) {
-  opencascade::handle<TDataStd_Name> name;
-  return label.FindAttribute(TDataStd_Name::GetID(), name) ? text_of(name->Get()) : "";
-}
 
 std::string entry_of(const TDF_Label& label) {
   TCollection_AsciiString entry;
@@ -114,6 +105,10 @@ class StepScene {
   }
 
  private:
+  struct Part {
+    uint32_t mesh = 0;
+    std::string body;  ///< its name; empty for the product's other faces
+  };
   struct Leaf {
     XCAFPrs_DocumentNode node;
     std::string path;  ///< the names of the assemblies that it is in
@@ -150,21 +145,29 @@ class StepScene {
       ++notes_["hidden parts are not drawn"];
       return;
     }
-    const auto [known, is_new] = meshes_.try_emplace(entry_of(leaf.node.RefLabel));
-    if (is_new) known->second = mesh(leaf.node.RefLabel);
-    if (!known->second) return;
-    SceneInstance instance;
-    instance.mesh = *known->second;
-    if (leaf.node.Style.IsSetColorSurf()) instance.material = material(leaf.node.Style.GetColorSurfRGBA());
-    instance.object = object(leaf);
-    instance.transform = affine_of(leaf.node.Location.Transformation(), unit_);
-    writer_.instance(instance);
+    const auto [known, is_new] = parts_.try_emplace(entry_of(leaf.node.RefLabel));
+    if (is_new) known->second = parts_of(leaf.node.RefLabel);
+    for (const Part& part : known->second) {
+      SceneInstance instance;
+      instance.mesh = part.mesh;
+      if (leaf.node.Style.IsSetColorSurf()) instance.material = material(leaf.node.Style.GetColorSurfRGBA());
+      instance.object = object(leaf, part.body);
+      instance.transform = affine_of(leaf.node.Location.Transformation(), unit_);
+      writer_.instance(instance);
+    }
   }
 
-  std::optional<uint32_t> mesh(const TDF_Label& label) {
+  /// A product's mesh, or one for each of its named bodies and one for what is in none of them.
+  std::vector<Part> parts_of(const TDF_Label& label) {
     const std::string name = name_of(label);
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    Faces faces;
+    const std::vector<Body> bodies = named_bodies_of(label);
+    TopTools_DataMapOfShapeInteger body_of;  // of faces, from 1
+    for (size_t i = 0; i < bodies.size(); ++i) {
+      for (TopExp_Explorer face(bodies[i].shape, TopAbs_FACE); face.More(); face.Next())
+        body_of.Bind(face.Current(), static_cast<Standard_Integer>(i + 1));
+    }
+    std::vector<Faces> faces(bodies.size() + 1);
     uint64_t face_count = 0, without_triangles = 0;
     try {
       BRepMesh_IncrementalMesh(shape, deflection_, Standard_False, max_turn, Standard_True);
@@ -175,8 +178,10 @@ class StepScene {
         without_triangles += triangles.IsNull() || triangles->NbTriangles() == 0;
       }
       for (RWMesh_FaceIterator face(label, TopLoc_Location(), Standard_True); face.More(); face.Next()) {
+        const Standard_Integer* const body = body_of.Seek(face.Face());
         if (!face.IsEmptyMesh())
-          faces.add(face, face.HasFaceColor() ? material(face.FaceColor()) : no_record);
+          faces[body ? static_cast<size_t>(*body) : 0].add(
+              face, face.HasFaceColor() ? material(face.FaceColor()) : no_record);
       }
       BRepTools::Clean(shape);
     } catch (const Standard_OutOfMemory&) {
@@ -184,12 +189,17 @@ class StepScene {
     } catch (const Standard_Failure& failure) {
       ++notes_[fmt::format("parts were left out, which OpenCASCADE could not tessellate, as \"{}\": {}", name,
                            failure.GetMessageString())];
-      return std::nullopt;
+      return {};
     }
     if (without_triangles > 0)
       notes_[fmt::format("faces of part \"{}\" could not be tessellated", name)] += without_triangles;
     if (face_count == 0) ++notes_["parts without faces (curves, points) were skipped"];
-    return faces.write(writer_, name);
+    std::vector<Part> parts;
+    for (size_t i = 0; i < faces.size(); ++i) {
+      const std::string body = i > 0 ? bodies[i - 1].name : "";
+      if (const auto mesh = faces[i].write(writer_, i > 0 ? body : name)) parts.push_back({*mesh, body});
+    }
+    return parts;
   }
 
   uint32_t material(const Quantity_ColorRGBA& color) {
@@ -202,16 +212,18 @@ class StepScene {
     return known->second;
   }
 
-  uint32_t object(const Leaf& leaf) {
+  /// body: its name; empty for all of the product.
+  uint32_t object(const Leaf& leaf, const std::string& body) {
     SceneObject object;
     object.id = leaf.node.Id.ToCString();
-    object.name = name_of(leaf.node.Label);
+    object.name = body.empty() ? name_of(leaf.node) : body;
     object.type = name_of(leaf.node.RefLabel);
     opencascade::handle<TColStd_HSequenceOfExtendedString> layers = new TColStd_HSequenceOfExtendedString;
     if (layers_->GetLayers(leaf.node.RefLabel, layers) && !layers->IsEmpty())
       object.layer = text_of(layers->First());
-    if (!leaf.path.empty())
-      object.property_sets.push_back(writer_.property_set({"Assembly", {{"Path", leaf.path}}}));
+    std::string path = leaf.path;
+    if (!body.empty()) path += (path.empty() ? "" : "/") + name_of(leaf.node);
+    if (!path.empty()) object.property_sets.push_back(writer_.property_set({"Assembly", {{"Path", path}}}));
     return writer_.object(object);
   }
 
@@ -220,8 +232,8 @@ class StepScene {
   opencascade::handle<XCAFDoc_LayerTool> layers_;
   SceneWriter& writer_;
   StepNotes& notes_;
-  double unit_, deflection_ = 0;  ///< stream units for one of the document; document units
-  std::map<std::string, std::optional<uint32_t>> meshes_;  ///< by the product's label
+  double unit_, deflection_ = 0;                    ///< stream units for one of the document; document units
+  std::map<std::string, std::vector<Part>> parts_;  ///< by the product's label
   std::map<std::array<float, 4>, uint32_t> materials_;
 };
 

@@ -60,6 +60,8 @@ class ObjImport {
       read_statement(line);
     }
     add_missing_vertices();
+    // Colours of 0 to 255: a little above 1 is what light or rounding adds.
+    if (highest_channel_ > 2) spool_.scale_colors(1 / 255.0);
     spool_.finish();
     for (const auto& [name, material] : materials_) {
       if (!material.defined)
@@ -135,7 +137,9 @@ class ObjImport {
       }
       position[i] = *number;
     }
-    spool_.add_vertex(position, read_vertex_color(line));
+    const auto color = read_vertex_color(line);
+    if (color) highest_channel_ = std::max({highest_channel_, color->x, color->y, color->z});
+    spool_.add_vertex(position, color);
   }
 
   /// What follows the position: red, green and blue, or a weight before them, which is not used.
@@ -280,6 +284,7 @@ class ObjImport {
   std::vector<uint32_t> corners_;
   uint32_t material_ = 0;
   std::string first_bad_vertex_, first_bad_face_;    ///< warnings
+  double highest_channel_ = 0;                       ///< of all colours of vertices
   uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest vertex number of a face, and its line
 };
 

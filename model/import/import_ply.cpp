@@ -1,8 +1,10 @@
 // PLY, ASCII and binary of both byte orders, with elements and properties of any kind around vertices and
 // faces.
 #include "base/error.hpp"
+#include "model/import/display_color.hpp"
 #include "model/import/import_file.hpp"
 #include "model/import/import_ply_header.hpp"
+#include "model/import/import_ply_values.hpp"
 #include "model/import/mesh_spool.hpp"
 #include "model/import/mesh_stream_faces.hpp"
 
@@ -13,95 +15,6 @@
 namespace triptych {
 
 namespace {
-
-/// Reads the values of records one after the other, in any encoding. Every type fits a double
-/// exactly.
-class PlyValues {
- public:
-  PlyValues(ImportReader& reader, PlyEncoding encoding, std::string name)
-      : reader_(reader), encoding_(encoding), name_(std::move(name)) {}
-
-  /// ASCII is read word by word, as other readers do: a record may go over lines, and a line may hold
-  /// several.
-  void begin_record() {
-    if (encoding_ == PlyEncoding::ascii) several_in_line_ = several_in_line_ || !trimmed(line_).empty();
-  }
-
-  /// After the last record: what is left. Error where records did not fit their lines and something is left:
-  /// then lines hold values that the header does not name, and what was read is not what was meant.
-  void finish(FileImport& target) {
-    if (encoding_ != PlyEncoding::ascii)
-      return target.warn("bytes after the last element were skipped", reader_.left());
-    uint64_t lines = trimmed(line_).empty() ? 0 : 1;
-    if (lines > 0) several_in_line_ = true;
-    while (reader_.next_line(line_)) lines += trimmed(line_).empty() ? 0 : 1;
-    if (lines > 0 && several_in_line_)
-      fail(name_, "lines hold more values than their elements have properties ({} lines are left at the end)",
-           lines);
-    target.warn("lines after the last element were skipped", lines);
-  }
-
-  double read(PlyType type) {
-    if (encoding_ == PlyEncoding::ascii) {
-      while (trimmed(line_).empty()) {
-        if (!reader_.next_line(line_)) fail(place(), "the file ends too soon");
-      }
-      const auto number = to_number(take_word(line_));
-      if (!number) fail(place(), "a number is missing");
-      return *number;
-    }
-    return load_scalar(reader_.read(scalar_bytes(type)).data(), type, encoding_ == PlyEncoding::big_endian);
-  }
-
-  /// A whole number from 0 to `limit`; anything else is an Error.
-  uint64_t read_index(PlyType type, uint64_t limit, const char* what) {
-    const double value = read(type);
-    if (!(value >= 0 && value <= static_cast<double>(limit)) || value != std::floor(value)) {
-      fail(place(), "{} is {}, and must be from 0 to {}", what, value, limit);
-    }
-    return static_cast<uint64_t>(value);
-  }
-
-  /// A vertex's number; nothing for -1, in an unsigned type its largest value.
-  std::optional<uint32_t> read_vertex_or_end(PlyType type, uint64_t vertex_count) {
-    const double value = read(type);
-    const double largest = type == PlyType::uint8    ? 255
-                           : type == PlyType::uint16 ? 65535
-                           : type == PlyType::uint32 ? 4294967295
-                                                     : -1;
-    if (value == -1 || (value == largest && value >= static_cast<double>(vertex_count))) return std::nullopt;
-    if (!(value >= 0 && value < static_cast<double>(vertex_count)) || value != std::floor(value))
-      fail(place(), "a strip's vertex is {}, and must be from 0 to {}", value, vertex_count - 1);
-    return static_cast<uint32_t>(value);
-  }
-
-  /// The length of a list, checked against what the file can still hold.
-  uint64_t read_length(const PlyProperty& property) {
-    const uint64_t smallest = encoding_ == PlyEncoding::ascii ? 1 : scalar_bytes(property.type);
-    const uint64_t length =
-        read_index(*property.count_type, std::numeric_limits<uint32_t>::max(), "a list's length");
-    const uint64_t left = reader_.left() + (encoding_ == PlyEncoding::ascii ? line_.size() : 0);
-    if (length > left / smallest) fail(place(), "the file ends within a list of {} values", length);
-    return length;
-  }
-
-  void skip(const PlyProperty& property) {
-    const uint64_t count = property.count_type ? read_length(property) : 1;
-    for (uint64_t i = 0; i < count; ++i) read(property.type);
-  }
-
-  std::string place() const {
-    return encoding_ == PlyEncoding::ascii ? reader_.line_place()
-                                           : fmt::format("{}: byte {}", name_, reader_.offset());
-  }
-
- private:
-  ImportReader& reader_;
-  PlyEncoding encoding_;
-  std::string name_;
-  std::string_view line_;
-  bool several_in_line_ = false;  ///< whether a record began within a line
-};
 
 /// Which properties of a vertex hold x, y and z.
 std::array<size_t, 3> coordinates_of(const PlyElement& element, FileImport& target) {
@@ -118,7 +31,7 @@ std::array<size_t, 3> coordinates_of(const PlyElement& element, FileImport& targ
   return at;
 }
 
-/// Which properties of a vertex hold red, green and blue, if it has them.
+/// Which properties of a vertex or face hold red, green and blue, if it has them.
 std::optional<std::array<size_t, 3>> channels_of(const PlyElement& element) {
   const std::array found = {element.find({"red", "diffuse_red", "r"}),
                             element.find({"green", "diffuse_green", "g"}),
@@ -169,33 +82,47 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
   }
 }
 
-/// Calls read(list), which has to read all of it, for each record's list of corners; skips the rest.
-template <typename Read>
-void for_each_corner_list(const PlyElement& element, uint64_t vertex_count, PlyValues& values,
-                          const FileImport& target, const Read& read) {
-  const size_t list = corner_list_of(element, vertex_count, target);
-  for (uint64_t i = 0; i < element.count; ++i) {
-    values.begin_record();
-    for (size_t k = 0; k < element.properties.size(); ++k) {
-      if (k == list) {
-        read(element.properties[k]);
-      } else {
-        values.skip(element.properties[k]);
-      }
-    }
+/// Colours of faces, where vertices have none.
+std::optional<FaceColors> face_colors_of(const PlyHeader& header) {
+  std::optional<FaceColors> colors;
+  for (const PlyElement& element : header.elements) {
+    const auto channels = channels_of(element);
+    if (element.name == "vertex" && channels) return std::nullopt;
+    if (element.name != "face" || !channels) continue;
+    colors.emplace(FaceColors{.properties = *channels});
+    for (int i = 0; i < 3; ++i)
+      colors->scale[i] = channel_scale(element.properties[(*channels)[static_cast<size_t>(i)]].type);
   }
+  return colors;
 }
 
-void read_faces(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
-                MeshSpool& spool) {
+void read_faces(const PlyElement& element, uint64_t vertex_count, const std::optional<FaceColors>& colors,
+                PlyValues& values, FileImport& target, MeshSpool& spool) {
   if (element.count == 0) return;
+  const size_t list = corner_list_of(element, vertex_count, target);
   std::vector<uint32_t> corners;
-  for_each_corner_list(element, vertex_count, values, target, [&](const PlyProperty& list) {
-    corners.resize(values.read_length(list));
-    for (uint32_t& corner : corners)
-      corner = static_cast<uint32_t>(values.read_index(list.type, vertex_count - 1, "a face's vertex"));
-    spool.add_face(corners, 0);
-  });
+  for (uint64_t i = 0; i < element.count; ++i) {
+    values.begin_record();
+    glm::dvec3 color{0};
+    for (size_t k = 0; k < element.properties.size(); ++k) {
+      const PlyProperty& property = element.properties[k];
+      const auto channel = colors ? std::find(colors->properties.begin(), colors->properties.end(), k) -
+                                        colors->properties.begin()
+                                  : 3;
+      if (k == list) {
+        corners.resize(values.read_length(property));
+        for (uint32_t& corner : corners)
+          corner =
+              static_cast<uint32_t>(values.read_index(property.type, vertex_count - 1, "a face's vertex"));
+      } else if (channel < 3) {
+        const auto axis = static_cast<int>(channel);
+        color[axis] = values.read(property.type) * colors->scale[axis];
+      } else {
+        values.skip(property);
+      }
+    }
+    spool.add_face(corners, 0, colors ? vertex_color(color) : VertexColor{});
+  }
 }
 
 /// Adds the triangles between the corners from `begin` on: every second one turns the other way.
@@ -211,11 +138,12 @@ void add_strip(std::span<const uint32_t> strip, MeshSpool& spool) {
 void read_strips(const PlyElement& element, uint64_t vertex_count, PlyValues& values, FileImport& target,
                  MeshSpool& spool) {
   if (element.count == 0) return;
+  const size_t list = corner_list_of(element, vertex_count, target);
   std::vector<uint32_t> strip;
-  for_each_corner_list(element, vertex_count, values, target, [&](const PlyProperty& list) {
+  const auto read_list = [&](const PlyProperty& property) {
     strip.clear();
-    for (uint64_t left = values.read_length(list); left > 0; --left) {
-      const auto vertex = values.read_vertex_or_end(list.type, vertex_count);
+    for (uint64_t left = values.read_length(property); left > 0; --left) {
+      const auto vertex = values.read_vertex_or_end(property.type, vertex_count);
       if (vertex) {
         strip.push_back(*vertex);
         continue;
@@ -224,7 +152,17 @@ void read_strips(const PlyElement& element, uint64_t vertex_count, PlyValues& va
       strip.clear();
     }
     add_strip(strip, spool);
-  });
+  };
+  for (uint64_t i = 0; i < element.count; ++i) {
+    values.begin_record();
+    for (size_t k = 0; k < element.properties.size(); ++k) {
+      if (k == list) {
+        read_list(element.properties[k]);
+      } else {
+        values.skip(element.properties[k]);
+      }
+    }
+  }
 }
 
 /// The properties `at` of all vertices.
@@ -277,6 +215,7 @@ void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count,
       faces.element = element;
       faces.begin = offset;
       faces.end_known = true;
+      faces.colors = face_colors_of(header);
     } else {
       target.warn(fmt::format("records of the element \"{}\" were skipped", element.name), element.count);
       faces.end_known = faces.end_known && record;
@@ -296,6 +235,12 @@ void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count,
   target.add_instance(target.add_stream(target.file().stem().string(), stream), Affine(1));
 }
 
+/// Whether the colours of this element are drawn.
+bool uses_colors(const PlyHeader& header, const PlyElement& element) {
+  return element.name == "vertex" ? channels_of(element).has_value()
+                                  : element.name == "face" && face_colors_of(header);
+}
+
 /// Warns of normals, confidences and other properties that the model does not have.
 void warn_of_unused(const PlyHeader& header, FileImport& target) {
   static constexpr std::array used = {"x", "y", "z", "vertex_indices", "vertex_index"};
@@ -305,9 +250,9 @@ void warn_of_unused(const PlyHeader& header, FileImport& target) {
     if (element.name != "vertex" && element.name != "face" && element.name != "tristrips") continue;
     std::string names;
     for (const PlyProperty& property : element.properties) {
-      const bool known = std::count(used.begin(), used.end(), property.name) > 0 ||
-                         (element.name == "vertex" && channels_of(element) &&
-                          std::count(colours.begin(), colours.end(), property.name) > 0);
+      const bool known =
+          std::count(used.begin(), used.end(), property.name) > 0 ||
+          (uses_colors(header, element) && std::count(colours.begin(), colours.end(), property.name) > 0);
       if (!known && names.size() < 120) names += " " + property.name.substr(0, 40);
     }
     if (!names.empty())
@@ -343,11 +288,13 @@ void import_ply(FileImport& target) {
   PlyValues values(reader, header.encoding, target.place());
   MeshSpool spool(target);
   spool.begin_mesh(target.file().stem().string());
+  const auto face_colors = face_colors_of(header);
+  if (face_colors) spool.color_faces();
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
       read_vertices(element, values, target, spool);
     } else if (element.name == "face") {
-      read_faces(element, vertex_count, values, target, spool);
+      read_faces(element, vertex_count, face_colors, values, target, spool);
     } else if (element.name == "tristrips") {
       read_strips(element, vertex_count, values, target, spool);
     } else {

@@ -71,11 +71,13 @@ SourceObjectId MeshSpool::object_of(uint32_t name) {
   return named.id;
 }
 
-void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material) {
+void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material, const VertexColor& color) {
   if (corners.size() < 3) return target_.warn("faces with fewer than three corners were skipped");
   if (parts_.empty()) begin_mesh("");
-  const std::array<uint32_t, 2> head = {material, static_cast<uint32_t>(corners.size())};
-  faces_.append(std::as_bytes(std::span(head)));
+  const auto count = static_cast<uint32_t>(corners.size());
+  faces_.append(std::as_bytes(std::span(&material, 1)));
+  if (faces_have_colors_) faces_.append(std::as_bytes(std::span(color)));
+  faces_.append(std::as_bytes(std::span(&count, 1)));
   faces_.append(std::as_bytes(corners));
   ++parts_.back().faces;
   parts_.back().end = faces_.size();
@@ -100,7 +102,23 @@ void MeshSpool::finish() {
   }
 }
 
-/// Adds the meshes to the model, each with the vertices that it uses.
+uint32_t MeshSpool::take_face(std::span<const std::byte>& bytes, std::vector<uint32_t>& corners,
+                              VertexColor& color) const {
+  const auto take = [&](void* into, size_t size) {
+    if (size > 0) std::memcpy(into, bytes.data(), size);
+    bytes = bytes.subspan(size);
+  };
+  uint32_t material = 0, count = 0;
+  take(&material, sizeof(material));
+  if (faces_have_colors_) take(color.data(), color.size());
+  take(&count, sizeof(count));
+  corners.resize(count);
+  take(corners.data(), count * sizeof(uint32_t));
+  return material;
+}
+
+/// Adds the meshes to the model, each with the vertices that it uses, and where faces have colours, once for
+/// each colour that comes after another.
 void MeshSpool::place_in_memory() {
   std::vector<glm::dvec3> positions(vertex_count()), corners;
   if (!positions.empty()) std::memcpy(positions.data(), vertices_.bytes().data(), vertices_.bytes().size());
@@ -113,25 +131,28 @@ void MeshSpool::place_in_memory() {
     ++number;
     Mesh mesh{.name = std::move(part.name), .positions = {}, .triangles = {}};
     for (auto bytes = faces_.bytes().subspan(part.begin, part.end - part.begin); !bytes.empty();) {
-      std::array<uint32_t, 2> head;
-      std::memcpy(head.data(), bytes.data(), sizeof(head));
-      face.resize(head[1]);
-      std::memcpy(face.data(), bytes.data() + sizeof(head), face.size() * sizeof(uint32_t));
-      bytes = bytes.subspan(sizeof(head) + face.size() * sizeof(uint32_t));
+      VertexColor color{};
+      const uint32_t material = take_face(bytes, face, color);
       corners.clear();
       for (uint32_t& vertex : face) {
         corners.push_back(positions[vertex]);
-        if (owner[vertex] != number) {
+        const bool known =
+            owner[vertex] == number && (!faces_have_colors_ || mesh.colors[local[vertex]] == color);
+        if (!known) {
           owner[vertex] = number;
           local[vertex] = static_cast<uint32_t>(mesh.positions.size());
           mesh.positions.push_back(positions[vertex]);
-          if (!colors.empty()) mesh.colors.push_back(vertex_color(glm::dvec3(colors[vertex])));
+          if (faces_have_colors_) {
+            mesh.colors.push_back(color);
+          } else if (!colors.empty()) {
+            mesh.colors.push_back(vertex_color(color_scale_ * glm::dvec3(colors[vertex])));
+          }
         }
         vertex = local[vertex];
       }
       triangulate(corners, cut);
       target_.warn(fan_warning, corners.size() > max_clipped_corners);
-      for (const auto& [a, b, c] : cut) mesh.triangles.push_back({{face[a], face[b], face[c]}, head[0]});
+      for (const auto& [a, b, c] : cut) mesh.triangles.push_back({{face[a], face[b], face[c]}, material});
     }
     if (std::none_of(mesh.colors.begin(), mesh.colors.end(), is_colored)) mesh.colors.clear();
     if (const auto added = target_.add_mesh(std::move(mesh)))
@@ -148,6 +169,7 @@ void MeshSpool::place_streams() {
   std::optional<ColorTable> colors;
   if (colors_.size() > 0) {
     colors.emplace();
+    colors->scale = glm::dvec3(color_scale_);
     colors->values = {
         .source = colors_.take_file(target_.place()),
         .count = vertices.count,
@@ -155,14 +177,20 @@ void MeshSpool::place_streams() {
         .fields = {{{0, ScalarType::float32}, {4, ScalarType::float32}, {8, ScalarType::float32}}}};
   }
   const auto faces = faces_.take_file(target_.place());
+  std::vector<PlyProperty> properties = {{"material", ScalarType::uint32, std::nullopt}};
+  std::optional<FaceColors> face_colors;
+  if (faces_have_colors_) {
+    for (const char* channel : {"red", "green", "blue", "alpha"})
+      properties.push_back({channel, ScalarType::uint8, std::nullopt});
+    face_colors.emplace(FaceColors{.properties = {1, 2, 3}, .scale = glm::dvec3(1 / 255.0)});
+  }
+  properties.push_back({"corners", ScalarType::uint32, ScalarType::uint32});
   for (Part& part : parts_) {
     FaceTable table{.source = faces,
-                    .element = {"face",
-                                part.faces,
-                                {{"material", ScalarType::uint32, std::nullopt},
-                                 {"corners", ScalarType::uint32, ScalarType::uint32}}},
-                    .list = 1,
+                    .element = {"face", part.faces, properties},
+                    .list = properties.size() - 1,
                     .material = 0,
+                    .colors = face_colors,
                     .begin = part.begin,
                     .end = part.end,
                     .end_known = true};

@@ -30,8 +30,12 @@ class MeshSpool {
   /// same one where the name comes again.
   void begin_object(std::string name);
   void begin_group(std::string name);
+  /// Faces have colours of their own, and vertices none: said before the first of either.
+  void color_faces() { faces_have_colors_ = true; }
   /// The corners' vertices may be added later. Fewer than three corners are skipped and counted.
-  void add_face(std::span<const uint32_t> corners, uint32_t material);
+  void add_face(std::span<const uint32_t> corners, uint32_t material, const VertexColor& color = {});
+  /// What colours of vertices are multiplied by to be from 0 to 1; said before finish().
+  void scale_colors(double scale) { color_scale_ = scale; }
   /// Places the meshes. Every vertex that a face names must have been added.
   void finish();
 
@@ -55,19 +59,24 @@ class MeshSpool {
   SourceObjectId object_of(const Part& part) {
     return object_of(part.group == no_id ? part.object : part.group);
   }
+  /// Takes the next face of a part off its bytes. Returns its material.
+  uint32_t take_face(std::span<const std::byte>& bytes, std::vector<uint32_t>& corners,
+                     VertexColor& color) const;
   void place_in_memory();
   void place_streams();
 
   FileImport& target_;
   ByteSpool vertices_;  ///< three doubles each
   ByteSpool colors_;    ///< three floats for each vertex, no numbers for none; empty while none has one
-  ByteSpool faces_;     ///< material, number of corners, corners: 32 bits each
+  ByteSpool
+      faces_;  ///< material, the face's colour if faces have some, number of corners, corners: 32 bits each
   std::vector<Part> parts_;
   std::vector<Name> names_;
   std::map<std::pair<uint32_t, std::string>, uint32_t> groups_;  ///< by the object that they are within
   uint32_t object_ = no_id;                                      ///< of names_: the last one that began
   uint64_t triangles_ = 0;
-  bool in_file_ = false;
+  bool in_file_ = false, faces_have_colors_ = false;
+  double color_scale_ = 1;
 };
 
 }  // namespace triptych

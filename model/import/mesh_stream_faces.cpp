@@ -1,5 +1,6 @@
 #include "model/import/mesh_stream_faces.hpp"
 
+#include "model/import/display_color.hpp"
 #include "model/import/mesh_stream_batch.hpp"
 #include "model/import/triangulate.hpp"
 
@@ -46,6 +47,48 @@ class VertexCache {
   std::optional<ColorCache> colors_;
 };
 
+uint64_t read_length(SourceWindow& window, const PlyProperty& property, bool swapped) {
+  const std::byte* bytes = window.take(scalar_bytes(*property.count_type));
+  const double length = *property.count_type == ScalarType::uint8
+                            ? std::to_integer<uint8_t>(*bytes)
+                            : load_scalar(bytes, *property.count_type, swapped);
+  const uint64_t most = window.left() / scalar_bytes(property.type);
+  if (!(length >= 0)) fail(window.place(), "a list's length is {}", length);
+  if (length > static_cast<double>(most))
+    fail(window.place(), "the file ends within a list of {} values", length);
+  return static_cast<uint64_t>(length);
+}
+
+/// Reads the colours of faces one after the other. They mostly stand behind the corners, which so need not be
+/// kept until then.
+class FaceColorReader {
+ public:
+  explicit FaceColorReader(const FaceTable& faces)
+      : faces_(faces), window_(faces.source, faces.begin, faces.end) {}
+
+  VertexColor next() {
+    const auto& properties = faces_.element.properties;
+    glm::dvec3 color{0};
+    for (size_t k = 0; k < properties.size(); ++k) {
+      const PlyProperty& property = properties[k];
+      if (property.count_type) {
+        window_.skip(read_length(window_, property, faces_.swapped) * scalar_bytes(property.type));
+        continue;
+      }
+      const std::byte* bytes = window_.take(scalar_bytes(property.type));
+      for (int i = 0; i < 3; ++i) {
+        if (k == faces_.colors->properties[static_cast<size_t>(i)])
+          color[i] = load_scalar(bytes, property.type, faces_.swapped) * faces_.colors->scale[i];
+      }
+    }
+    return vertex_color(color);
+  }
+
+ private:
+  const FaceTable& faces_;
+  SourceWindow window_;
+};
+
 /// Reads the faces one after the other.
 class FaceReader {
  public:
@@ -55,19 +98,23 @@ class FaceReader {
         vertices_(vertices, colors),
         window_(faces.source, faces.begin, faces.end),
         batch_(batch),
-        type_(faces.element.properties[faces.list].type) {}
+        type_(faces.element.properties[faces.list].type) {
+    if (faces.colors) face_colors_.emplace(faces);
+  }
 
   void run() {
     const auto& properties = faces_.element.properties;
     for (uint64_t i = 0; i < faces_.element.count; ++i) {
+      if (face_colors_) face_color_ = face_colors_->next();
       for (size_t k = 0; k < properties.size(); ++k) {
         if (!properties[k].count_type) {
           const std::byte* bytes = window_.take(scalar_bytes(properties[k].type));
           if (k == faces_.material) std::memcpy(&material_, bytes, sizeof(material_));
         } else if (k == faces_.list) {
-          read_corners(read_length(properties[k]));
+          read_corners(read_length(window_, properties[k], faces_.swapped));
         } else {
-          window_.skip(read_length(properties[k]) * scalar_bytes(properties[k].type));
+          window_.skip(read_length(window_, properties[k], faces_.swapped) *
+                       scalar_bytes(properties[k].type));
         }
       }
     }
@@ -78,18 +125,6 @@ class FaceReader {
   uint64_t left() const { return window_.left(); }
 
  private:
-  uint64_t read_length(const PlyProperty& property) {
-    const std::byte* bytes = window_.take(scalar_bytes(*property.count_type));
-    const double length = *property.count_type == ScalarType::uint8
-                              ? std::to_integer<uint8_t>(*bytes)
-                              : load_scalar(bytes, *property.count_type, faces_.swapped);
-    const uint64_t most = window_.left() / scalar_bytes(property.type);
-    if (!(length >= 0)) fail(window_.place(), "a list's length is {}", length);
-    if (length > static_cast<double>(most))
-      fail(window_.place(), "the file ends within a list of {} values", length);
-    return static_cast<uint64_t>(length);
-  }
-
   uint32_t vertex(const std::byte* bytes) {
     if (type_ == ScalarType::int32 || type_ == ScalarType::uint32) {
       uint32_t index = 0;  // a negative one becomes larger than 2^31; the error below shows it with its sign
@@ -106,7 +141,9 @@ class FaceReader {
   }
 
   void add(const Vertex& a, const Vertex& b, const Vertex& c) {
-    batch_.add(a.position, b.position, c.position, material_, {a.color, b.color, c.color});
+    batch_.add(a.position, b.position, c.position, material_,
+               face_colors_ ? CornerColors{face_color_, face_color_, face_color_}
+                            : CornerColors{a.color, b.color, c.color});
   }
 
   void read_corners(uint64_t count) {
@@ -141,6 +178,8 @@ class FaceReader {
   SourceWindow window_;
   TriangleBatch& batch_;
   ScalarType type_;
+  std::optional<FaceColorReader> face_colors_;
+  VertexColor face_color_{};
   uint32_t material_ = 0;
   std::vector<Vertex> corners_;
   std::vector<glm::dvec3> outline_;

@@ -9,15 +9,22 @@
 
 namespace triptych {
 
+/// Colours of faces, as displayed: which properties hold red, green and blue, before or behind the corners.
+struct FaceColors {
+  std::array<size_t, 3> properties{};
+  glm::dvec3 scale{1};  ///< what values are multiplied by to be from 0 to 1
+};
+
 /// Where the faces are in their file, and how they are written.
 struct FaceTable {
   std::shared_ptr<const StreamSource> source;
   PlyElement element;
   size_t list = 0;                 ///< the property that holds the corners
   std::optional<size_t> material;  ///< the property that holds the model's material, an uint32
-  uint64_t begin = 0, end = 0;     ///< bytes; the last face may end before
-  bool end_known = false;          ///< whether the last face must end there
-  bool swapped = false;            ///< in the other byte order
+  std::optional<FaceColors> colors = std::nullopt;  ///< then vertices have none
+  uint64_t begin = 0, end = 0;                      ///< bytes; the last face may end before
+  bool end_known = false;                           ///< whether the last face must end there
+  bool swapped = false;                             ///< in the other byte order
 };
 
 class FaceStream : public MeshStream {
@@ -26,7 +33,7 @@ class FaceStream : public MeshStream {
   FaceStream(PositionTable vertices, FaceTable faces, std::optional<ColorTable> colors = std::nullopt);
 
   uint64_t triangle_count() const override { return triangle_count_; }
-  bool has_colors() const override { return colors_.has_value(); }
+  bool has_colors() const override { return colors_ || faces_.colors; }
   uint64_t read(const TakeTriangles& take) const override;
   std::vector<std::string> warnings() const override;
 

@@ -68,6 +68,11 @@ void write_text_formats() {
       "2\nproperty list "
       "uchar int vertex_indices\nend_header\n";
   write("ply/ascii.ply", "ply\nformat ascii" + header + "0 0 0\n4 0 0\n1 1 0\n0 4 0\n4 0 1 2 3\n3 0 1 2\n");
+  write("ply/faces.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+        "z\nelement face "
+        "1\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar "
+        "blue\nend_header\n0 0 0\n4 0 0\n1 1 0\n3 0 1 2 9 200 0\n");
   ByteWriter ply;
   ply.write_all(std::span<const char>("ply\nformat binary_little_endian" + header));
   for (const float value : {0.f, 0.f, 0.f, 4.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 4.f, 0.f}) ply.write(value);

@@ -159,6 +159,58 @@ TEST(ImportIfc, surface_colours_are_those_of_the_display_and_one_shape_in_two_ma
   EXPECT_EQ(triangles.back().color, glm::vec4(0, 1, 0, 1));
 }
 
+/// A material that is drawn in a colour, and the objects that are of it. Takes eight numbers.
+std::string material(int number, const std::string& objects, const std::string& colour) {
+  return fmt::format(
+      "#{0}=IFCRELASSOCIATESMATERIAL('0YvctVUKr0kugbFTf5{0}',#5,$,$,({8}),#{1});\n#{1}=IFCMATERIAL('m',$,$);"
+      "\n"
+      "#{2}=IFCMATERIALDEFINITIONREPRESENTATION($,$,(#{3}),#{1});\n#{3}=IFCSTYLEDREPRESENTATION(#12,$,$,(#{4}"
+      "));\n"
+      "#{4}=IFCSTYLEDITEM($,(#{5}),$);\n#{5}=IFCSURFACESTYLE($,.BOTH.,(#{6}));\n"
+      "#{6}=IFCSURFACESTYLESHADING(#{7},0.);\n#{7}=IFCCOLOURRGB($,{9});\n",
+      number, number + 1, number + 2, number + 3, number + 4, number + 5, number + 6, number + 7, objects,
+      colour);
+}
+
+TEST(ImportIfc, what_has_no_style_has_the_colour_of_its_material_or_else_of_its_types) {
+  const std::string type =
+      "#500=IFCWALLTYPE('0YvctVUKr0kugbFTf5500',#5,'t',$,$,$,$,$,$,.STANDARD.);\n"
+      "#501=IFCRELDEFINESBYTYPE('0YvctVUKr0kugbFTf5501',#5,$,$,(#100),#500);\n";
+  const auto color = [&](const std::string& materials) {
+    return test::placed_triangles(import_text("a.ifc", ifc_file(wall + type + materials))).front().color;
+  };
+  const glm::vec4 red(1, 0, 0, 1), blue(0, 0, 1, 1);
+  EXPECT_EQ(color(""), glm::vec4(1));
+  EXPECT_EQ(color(material(400, "#100", "1.,0.,0.")), red);
+  EXPECT_EQ(color(material(400, "#500", "1.,0.,0.")), red);
+  EXPECT_EQ(color(material(400, "#500", "1.,0.,0.") + material(410, "#100", "0.,0.,1.")), blue);
+  EXPECT_EQ(color(material(400, "#500", "1.,0.,0.") +
+                  "#300=IFCSTYLEDITEM(#110,(#301),$);\n#301=IFCSURFACESTYLE($,.BOTH.,(#302));\n"
+                  "#302=IFCSURFACESTYLESHADING(#303,0.);\n#303=IFCCOLOURRGB($,0.,0.,1.);\n"),
+            blue);
+  EXPECT_EQ(color(material(400, "#500,#999", "1.,0.,0.") + "#502=IFCRELDEFINESBYTYPE($,$,$,$,5,#500);\n"),
+            red)
+      << "relations that are damaged cost only themselves";
+}
+
+TEST(ImportIfc, mapped_items_that_share_a_mesh_have_colours_of_their_own) {
+  std::string map = block(110, 4, 0.2, 3) +
+                    "#120=IFCSHAPEREPRESENTATION(#12,'Body','SweptSolid',(#110));\n"
+                    "#121=IFCREPRESENTATIONMAP(#11,#120);\n";
+  for (const int number : {100, 200})
+    map += element(number, fmt::format("#{}", number + 5)) +
+           fmt::format(
+               "#{0}=IFCMAPPEDITEM(#121,#{1});\n#{1}=IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#8,1.,$);\n"
+               "#{2}=IFCSTYLEDITEM(#{0},(#{3}),$);\n#{3}=IFCSURFACESTYLE($,.BOTH.,(#{4}));\n"
+               "#{4}=IFCSURFACESTYLESHADING(#{5},0.);\n#{5}=IFCCOLOURRGB($,{6},0.,1.);\n",
+               number + 5, number + 6, number + 40, number + 41, number + 42, number + 43,
+               number == 100 ? "0." : "1.");
+  const Model model = import_text("a.ifc", ifc_file(map));
+  const auto triangles = test::placed_triangles(model);
+  EXPECT_EQ(triangles.front().color, glm::vec4(0, 0, 1, 1));
+  EXPECT_EQ(triangles.back().color, glm::vec4(1, 0, 1, 1));
+}
+
 TEST(ImportIfc, a_face_set_with_a_colour_for_each_face_is_drawn_in_them) {
   const std::string set = element(100, "#110") +
                           "#110=IFCTRIANGULATEDFACESET(#111,$,.T.,((1,2,3),(1,4,2),(2,4,3),(3,4,1)),$);\n"

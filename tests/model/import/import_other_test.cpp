@@ -165,6 +165,28 @@ TEST(ImportOther, vertex_colours_are_those_displayed_and_no_material_is_made_up_
   EXPECT_FALSE(warns(model, "vertex colours"));
 }
 
+std::string x3d_with(const std::string& image) {
+  return "<?xml version=\"1.0\"?>\n<X3D><Scene><Shape><Appearance><Material diffuseColor='1 0 0'/>" + image +
+         "</Appearance><IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 "
+         "0'/></IndexedFaceSet></Shape></Scene></X3D>";
+}
+
+TEST(ImportOther, a_material_has_a_texture_only_where_that_has_a_name) {
+  EXPECT_FALSE(warns(import_text("a.x3d", x3d_with("<ImageTexture/>")), "textures"));
+  EXPECT_TRUE(warns(import_text("a.x3d", x3d_with("<ImageTexture url='wood.png'/>")), "textures"));
+}
+
+TEST(ImportOther, x3d_is_read_whatever_the_quotes_of_its_lists_of_strings) {
+  for (const char* url :
+       {"'\"wood.png\"'", "\"&quot;wood.png&quot;\"", "\"&#34;wood.png&#34; &#34;b.png&#34;\"",
+        " = '\"wood.png\" \"b.png\"'", "' \"wood.png\"'", "\"wood.png\""}) {
+    const std::string assigned = url[0] == ' ' ? std::string("url") + url : std::string("url=") + url;
+    const Model model = import_text("a.x3d", x3d_with("<ImageTexture " + assigned + "/>"));
+    EXPECT_EQ(model.source_triangles(), 1u) << url;
+    EXPECT_TRUE(warns(model, "textures")) << url;
+  }
+}
+
 TEST(ImportOther, a_byte_order_mark_and_gzip_around_a_file_are_taken_off) {
   EXPECT_EQ(import_text("a.off", "\xef\xbb\xbf" + off).source_triangles(), 2u);
   const auto file = write_model("packed", "");
@@ -294,6 +316,11 @@ TEST(ImportOther, a_program_that_is_not_there_is_named) {
 
 TEST(ImportOther, nodes_are_objects_by_their_names_and_what_assimp_makes_up_is_none) {
   EXPECT_EQ(described(import_text("a.dae", collada)), (std::vector<std::string>{"n", "k"}));
+  std::string named = collada;
+  named.replace(named.find("<node id=\"n\">"), 13, "<node id=\"n\" name=\"Left &lt;wing\">");
+  EXPECT_EQ(described(import_text("a.dae", named)), (std::vector<std::string>{"Left <wing", "k"}));
+  named.replace(named.find("<node id=\"k\">"), 13, "<node>");
+  EXPECT_EQ(described(import_text("a.dae", named)), (std::vector<std::string>{"Left <wing", "g"}));
   EXPECT_EQ(described(import_text("a.fbx", fbx)), (std::vector<std::string>{"m"}));
   EXPECT_EQ(described(import_text("a.off", off)), (std::vector<std::string>{"none"}));
 }

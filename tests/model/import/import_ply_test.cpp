@@ -121,6 +121,83 @@ TEST(ImportPly, colours_are_the_same_from_memory_from_a_stream_and_from_the_file
   }
 }
 
+/// Two triangles of a square in two colours, and a third one in the first colour again; the colours stand
+/// before and behind the corners.
+std::string colored_faces(const std::string& format, const std::string& type = "uchar") {
+  return "ply\nformat " + format +
+         " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" +
+         "element face 3\nproperty " + type + " blue\nproperty list uchar int vertex_indices\nproperty " +
+         type + " red\nproperty list uchar uchar marks\nproperty " + type + " green\nend_header\n";
+}
+
+std::vector<CornerTriangle> read_all(const Model& model) {
+  std::vector<CornerTriangle> all;
+  read_mesh(model.meshes.at(0), [&](std::span<const CornerTriangle> batch) {
+    all.insert(all.end(), batch.begin(), batch.end());
+  });
+  return all;
+}
+
+void expect_colored_faces(const Model& model) {
+  const std::vector<CornerTriangle> triangles = read_all(model);
+  const VertexColor first{200, 100, 50, 255}, second{1, 2, 3, 255};
+  ASSERT_EQ(triangles.size(), 3u);
+  EXPECT_TRUE(model.meshes[0].has_colors());
+  for (size_t i = 0; i < 3; ++i) {
+    const VertexColor& wanted = i == 1 ? second : first;
+    EXPECT_EQ(triangles[i].colors, (CornerColors{wanted, wanted, wanted})) << i;
+    EXPECT_EQ(triangles[i].material, 0u);
+  }
+  for (const std::string& warning : model.report.warnings)
+    EXPECT_NE(warning.find("properties of \"face\" are not used: marks"), std::string::npos) << warning;
+}
+
+TEST(ImportPly, colours_of_faces_are_drawn_whatever_their_encoding_and_wherever_the_mesh_is_kept) {
+  const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const std::string text =
+      colored_faces("ascii") + vertices + "50 3 0 1 2 200 0 100\n3 3 0 2 3 1 2 8 9 2\n50 3 1 2 3 200 0 100\n";
+  ImportOptions spooled;
+  spooled.max_in_memory = 0;
+  const Model held = import_text("a.ply", text), in_file = import_text("b.ply", text, spooled);
+  EXPECT_FALSE(held.meshes[0].stream);
+  EXPECT_EQ(held.meshes[0].positions.size(), 8u)
+      << "shared by faces of one colour as far as they follow each other";
+  EXPECT_TRUE(in_file.meshes[0].stream);
+  expect_colored_faces(held);
+  expect_colored_faces(in_file);
+  for (const bool big : {false, true}) {
+    std::string bytes = colored_faces(big ? "binary_big_endian" : "binary_little_endian", "ushort");
+    for (const int value : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0})
+      append(bytes, static_cast<float>(value), big);
+    for (const auto& [corners, color, marks] : {std::tuple(std::array{0, 1, 2}, std::array{200, 100, 50}, 0),
+                                                {{0, 2, 3}, {1, 2, 3}, 2},
+                                                {{1, 2, 3}, {200, 100, 50}, 0}}) {
+      append(bytes, static_cast<uint16_t>(257 * color[2]), big);
+      append(bytes, uint8_t{3}, big);
+      for (const int corner : corners) append(bytes, corner, big);
+      append(bytes, static_cast<uint16_t>(257 * color[0]), big);
+      append(bytes, static_cast<uint8_t>(marks), big);
+      bytes.append(static_cast<size_t>(marks), '\7');
+      append(bytes, static_cast<uint16_t>(257 * color[1]), big);
+    }
+    expect_colored_faces(import_text("c.ply", bytes));
+    const Model streamed = import_text("d.ply", bytes, test::streamed);
+    EXPECT_TRUE(streamed.meshes[0].stream);
+    expect_colored_faces(streamed);
+    if (!big) expect_robust("e.ply", bytes);
+  }
+}
+
+TEST(ImportPly, colours_of_vertices_come_before_those_of_faces) {
+  std::string text =
+      ascii_triangle("property uchar red\nproperty uchar green\nproperty uchar blue\n", "9 8 7");
+  text.replace(text.find("end_header"), 0, "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  text.replace(text.find("3 0 1 2"), 7, "3 0 1 2 100 100 100");
+  const Model model = import_text("a.ply", text);
+  EXPECT_EQ(read_all(model).at(0).colors[0], (VertexColor{9, 8, 7, 255}));
+  EXPECT_TRUE(warns(model, "properties of \"face\" are not used: red green blue"));
+}
+
 TEST(ImportPly, a_promise_of_more_than_the_file_holds_is_refused_at_once) {
   const std::string xyz = "property float x\nproperty float y\nproperty float z\nend_header\n";
   for (const char* count : {"1000000000", "9223372036854775807"}) {

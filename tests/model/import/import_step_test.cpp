@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
 namespace triptych {
@@ -49,6 +50,8 @@ TEST_P(StepSchema, an_assembly_shares_its_parts_and_keeps_names_and_colours) {
   for (const Instance& instance : model.instances) {
     ASSERT_NE(instance.object, no_id);
     const SourceObject& object = model.source_objects.objects.at(instance.object);
+    EXPECT_EQ(model.source_objects.texts[object.name], model.source_objects.texts[object.type])
+        << "placements have no names of their own";
     types.insert(std::string(model.source_objects.texts[object.type]));
     EXPECT_NE(object.number, 0u);
   }
@@ -64,6 +67,22 @@ TEST_P(StepSchema, an_assembly_shares_its_parts_and_keeps_names_and_colours) {
   }
   expect_box(model, {0, 0, -0.02}, {0.405, 0.03, 0});
   EXPECT_TRUE(model.report.warnings.empty()) << model.report.warnings.front();
+}
+
+TEST(ImportStep, what_has_no_colour_has_that_of_the_assembly_it_is_placed_in) {
+  const auto file = place_of("pair.stp");
+  test::write_step_coloured_assembly(file);
+  const Model model = import_model({file});
+  std::map<std::pair<bool, bool>, glm::vec4> colors;  // by whether it is the second pair, and the second part
+  for (const PlacedTriangle& triangle : placed_triangles(model)) {
+    const double x = (triangle.corners[0].x + triangle.corners[1].x + triangle.corners[2].x) / 3;
+    colors[{x > 0.06, std::fmod(x, 0.1) > 0.015}] = triangle.color;
+  }
+  EXPECT_EQ(colors.size(), 4u);
+  EXPECT_EQ((colors[{false, false}]), Material().base_color);
+  EXPECT_EQ((colors[{false, true}]), glm::vec4(0, 0, 1, 1));
+  EXPECT_EQ((colors[{true, false}]), glm::vec4(0, 1, 0, 1));
+  EXPECT_EQ((colors[{true, true}]), glm::vec4(0, 0, 1, 1)) << "a part's own colour is kept";
 }
 
 TEST(ImportStep, the_axis_that_is_up_is_z_unless_the_user_says_another) {
@@ -128,6 +147,31 @@ TEST(ImportStep, an_iges_file_is_read_in_its_unit) {
     const Model model = import_model({file});
     EXPECT_EQ(model.placed_triangles(), 12u);
     expect_box(model, {0, 0, -0.02}, {0.01, 0.03, 0});
+  }
+}
+
+TEST(ImportStep, solids_in_groups_of_iges_are_objects_by_their_names) {
+  for (const char* third : {"Third", ""}) {
+    const auto file = place_of("groups.igs");
+    test::write_iges_groups(file, third);
+    const Model model = import_model({file});
+    ASSERT_EQ(model.instances.size(), 3u);
+    std::map<std::string, double> middles;
+    for (const Instance& instance : model.instances) {
+      const Mesh& mesh = model.meshes[instance.mesh];
+      EXPECT_EQ(mesh.triangle_count(), 12u);
+      double sum = 0;
+      for (const auto& triangle : test::triangles_of(mesh))
+        sum += (instance.transform * glm::dvec4(triangle.corners[0], 1)).x / 12;
+      const SourceObject& object = model.source_objects.objects.at(instance.object);
+      middles[std::string(model.source_objects.texts[object.name])] = std::round(sum * 50) / 50;
+      EXPECT_EQ(model.source_objects.texts[object.type], "Whole");
+    }
+    EXPECT_EQ(middles, (std::map<std::string, double>{
+                           {"Left", 0}, {"Right", 0.02}, {*third ? third : "Whole", 0.04}}));
+    const auto triangles = placed_triangles(model);
+    for (const glm::vec4& color : {glm::vec4(1, 0, 0, 1), {0, 0, 1, 1}, {0, 1, 0, 1}})
+      EXPECT_EQ(count_of(triangles, color), 12u);
   }
 }
 

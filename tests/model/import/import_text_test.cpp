@@ -104,6 +104,28 @@ TEST(ImportText, colours_behind_the_vertices_of_an_obj_are_read) {
   EXPECT_TRUE(model.report.warnings.empty());
 }
 
+TEST(ImportText, colours_of_an_obj_go_up_to_255_where_one_of_them_is_far_above_1) {
+  const auto colors = [](const std::string& second) {
+    const std::string text = "v 0 0 0 0 1 0.2\nv 1 0 0 " + second + "\nv 0 1 0\nf 1 2 3\n";
+    const Model held = import_text("a.obj", text),
+                streamed = import_text("a.obj", text, {.max_in_memory = 0});
+    EXPECT_TRUE(streamed.meshes[0].stream);
+    const auto triangle = [](const Model& model) {
+      std::vector<CornerTriangle> all;
+      read_mesh(model.meshes.at(0), [&](std::span<const CornerTriangle> batch) {
+        all.insert(all.end(), batch.begin(), batch.end());
+      });
+      return all.at(0).colors;
+    };
+    EXPECT_EQ(triangle(held), triangle(streamed));
+    return triangle(held);
+  };
+  EXPECT_EQ(colors("200 100 50"), (CornerColors{VertexColor{0, 1, 0, 255}, {200, 100, 50, 255}, {}}));
+  EXPECT_EQ(colors("200.4 99.6 300"), (CornerColors{VertexColor{0, 1, 0, 255}, {200, 100, 255, 255}, {}}));
+  EXPECT_EQ(colors("1.00001 0.4 1.5"), (CornerColors{VertexColor{0, 255, 51, 255}, {255, 102, 255, 255}, {}}))
+      << "brighter than white";
+}
+
 TEST(ImportText, an_obj_with_colours_is_the_same_in_memory_and_as_a_stream) {
   const std::string text = "v 0 0 0\nv 1 0 0 0.1 0.2 0.3\nv 1 1 0 1 1 1\nv 0 1 0 nan 0 0\nf 1 2 3\nf 1 3 4\n";
   const auto read = [](const Model& model) {

@@ -5,6 +5,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -79,6 +80,30 @@ void write_step_assembly(const std::filesystem::path& file, const std::string& s
   writer.Write(file.c_str());
 }
 
+void write_step_coloured_assembly(const std::filesystem::path& file) {
+  be_quiet();
+  opencascade::handle<TDocStd_Document> document;
+  XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  const TDF_Label plain = shapes->AddShape(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), Standard_False);
+  const TDF_Label blue = shapes->AddShape(BRepPrimAPI_MakeBox(10, 10, 5).Shape(), Standard_False);
+  colors->SetColor(blue, display_color(0, 0, 1), XCAFDoc_ColorSurf);
+  const TDF_Label pair = shapes->NewShape(), whole = shapes->NewShape();
+  shapes->AddComponent(pair, plain, along_x(0));
+  shapes->AddComponent(pair, blue, along_x(20));
+  shapes->AddComponent(whole, pair, along_x(0));
+  colors->SetColor(shapes->AddComponent(whole, pair, along_x(100)), display_color(0, 1, 0),
+                   XCAFDoc_ColorSurf);
+  shapes->UpdateAssemblies();
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("write.step.schema", "AP214IS");
+  Interface_Static::SetCVal("write.step.unit", "MM");
+  STEPCAFControl_Writer writer;
+  writer.Transfer(document, STEPControl_AsIs);
+  writer.Write(file.c_str());
+}
+
 void write_step_cylinder(const std::filesystem::path& file, const std::string& unit) {
   be_quiet();
   STEPControl_Controller::Init();
@@ -86,6 +111,36 @@ void write_step_cylinder(const std::filesystem::path& file, const std::string& u
   Interface_Static::SetCVal("write.step.unit", unit.c_str());
   STEPControl_Writer writer;
   writer.Transfer(BRepPrimAPI_MakeCylinder(50, 100).Shape(), STEPControl_AsIs);
+  writer.Write(file.c_str());
+}
+
+void write_iges_groups(const std::filesystem::path& file, const std::string& third) {
+  be_quiet();
+  opencascade::handle<TDocStd_Document> document;
+  XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  const TDF_Label pair = shapes->NewShape(), whole = shapes->NewShape();
+  TDataStd_Name::Set(pair, "Pair");
+  TDataStd_Name::Set(whole, "Whole");
+  const auto add_cube = [&](const TDF_Label& group, const std::string& name, double x,
+                            const Quantity_Color& color) {
+    const TDF_Label label =
+        shapes->AddShape(BRepPrimAPI_MakeBox(gp_Pnt(x, 0, 0), 10, 10, 10).Shape(), Standard_False);
+    if (!name.empty()) TDataStd_Name::Set(label, name.c_str());
+    colors->SetColor(label, color, XCAFDoc_ColorSurf);
+    const TDF_Label placed = shapes->AddComponent(group, label, TopLoc_Location());
+    if (!name.empty()) TDataStd_Name::Set(placed, name.c_str());
+  };
+  add_cube(pair, "Left", 0, display_color(1, 0, 0));
+  add_cube(pair, "Right", 20, display_color(0, 0, 1));
+  shapes->AddComponent(whole, pair, TopLoc_Location());
+  add_cube(whole, third, 40, display_color(0, 1, 0));
+  shapes->UpdateAssemblies();
+  IGESControl_Controller::Init();
+  Interface_Static::SetCVal("write.iges.brep.mode", "BRep");
+  IGESCAFControl_Writer writer;
+  writer.Transfer(document);
   writer.Write(file.c_str());
 }
 
