@@ -7,6 +7,8 @@
 #include "base/rounding.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_work.hpp"
+#include "preprocess/contacts/find_contacts.hpp"
+#include "preprocess/contacts/hold_contacts.hpp"
 #include "preprocess/encode_objects.hpp"
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
@@ -212,6 +214,11 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   }
   stage("weld and partition",
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });
+  if (options.keep.touching) {
+    stage("contacts", [&] {
+      hold_contacts(parts, find_contacts(parts, work.parts(), options.memory / 4), work.parts());
+    });
+  }
   SourceObjects source_objects = std::move(model.source_objects);
   model = {};
   stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });

@@ -15,6 +15,11 @@
 
 namespace triptych {
 
+/// What levels of detail keep beside distances, at the price of triangles.
+struct Kept {
+  bool touching = true;  ///< surfaces that touch show no gap at any mix of levels
+};
+
 struct BuildOptions {
   /// Triangles of a part of a mesh after the first partition, at most; smaller parts cull better and cost
   /// more draws.
@@ -32,6 +37,7 @@ struct BuildOptions {
   bool in_pieces() const { return hierarchy == HierarchyKind::partition_cluster_partition; }
   /// Simplifier and kind of bound; the other limits are the build's own.
   SimplifyLimits simplify = {};
+  Kept keep = {};
   /// Off: the geometry of a mesh is stored once for each placement.
   bool share_instances = true;
   /// The resident size to aim at, bytes: it determines how much geometry is processed at a time. What is kept

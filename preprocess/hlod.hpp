@@ -19,9 +19,8 @@
 
 namespace triptych {
 
-/// Places of the leaves that a point of a border belongs to: the first and the last; empty for a point that
-/// is on no border. Objects that only touch have no border with each other: they may move apart, as far as
-/// the bound allows.
+/// Places of the leaves that a held point belongs to, or that touch it: the first and the last; empty for a
+/// point that may move at once.
 struct LeafSpan {
   uint32_t first = 0xffffffffu, last = 0;
   void extend(const LeafSpan& other) {

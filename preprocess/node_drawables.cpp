@@ -2,10 +2,12 @@
 
 #include "base/progress.hpp"
 #include "base/threads.hpp"
+#include "preprocess/contacts/stitch.hpp"
 #include "preprocess/hlod.hpp"
 #include "preprocess/triangle_objects.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace triptych {
 
@@ -129,7 +131,8 @@ class NodeDrawables {
     return nodes_[node].child_count == 0 && stands_for(node) == no_id;
   }
 
-  /// Writes for each border point the span of leaves that share it to a file, placed part by placed part.
+  /// Writes for each held point the span of leaves that share or touch it to a file, placed part by placed
+  /// part: border points, then points in contact.
   void span_borders() {
     std::vector<size_t> first;  // for each instance
     size_t count = 0;
@@ -137,34 +140,53 @@ class NodeDrawables {
       first.push_back(count);
       count += borders;
     }
+    std::vector<size_t> own_first;  // for each placed part
+    for (const PlacedPart& placed : placed_.placed) {
+      own_first.push_back(count);
+      count += parts_.parts[placed.part].contacts.size();
+    }
     if (count == 0) return;
-    std::vector<LeafSpan> spans(count);  // by instance, by number
-    const auto each_border = [&](const PlacedPart& placed, const auto& take) {
-      const PartInfo& part = parts_.parts[placed.part];
-      if (part.borders == 0) return;
-      for (const BorderPoint& border : load_borders(work_.parts(), part))
-        take(spans[first[placed.instance] + border.number]);
-    };
+    std::vector<LeafSpan> spans(count);  // by instance, by number; then by placed part, by contact point
+    std::vector<uint32_t> places(placed_.placed.size(), 0);
     for (size_t i = 0; i < nodes_.size(); ++i) {
       if (!is_leaf_of_parts(i)) continue;
-      const HierarchyNode& node = nodes_[i];
-      for (const uint32_t member : objects_.members[node.object]) {
-        each_border(placed_.placed[member], [&](LeafSpan& span) {
-          span.extend({node.first_place, node.first_place});
-        });
+      for (const uint32_t member : objects_.members[nodes_[i].object]) places[member] = nodes_[i].first_place;
+    }
+    const auto each_held = [&](uint32_t member, const auto& take) {
+      const PlacedPart& placed = placed_.placed[member];
+      const PartInfo& part = parts_.parts[placed.part];
+      if (part.borders > 0) {
+        for (const BorderPoint& border : load_borders(work_.parts(), part))
+          take(border.point, spans[first[placed.instance] + border.number]);
       }
+      for (size_t i = 0; i < part.contacts.size(); ++i) take(part.contacts[i], spans[own_first[member] + i]);
+    };
+    const auto touched = [&](uint32_t member, uint32_t point) {
+      return std::equal_range(placed_.contacts.begin(), placed_.contacts.end(), Contact{member, point, 0},
+                              [](const Contact& a, const Contact& b) {
+                                return std::tie(a.placed, a.point) < std::tie(b.placed, b.point);
+                              });
+    };
+    for (uint32_t member = 0; member < places.size(); ++member) {
+      each_held(member, [&](uint32_t point, LeafSpan& span) {
+        span.extend({places[member], places[member]});
+        const auto [from, end] = touched(member, point);
+        for (auto contact = from; contact != end; ++contact)
+          span.extend({places[contact->other], places[contact->other]});
+      });
     }
     std::vector<LeafSpan> own;
-    for (const PlacedPart& placed : placed_.placed) {
+    for (uint32_t member = 0; member < places.size(); ++member) {
       own.clear();
-      each_border(placed, [&](const LeafSpan& span) { own.push_back(span); });
+      each_held(member, [&](uint32_t, const LeafSpan& span) { own.push_back(span); });
       spans_.push_back(own.empty() ? 0 : span_file_.append(std::as_bytes(std::span(own))).offset);
     }
   }
 
-  /// Loads the spans of a placed part's border points.
+  /// Loads the spans of a placed part's held points.
   std::vector<LeafSpan> load_spans(uint32_t member) const {
-    const uint32_t count = parts_.parts[placed_.placed[member].part].borders;
+    const PartInfo& part = parts_.parts[placed_.placed[member].part];
+    const size_t count = part.borders + part.contacts.size();
     if (count == 0) return {};
     const std::vector<std::byte> bytes = span_file_.read({spans_[member], count * sizeof(LeafSpan)});
     return ByteReader(bytes, span_file_.path().string()).read_all<LeafSpan>(count);
@@ -257,7 +279,9 @@ class NodeDrawables {
       if (options_.rules.bounds_hold_children) error = std::max(error, coarsest_[child].error);
       bake(child, baker);
     }
-    return baker.finish(error);
+    Baked baked = baker.finish(error);
+    if (options_.keep.touching) baked.error += stitch(baked) * lattice_.step;
+    return baked;
   }
 
   /// Collects the coarsest geometry of a node. A placed sub-hierarchy has no borders with what is around it.
