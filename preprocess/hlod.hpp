@@ -23,7 +23,10 @@ namespace triptych {
 /// point that may move at once.
 struct LeafSpan {
   uint32_t first = 0xffffffffu, last = 0;
+  float reach =
+      0;  ///< lattice steps over which the largest of its contacts extends; infinite for a border point
   void extend(const LeafSpan& other) {
+    reach = reach > other.reach ? reach : other.reach;
     first = first < other.first ? first : other.first;
     last = last > other.last ? last : other.last;
   }

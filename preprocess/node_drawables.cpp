@@ -7,6 +7,7 @@
 #include "preprocess/triangle_objects.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace triptych {
@@ -152,33 +153,35 @@ class NodeDrawables {
       if (!is_leaf_of_parts(i)) continue;
       for (const uint32_t member : objects_.members[nodes_[i].object]) places[member] = nodes_[i].first_place;
     }
+    constexpr float unlimited = std::numeric_limits<float>::infinity();
     const auto each_held = [&](uint32_t member, const auto& take) {
       const PlacedPart& placed = placed_.placed[member];
       const PartInfo& part = parts_.parts[placed.part];
       if (part.borders > 0) {
         for (const BorderPoint& border : load_borders(work_.parts(), part))
-          take(border.point, spans[first[placed.instance] + border.number]);
+          take(border.point, spans[first[placed.instance] + border.number], unlimited);
       }
-      for (size_t i = 0; i < part.contacts.size(); ++i) take(part.contacts[i], spans[own_first[member] + i]);
+      for (size_t i = 0; i < part.contacts.size(); ++i)
+        take(part.contacts[i], spans[own_first[member] + i], 0);
     };
     const auto touched = [&](uint32_t member, uint32_t point) {
-      return std::equal_range(placed_.contacts.begin(), placed_.contacts.end(), Contact{member, point, 0},
+      return std::equal_range(placed_.contacts.begin(), placed_.contacts.end(), Contact{member, point, 0, 0},
                               [](const Contact& a, const Contact& b) {
                                 return std::tie(a.placed, a.point) < std::tie(b.placed, b.point);
                               });
     };
     for (uint32_t member = 0; member < places.size(); ++member) {
-      each_held(member, [&](uint32_t point, LeafSpan& span) {
-        span.extend({places[member], places[member]});
+      each_held(member, [&](uint32_t point, LeafSpan& span, float reach) {
+        span.extend({places[member], places[member], reach});
         const auto [from, end] = touched(member, point);
         for (auto contact = from; contact != end; ++contact)
-          span.extend({places[contact->other], places[contact->other]});
+          span.extend({places[contact->other], places[contact->other], contact->reach});
       });
     }
     std::vector<LeafSpan> own;
     for (uint32_t member = 0; member < places.size(); ++member) {
       own.clear();
-      each_held(member, [&](uint32_t, const LeafSpan& span) { own.push_back(span); });
+      each_held(member, [&](uint32_t, const LeafSpan& span, float) { own.push_back(span); });
       spans_.push_back(own.empty() ? 0 : span_file_.append(std::as_bytes(std::span(own))).offset);
     }
   }

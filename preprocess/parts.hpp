@@ -39,6 +39,7 @@ struct Contact {
   uint32_t placed = 0;  ///< index into PlacedParts::placed
   uint32_t point = 0;   ///< index into the points of its part
   uint32_t other = 0;   ///< index into PlacedParts::placed
+  float reach = 0;      ///< lattice steps over which all contacts of the two extend
   auto operator<=>(const Contact&) const = default;
 };
 

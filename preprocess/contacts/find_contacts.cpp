@@ -97,9 +97,9 @@ glm::dvec3 closest_on_segment(const glm::dvec3& p, const glm::dvec3& a, const gl
   return a + along * share;
 }
 
-/// Contacts of a's points with b's rims.
+/// Contacts of a's points with b's rims, without their reach, and the box of those points.
 void touch(const Placed& a, const Placed& b, const Box& both, double tolerance,
-           std::vector<Contact>& contacts) {
+           std::vector<Contact>& contacts, Box& places) {
   a.rims->point_tree.visit(a.in(both), [&](uint32_t point) {
     const glm::dvec3 at = a.out(a.rims->points[point]);
     const glm::dvec3 local = b.in(at);
@@ -107,6 +107,7 @@ void touch(const Placed& a, const Placed& b, const Box& both, double tolerance,
       const auto& edge = b.rims->edges[index];
       const glm::dvec3 ends[2] = {b.out(b.rims->points[edge[0]]), b.out(b.rims->points[edge[1]])};
       if (glm::distance(closest_on_segment(at, ends[0], ends[1]), at) > tolerance) return;
+      places.extend(at);
       contacts.push_back({a.number, point, b.number});
       const bool here[2] = {glm::distance(ends[0], at) <= tolerance, glm::distance(ends[1], at) <= tolerance};
       for (size_t end = 0; end < 2; ++end) {
@@ -136,8 +137,12 @@ std::vector<Contact> contacts_in(const Parts& parts, const PlacedParts& hierarch
     for (const uint32_t number : others) {
       const Placed other(hierarchy, number, cache);
       const Box both{glm::max(boxes[i].lo, boxes[number].lo), glm::min(boxes[i].hi, boxes[number].hi)};
-      touch(own, other, both, tolerance, found[i]);
-      touch(other, own, both, tolerance, found[i]);
+      const size_t first = found[i].size();
+      Box places;
+      touch(own, other, both, tolerance, found[i], places);
+      touch(other, own, both, tolerance, found[i], places);
+      for (size_t k = first; k < found[i].size(); ++k)
+        found[i][k].reach = static_cast<float>(diagonal(places) / lattice.step);
     }
     std::sort(found[i].begin(), found[i].end());
     found[i].erase(std::unique(found[i].begin(), found[i].end()), found[i].end());
