@@ -214,9 +214,10 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   }
   stage("weld and partition",
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });
-  if (options.keep.touching) {
+  if (options.holds_contacts()) {
     stage("contacts", [&] {
-      hold_contacts(parts, find_contacts(parts, work.parts(), options.memory / 4), work.parts());
+      report.contacts =
+          hold_contacts(parts, find_contacts(parts, work.parts(), options.memory / 4), work.parts());
     });
   }
   SourceObjects source_objects = std::move(model.source_objects);

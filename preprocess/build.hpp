@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_rules.hpp"
+#include "preprocess/contacts/contact_report.hpp"
 #include "scene/skeleton.hpp"
 #include "simplify/simplify.hpp"
 
@@ -47,6 +48,7 @@ struct BuildOptions {
   /// same. Empty: it starts again.
   std::string fingerprint = {};
   BuildRules rules = {};
+  bool holds_contacts() const { return keep.touching && rules.contacts_hold; }
 };
 
 /// Triangles of one unit of work, all threads together.
@@ -64,7 +66,8 @@ struct BuildReport {
   uint64_t source_triangles = 0, placed_triangles = 0, drawables = 0, pack_bytes = 0;
   /// Groups that are stored once, and how many places they have.
   uint64_t sub_hierarchies = 0, instances = 0;
-  uint32_t levels = 0;         ///< of the hierarchy: the longest path from its root to a leaf
+  uint32_t levels = 0;  ///< of the hierarchy: the longest path from its root to a leaf
+  ContactReport contacts;
   uint64_t resumed_units = 0;  ///< batches of units that an earlier, killed build had completed
   ImportReport import;
 };

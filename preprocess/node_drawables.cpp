@@ -283,7 +283,7 @@ class NodeDrawables {
       bake(child, baker);
     }
     Baked baked = baker.finish(error);
-    if (options_.keep.touching) baked.error += stitch(baked) * lattice_.step;
+    if (options_.holds_contacts()) baked.error += stitch(baked) * lattice_.step;
     return baked;
   }
 

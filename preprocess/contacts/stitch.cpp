@@ -2,12 +2,14 @@
 
 #include "preprocess/contacts/box_tree.hpp"
 #include "preprocess/contacts/find_contacts.hpp"
+#include "simplify/key_hash.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
 #include <utility>
 
 namespace triptych {
@@ -52,8 +54,8 @@ class Stitcher {
     if (held_.size() < 2) return 0;
     join_points();
     const double joined = std::sqrt(std::exchange(squared_moved_, 0));
-    divide_edges();
-    drop_lone_points();
+    if (find_dividers()) divide_edges();
+    if (joined_any_) drop_lone_points();
     return joined + std::sqrt(squared_moved_);
   }
 
@@ -89,6 +91,7 @@ class Stitcher {
         if (can_join(point, other, triangles_at[point])) target = other;
       });
       if (target == point) continue;
+      joined_any_ = true;
       const glm::dvec3 way = at(target) - at(point);
       moved(glm::dot(way, way));
       for (const uint32_t index : triangles_at[point]) {
@@ -116,29 +119,42 @@ class Stitcher {
     return true;
   }
 
-  const std::vector<Divider>& dividers_of(Ends ends, const BoxTree& tree) {
-    if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
-    const auto [found, added] = dividers_.try_emplace(ends);
-    if (!added) return found->second;
+  /// For each edge between held points those that lie on it; false if there are none.
+  bool find_dividers() {
+    const BoxTree tree = tree_of_held();
+    tsl::robin_set<Ends, KeyHash, KeyEqual> seen;
+    for (const Triangle& triangle : surface_.triangles) {
+      for (size_t k = 0; k < 3; ++k) {
+        const Ends ends = ascending({triangle.vertices[k], triangle.vertices[(k + 1) % 3]});
+        if (!is_held(ends[0]) || !is_held(ends[1]) || !seen.insert(ends).second) continue;
+        std::vector<Divider> found = dividers_of(ends, tree);
+        if (!found.empty()) dividers_[ends] = std::move(found);
+      }
+    }
+    return !dividers_.empty();
+  }
+
+  static Ends ascending(const Ends& ends) { return ends[0] < ends[1] ? ends : Ends{ends[1], ends[0]}; }
+
+  std::vector<Divider> dividers_of(const Ends& ends, const BoxTree& tree) const {
+    std::vector<Divider> dividers;
     const glm::dvec3 from = at(ends[0]), along = at(ends[1]) - from;
-    const double squared = glm::dot(along, along);
-    if (!(squared > 4 * contact_steps * contact_steps)) return found->second;
+    const double length = glm::length(along);
+    if (!(length > 2 * contact_steps)) return dividers;
     Box box;
     for (const uint32_t end : ends) box.extend(at(end));
     tree.visit(grown(box, contact_steps), [&](uint32_t index) {
       const uint32_t point = held_[index];
-      const double share = glm::dot(at(point) - from, along) / squared;
-      const double margin = contact_steps / std::sqrt(squared);
+      const double share = glm::dot(at(point) - from, along) / (length * length);
+      const double margin = contact_steps / length;
       if (point == ends[0] || point == ends[1] || share < margin || share > 1 - margin) return;
-      if (glm::distance(from + along * share, at(point)) <= contact_steps)
-        found->second.push_back({share, point});
+      if (glm::distance(from + along * share, at(point)) <= contact_steps) dividers.push_back({share, point});
     });
-    std::sort(found->second.begin(), found->second.end());
-    return found->second;
+    std::sort(dividers.begin(), dividers.end());
+    return dividers;
   }
 
   void divide_edges() {
-    const BoxTree tree = tree_of_held();
     std::vector<Triangle> triangles;
     std::vector<CornerColors> colors;
     std::vector<SourceObjectId> objects;
@@ -146,8 +162,9 @@ class Stitcher {
       Divided whole{surface_.triangles[i], surface_.colors.empty() ? CornerColors{} : surface_.colors[i], {}};
       for (size_t k = 0; k < 3; ++k) {
         const Ends ends = {whole.triangle.vertices[k], whole.triangle.vertices[(k + 1) % 3]};
-        if (!is_held(ends[0]) || !is_held(ends[1])) continue;
-        whole.dividers[k] = dividers_of(ends, tree);
+        const auto found = dividers_.find(ascending(ends));
+        if (found == dividers_.end()) continue;
+        whole.dividers[k] = found->second;
         if (ends[0] > ends[1]) {
           for (Divider& divider : whole.dividers[k]) divider.share = 1 - divider.share;
           std::reverse(whole.dividers[k].begin(), whole.dividers[k].end());
@@ -223,7 +240,8 @@ class Stitcher {
   Baked& baked_;
   Surface& surface_;
   std::vector<uint32_t> held_;
-  std::map<Ends, std::vector<Divider>> dividers_;
+  tsl::robin_map<Ends, std::vector<Divider>, KeyHash, KeyEqual> dividers_;
+  bool joined_any_ = false;
   double squared_moved_ = 0;
 };
 
