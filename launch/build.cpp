@@ -36,6 +36,10 @@ void print(const BuildReport& report, const std::filesystem::path& output) {
         "that touch nothing\n",
         report.contacts.held_parts, report.contacts.contacts, report.contacts.added_chains);
   }
+  if (report.contacts.crowded_parts > 0) {
+    fmt::print("{} parts overlap too many others to look for all places where they touch\n",
+               report.contacts.crowded_parts);
+  }
 }
 
 nlohmann::json report_json(const BuildReport& report, const BuildOptions& options, double seconds) {

@@ -54,6 +54,18 @@ struct Hierarchies {
     }
   }
 
+  /// For each hierarchy where its placed parts touch.
+  std::vector<FoundContacts> contacts(const Parts& parts, const SpoolFile& geometry,
+                                      const BuildOptions& options) const {
+    std::vector<FoundContacts> found;
+    for (uint32_t i = 0; i < nodes.size(); ++i) {
+      const PlacedParts& placed = parts.hierarchies[i];
+      found.push_back(find_contacts(parts, placed, leaf_places(objects[i], nodes[i], placed.placed.size()),
+                                    geometry, options.memory / 4));
+    }
+    return found;
+  }
+
   void make_drawables(const Parts& parts, std::span<const PartLevels> levels, const BuildOptions& options,
                       BuildWork& work, ImportReport& report) {
     uint64_t count = 0;
@@ -214,16 +226,16 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   }
   stage("weld and partition",
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });
-  if (options.holds_contacts()) {
-    stage("contacts", [&] {
-      report.contacts =
-          hold_contacts(parts, find_contacts(parts, work.parts(), options.memory / 4), work.parts());
-    });
-  }
   SourceObjects source_objects = std::move(model.source_objects);
   model = {};
   stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });
   stage("hierarchy", [&] { hierarchies.make_nodes(options.hierarchy); });
+  if (options.holds_contacts()) {
+    stage("contacts", [&] {
+      report.contacts =
+          hold_contacts(parts, hierarchies.contacts(parts, work.parts(), options), work.parts());
+    });
+  }
   stage("leaf LODs",
         [&] { levels = make_part_levels(parts, options, exit_triangles(options), work, skeleton.import); });
   stage("HLODs", [&] { hierarchies.make_drawables(parts, levels, options, work, skeleton.import); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "preprocess/build_rules.hpp"
+#include "preprocess/leaf_span.hpp"
 #include "preprocess/part.hpp"
 #include "preprocess/pieces.hpp"
 #include "scene/lattice.hpp"
@@ -18,19 +19,6 @@
 #include <vector>
 
 namespace triptych {
-
-/// Places of the leaves that a held point belongs to, or that touch it: the first and the last; empty for a
-/// point that may move at once.
-struct LeafSpan {
-  uint32_t first = 0xffffffffu, last = 0;
-  float reach =
-      0;  ///< lattice steps over which the largest of its contacts extends; infinite for a border point
-  void extend(const LeafSpan& other) {
-    reach = reach > other.reach ? reach : other.reach;
-    first = first < other.first ? first : other.first;
-    last = last > other.last ? last : other.last;
-  }
-};
 
 /// Geometry of a subtree on the model's lattice.
 struct Baked {

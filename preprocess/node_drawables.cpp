@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
+#include <utility>
 
 namespace triptych {
 
@@ -148,11 +148,7 @@ class NodeDrawables {
     }
     if (count == 0) return;
     std::vector<LeafSpan> spans(count);  // by instance, by number; then by placed part, by contact point
-    std::vector<uint32_t> places(placed_.placed.size(), 0);
-    for (size_t i = 0; i < nodes_.size(); ++i) {
-      if (!is_leaf_of_parts(i)) continue;
-      for (const uint32_t member : objects_.members[nodes_[i].object]) places[member] = nodes_[i].first_place;
-    }
+    const std::vector<uint32_t> places = leaf_places(objects_, nodes_, placed_.placed.size());
     constexpr float unlimited = std::numeric_limits<float>::infinity();
     const auto each_held = [&](uint32_t member, const auto& take) {
       const PlacedPart& placed = placed_.placed[member];
@@ -164,18 +160,16 @@ class NodeDrawables {
       for (size_t i = 0; i < part.contacts.size(); ++i)
         take(part.contacts[i], spans[own_first[member] + i], 0);
     };
-    const auto touched = [&](uint32_t member, uint32_t point) {
-      return std::equal_range(placed_.contacts.begin(), placed_.contacts.end(), Contact{member, point, 0, 0},
-                              [](const Contact& a, const Contact& b) {
-                                return std::tie(a.placed, a.point) < std::tie(b.placed, b.point);
-                              });
-    };
     for (uint32_t member = 0; member < places.size(); ++member) {
       each_held(member, [&](uint32_t point, LeafSpan& span, float reach) {
         span.extend({places[member], places[member], reach});
-        const auto [from, end] = touched(member, point);
-        for (auto contact = from; contact != end; ++contact)
-          span.extend({places[contact->other], places[contact->other], contact->reach});
+        const auto found =
+            std::lower_bound(placed_.contacts.begin(), placed_.contacts.end(), std::pair(member, point),
+                             [](const Contact& a, const std::pair<uint32_t, uint32_t>& key) {
+                               return std::pair(a.placed, a.point) < key;
+                             });
+        if (found != placed_.contacts.end() && found->placed == member && found->point == point)
+          span.extend(found->span);
       });
     }
     std::vector<LeafSpan> own;
@@ -372,6 +366,16 @@ class NodeDrawables {
 
 size_t exit_triangles(const BuildOptions& options) {
   return std::max<size_t>(options.hlod_triangles / 32, 16);
+}
+
+std::vector<uint32_t> leaf_places(const Objects& objects, std::span<const HierarchyNode> nodes,
+                                  size_t placed) {
+  std::vector<uint32_t> places(placed, 0);
+  for (const HierarchyNode& node : nodes) {
+    if (node.child_count > 0 || node.object >= objects.members.size()) continue;
+    for (const uint32_t member : objects.members[node.object]) places[member] = node.first_place;
+  }
+  return places;
 }
 
 uint32_t sub_hierarchy_of(const HierarchyNode& node, const Objects& objects) {

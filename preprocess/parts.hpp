@@ -4,12 +4,12 @@
 
 #include "model/model.hpp"
 #include "preprocess/build_work.hpp"
+#include "preprocess/leaf_span.hpp"
 #include "preprocess/part.hpp"
 #include "preprocess/plan.hpp"
 #include "scene/lattice.hpp"
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -34,13 +34,11 @@ struct PartInfo {
 /// Only the part's border points, with their numbers in the mesh; ascending by points.
 std::vector<BorderPoint> load_borders(const SpoolFile& file, const PartInfo& part);
 
-/// A point of a placed part that touches another placed part.
+/// A point of a placed part that touches others.
 struct Contact {
   uint32_t placed = 0;  ///< index into PlacedParts::placed
   uint32_t point = 0;   ///< index into the points of its part
-  uint32_t other = 0;   ///< index into PlacedParts::placed
-  float reach = 0;      ///< lattice steps over which all contacts of the two extend
-  auto operator<=>(const Contact&) const = default;
+  LeafSpan span;        ///< of the leaves that the others are in
 };
 
 /// A part under one of its mesh's placements.
@@ -54,7 +52,7 @@ struct PlacedPart {
 struct PlacedParts {
   std::vector<PlacedPart> placed;       ///< by instance
   std::vector<LatticeBox> boxes;        ///< of each placed part, on the hierarchy's lattice
-  std::vector<Contact> contacts;        ///< sorted; empty until they were looked for
+  std::vector<Contact> contacts;        ///< by placed part and point; empty until they were looked for
   std::vector<uint32_t> border_counts;  ///< for each instance how many border points its mesh has
   std::vector<SourceObjectId> objects;  ///< for each instance, as BuildPlan::objects; empty as that
   std::vector<Affine> transforms;       ///< 0: the identity

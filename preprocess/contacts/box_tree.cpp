@@ -2,6 +2,7 @@
 
 #include "simplify/median_split.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace triptych {
@@ -12,7 +13,8 @@ constexpr uint32_t leaf_boxes = 4;
 
 }  // namespace
 
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxTree::BoxTree(std::vector<Box> boxes, std::vector<uint32_t> ranks)
+    : boxes_(std::move(boxes)), ranks_(std::move(ranks)), order_(boxes_.size()) {
   if (boxes_.empty()) return;
   std::iota(order_.begin(), order_.end(), 0u);
   std::vector<glm::dvec3> centers;
@@ -31,6 +33,11 @@ void BoxTree::build(uint32_t first, uint32_t last, std::vector<glm::dvec3>& cent
   Box box;
   for (uint32_t i = first; i < last; ++i) box.extend(boxes_[order_[i]]);
   nodes_[index].box = box;
+  if (!ranks_.empty()) {
+    nodes_[index].least_rank = end;
+    for (uint32_t i = first; i < last; ++i)
+      nodes_[index].least_rank = std::min(nodes_[index].least_rank, ranks_[order_[i]]);
+  }
   if (last - first <= leaf_boxes) {
     nodes_[index].first = first;
     nodes_[index].count = last - first;

@@ -1,6 +1,7 @@
 #include "preprocess/contacts/find_contacts.hpp"
 
 #include "base/threads.hpp"
+#include "preprocess/contacts/overlapping_boxes.hpp"
 #include "preprocess/contacts/part_rims.hpp"
 
 #include <algorithm>
@@ -11,7 +12,9 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <unordered_map>
+#include <utility>
 
 namespace triptych {
 
@@ -97,9 +100,14 @@ glm::dvec3 closest_on_segment(const glm::dvec3& p, const glm::dvec3& a, const gl
   return a + along * share;
 }
 
-/// Contacts of a's points with b's rims, without their reach, and the box of those points.
+/// A point of one of two placed parts.
+struct Touching {
+  uint32_t placed, point;
+};
+
+/// Contacts of a's points with b's rims; `places` gets those points.
 void touch(const Placed& a, const Placed& b, const Box& both, double tolerance,
-           std::vector<Contact>& contacts, Box& places) {
+           std::vector<Touching>& touching, Box& places) {
   a.rims->point_tree.visit(a.in(both), [&](uint32_t point) {
     const glm::dvec3 at = a.out(a.rims->points[point]);
     const glm::dvec3 local = b.in(at);
@@ -108,60 +116,73 @@ void touch(const Placed& a, const Placed& b, const Box& both, double tolerance,
       const glm::dvec3 ends[2] = {b.out(b.rims->points[edge[0]]), b.out(b.rims->points[edge[1]])};
       if (glm::distance(closest_on_segment(at, ends[0], ends[1]), at) > tolerance) return;
       places.extend(at);
-      contacts.push_back({a.number, point, b.number});
+      touching.push_back({a.number, point});
       const bool here[2] = {glm::distance(ends[0], at) <= tolerance, glm::distance(ends[1], at) <= tolerance};
       for (size_t end = 0; end < 2; ++end) {
-        if (here[end] || !here[1 - end]) contacts.push_back({b.number, edge[end], a.number});
+        if (here[end] || !here[1 - end]) touching.push_back({b.number, edge[end]});
       }
     });
   });
 }
 
-std::vector<Contact> contacts_in(const Parts& parts, const PlacedParts& hierarchy, const SpoolFile& geometry,
-                                 uint64_t memory) {
-  const Lattice& lattice = parts.lattices[hierarchy.lattice];
-  const double tolerance = contact_steps * lattice.step;
-  std::vector<Box> boxes;
-  for (const LatticeBox& box : hierarchy.boxes) boxes.push_back(grown(lattice.box(box), tolerance));
-  const BoxTree tree(boxes);
-  RimCache cache(parts, geometry, memory);
-  std::vector<std::vector<Contact>> found(boxes.size());
-  parallel_for(boxes.size(), [&](size_t i) {
-    std::vector<uint32_t> others;
-    tree.visit(boxes[i], [&](uint32_t other) {
-      if (other > i && hierarchy.placed[other].instance != hierarchy.placed[i].instance)
-        others.push_back(other);
-    });
-    if (others.empty()) return;
-    const Placed own(hierarchy, static_cast<uint32_t>(i), cache);
-    for (const uint32_t number : others) {
-      const Placed other(hierarchy, number, cache);
-      const Box both{glm::max(boxes[i].lo, boxes[number].lo), glm::min(boxes[i].hi, boxes[number].hi)};
-      const size_t first = found[i].size();
-      Box places;
-      touch(own, other, both, tolerance, found[i], places);
-      touch(other, own, both, tolerance, found[i], places);
-      for (size_t k = first; k < found[i].size(); ++k)
-        found[i][k].reach = static_cast<float>(diagonal(places) / lattice.step);
+/// Sorts them, and makes one of those of a point.
+void merge(std::vector<Contact>& contacts) {
+  const auto key = [](const Contact& contact) { return std::pair(contact.placed, contact.point); };
+  std::sort(contacts.begin(), contacts.end(),
+            [&](const Contact& a, const Contact& b) { return key(a) < key(b); });
+  size_t kept = 0;
+  for (const Contact& contact : contacts) {
+    if (kept > 0 && key(contacts[kept - 1]) == key(contact)) {
+      contacts[kept - 1].span.extend(contact.span);
+    } else {
+      contacts[kept++] = contact;
     }
-    std::sort(found[i].begin(), found[i].end());
-    found[i].erase(std::unique(found[i].begin(), found[i].end()), found[i].end());
-  });
-  std::vector<Contact> contacts;
-  for (const auto& some : found) contacts.insert(contacts.end(), some.begin(), some.end());
-  std::sort(contacts.begin(), contacts.end());
-  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
-  return contacts;
+  }
+  contacts.resize(kept);
 }
 
 }  // namespace
 
-std::vector<std::vector<Contact>> find_contacts(const Parts& parts, const SpoolFile& geometry,
-                                                uint64_t memory) {
-  std::vector<std::vector<Contact>> contacts;
-  for (const PlacedParts& hierarchy : parts.hierarchies)
-    contacts.push_back(contacts_in(parts, hierarchy, geometry, memory));
-  return contacts;
+FoundContacts find_contacts(const Parts& parts, const PlacedParts& hierarchy,
+                            const std::vector<uint32_t>& places, const SpoolFile& geometry, uint64_t memory) {
+  constexpr size_t most_overlapping = 32, merged_at_once = 4096;
+  const Lattice& lattice = parts.lattices[hierarchy.lattice];
+  const double tolerance = contact_steps * lattice.step;
+  std::vector<Box> boxes;
+  for (const LatticeBox& box : hierarchy.boxes) boxes.push_back(grown(lattice.box(box), tolerance));
+  const OverlappingBoxes overlapping = overlapping_boxes(boxes, most_overlapping);
+  RimCache cache(parts, geometry, memory);
+  FoundContacts found;
+  found.crowded_parts = overlapping.crowded;
+  for (size_t first = 0; first < boxes.size(); first += merged_at_once) {
+    std::vector<std::vector<Contact>> batch(std::min(merged_at_once, boxes.size() - first));
+    parallel_for(batch.size(), [&](size_t index) {
+      const auto number = static_cast<uint32_t>(first + index);
+      std::optional<Placed> own;
+      std::vector<Touching> touching;
+      for (const uint32_t larger : overlapping.larger[number]) {
+        if (hierarchy.placed[larger].instance == hierarchy.placed[number].instance) continue;
+        if (!own) own.emplace(hierarchy, number, cache);
+        const Placed other(hierarchy, larger, cache);
+        const Box both{glm::max(boxes[number].lo, boxes[larger].lo),
+                       glm::min(boxes[number].hi, boxes[larger].hi)};
+        touching.clear();
+        Box where;
+        touch(*own, other, both, tolerance, touching, where);
+        touch(other, *own, both, tolerance, touching, where);
+        for (const Touching& point : touching) {
+          const uint32_t place = places[point.placed == number ? larger : number];
+          const auto reach = static_cast<float>(diagonal(where) / lattice.step);
+          batch[index].push_back({point.placed, point.point, {place, place, reach}});
+        }
+      }
+      merge(batch[index]);
+    });
+    for (const auto& contacts : batch)
+      found.contacts.insert(found.contacts.end(), contacts.begin(), contacts.end());
+    merge(found.contacts);
+  }
+  return found;
 }
 
 }  // namespace triptych

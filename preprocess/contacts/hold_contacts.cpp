@@ -28,12 +28,12 @@ std::vector<std::vector<uint32_t>> points_in_contact(const Parts& parts, const S
 
 }  // namespace
 
-ContactReport hold_contacts(Parts& parts, std::vector<std::vector<Contact>> contacts,
-                            const SpoolFile& geometry) {
+ContactReport hold_contacts(Parts& parts, std::vector<FoundContacts> contacts, const SpoolFile& geometry) {
   ContactReport report;
   for (size_t i = 0; i < contacts.size(); ++i) {
-    report.contacts += contacts[i].size();
-    parts.hierarchies[i].contacts = std::move(contacts[i]);
+    report.contacts += contacts[i].contacts.size();
+    report.crowded_parts += contacts[i].crowded_parts;
+    parts.hierarchies[i].contacts = std::move(contacts[i].contacts);
   }
   std::vector<std::vector<uint32_t>> points = points_in_contact(parts, geometry);
   const size_t count = points.size();

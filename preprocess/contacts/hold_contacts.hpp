@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preprocess/contacts/contact_report.hpp"
+#include "preprocess/contacts/find_contacts.hpp"
 #include "preprocess/parts.hpp"
 
 #include <cstdint>
@@ -12,7 +13,6 @@ namespace triptych {
 /// Gives the hierarchies their contacts, and parts the points that their levels must hold. A part that is
 /// placed both in contact and alone gets a second chain (PartInfo::variant_of), so that one contact does not
 /// freeze all its placements; all placements in contact share one, which holds what any of them does.
-ContactReport hold_contacts(Parts& parts, std::vector<std::vector<Contact>> contacts,
-                            const SpoolFile& geometry);
+ContactReport hold_contacts(Parts& parts, std::vector<FoundContacts> contacts, const SpoolFile& geometry);
 
 }  // namespace triptych

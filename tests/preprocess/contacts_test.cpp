@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
-#include <set>
+#include <numeric>
 
 namespace triptych {
 namespace {
@@ -51,14 +51,19 @@ class Scene {
   uint32_t add(const Mesh& mesh) { return place(add_part(mesh)); }
 
   PlacedParts& hierarchy() { return parts.hierarchies[0]; }
-  std::vector<Contact> contacts() const { return find_contacts(parts, file, 1 << 20)[0]; }
+  /// Each placed part is a leaf of its own, at the place of its number.
+  FoundContacts found() const {
+    std::vector<uint32_t> places(parts.hierarchies[0].placed.size());
+    std::iota(places.begin(), places.end(), 0u);
+    return find_contacts(parts, parts.hierarchies[0], places, file, 1 << 20);
+  }
+  std::vector<Contact> contacts() const { return found().contacts; }
   /// How many points of the one touch the other.
   size_t touching(uint32_t placed, uint32_t other) const {
-    std::set<uint32_t> points;
-    for (const Contact& contact : contacts()) {
-      if (contact.placed == placed && contact.other == other) points.insert(contact.point);
-    }
-    return points.size();
+    size_t points = 0;
+    for (const Contact& contact : contacts())
+      points += contact.placed == placed && contact.span.first <= other && other <= contact.span.last;
+    return points;
   }
 
   Parts parts;
@@ -74,7 +79,7 @@ TEST(Contacts, boxes_side_by_side_touch_at_the_corners_of_their_common_face) {
   EXPECT_EQ(scene.touching(a, b), 4u);
   EXPECT_EQ(scene.touching(b, a), 4u);
   EXPECT_EQ(scene.touching(b, apart), 0u);
-  for (const Contact& contact : scene.contacts()) EXPECT_NEAR(contact.reach, std::sqrt(2) / step, 1);
+  for (const Contact& contact : scene.contacts()) EXPECT_NEAR(contact.span.reach, std::sqrt(2) / step, 1);
 }
 
 TEST(Contacts, a_foot_within_a_floor_is_none_and_a_wall_at_its_rim_is_one) {
@@ -115,12 +120,21 @@ TEST(Contacts, edges_within_a_smooth_surface_are_no_rims) {
   EXPECT_EQ(scene.touching(ball, on_point), 1u) << "the needle ends there";
 }
 
+TEST(Contacts, of_any_number_of_objects_in_one_place_are_found_in_time) {
+  Scene scene;
+  const uint32_t box = scene.add_part(awkward::box({0, 0, 0}, {1, 1, 1}));
+  for (int i = 0; i < 4'000; ++i) scene.place(box);
+  const FoundContacts found = scene.found();
+  EXPECT_EQ(found.crowded_parts, 4'000u - 33);
+  EXPECT_EQ(found.contacts.size(), 4'000u * 8);
+}
+
 TEST(Contacts, a_part_placed_alone_and_in_contact_gets_two_chains) {
   Scene scene;
   const uint32_t box = scene.add_part(awkward::box({0, 0, 0}, {1, 1, 1}));
   for (const double x : {0.0, 1.0, 2.0, 9.0}) scene.place(box, {x, 0, 0});
   const uint32_t lone = scene.add(awkward::box({20, 0, 0}, {21, 1, 1}));
-  const ContactReport report = hold_contacts(scene.parts, {scene.contacts()}, scene.file);
+  const ContactReport report = hold_contacts(scene.parts, {scene.found()}, scene.file);
   EXPECT_EQ(report.held_parts, 1u);
   EXPECT_EQ(report.added_chains, 1u);
   ASSERT_EQ(scene.parts.parts.size(), 3u);
