@@ -30,6 +30,7 @@ enum class Fault {
   shrinking_bounds,  ///< an HLOD's error leaves out its children's, in builds and in the selection of levels
   unflipped_mirror,  ///< mirrored placements keep their winding
   shared_shears,     ///< meshes are shared under transforms that floats cannot place exactly
+  loose_contacts,    ///< levels of detail do not hold the points where surfaces touch
   exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
   backs_nearby,      ///< backs are left out even where the eye is among them
   slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change

@@ -29,9 +29,20 @@ void print(const BuildReport& report, const std::filesystem::path& output) {
   fmt::print("dropped triangles {}, welded vertices {}, repaired edges {}, stuck groups {}, warnings {}\n",
              report.import.dropped_triangles, report.import.welded_vertices, report.import.repaired_edges,
              report.import.stuck_groups, report.import.warnings.size());
+  if (report.contacts.contacts > 0) {
+    fmt::print(
+        "{} parts touch others at {} places: their levels of detail hold those; {} more chains for "
+        "placements "
+        "that touch nothing\n",
+        report.contacts.held_parts, report.contacts.contacts, report.contacts.added_chains);
+  }
+  if (report.contacts.crowded_parts > 0) {
+    fmt::print("{} parts overlap too many others to look for all places where they touch\n",
+               report.contacts.crowded_parts);
+  }
 }
 
-nlohmann::json report_json(const BuildReport& report, double seconds) {
+nlohmann::json report_json(const BuildReport& report, const BuildOptions& options, double seconds) {
   nlohmann::json stages = nlohmann::json::array();
   for (const BuildStage& stage : report.stages)
     stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
@@ -43,6 +54,10 @@ nlohmann::json report_json(const BuildReport& report, double seconds) {
           {"levels", report.levels},
           {"pack_bytes", report.pack_bytes},
           {"peak_rss_bytes", peak_resident_bytes()},
+          {"keep", name_of(options.keep)},
+          {"contacts", report.contacts.contacts},
+          {"contact_parts", report.contacts.held_parts},
+          {"contact_chains", report.contacts.added_chains},
           {"resumed_units", report.resumed_units},
           {"seconds", seconds},
           {"stages", stages},
@@ -70,7 +85,7 @@ int run(const BuildCommand& command) {
         fmt::format("the build took {} MiB, more than --memory's {}", peak >> 20, options.memory >> 20));
   }
   print(report, command.output);
-  write_json(command.json, report_json(report, stopwatch.seconds()));
+  write_json(command.json, report_json(report, options, stopwatch.seconds()));
   return 0;
 }
 

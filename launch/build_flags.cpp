@@ -61,6 +61,8 @@ std::string name_of(Simplifier simplifier) { return name_in(simplifiers(), simpl
 std::string name_of(Bound bound) { return name_in(bounds(), bound); }
 std::string name_of(HierarchyKind hierarchy) { return name_in(hierarchies(), hierarchy); }
 
+std::string name_of(const Kept& kept) { return kept.touching ? "touching" : "none"; }
+
 BuildOptions BuildFlags::options() const {
   BuildOptions options = defaults;
   if (simplifier) options.simplify.simplifier = *simplifier;
@@ -103,6 +105,19 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
       ->check(whole_number(min_triangles, max_triangles))
       ->capture_default_str();
   command
+      .add_option_function<std::vector<std::string>>(
+          "--keep",
+          [&flags](const std::vector<std::string>& words) {
+            flags.defaults.keep = {.touching = false};
+            for (const std::string& word : words) flags.defaults.keep.touching |= word == "touching";
+          },
+          "What levels of detail keep beside distances: that surfaces which touch show no gap (touching), or "
+          "none")
+      ->delimiter(',')
+      ->check(one_of({"touching", "none"}))
+      ->type_name("touching|none")
+      ->default_str(name_of(options.keep));
+  command
       .add_option("--hlod-triangles", flags.defaults.hlod_triangles,
                   "Triangles of an inner scene node's coarsest level, roughly")
       ->check(whole_number(min_triangles, max_triangles))
@@ -137,7 +152,8 @@ std::vector<std::string> build_arguments(const BuildFlags& flags) {
       {"--simplifier", name_of(options.simplify.simplifier), "--bound", name_of(options.simplify.bound),
        "--hierarchy", name_of(options.hierarchy), "--memory", std::to_string(options.memory),
        "--part-triangles", std::to_string(options.part_triangles), "--leaf-triangles",
-       std::to_string(options.leaf_triangles), "--hlod-triangles", std::to_string(options.hlod_triangles)});
+       std::to_string(options.leaf_triangles), "--hlod-triangles", std::to_string(options.hlod_triangles),
+       "--keep", name_of(options.keep)});
   if (flags.bake_instances) arguments.emplace_back("--bake-instances");
   if (!flags.import.find_groups) arguments.emplace_back("--flat");
   return arguments;

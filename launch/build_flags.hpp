@@ -25,7 +25,7 @@ struct BuildFlags {
 };
 
 /// The inputs, --up, --unit, --simplifier, --bound, --memory, --bake-instances, --flat, --part-triangles,
-/// --leaf-triangles and --hlod-triangles.
+/// --leaf-triangles, --hlod-triangles and --keep.
 void add_build_flags(CLI::App& command, BuildFlags& flags);
 /// --hierarchy.
 void add_hierarchy_flag(CLI::App& command, BuildFlags& flags);
@@ -40,6 +40,8 @@ std::vector<std::string> build_arguments(const BuildFlags& flags);
 std::string name_of(Simplifier simplifier);
 std::string name_of(Bound bound);
 std::string name_of(HierarchyKind hierarchy);
+/// "touching", or "none".
+std::string name_of(const Kept& kept);
 
 /// For BuildOptions::fingerprint: the program, the files by path, size and time of change, and every flag
 /// that changes the pack. Error for a file that is gone.

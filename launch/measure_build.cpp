@@ -118,7 +118,7 @@ void add_measure_build(CLI::App& measure, Action& action) {
   sub->footer("Example: triptych measure build scene.gltf --bound fast --json build.json");
   add_common_flags(*sub, command->json);
   add_build_flags(*sub, command->flags);
-  sub->add_option("--keep", command->keep, "Keep the pack")->type_name("FILE.tpk");
+  sub->add_option("--keep-pack", command->keep, "Keep the pack")->type_name("FILE.tpk");
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

@@ -7,6 +7,8 @@
 #include "base/rounding.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_work.hpp"
+#include "preprocess/contacts/find_contacts.hpp"
+#include "preprocess/contacts/hold_contacts.hpp"
 #include "preprocess/encode_objects.hpp"
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
@@ -50,6 +52,18 @@ struct Hierarchies {
       nodes.emplace_back();
       if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind, own.leaves);
     }
+  }
+
+  /// For each hierarchy where its placed parts touch.
+  std::vector<FoundContacts> contacts(const Parts& parts, const SpoolFile& geometry,
+                                      const BuildOptions& options) const {
+    std::vector<FoundContacts> found;
+    for (uint32_t i = 0; i < nodes.size(); ++i) {
+      const PlacedParts& placed = parts.hierarchies[i];
+      found.push_back(find_contacts(parts, placed, leaf_places(objects[i], nodes[i], placed.placed.size()),
+                                    geometry, options.memory / 4));
+    }
+    return found;
   }
 
   void make_drawables(const Parts& parts, std::span<const PartLevels> levels, const BuildOptions& options,
@@ -216,6 +230,12 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   model = {};
   stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });
   stage("hierarchy", [&] { hierarchies.make_nodes(options.hierarchy); });
+  if (options.holds_contacts()) {
+    stage("contacts", [&] {
+      report.contacts =
+          hold_contacts(parts, hierarchies.contacts(parts, work.parts(), options), work.parts());
+    });
+  }
   stage("leaf LODs",
         [&] { levels = make_part_levels(parts, options, exit_triangles(options), work, skeleton.import); });
   stage("HLODs", [&] { hierarchies.make_drawables(parts, levels, options, work, skeleton.import); });

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_rules.hpp"
+#include "preprocess/contacts/contact_report.hpp"
 #include "scene/skeleton.hpp"
 #include "simplify/simplify.hpp"
 
@@ -14,6 +15,11 @@
 #include <vector>
 
 namespace triptych {
+
+/// What levels of detail keep beside distances, at the price of triangles.
+struct Kept {
+  bool touching = true;  ///< surfaces that touch show no gap at any mix of levels
+};
 
 struct BuildOptions {
   /// Triangles of a part of a mesh after the first partition, at most; smaller parts cull better and cost
@@ -32,6 +38,7 @@ struct BuildOptions {
   bool in_pieces() const { return hierarchy == HierarchyKind::partition_cluster_partition; }
   /// Simplifier and kind of bound; the other limits are the build's own.
   SimplifyLimits simplify = {};
+  Kept keep = {};
   /// Off: the geometry of a mesh is stored once for each placement.
   bool share_instances = true;
   /// The resident size to aim at, bytes: it determines how much geometry is processed at a time. What is kept
@@ -41,6 +48,7 @@ struct BuildOptions {
   /// same. Empty: it starts again.
   std::string fingerprint = {};
   BuildRules rules = {};
+  bool holds_contacts() const { return keep.touching && rules.contacts_hold; }
 };
 
 /// Triangles of one unit of work, all threads together.
@@ -58,7 +66,8 @@ struct BuildReport {
   uint64_t source_triangles = 0, placed_triangles = 0, drawables = 0, pack_bytes = 0;
   /// Groups that are stored once, and how many places they have.
   uint64_t sub_hierarchies = 0, instances = 0;
-  uint32_t levels = 0;         ///< of the hierarchy: the longest path from its root to a leaf
+  uint32_t levels = 0;  ///< of the hierarchy: the longest path from its root to a leaf
+  ContactReport contacts;
   uint64_t resumed_units = 0;  ///< batches of units that an earlier, killed build had completed
   ImportReport import;
 };

@@ -9,6 +9,7 @@ struct BuildRules {
   bool bounds_hold_rounding = true;  ///< rounding to the lattice counts as an error
   bool bounds_are_stretched = true;  ///< bounds of placed geometry grow with the transform's stretch
   bool mirrors_flip_winding = true;  ///< triangles under a mirroring transform get the opposite winding
+  bool contacts_hold = true;         ///< Kept::touching is kept
   /// Meshes are shared only under transforms of at most this condition number, for which floats are precise
   /// enough.
   double max_condition = 8;

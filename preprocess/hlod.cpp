@@ -1,5 +1,7 @@
 #include "preprocess/hlod.hpp"
 
+#include "preprocess/contacts/small_contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -88,6 +90,7 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   std::vector<uint8_t> locked;
   for (const LeafSpan& span : children.spans)
     locked.push_back(span.first < first_place || span.last >= end_place);
+  free_small_contacts(children, children.error / lattice.step, locked);
   Hlod hlod;
   SimplifyLimits limits = how;
   limits.triangles = triangles;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "preprocess/build_rules.hpp"
+#include "preprocess/leaf_span.hpp"
 #include "preprocess/part.hpp"
 #include "preprocess/pieces.hpp"
 #include "scene/lattice.hpp"
@@ -18,17 +19,6 @@
 #include <vector>
 
 namespace triptych {
-
-/// Places of the leaves that a point of a border belongs to: the first and the last; empty for a point that
-/// is on no border. Objects that only touch have no border with each other: they may move apart, as far as
-/// the bound allows.
-struct LeafSpan {
-  uint32_t first = 0xffffffffu, last = 0;
-  void extend(const LeafSpan& other) {
-    first = first < other.first ? first : other.first;
-    last = last > other.last ? last : other.last;
-  }
-};
 
 /// Geometry of a subtree on the model's lattice.
 struct Baked {

@@ -11,6 +11,7 @@ BuildRules injected_build_rules() {
           .bounds_hold_rounding = !injected(Fault::uncounted_lattice),
           .bounds_are_stretched = !injected(Fault::dropped_singular_value),
           .mirrors_flip_winding = !injected(Fault::unflipped_mirror),
+          .contacts_hold = !injected(Fault::loose_contacts),
           .max_condition = injected(Fault::shared_shears) ? std::numeric_limits<double>::infinity()
                                                           : BuildRules().max_condition};
 }

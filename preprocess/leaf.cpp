@@ -51,6 +51,7 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
                        size_t kept_triangles) {
   std::vector<uint8_t> locked;
   std::vector<uint32_t> numbers;
+  for (const uint32_t point : info.contacts) part.borders.push_back({point, 0});
   if (!part.borders.empty()) {
     locked.resize(part.surface.points.size(), 0);
     numbers.resize(part.surface.points.size(), no_id);
@@ -77,6 +78,8 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
                              (options.rules.bounds_hold_rounding ? lattice.rounding() : 0));
   };
   add(part, 0, chain.levels.empty());
+  // The chunk of the finest level is the other chain's.
+  if (info.variant_of != no_id) result.chunks.clear();
   for (Level& level : chain.levels) {
     std::vector<BorderPoint> borders = borders_of(level.piece, numbers);
     add({std::move(level.piece.surface), std::move(borders)}, level.bound, &level == &chain.levels.back());
@@ -85,14 +88,17 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   return result;
 }
 
-PartLevels take(const StoredUnit& stored, ImportReport& report) {
+/// `shared`: the finest level, where another chain has it already; null otherwise.
+PartLevels take(const StoredUnit& stored, const PartLevel* shared, ImportReport& report) {
   const auto figures = stored.figures_as<LevelFigures>();
   report.repaired_edges += figures.detached_triangles;
   report.stuck_groups += figures.stuck;
   PartLevels levels{{}, stored.geometry};
-  levels.levels.reserve(stored.chunks.size());
+  levels.levels.reserve(figures.bounds.size());
+  if (shared) levels.levels.push_back(*shared);
   for (uint32_t i = 0; i < stored.chunks.size(); ++i)
-    levels.levels.push_back({stored.first_chunk + i, stored.chunks[i].triangle_count, figures.bounds.at(i)});
+    levels.levels.push_back(
+        {stored.first_chunk + i, stored.chunks[i].triangle_count, figures.bounds.at(levels.levels.size())});
   return levels;
 }
 
@@ -114,7 +120,12 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
                                     [&](size_t part) { return parts.parts[part].triangles; });
     work.run(
         UnitKind::part_levels, std::span(all).subspan(first, end - first), unit,
-        [&](uint32_t, const StoredUnit& stored) { result.push_back(take(stored, report)); }, &progress);
+        [&](uint32_t part, const StoredUnit& stored) {
+          const uint32_t other = parts.parts[part].variant_of;
+          const PartLevel* shared = other == no_id ? nullptr : &result[other].levels.front();
+          result.push_back(take(stored, shared, report));
+        },
+        &progress);
     first = end;
   }
   return result;

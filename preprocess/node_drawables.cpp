@@ -2,10 +2,13 @@
 
 #include "base/progress.hpp"
 #include "base/threads.hpp"
+#include "preprocess/contacts/stitch.hpp"
 #include "preprocess/hlod.hpp"
 #include "preprocess/triangle_objects.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace triptych {
 
@@ -129,7 +132,8 @@ class NodeDrawables {
     return nodes_[node].child_count == 0 && stands_for(node) == no_id;
   }
 
-  /// Writes for each border point the span of leaves that share it to a file, placed part by placed part.
+  /// Writes for each held point the span of leaves that share or touch it to a file, placed part by placed
+  /// part: border points, then points in contact.
   void span_borders() {
     std::vector<size_t> first;  // for each instance
     size_t count = 0;
@@ -137,34 +141,49 @@ class NodeDrawables {
       first.push_back(count);
       count += borders;
     }
+    std::vector<size_t> own_first;  // for each placed part
+    for (const PlacedPart& placed : placed_.placed) {
+      own_first.push_back(count);
+      count += parts_.parts[placed.part].contacts.size();
+    }
     if (count == 0) return;
-    std::vector<LeafSpan> spans(count);  // by instance, by number
-    const auto each_border = [&](const PlacedPart& placed, const auto& take) {
+    std::vector<LeafSpan> spans(count);  // by instance, by number; then by placed part, by contact point
+    const std::vector<uint32_t> places = leaf_places(objects_, nodes_, placed_.placed.size());
+    constexpr float unlimited = std::numeric_limits<float>::infinity();
+    const auto each_held = [&](uint32_t member, const auto& take) {
+      const PlacedPart& placed = placed_.placed[member];
       const PartInfo& part = parts_.parts[placed.part];
-      if (part.borders == 0) return;
-      for (const BorderPoint& border : load_borders(work_.parts(), part))
-        take(spans[first[placed.instance] + border.number]);
-    };
-    for (size_t i = 0; i < nodes_.size(); ++i) {
-      if (!is_leaf_of_parts(i)) continue;
-      const HierarchyNode& node = nodes_[i];
-      for (const uint32_t member : objects_.members[node.object]) {
-        each_border(placed_.placed[member], [&](LeafSpan& span) {
-          span.extend({node.first_place, node.first_place});
-        });
+      if (part.borders > 0) {
+        for (const BorderPoint& border : load_borders(work_.parts(), part))
+          take(border.point, spans[first[placed.instance] + border.number], unlimited);
       }
+      for (size_t i = 0; i < part.contacts.size(); ++i)
+        take(part.contacts[i], spans[own_first[member] + i], 0);
+    };
+    for (uint32_t member = 0; member < places.size(); ++member) {
+      each_held(member, [&](uint32_t point, LeafSpan& span, float reach) {
+        span.extend({places[member], places[member], reach});
+        const auto found =
+            std::lower_bound(placed_.contacts.begin(), placed_.contacts.end(), std::pair(member, point),
+                             [](const Contact& a, const std::pair<uint32_t, uint32_t>& key) {
+                               return std::pair(a.placed, a.point) < key;
+                             });
+        if (found != placed_.contacts.end() && found->placed == member && found->point == point)
+          span.extend(found->span);
+      });
     }
     std::vector<LeafSpan> own;
-    for (const PlacedPart& placed : placed_.placed) {
+    for (uint32_t member = 0; member < places.size(); ++member) {
       own.clear();
-      each_border(placed, [&](const LeafSpan& span) { own.push_back(span); });
+      each_held(member, [&](uint32_t, const LeafSpan& span, float) { own.push_back(span); });
       spans_.push_back(own.empty() ? 0 : span_file_.append(std::as_bytes(std::span(own))).offset);
     }
   }
 
-  /// Loads the spans of a placed part's border points.
+  /// Loads the spans of a placed part's held points.
   std::vector<LeafSpan> load_spans(uint32_t member) const {
-    const uint32_t count = parts_.parts[placed_.placed[member].part].borders;
+    const PartInfo& part = parts_.parts[placed_.placed[member].part];
+    const size_t count = part.borders + part.contacts.size();
     if (count == 0) return {};
     const std::vector<std::byte> bytes = span_file_.read({spans_[member], count * sizeof(LeafSpan)});
     return ByteReader(bytes, span_file_.path().string()).read_all<LeafSpan>(count);
@@ -257,7 +276,9 @@ class NodeDrawables {
       if (options_.rules.bounds_hold_children) error = std::max(error, coarsest_[child].error);
       bake(child, baker);
     }
-    return baker.finish(error);
+    Baked baked = baker.finish(error);
+    if (options_.holds_contacts()) baked.error += stitch(baked) * lattice_.step;
+    return baked;
   }
 
   /// Collects the coarsest geometry of a node. A placed sub-hierarchy has no borders with what is around it.
@@ -345,6 +366,16 @@ class NodeDrawables {
 
 size_t exit_triangles(const BuildOptions& options) {
   return std::max<size_t>(options.hlod_triangles / 32, 16);
+}
+
+std::vector<uint32_t> leaf_places(const Objects& objects, std::span<const HierarchyNode> nodes,
+                                  size_t placed) {
+  std::vector<uint32_t> places(placed, 0);
+  for (const HierarchyNode& node : nodes) {
+    if (node.child_count > 0 || node.object >= objects.members.size()) continue;
+    for (const uint32_t member : objects.members[node.object]) places[member] = node.first_place;
+  }
+  return places;
 }
 
 uint32_t sub_hierarchy_of(const HierarchyNode& node, const Objects& objects) {

@@ -39,6 +39,10 @@ struct HierarchyDrawables {
 /// leaf of parts and for an inner node.
 uint32_t sub_hierarchy_of(const HierarchyNode& node, const Objects& objects);
 
+/// For each of so many placed parts the place of its leaf (HierarchyNode::first_place).
+std::vector<uint32_t> leaf_places(const Objects& objects, std::span<const HierarchyNode> nodes,
+                                  size_t placed);
+
 /// The drawables of one hierarchy, an index into Parts::hierarchies; `roots`: of those before it. HLODs are
 /// units of `work`. The progress advances by one per node.
 HierarchyDrawables make_node_drawables(const Parts& parts, uint32_t hierarchy, const Objects& objects,

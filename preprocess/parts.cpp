@@ -266,6 +266,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   for (PlannedHierarchy& planned : plan.hierarchies) {
     parts.hierarchies.push_back({.placed = {},
                                  .boxes = {},
+                                 .contacts = {},
                                  .border_counts = {},
                                  .objects = {},
                                  .transforms = std::move(planned.transforms),

@@ -4,6 +4,7 @@
 
 #include "model/model.hpp"
 #include "preprocess/build_work.hpp"
+#include "preprocess/leaf_span.hpp"
 #include "preprocess/part.hpp"
 #include "preprocess/plan.hpp"
 #include "scene/lattice.hpp"
@@ -23,10 +24,22 @@ struct PartInfo {
   /// Border points with these numbers and above belong only to its bucket: their numbers in the mesh are
   /// larger by own_borders_behind.
   uint32_t own_borders_from = 0, own_borders_behind = 0;
+  /// Further points that its levels must hold, since others touch them in some of its placements; ascending,
+  /// none of them is a border point.
+  std::vector<uint32_t> contacts = {};
+  /// The same part with another chain of levels, whose finest one they share; no_id: none.
+  uint32_t variant_of = no_id;
 };
 
-/// Only the part's border points, with their numbers in the mesh.
+/// Only the part's border points, with their numbers in the mesh; ascending by points.
 std::vector<BorderPoint> load_borders(const SpoolFile& file, const PartInfo& part);
+
+/// A point of a placed part that touches others.
+struct Contact {
+  uint32_t placed = 0;  ///< index into PlacedParts::placed
+  uint32_t point = 0;   ///< index into the points of its part
+  LeafSpan span;        ///< of the leaves that the others are in
+};
 
 /// A part under one of its mesh's placements.
 struct PlacedPart {
@@ -39,6 +52,7 @@ struct PlacedPart {
 struct PlacedParts {
   std::vector<PlacedPart> placed;       ///< by instance
   std::vector<LatticeBox> boxes;        ///< of each placed part, on the hierarchy's lattice
+  std::vector<Contact> contacts;        ///< by placed part and point; empty until they were looked for
   std::vector<uint32_t> border_counts;  ///< for each instance how many border points its mesh has
   std::vector<SourceObjectId> objects;  ///< for each instance, as BuildPlan::objects; empty as that
   std::vector<Affine> transforms;       ///< 0: the identity

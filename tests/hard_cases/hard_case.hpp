@@ -23,6 +23,7 @@ struct Trial {
   bool oriented = false;      ///< closed meshes, their outsides out: levels of detail must not turn them over
   bool slivers = false;       ///< has triangles whose depth leaves their box, and with it the picture
   bool thin = false;          ///< backs have the depth of the fronts before them somewhere, to a float
+  bool closed = false;        ///< at no pixel error may a view show the background where full detail does not
   size_t left_out = 0;        ///< placements that the build has to count as left out
   size_t max_drawables = ~size_t{0};  ///< that the build may come to
   /// Another model and other views that must give the same pictures, pixel for pixel.
@@ -33,7 +34,7 @@ struct Trial {
 
 struct HardCase {
   std::string name;    ///< of its file
-  std::string group;   ///< far, depth, boxes, views, occlusion, geometry, numbers
+  std::string group;   ///< far, depth, boxes, views, occlusion, geometry, touching, numbers
   std::string breaks;  ///< one sentence: what breaks there
   /// Names for --inject; joined by + where it takes several at once. The case must fail under each.
   std::vector<std::string> faults;

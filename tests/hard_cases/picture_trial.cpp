@@ -54,6 +54,7 @@ class PictureTrial {
       const VisibleSet missing = difference(record.visible, truth).added;
       if (!missing.empty())
         say(fmt::format("{} drawables show and are not in the visible set", missing.size()));
+      if (trial_.closed) expect_closed(request);
       if (twin_) {
         twin_->draw({static_cast<uint32_t>(i), {trial_.twin->views[i], trial_.twin->pixel_error}});
         const size_t pixels = test::differing_pixels(picture, twin_->target().read_colors());
@@ -108,6 +109,36 @@ class PictureTrial {
       holes += is_empty(picture) != is_empty(other);
     }
     if (holes > 0) say(fmt::format("{} pixels show the background without the backs of solids", holes));
+  }
+
+  /// Levels of detail move outlines, but open no surface: where full detail shows something for two pixels
+  /// all round, something shows.
+  void expect_closed(FrameRequest request) {
+    request.state.pixel_error = 0;
+    items_.draw(request);
+    const std::vector<uint32_t> truth = items_.target().read_items();
+    const View& view = request.state.view;
+    const auto is_inside = [&](int x, int y, int margin) {
+      for (int row = y - margin; row <= y + margin; ++row) {
+        for (int column = x - margin; column <= x + margin; ++column) {
+          if (row < 0 || column < 0 || row >= view.height || column >= view.width) continue;
+          if (truth[static_cast<size_t>(row * view.width + column)] == 0) return false;
+        }
+      }
+      return true;
+    };
+    for (const double pixel_error : {1.0, 4.0, 16.0}) {
+      request.state.pixel_error = pixel_error;
+      items_.draw(request);
+      const std::vector<uint32_t> items = items_.target().read_items();
+      size_t holes = 0;
+      for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x)
+          holes += items[static_cast<size_t>(y * view.width + x)] == 0 &&
+                   is_inside(x, y, static_cast<int>(pixel_error) + 2);
+      }
+      if (holes > 0) say(fmt::format("{} pixels show through at a pixel error of {}", holes, pixel_error));
+    }
   }
 
   /// Frame 2 is the first whose predecessor was coherent.

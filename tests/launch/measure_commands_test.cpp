@@ -51,7 +51,7 @@ class MeasureCommands : public testing::Test {
 };
 
 TEST_F(MeasureCommands, build_has_the_figures_of_the_build_alone_and_keeps_the_pack_on_demand) {
-  run(measure("build", {"--keep", folder.file("kept.tpk")}));
+  run(measure("build", {"--keep-pack", folder.file("kept.tpk")}));
   const nlohmann::json report = json_of(json);
   EXPECT_EQ(report["source_triangles"], triangles);
   EXPECT_EQ(report["pack_bytes"], std::filesystem::file_size(folder.file("kept.tpk")));
@@ -85,7 +85,7 @@ TEST_F(MeasureCommands, a_build_does_not_take_the_place_of_its_model) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"build", model, "-o", materials},
            {"build", model, "-o", folder.file("x.tpk"), "--json", materials},
-           {"measure", "build", model, "--keep", materials},
+           {"measure", "build", model, "--keep-pack", materials},
            {"measure", "build", model, "--json", materials},
            {"measure", "yardstick", model, "--json", materials},
            {"measure", "hierarchy", model, "--path", path, "--json", materials},
@@ -97,7 +97,7 @@ TEST_F(MeasureCommands, a_build_does_not_take_the_place_of_its_model) {
 
 TEST_F(MeasureCommands, build_of_a_broken_model_is_one_line_and_leaves_nothing) {
   std::ofstream(model) << "v 0 0 0\nf 1 2 900\n";
-  const std::string line = failure(measure("build", {"--keep", folder.file("kept.tpk")}));
+  const std::string line = failure(measure("build", {"--keep-pack", folder.file("kept.tpk")}));
   EXPECT_NE(line.find("model.obj"), std::string::npos) << line;
   EXPECT_EQ(folder.files(), 2u);
 }

@@ -50,7 +50,7 @@ TEST_F(NamedFiles, an_output_is_no_input_of_the_same_command) {
            {"session", pack, "--path", path, "--key-file", path, "--timeline", path},
            {"session", pack, "--path", path, "--record", pack},
            {"measure", "session", pack, "--path", path, "--hosts", path, "--json", path},
-           {"measure", "build", path, pack, "--keep", pack},
+           {"measure", "build", path, pack, "--keep-pack", pack},
            {"measure", "hierarchy", pack, "--path", path, "--json", pack},
            {"explain", pack, "--path", path, "--frame", "1", "--pixel", "1,1", "--json", path},
            {"replay", folder.file(""), "--pack", pack, "--frame", "1", "-o", pack},
@@ -104,7 +104,7 @@ TEST_F(NamedFiles, what_cannot_be_read_or_written_is_said_before_any_work) {
   EXPECT_EQ(said({"replay", pack, "--frame", "1", "-o", fresh}), pack + ": is a file, not a folder");
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"build", path, "-o", nowhere},
-           {"measure", "build", path, "--keep", nowhere},
+           {"measure", "build", path, "--keep-pack", nowhere},
            {"render", pack, "--path", path, "-o", fresh, "--timeline", nowhere},
            {"render", pack, "--path", path, "-o", pack + "/below"},
            {"session", pack, "--path", path, "--record", pack + "/below"},
@@ -174,7 +174,7 @@ TEST_F(NamedFiles, of_every_command_are_known_as_read_or_written) {
   using Names = std::set<std::string>;
   EXPECT_EQ(read, (Names{"--hosts", "--key-file", "--pack", "--path", "--with", "folder", "input", "manifest",
                          "pack"}));
-  EXPECT_EQ(written, (Names{"--journal", "--json", "--keep", "--output", "--record", "--timeline"}));
+  EXPECT_EQ(written, (Names{"--journal", "--json", "--keep-pack", "--output", "--record", "--timeline"}));
   for (const std::string& name : read) EXPECT_EQ(others.count(name), 0u) << name << " is of two kinds";
 }
 

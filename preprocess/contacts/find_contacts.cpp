@@ -1,0 +1,188 @@
+#include "preprocess/contacts/find_contacts.hpp"
+
+#include "base/threads.hpp"
+#include "preprocess/contacts/overlapping_boxes.hpp"
+#include "preprocess/contacts/part_rims.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+namespace triptych {
+
+namespace {
+
+/// The rims of parts, those that were used last.
+class RimCache {
+ public:
+  RimCache(const Parts& parts, const SpoolFile& geometry, uint64_t bytes)
+      : parts_(parts), geometry_(geometry), bytes_left_(static_cast<int64_t>(bytes)) {}
+
+  std::shared_ptr<const PartRims> get(uint32_t part) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto found = entries_.find(part); found != entries_.end()) {
+        recent_.splice(recent_.begin(), recent_, found->second.place);
+        return found->second.rims;
+      }
+    }
+    const PartInfo& info = parts_.parts[part];
+    const auto rims =
+        std::make_shared<const PartRims>(load<Part>(geometry_, info.place), parts_.lattices[info.lattice]);
+    const std::lock_guard lock(mutex_);
+    if (entries_.count(part) > 0) return rims;
+    recent_.push_front(part);
+    entries_[part] = {rims, recent_.begin()};
+    bytes_left_ -= static_cast<int64_t>(rims->size());
+    while (bytes_left_ < 0 && recent_.size() > 1) {
+      const auto oldest = entries_.find(recent_.back());
+      bytes_left_ += static_cast<int64_t>(oldest->second.rims->size());
+      entries_.erase(oldest);
+      recent_.pop_back();
+    }
+    return rims;
+  }
+
+ private:
+  struct Entry {
+    std::shared_ptr<const PartRims> rims;
+    std::list<uint32_t>::iterator place;
+  };
+  const Parts& parts_;
+  const SpoolFile& geometry_;
+  std::mutex mutex_;
+  std::list<uint32_t> recent_;  ///< the last used one first
+  std::unordered_map<uint32_t, Entry> entries_;
+  int64_t bytes_left_;
+};
+
+/// A placed part and what leads back to its own space.
+struct Placed {
+  Placed(const PlacedParts& hierarchy, uint32_t index, RimCache& cache)
+      : number(index),
+        rims(cache.get(hierarchy.placed[index].part)),
+        transform(hierarchy.transforms[hierarchy.placed[index].transform]),
+        inverse(glm::inverse(glm::dmat3(transform))),
+        shrink(0) {
+    for (int row = 0; row < 3; ++row) {
+      const glm::dvec3 entries(inverse[0][row], inverse[1][row], inverse[2][row]);
+      shrink = std::max(shrink, glm::length(entries));
+    }
+  }
+  glm::dvec3 out(const glm::dvec3& point) const { return transform * glm::dvec4(point, 1); }
+  glm::dvec3 in(const glm::dvec3& point) const { return inverse * (point - transform[3]); }
+  /// In its own space a box that holds this one of the hierarchy's space.
+  Box in(const Box& box) const {
+    Box own;
+    for (int corner = 0; corner < 8; ++corner) own.extend(in(box.corner(corner)));
+    return own;
+  }
+
+  uint32_t number;
+  std::shared_ptr<const PartRims> rims;
+  Affine transform;
+  glm::dmat3 inverse;
+  double shrink;  ///< no coordinate of its own space changes by more than this for a step of length 1
+};
+
+glm::dvec3 closest_on_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 along = b - a;
+  const double squared = glm::dot(along, along);
+  const double share = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
+  return a + along * share;
+}
+
+/// A point of one of two placed parts.
+struct Touching {
+  uint32_t placed, point;
+};
+
+/// Contacts of a's points with b's rims; `places` gets those points.
+void touch(const Placed& a, const Placed& b, const Box& both, double tolerance,
+           std::vector<Touching>& touching, Box& places) {
+  a.rims->point_tree.visit(a.in(both), [&](uint32_t point) {
+    const glm::dvec3 at = a.out(a.rims->points[point]);
+    const glm::dvec3 local = b.in(at);
+    b.rims->edge_tree.visit(grown({local, local}, tolerance * b.shrink), [&](uint32_t index) {
+      const auto& edge = b.rims->edges[index];
+      const glm::dvec3 ends[2] = {b.out(b.rims->points[edge[0]]), b.out(b.rims->points[edge[1]])};
+      if (glm::distance(closest_on_segment(at, ends[0], ends[1]), at) > tolerance) return;
+      places.extend(at);
+      touching.push_back({a.number, point});
+      const bool here[2] = {glm::distance(ends[0], at) <= tolerance, glm::distance(ends[1], at) <= tolerance};
+      for (size_t end = 0; end < 2; ++end) {
+        if (here[end] || !here[1 - end]) touching.push_back({b.number, edge[end]});
+      }
+    });
+  });
+}
+
+/// Sorts them, and makes one of those of a point.
+void merge(std::vector<Contact>& contacts) {
+  const auto key = [](const Contact& contact) { return std::pair(contact.placed, contact.point); };
+  std::sort(contacts.begin(), contacts.end(),
+            [&](const Contact& a, const Contact& b) { return key(a) < key(b); });
+  size_t kept = 0;
+  for (const Contact& contact : contacts) {
+    if (kept > 0 && key(contacts[kept - 1]) == key(contact)) {
+      contacts[kept - 1].span.extend(contact.span);
+    } else {
+      contacts[kept++] = contact;
+    }
+  }
+  contacts.resize(kept);
+}
+
+}  // namespace
+
+FoundContacts find_contacts(const Parts& parts, const PlacedParts& hierarchy,
+                            const std::vector<uint32_t>& places, const SpoolFile& geometry, uint64_t memory) {
+  constexpr size_t most_overlapping = 32, merged_at_once = 4096;
+  const Lattice& lattice = parts.lattices[hierarchy.lattice];
+  const double tolerance = contact_steps * lattice.step;
+  std::vector<Box> boxes;
+  for (const LatticeBox& box : hierarchy.boxes) boxes.push_back(grown(lattice.box(box), tolerance));
+  const OverlappingBoxes overlapping = overlapping_boxes(boxes, most_overlapping);
+  RimCache cache(parts, geometry, memory);
+  FoundContacts found;
+  found.crowded_parts = overlapping.crowded;
+  for (size_t first = 0; first < boxes.size(); first += merged_at_once) {
+    std::vector<std::vector<Contact>> batch(std::min(merged_at_once, boxes.size() - first));
+    parallel_for(batch.size(), [&](size_t index) {
+      const auto number = static_cast<uint32_t>(first + index);
+      std::optional<Placed> own;
+      std::vector<Touching> touching;
+      for (const uint32_t larger : overlapping.larger[number]) {
+        if (hierarchy.placed[larger].instance == hierarchy.placed[number].instance) continue;
+        if (!own) own.emplace(hierarchy, number, cache);
+        const Placed other(hierarchy, larger, cache);
+        const Box both{glm::max(boxes[number].lo, boxes[larger].lo),
+                       glm::min(boxes[number].hi, boxes[larger].hi)};
+        touching.clear();
+        Box where;
+        touch(*own, other, both, tolerance, touching, where);
+        touch(other, *own, both, tolerance, touching, where);
+        for (const Touching& point : touching) {
+          const uint32_t place = places[point.placed == number ? larger : number];
+          const auto reach = static_cast<float>(diagonal(where) / lattice.step);
+          batch[index].push_back({point.placed, point.point, {place, place, reach}});
+        }
+      }
+      merge(batch[index]);
+    });
+    for (const auto& contacts : batch)
+      found.contacts.insert(found.contacts.end(), contacts.begin(), contacts.end());
+    merge(found.contacts);
+  }
+  return found;
+}
+
+}  // namespace triptych
