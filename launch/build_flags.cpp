@@ -36,6 +36,13 @@ const std::map<std::string, HierarchyKind>& hierarchies() {
   return names;
 }
 
+/// The words of --keep.
+const std::map<std::string, bool Kept::*>& promises() {
+  static const std::map<std::string, bool Kept::*> names = {{"touching", &Kept::touching},
+                                                            {"cover", &Kept::cover}};
+  return names;
+}
+
 template <typename Value>
 std::string name_in(const std::map<std::string, Value>& names, Value wanted) {
   for (const auto& [name, value] : names) {
@@ -61,7 +68,13 @@ std::string name_of(Simplifier simplifier) { return name_in(simplifiers(), simpl
 std::string name_of(Bound bound) { return name_in(bounds(), bound); }
 std::string name_of(HierarchyKind hierarchy) { return name_in(hierarchies(), hierarchy); }
 
-std::string name_of(const Kept& kept) { return kept.touching ? "touching" : "none"; }
+std::string name_of(const Kept& kept) {
+  std::string names;
+  for (const auto& [name, promise] : promises()) {
+    if (kept.*promise) names += (names.empty() ? "" : ",") + name;
+  }
+  return names.empty() ? "none" : names;
+}
 
 BuildOptions BuildFlags::options() const {
   BuildOptions options = defaults;
@@ -108,14 +121,20 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
       .add_option_function<std::vector<std::string>>(
           "--keep",
           [&flags](const std::vector<std::string>& words) {
-            flags.defaults.keep = {.touching = false};
-            for (const std::string& word : words) flags.defaults.keep.touching |= word == "touching";
+            flags.defaults.keep = {.touching = false, .cover = false};
+            for (const std::string& word : words) {
+              if (word == "none" && words.size() > 1)
+                throw CLI::ValidationError("--keep", "none stands by itself");
+              if (word != "none") flags.defaults.keep.*promises().at(word) = true;
+            }
           },
-          "What levels of detail keep beside distances: that surfaces which touch show no gap (touching), or "
+          "What levels of detail keep beside distances, at the price of triangles: that surfaces which touch "
+          "show no gap "
+          "(touching), that small things cover as much of the screen as in full detail (cover), both, or "
           "none")
       ->delimiter(',')
-      ->check(one_of({"touching", "none"}))
-      ->type_name("touching|none")
+      ->check(one_of({"touching", "cover", "none"}))
+      ->type_name("touching,cover|none")
       ->default_str(name_of(options.keep));
   command
       .add_option("--hlod-triangles", flags.defaults.hlod_triangles,

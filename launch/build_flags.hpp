@@ -40,7 +40,7 @@ std::vector<std::string> build_arguments(const BuildFlags& flags);
 std::string name_of(Simplifier simplifier);
 std::string name_of(Bound bound);
 std::string name_of(HierarchyKind hierarchy);
-/// "touching", or "none".
+/// As --keep takes it: "cover,touching", "none".
 std::string name_of(const Kept& kept);
 
 /// For BuildOptions::fingerprint: the program, the files by path, size and time of change, and every flag

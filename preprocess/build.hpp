@@ -19,6 +19,7 @@ namespace triptych {
 /// What levels of detail keep beside distances, at the price of triangles.
 struct Kept {
   bool touching = true;  ///< surfaces that touch show no gap at any mix of levels
+  bool cover = true;     ///< small things cover as much of the screen as in full detail
 };
 
 struct BuildOptions {
@@ -48,6 +49,11 @@ struct BuildOptions {
   /// same. Empty: it starts again.
   std::string fingerprint = {};
   BuildRules rules = {};
+  SimplifyLimits simplify_limits() const {
+    SimplifyLimits limits = simplify;
+    limits.keep_cover = keep.cover;
+    return limits;
+  }
   bool holds_contacts() const { return keep.touching && rules.contacts_hold; }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <numeric>
 
 namespace triptych {
 
@@ -97,19 +98,20 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
   Chain chain = simplify(children.surface, locked, limits);
   hlod.stuck = chain.stuck && chain.levels.empty();
-  for (const Level& level : chain.levels) {
-    hlod.drawables.push_back(
-        {encode(level.piece.surface, in_pieces), children.error + level.bound * lattice.step});
-  }
   if (chain.levels.empty()) {
-    hlod.drawables.push_back({encode(children.surface, in_pieces), children.error});
-    hlod.coarsest = std::move(children);
-  } else {
-    Piece& piece = chain.levels.back().piece;
-    for (const uint32_t source : piece.sources) hlod.coarsest.spans.push_back(children.spans[source]);
-    hlod.coarsest.surface = std::move(piece.surface);
-    hlod.coarsest.error = hlod.drawables.back().error;
+    Level all{{children.surface, std::vector<uint32_t>(children.surface.points.size())}, 0};
+    std::iota(all.piece.sources.begin(), all.piece.sources.end(), 0u);
+    chain.levels.push_back(std::move(all));
   }
+  for (Level& level : chain.levels) {
+    EncodedChunk chunk = encode(level.piece.surface, in_pieces);
+    hlod.drawables.push_back(
+        {std::move(level.piece), std::move(chunk), children.error + level.bound * lattice.step});
+  }
+  const HlodDrawable& last = hlod.drawables.back();
+  for (const uint32_t source : last.piece.sources) hlod.coarsest.spans.push_back(children.spans[source]);
+  hlod.coarsest.surface = last.piece.surface;
+  hlod.coarsest.error = last.error;
   return hlod;
 }
 

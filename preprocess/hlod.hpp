@@ -68,6 +68,7 @@ class Baker {
 };
 
 struct HlodDrawable {
+  Piece piece;  ///< sources: indices into the points of the children's geometry
   EncodedChunk chunk;
   double error = 0;
 };

@@ -47,8 +47,9 @@ std::vector<BorderPoint> borders_of(const Piece& level, const std::vector<uint32
 }
 
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
-UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, const BuildOptions& options,
-                       size_t kept_triangles) {
+/// lattice_is_own: its own, which placements turn; false: that of the hierarchy that it is in.
+UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, bool lattice_is_own,
+                       const BuildOptions& options, size_t kept_triangles) {
   std::vector<uint8_t> locked;
   std::vector<uint32_t> numbers;
   for (const uint32_t point : info.contacts) part.borders.push_back({point, 0});
@@ -61,7 +62,10 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
     numbers[part.borders[i].point] = part.borders[i].number = i;
   }
   const LatticeBox box = part.surface.box();
-  SimplifyLimits limits = options.simplify;
+  SimplifyLimits limits = options.simplify_limits();
+  // A level that is enlarged stays in the part's box, but not in the tighter one of a placement that is
+  // turned.
+  if (lattice_is_own) limits.keep_cover = false;
   limits.triangles = coarsest_triangles;
   limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
@@ -109,8 +113,11 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
   Progress progress("simplifying parts", parts.parts.size());
   const UnitFunction unit = [&](uint32_t part) {
     const PartInfo& info = parts.parts[part];
+    const bool is_own =
+        std::none_of(parts.hierarchies.begin(), parts.hierarchies.end(),
+                     [&](const PlacedParts& placed) { return placed.lattice == info.lattice; });
     return record_bytes(make_levels(load<Part>(work.parts(), info.place), info, parts.lattices[info.lattice],
-                                    options, kept_triangles));
+                                    is_own, options, kept_triangles));
   };
   std::vector<uint32_t> all(parts.parts.size());
   std::iota(all.begin(), all.end(), 0u);

@@ -254,13 +254,13 @@ class NodeDrawables {
     Baked children = bake_children(node);
     const TriangleObjects objects(children);
     Hlod hlod = make_hlod(std::move(children), nodes_[node].first_place, nodes_[node].end_place, lattice_,
-                          options_.hlod_triangles, options_.simplify, options_.in_pieces());
-    hlod.coarsest.objects = objects.of(hlod.coarsest.surface);
+                          options_.hlod_triangles, options_.simplify_limits(), options_.in_pieces());
+    hlod.coarsest.objects = objects.of(hlod.drawables.back().piece);
     HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck, {}};
     UnitResult result;
     for (HlodDrawable& drawable : hlod.drawables) {
       figures.errors.push_back(drawable.error);
-      if (parts_.has_objects) figures.objects.push_back(objects.encoded(drawable.chunk));
+      if (parts_.has_objects) figures.objects.push_back(objects.encoded(drawable.piece, drawable.chunk));
       result.chunks.push_back({std::move(drawable.chunk), placed_.lattice});
     }
     result.geometry.push_back(record_bytes(hlod.coarsest));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <tsl/robin_map.h>
 
 namespace triptych {
 
@@ -46,24 +47,20 @@ TriangleObjects::TriangleObjects(const Baked& geometry) {
     shares_.back().area += corners[i].area;
   }
   for (size_t i = 1; i < first_shares_.size(); ++i) first_shares_[i] += first_shares_[i - 1];
-  for (uint32_t i = 0; i < surface.points.size(); ++i) points_.try_emplace(surface.points[i], i);
 }
 
-std::span<const TriangleObjects::Share> TriangleObjects::shares_at(const glm::ivec3& point) const {
-  const auto found = points_.find(point);
-  if (found == points_.end()) return {};
-  const uint32_t first = first_shares_[found->second];
-  return std::span(shares_).subspan(first, first_shares_[found->second + 1] - first);
+std::span<const TriangleObjects::Share> TriangleObjects::shares_at(uint32_t point) const {
+  return std::span(shares_).subspan(first_shares_[point], first_shares_[point + 1] - first_shares_[point]);
 }
 
-SourceObjectId TriangleObjects::of(const std::array<glm::ivec3, 3>& corners) const {
+SourceObjectId TriangleObjects::of(const std::array<uint32_t, 3>& corners) const {
   struct Candidate {
     SourceObjectId object;
     int corners;
     double area;
   };
   std::vector<Candidate> candidates;
-  for (const glm::ivec3& corner : corners) {
+  for (const uint32_t corner : corners) {
     for (const Share& share : shares_at(corner)) {
       const auto known = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
         return candidate.object == share.object;
@@ -85,18 +82,21 @@ SourceObjectId TriangleObjects::of(const std::array<glm::ivec3, 3>& corners) con
   return best == candidates.end() ? no_id : best->object;
 }
 
-std::vector<SourceObjectId> TriangleObjects::of(const Surface& level) const {
+std::vector<SourceObjectId> TriangleObjects::of(const Piece& level) const {
   std::vector<SourceObjectId> objects;
   if (shares_.empty()) return objects;
-  for (const Triangle& triangle : level.triangles) {
-    objects.push_back(of({level.points[triangle.vertices[0]], level.points[triangle.vertices[1]],
-                          level.points[triangle.vertices[2]]}));
+  for (const Triangle& triangle : level.surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    objects.push_back(of({level.sources[a], level.sources[b], level.sources[c]}));
   }
   return objects;
 }
 
-std::vector<std::byte> TriangleObjects::encoded(const EncodedChunk& level) const {
+std::vector<std::byte> TriangleObjects::encoded(const Piece& piece, const EncodedChunk& level) const {
   if (shares_.empty()) return {};
+  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> sources;
+  for (size_t i = 0; i < piece.sources.size(); ++i)
+    sources.try_emplace(piece.surface.points[i], piece.sources[i]);
   ChunkInfo info;
   info.vertex_count = level.vertices, info.triangle_count = level.triangles, info.box = level.box;
   const std::span<const LatticeBox> pieces =
@@ -104,8 +104,10 @@ std::vector<std::byte> TriangleObjects::encoded(const EncodedChunk& level) const
   const Chunk chunk = decode_chunk(level.bytes, info, pieces, max_colors, "a level of an inner scene node");
   std::vector<SourceObjectId> objects;
   for (size_t i = 0; i < chunk.indices.size(); i += 3) {
-    objects.push_back(of({chunk.vertices[chunk.indices[i]].point, chunk.vertices[chunk.indices[i + 1]].point,
-                          chunk.vertices[chunk.indices[i + 2]].point}));
+    const auto source = [&](size_t corner) {
+      return sources.at(chunk.vertices[chunk.indices[i + corner]].point);
+    };
+    objects.push_back(of({source(0), source(1), source(2)}));
   }
   return encode_triangle_objects(objects);
 }

@@ -6,23 +6,22 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <tsl/robin_map.h>
 #include <vector>
 
 namespace triptych {
 
-/// Of the geometry that an HLOD begins with. Simplification keeps points where they are and merges them, so
-/// that a triangle's corners say what it comes from: the object that most of its corners belong to, among
-/// these the one with most area around them.
+/// Of the geometry that an HLOD begins with. Simplification merges points, so that a triangle's corners say
+/// what it comes from: the object that most of its corners belong to, among these the one with most area
+/// around them.
 class TriangleObjects {
  public:
   /// Without Baked::objects everything below is empty.
   explicit TriangleObjects(const Baked& geometry);
 
   /// For each triangle of a level of the geometry.
-  std::vector<SourceObjectId> of(const Surface& level) const;
-  /// For each triangle of a chunk of a level, in the chunk's order, as it is stored.
-  std::vector<std::byte> encoded(const EncodedChunk& level) const;
+  std::vector<SourceObjectId> of(const Piece& level) const;
+  /// For each triangle of a level's chunk, in the chunk's order, as it is stored.
+  std::vector<std::byte> encoded(const Piece& level, const EncodedChunk& chunk) const;
 
  private:
   /// An object with its area around a point, square lattice steps.
@@ -30,11 +29,10 @@ class TriangleObjects {
     SourceObjectId object = no_id;
     double area = 0;
   };
-  std::span<const Share> shares_at(const glm::ivec3& point) const;
-  SourceObjectId of(const std::array<glm::ivec3, 3>& corners) const;
+  std::span<const Share> shares_at(uint32_t point) const;
+  SourceObjectId of(const std::array<uint32_t, 3>& corners) const;
 
-  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> points_;  ///< to first_shares_
-  std::vector<uint32_t> first_shares_;                    ///< for each point, and the end
+  std::vector<uint32_t> first_shares_;  ///< for each point of the geometry, and the end
   std::vector<Share> shares_;
 };
 

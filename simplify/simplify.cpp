@@ -1,5 +1,6 @@
 #include "simplify/simplify.hpp"
 
+#include "simplify/cover.hpp"
 #include "simplify/reducer.hpp"
 #include "simplify/vertex_clustering.hpp"
 
@@ -173,10 +174,14 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
   const size_t enough = limits.triangles + 2 * locked_points;
   if (surface.triangles.size() <= enough) return chain;
   ChainMaker maker(surface, locked, limits);
+  std::optional<CoverKeeper> cover;
+  if (limits.keep_cover) cover.emplace(surface, locked);
   while (maker.triangles() > enough) {
     auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
     if (!level || level->bound > limits.max_bound) break;
+    if (cover) level->bound += cover->restore(level->piece, level->bound);
+    if (!chain.levels.empty()) level->bound = std::max(level->bound, chain.levels.back().bound);
     chain.levels.push_back(std::move(*level));
   }
   chain.detached_triangles = maker.detached_triangles();

@@ -34,10 +34,15 @@ struct SimplifyLimits {
   Colors colors = Colors::keep;  ///< what the bounds hold for
   Simplifier simplifier = Simplifier::collapse;
   Bound bound = Bound::fast;
+  /// Whether components are enlarged where they would cover less than in the input (simplify/cover.hpp);
+  /// points of such levels are not points of the input.
+  bool keep_cover = false;
 };
 
 struct Level {
-  Piece piece;  ///< sources: indices into the points of the surface that the chain began with
+  /// sources: indices into the points of the surface that the chain began with; the points are these, unless
+  /// SimplifyLimits::keep_cover moved them.
+  Piece piece;
   /// Of the two-sided distance to that surface, lattice steps; never shrinks along the chain.
   double bound = 0;
 };

@@ -160,9 +160,8 @@ TEST(TriangleObjects, a_triangle_takes_the_object_of_most_of_its_corners_then_of
   geometry.surface.triangles = {{{0, 1, 2}, 0}, {{0, 3, 1}, 0}, {{0, 4, 5}, 0}};
   geometry.objects = {7, 8, 9};
   const TriangleObjects objects(geometry);
-  Surface level;
-  level.points = geometry.surface.points;
-  level.triangles = {{{0, 1, 3}, 0}, {{0, 1, 5}, 0}, {{0, 4, 1}, 0}};
+  Piece level{{geometry.surface.points, {}, {}}, {0, 1, 2, 3, 4, 5}};
+  level.surface.triangles = {{{0, 1, 3}, 0}, {{0, 1, 5}, 0}, {{0, 4, 1}, 0}};
   // 8 at three corners; 7 and 8 at two, 9 at two with more area; 9 at two and 7, 8 at two again.
   EXPECT_EQ(objects.of(level), (std::vector<SourceObjectId>{8, 9, 9}));
   EXPECT_TRUE(TriangleObjects(Baked{geometry.surface, {}, 0, {}}).of(level).empty());
