@@ -1,6 +1,8 @@
 // Writes a few small, whole files for each fuzz target: seeds FOLDER makes FOLDER/gltf, FOLDER/obj and so on.
 #include "base/bytes.hpp"
+#include "base/descriptor.hpp"
 #include "base/file.hpp"
+#include "model/import/scene_writer.hpp"
 #include "preprocess/encode_chunk.hpp"
 #include "preprocess/encode_objects.hpp"
 #include "preprocess/pack_writer.hpp"
@@ -11,6 +13,7 @@
 
 #include <array>
 #include <cstdio>
+#include <fcntl.h>
 #include <fstream>
 
 namespace triptych {
@@ -118,6 +121,32 @@ void write_text_formats() {
   for (int i = 0; i < 12; ++i) stl.write(static_cast<float>(i));
   stl.write(uint16_t{1});
   write("stl/binary.stl", stl.bytes());
+}
+
+/// What a converter writes of two triangles, placed twice.
+void write_scene() {
+  const auto file = folder / "scene/two";
+  make_folder(file.parent_path());
+  const Descriptor output(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644));
+  SceneWriter writer(output.number(), file.string(), unit_is_defined);
+  const uint32_t red = writer.material({1, 0, 0, 1}), glass = writer.material({0, 0, 1, 0.5f});
+  const std::vector<glm::dvec3> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.25}};
+  const std::vector<uint32_t> indices = {0, 1, 2, 0, 2, 3};
+  const std::vector<ScenePart> parts = {{1, red}, {1, no_record}};
+  const uint32_t mesh = writer.mesh("plate", positions, indices, parts);
+  const uint32_t set = writer.property_set({"Pset", {{"Key", "Value"}}});
+  const uint32_t object = writer.object({.id = "#1",
+                                         .name = "Plate",
+                                         .guid = "2O2",
+                                         .type = "IfcPlate",
+                                         .storey = "1",
+                                         .layer = "A",
+                                         .property_sets = {set}});
+  writer.instance({.mesh = mesh, .material = glass, .object = object, .transform = Affine(1)});
+  Affine moved(1);
+  moved[3] = {5, 0, 0};
+  writer.instance({.mesh = mesh, .material = no_record, .object = no_record, .transform = moved});
+  writer.end();
 }
 
 /// The skeleton's hierarchy twice in a pair, one of them mirrored, and the pair and one more in the model.
@@ -244,6 +273,7 @@ int main(int count, char** arguments) {
   triptych::make_folder(triptych::folder);
   triptych::write_gltf();
   triptych::write_text_formats();
+  triptych::write_scene();
   triptych::write_pack();
   for (const auto& [name, bytes] : triptych::fuzz::wire_seeds()) triptych::write(name, bytes);
   return 0;
