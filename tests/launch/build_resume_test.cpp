@@ -33,7 +33,7 @@ void kill_late(const std::string& model, const std::string& pack) {
     const auto late = [&] {
       std::error_code none;
       const uint64_t size = std::filesystem::file_size(journal, none);
-      return !none && size > 300'000;  // some leaves are written
+      return !none && size > 350'000;  // a batch of leaves is written, and the next one has begun
     };
     while (!late() && !std::filesystem::exists(pack))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
