@@ -37,8 +37,9 @@ void print(const BuildReport& report, const std::filesystem::path& output) {
         report.contacts.held_parts, report.contacts.contacts, report.contacts.added_chains);
   }
   if (report.contacts.crowded_parts > 0) {
-    fmt::print("{} parts overlap too many others to look for all places where they touch\n",
-               report.contacts.crowded_parts);
+    fmt::print(
+        "{} parts touch or overlap so many larger ones that not all places where they touch are held\n",
+        report.contacts.crowded_parts);
   }
 }
 

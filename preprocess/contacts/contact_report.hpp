@@ -10,7 +10,7 @@ struct ContactReport {
   uint64_t held_parts = 0;  ///< parts with a chain of levels that holds points in contact
   /// Parts that have their free chain as well, for placements that touch nothing.
   uint64_t added_chains = 0;
-  /// Placed parts that overlap so many others that not all contacts were looked for.
+  /// Placed parts that touch or overlap so many larger ones that not all contacts were looked for.
   uint64_t crowded_parts = 0;
 };
 

@@ -129,6 +129,28 @@ TEST(Contacts, of_any_number_of_objects_in_one_place_are_found_in_time) {
   EXPECT_EQ(found.contacts.size(), 4'000u * 8);
 }
 
+TEST(Contacts, large_boxes_that_touch_nothing_take_no_place_of_others) {
+  Scene scene;
+  const uint32_t a = scene.add(awkward::box({0, 0, 0}, {1, 1, 1})),
+                 b = scene.add(awkward::box({1, 0, 0}, {2, 1, 1}));
+  for (int i = 0; i < 100; ++i) {
+    const double x = 0.01 * i;
+    scene.add({.name = "cable",
+               .positions = {{x, -9, -9}, {x, 9, 9}, {x + 0.001, 9, 9}},
+               .triangles = {{{0, 1, 2}, 0}}});
+  }
+  EXPECT_EQ(scene.touching(a, b), 4u);
+  EXPECT_EQ(scene.found().crowded_parts, 0u);
+}
+
+TEST(Contacts, of_what_is_no_larger_than_the_tolerance_are_none) {
+  Scene scene;
+  const uint32_t grain = scene.add(awkward::box({0, 0, 0}, {32 * step, 32 * step, 32 * step}));
+  const uint32_t other = scene.add(awkward::box({32 * step, 0, 0}, {1, 1, 1}));
+  EXPECT_EQ(scene.touching(grain, other), 0u);
+  EXPECT_EQ(scene.touching(other, grain), 0u);
+}
+
 TEST(Contacts, a_part_placed_alone_and_in_contact_gets_two_chains) {
   Scene scene;
   const uint32_t box = scene.add_part(awkward::box({0, 0, 0}, {1, 1, 1}));
