@@ -65,7 +65,7 @@ std::filesystem::path this_programs_folder() {
 }
 
 void write_format(const std::string& format, const std::filesystem::path& programs,
-                  const std::filesystem::path& folder) {
+                  const std::filesystem::path& folder, bool (*stop)()) {
   const std::filesystem::path file = folder / ("kit." + format);
   if (format == "gltf") return write_kit_gltf(folder);
   if (format == "glb") return write_kit_glb(folder);
@@ -74,9 +74,25 @@ void write_format(const std::string& format, const std::filesystem::path& progra
   if (format == "ifc") {
     const std::filesystem::path plan = folder / "plan.json";
     write_kit_plan(plan);
-    return run_script("kit.ifc", programs.parent_path() / "share/triptych/ifc/write_ifc.mjs", {plan, file});
+    return run_script("kit.ifc", programs.parent_path() / "share/triptych/ifc/write_ifc.mjs", {plan, file},
+                      stop);
   }
-  run_writer("kit." + format, programs / "triptych-sample-kit", {format, file});
+  run_writer("kit." + format, programs / "triptych-sample-kit", {format, file}, stop);
+}
+
+/// Error (the file) where something stands that a file cannot replace: before anything is written.
+void check_places(const std::filesystem::path& folder) {
+  std::vector<std::string> names = {"walk.json"};
+  for (const Format& format : formats) {
+    names.push_back(std::string("kit.") + format.name);
+    if (*format.beside) names.emplace_back(format.beside);
+  }
+  for (const std::string& name : names) {
+    std::error_code none;
+    const std::filesystem::file_status status = std::filesystem::status(folder / name, none);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+      fail((folder / name).string(), "is no file, and stands in the way of one; choose another folder");
+  }
 }
 
 /// The camera goes once around, comes close, and sees the roof from above.
@@ -107,11 +123,12 @@ KitReport make_kit(const KitOptions& options, const std::filesystem::path& folde
   const std::filesystem::path programs =
       options.programs.empty() ? this_programs_folder() : std::filesystem::absolute(options.programs);
   make_folder(folder);
+  check_places(folder);
   const WorkFolder work(folder);
   KitReport report = described();
   for (const Format& format : formats) {
     if (options.stop && options.stop()) fail(std::string("kit.") + format.name, "was told to end before it");
-    write_format(format.name, programs, work.path());
+    write_format(format.name, programs, work.path(), options.stop);
     for (const std::string& name : {std::string("kit.") + format.name, std::string(format.beside)}) {
       if (name.empty()) continue;
       std::error_code error;

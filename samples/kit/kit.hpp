@@ -12,7 +12,7 @@ struct KitOptions {
   /// The folder with triptych-sample-kit, beside which `../share/triptych/ifc` has the script that writes
   /// IFC; empty: that of the program that runs.
   std::filesystem::path programs = {};
-  bool (*stop)() = nullptr;  ///< asked before each format; once true, that is an Error
+  bool (*stop)() = nullptr;  ///< asked all the time; once true, that is an Error
 };
 
 struct KitFile {

@@ -1,6 +1,7 @@
 // The sample `kit`: what libraries wrote of one building in 14 formats is read back as that building.
 #include "samples/kit/kit.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "model/flatten.hpp"
 #include "model/import/display_color.hpp"
@@ -9,6 +10,7 @@
 #include "tests/samples/mesh_edges.hpp"
 #include "tests/samples/sample_files.hpp"
 
+#include <fstream>
 #include <glm/glm.hpp>
 #include <map>
 #include <set>
@@ -239,6 +241,27 @@ TEST(SampleKit, a_program_that_is_missing_or_fails_is_named_with_its_format_and_
             "kit.dae: was not written by Assimp");
   EXPECT_EQ(complaint("", [] { return true; }), "kit.gltf: was told to end before it");
   EXPECT_NE(complaint(programs_with(writes + "exit 0")).find("kit.ifc: is written by "), std::string::npos);
+}
+
+TEST(SampleKit, ends_when_it_is_told_to_while_a_program_writes) {
+  static int asked;
+  asked = 0;
+  const Stopwatch stopwatch;
+  // The program sleeps at OBJ, whose turn comes after some questions.
+  const std::string said = complaint(programs_with("exec sleep 60"), [] { return ++asked > 10; });
+  EXPECT_NE(said.find("kit.obj: was told to end while "), std::string::npos) << said;
+  EXPECT_LT(stopwatch.seconds(), 30);
+}
+
+TEST(SampleKit, replaces_files_of_its_names_or_nothing) {
+  const auto folder = test::empty_folder("obstacle");
+  std::filesystem::create_directories(folder / "kit.obj");
+  std::ofstream(folder / "kit.gltf") << "mine";
+  EXPECT_THROW(make_kit({.programs = programs_with("exit 0")}, folder), Error);
+  std::string kept;
+  std::ifstream(folder / "kit.gltf") >> kept;
+  EXPECT_EQ(kept, "mine");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
 }
 
 }  // namespace
