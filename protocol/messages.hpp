@@ -53,9 +53,9 @@ struct DeltaMessage {
 struct StageTimes {
   double hardware_cull_ms = 0;
   double hardware_cull_cpu_ms = 0;  ///< its processor time over the threads that the sender works with
-  uint32_t queries = 0;   ///< boxes tested
-  uint32_t cut_size = 0;  ///< drawables of cut i
-  double sent_at_ms = 0;  ///< the sender's steady clock
+  uint32_t queries = 0;             ///< boxes tested
+  uint32_t cut_size = 0;            ///< drawables of cut i
+  double sent_at_ms = 0;            ///< the sender's steady clock
   bool operator==(const StageTimes&) const = default;
 };
 
@@ -89,9 +89,9 @@ struct SwitchReport {
   double began_at_ms = 0;  ///< the sender's steady clock, once camera i+1 had arrived
   double occlusion_representation_ms = 0;
   double occlusion_representation_cpu_ms = 0;  ///< its processor time over the threads of the sender
-  double camera_waiting_ms = 0;   ///< for camera i+1, before it began
-  double packets_waiting_ms = 0;  ///< for V(i), meanwhile
-  uint32_t drawables = 0;         ///< drawn into it
+  double camera_waiting_ms = 0;                ///< for camera i+1, before it began
+  double packets_waiting_ms = 0;               ///< for V(i), meanwhile
+  uint32_t drawables = 0;                      ///< drawn into it
   uint64_t triangles = 0;
   bool operator==(const SwitchReport&) const = default;
 };
