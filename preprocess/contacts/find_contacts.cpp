@@ -2,7 +2,7 @@
 
 #include "base/threads.hpp"
 #include "preprocess/contacts/larger_boxes.hpp"
-#include "preprocess/contacts/part_rims.hpp"
+#include "preprocess/contacts/rim_cache.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -10,60 +10,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace triptych {
 
 namespace {
-
-/// The rims of parts, those that were used last.
-class RimCache {
- public:
-  RimCache(const Parts& parts, const SpoolFile& geometry, uint64_t bytes)
-      : parts_(parts), geometry_(geometry), bytes_left_(static_cast<int64_t>(bytes)) {}
-
-  std::shared_ptr<const PartRims> get(uint32_t part) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (const auto found = entries_.find(part); found != entries_.end()) {
-        recent_.splice(recent_.begin(), recent_, found->second.place);
-        return found->second.rims;
-      }
-    }
-    const PartInfo& info = parts_.parts[part];
-    const auto rims =
-        std::make_shared<const PartRims>(load<Part>(geometry_, info.place), parts_.lattices[info.lattice]);
-    const std::lock_guard lock(mutex_);
-    if (entries_.count(part) > 0) return rims;
-    recent_.push_front(part);
-    entries_[part] = {rims, recent_.begin()};
-    bytes_left_ -= static_cast<int64_t>(rims->size());
-    while (bytes_left_ < 0 && recent_.size() > 1) {
-      const auto oldest = entries_.find(recent_.back());
-      bytes_left_ += static_cast<int64_t>(oldest->second.rims->size());
-      entries_.erase(oldest);
-      recent_.pop_back();
-    }
-    return rims;
-  }
-
- private:
-  struct Entry {
-    std::shared_ptr<const PartRims> rims;
-    std::list<uint32_t>::iterator place;
-  };
-  const Parts& parts_;
-  const SpoolFile& geometry_;
-  std::mutex mutex_;
-  std::list<uint32_t> recent_;  ///< the last used one first
-  std::unordered_map<uint32_t, Entry> entries_;
-  int64_t bytes_left_;
-};
 
 /// A placed part and what leads back to its own space.
 struct Placed {
