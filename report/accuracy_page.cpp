@@ -128,9 +128,25 @@ std::string cell(const json& row, const char* pointer, double scale, int decimal
   return value.is_number() ? grouped(scale * value.get<double>(), decimals) : "–";
 }
 
-std::string table(const json& rows) {
+/// What the columns are, and over what.
+constexpr const char* legend =
+    "px: the pixel error. ms, p95: median and 95th percentile of the frame times. triangles: drawn, the "
+    "mean. "
+    "wrong %: pixels that differ from full detail. deviation max, p99: how far surfaces are off on the "
+    "screen, in "
+    "pixels, the farthest of the points measured and 99 % of them. holes, swaps /M: pixels of holes and "
+    "swaps a "
+    "million pixels of surface. cover %: what things of at most 8 pixels keep of the pixels they cover; – "
+    "where "
+    "that is not measured or of fewer than 100 pixels. left out %: triangles in view that were not drawn. "
+    "popping: "
+    "change between successive frames beyond the reference's own, of 255, the mean over pixels. RMSE, SSIM, "
+    "butteraugli: distances of pictures.";
+
+std::string table(const json& report) {
+  const json& rows = report["rows"];
   HtmlTable table{{"setting", "px", "ms", "p95", "triangles", "wrong %", "deviation max", "p99", "holes /M",
-                   "swaps /M", "cover %", "popping", "RMSE", "SSIM", "butteraugli"},
+                   "swaps /M", "cover %", "left out %", "popping", "RMSE", "SSIM", "butteraugli"},
                   {}};
   for (const json& row : rows) {
     table.rows.push_back({escape_html(series_name(row, rows)), cell(row, "/pixel_error", 1, 2),
@@ -138,11 +154,15 @@ std::string table(const json& rows) {
                           cell(row, "/drawn_triangles/mean", 1, 0), cell(row, "/wrong_pixel_share", 100, 2),
                           cell(row, "/deviation_px/max", 1, 3), cell(row, "/deviation_px/p99", 1, 3),
                           cell(row, "/hole_share", 1e6, 0), cell(row, "/swap_share", 1e6, 0),
-                          cell(row, "/cover_kept", 100, 1), cell(row, "/popping", 1, 3),
-                          cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
+                          cell(row, "/cover_kept", 100, 1), cell(row, "/missed_triangle_share", 100, 1),
+                          cell(row, "/popping", 1, 3), cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
                           cell(row, "/butteraugli", 1, 2)});
   }
-  return "<h2>All figures</h2>\n" + to_html(table);
+  std::string html =
+      fmt::format("<h2>All figures</h2>\n<p class=\"quiet\">{}</p>\n", legend) + to_html(table);
+  for (const json& advice : report["advice"])
+    html += fmt::format("<p>{}</p>\n", escape_html(advice["says"].get<std::string>()));
+  return html;
 }
 
 std::string image(const std::string& file, const std::string& caption) {
@@ -165,22 +185,41 @@ std::string strip(const json& report) {
   return html + "</div>\n";
 }
 
+/// "at 0.5 px of error (frustum, occlusion) and at 1 px of error (frustum)": the rows of a patch.
+std::string settings_of(const json& patch, const json& rows) {
+  std::map<double, std::string> names;
+  for (const json& index : patch["rows"]) {
+    const json& row = rows[index.get<size_t>()];
+    std::string& list = names[row["pixel_error"].get<double>()];
+    list += (list.empty() ? "" : "; ") + series_name(row, rows);
+  }
+  std::string text;
+  for (const auto& [error, list] : names)
+    text += fmt::format("{}at {:g} px of error ({})", text.empty() ? "" : ", ", error, list);
+  return text;
+}
+
 std::string patches(const json& report) {
   static const std::map<std::string, const char*> names = {
       {"hole", "The largest hole"}, {"swap", "The largest swap"}, {"deviation", "The largest deviation"}};
   std::string html = "<h2>The worst places</h2>\n";
+  html += report["patches"].empty()
+              ? "<p>There are none: no holes, no swaps, no deviation.</p>\n"
+              : "<p>Each picture once, with the settings that show it; a frame marks the place.</p>\n";
   for (const json& patch : report["patches"]) {
     const json& row = report["rows"][patch["row"].get<size_t>()];
     const auto kind = patch["kind"].get<std::string>();
     std::string size = fmt::format("{} pixels", patch["pixels"].get<uint64_t>());
     if (kind == "deviation") size = fmt::format("{:.3g} px", row["deviation_px"]["max"].get<double>());
-    html +=
-        fmt::format("<p>{} at {:g} px of error ({}): {}, frame {}, around pixel {},{}</p>\n", names.at(kind),
-                    row["pixel_error"].get<double>(), escape_html(series_name(row, report["rows"])), size,
-                    patch["frame"].get<uint32_t>(), patch["x"].get<int>(), patch["y"].get<int>());
-    html += "<div class=\"pictures\">\n" + image(patch["reference"].get<std::string>(), "full detail") +
-            image(patch["shown"].get<std::string>(), "as drawn") +
-            image(patch["difference"].get<std::string>(), "the difference, four times") + "</div>\n";
+    html += fmt::format("<p>{} {}: {}, frame {}, around pixel {},{}</p>\n", names.at(kind),
+                        escape_html(settings_of(patch, report["rows"])), size, patch["frame"].get<uint32_t>(),
+                        patch["x"].get<int>(), patch["y"].get<int>());
+    const auto enlarged = fmt::format("{} times enlarged", patch["enlarged"].get<int>());
+    html += "<div class=\"pictures\">\n" +
+            image(patch["reference"].get<std::string>(), "full detail, " + enlarged) +
+            image(patch["shown"].get<std::string>(), "as drawn, " + enlarged) +
+            image(patch["difference"].get<std::string>(), "four times the difference, " + enlarged) +
+            "</div>\n";
   }
   return html;
 }
@@ -204,9 +243,12 @@ std::string verdict(const json& report) {
 
 std::string accuracy_page(const json& report) {
   const std::string title = report["title"].get<std::string>();
-  std::string body = fmt::format("<h1>{}</h1>\n", escape_html(title)) + verdict(report);
-  body += sentences(report["rows"]) + strip(report) + charts(report["rows"]) + patches(report) +
-          table(report["rows"]);
+  std::string body = fmt::format("<h1>{}</h1>\n", escape_html(title)) +
+                     fmt::format("<p class=\"quiet\">Path: {}.</p>\n",
+                                 escape_html(report["frames_say"].get<std::string>())) +
+                     verdict(report);
+  body +=
+      sentences(report["rows"]) + strip(report) + charts(report["rows"]) + patches(report) + table(report);
   body += fmt::format("<p class=\"from\"><code>{}</code></p>\n",
                       escape_html(report["command"].get<std::string>()));
   return html_page(title, body);
