@@ -1,5 +1,7 @@
 #include "report/accuracy_page.hpp"
 
+#include "report/accuracy_pictures_html.hpp"
+#include "report/accuracy_series.hpp"
 #include "report/html.hpp"
 #include "report/scatter_chart.hpp"
 
@@ -42,18 +44,6 @@ constexpr std::array measures = {
             "Of drawables that own a pixel and were not drawn."},
 };
 
-/// The setting without its pixel error, as far as rows differ in it.
-std::string series_name(const json& row, const json& rows) {
-  std::string name = row["strategy"].get<std::string>();
-  if (!row["min_pixels"].is_null()) name += fmt::format(" {}", row["min_pixels"].get<uint32_t>());
-  for (const char* key : {"device", "size", "pack"}) {
-    bool differs = false;
-    for (const json& other : rows) differs = differs || other[key] != row[key];
-    if (differs) name += ", " + row[key].get<std::string>();
-  }
-  return name;
-}
-
 ScatterChart chart_of(const json& rows, const Measure& measure) {
   ScatterChart chart{.x_unit = "median frame time, ms", .y_unit = measure.name};
   std::map<std::string, size_t> places;
@@ -83,13 +73,13 @@ bool shows_something(const ScatterChart& chart) {
 }
 
 std::string charts(const json& rows) {
+  std::string none;
   std::string html =
-                  "<h2>What each error costs in time</h2>\n<p>Each point is a setting, labelled with its "
-                  "pixel error; left "
-                  "is faster, lower is truer, and no other setting beats those that are filled. Point at one "
-                  "to read what "
-                  "it buys.</p>\n",
-              none;
+      "<h2>What each error costs in time</h2>\n<p>Each point is a setting, labelled with its pixel error "
+      "where there "
+      "is room; left is faster, lower is truer, and no other setting beats those that are filled. Point at "
+      "one to "
+      "read what it buys.</p>\n";
   for (const Measure& measure : measures) {
     const ScatterChart chart = chart_of(rows, measure);
     if (!shows_something(chart)) {
@@ -165,65 +155,6 @@ std::string table(const json& report) {
   return html;
 }
 
-std::string image(const std::string& file, const std::string& caption) {
-  return fmt::format(
-      "<figure><img src=\"{}\" alt=\"{}\" loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
-      escape_html(file), escape_html(caption), escape_html(caption));
-}
-
-std::string strip(const json& report) {
-  std::string html = "<h2>One frame at each pixel error</h2>\n<div class=\"pictures\">\n", differences;
-  for (const json& item : report["strip"]) {
-    const double error = item["pixel_error"].get<double>();
-    html += image(item["file"].get<std::string>(),
-                  error > 0 ? fmt::format("{:g} px", error)
-                            : fmt::format("full detail, frame {}", item["frame"].get<uint32_t>()));
-    if (item.contains("difference"))
-      html += image(item["difference"].get<std::string>(),
-                    fmt::format("{:g} px: the difference, four times", error));
-  }
-  return html + "</div>\n";
-}
-
-/// "at 0.5 px of error (frustum, occlusion) and at 1 px of error (frustum)": the rows of a patch.
-std::string settings_of(const json& patch, const json& rows) {
-  std::map<double, std::string> names;
-  for (const json& index : patch["rows"]) {
-    const json& row = rows[index.get<size_t>()];
-    std::string& list = names[row["pixel_error"].get<double>()];
-    list += (list.empty() ? "" : "; ") + series_name(row, rows);
-  }
-  std::string text;
-  for (const auto& [error, list] : names)
-    text += fmt::format("{}at {:g} px of error ({})", text.empty() ? "" : ", ", error, list);
-  return text;
-}
-
-std::string patches(const json& report) {
-  static const std::map<std::string, const char*> names = {
-      {"hole", "The largest hole"}, {"swap", "The largest swap"}, {"deviation", "The largest deviation"}};
-  std::string html = "<h2>The worst places</h2>\n";
-  html += report["patches"].empty()
-              ? "<p>There are none: no holes, no swaps, no deviation.</p>\n"
-              : "<p>Each picture once, with the settings that show it; a frame marks the place.</p>\n";
-  for (const json& patch : report["patches"]) {
-    const json& row = report["rows"][patch["row"].get<size_t>()];
-    const auto kind = patch["kind"].get<std::string>();
-    std::string size = fmt::format("{} pixels", patch["pixels"].get<uint64_t>());
-    if (kind == "deviation") size = fmt::format("{:.3g} px", row["deviation_px"]["max"].get<double>());
-    html += fmt::format("<p>{} {}: {}, frame {}, around pixel {},{}</p>\n", names.at(kind),
-                        escape_html(settings_of(patch, report["rows"])), size, patch["frame"].get<uint32_t>(),
-                        patch["x"].get<int>(), patch["y"].get<int>());
-    const auto enlarged = fmt::format("{} times enlarged", patch["enlarged"].get<int>());
-    html += "<div class=\"pictures\">\n" +
-            image(patch["reference"].get<std::string>(), "full detail, " + enlarged) +
-            image(patch["shown"].get<std::string>(), "as drawn, " + enlarged) +
-            image(patch["difference"].get<std::string>(), "four times the difference, " + enlarged) +
-            "</div>\n";
-  }
-  return html;
-}
-
 std::string verdict(const json& report) {
   if (report["violations"] == 0)
     return "<p><span class=\"met\">Kept:</span> no surface was found farther off than its pixel error "
@@ -247,8 +178,8 @@ std::string accuracy_page(const json& report) {
                      fmt::format("<p class=\"quiet\">Path: {}.</p>\n",
                                  escape_html(report["frames_say"].get<std::string>())) +
                      verdict(report);
-  body +=
-      sentences(report["rows"]) + strip(report) + charts(report["rows"]) + patches(report) + table(report);
+  body += sentences(report["rows"]) + accuracy_strip(report) + charts(report["rows"]) +
+          accuracy_places(report) + table(report);
   body += fmt::format("<p class=\"from\"><code>{}</code></p>\n",
                       escape_html(report["command"].get<std::string>()));
   return html_page(title, body);
