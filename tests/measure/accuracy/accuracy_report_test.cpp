@@ -4,8 +4,10 @@
 #include "measure/accuracy/accuracy_pictures.hpp"
 #include "measure/accuracy/accuracy_words.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <png.h>
 
 namespace triptych {
 namespace {
@@ -36,6 +38,17 @@ AccuracyRow empty_row() {
   row.frames.resize(1);
   row.pictures = std::make_shared<PictureTally>();
   return row;
+}
+
+/// RGBA, red in the lowest byte; empty if it is no picture.
+std::vector<uint32_t> pixels_of(const std::filesystem::path& file) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_file(&image, file.c_str())) return {};
+  image.format = PNG_FORMAT_RGBA;
+  std::vector<uint32_t> pixels(size_t{image.width} * image.height);
+  if (!png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr)) return {};
+  return pixels;
 }
 
 nlohmann::json advice(const nlohmann::json& rows) {
@@ -127,8 +140,12 @@ TEST(AccuracyPictures, show_each_worst_place_once_with_all_rows_that_look_like_i
   }
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "triptych_worst_places";
   const nlohmann::json patches = write_accuracy_pictures(result, folder)["patches"];
-  std::filesystem::remove_all(folder);
   ASSERT_EQ(patches.size(), 2u);
+  const std::vector<uint32_t> shown = pixels_of(folder / patches[0]["shown"].get<std::string>());
+  std::filesystem::remove_all(folder);
+  // A frame around 3 × 1 pixels, each as 4 × 4.
+  EXPECT_EQ(std::count(shown.begin(), shown.end(), 0xffff00ffu), 2 * (12 + 2) + 2 * 4);
+  EXPECT_EQ(shown.size(), size_t{192} * 192);
   EXPECT_EQ(patches[0]["rows"], nlohmann::json({0, 1}));
   EXPECT_EQ(patches[1]["rows"], nlohmann::json({2}));
   EXPECT_EQ(patches[0]["enlarged"], 4);
