@@ -203,6 +203,13 @@ void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes) {
       ->type_name("WxH,...");
 }
 
+void add_every_flag(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--every", options.every,
+                  "Only every so many frames of the path, each as if it were the next one")
+      ->check(whole_number(1, max_frames));
+}
+
 void add_target_flag(CLI::App& command, RunOptions& options) {
   command
       .add_option("--target-ms", options.target_ms,

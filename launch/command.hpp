@@ -37,6 +37,8 @@ void add_drawing_flags(CLI::App& command, RunOptions& options);
 void add_path_flags(CLI::App& command, RunOptions& options);
 /// --sizes: a list, where a command draws the path at several; empty where it is not given.
 void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes);
+/// --every: only every so many frames of the path.
+void add_every_flag(CLI::App& command, RunOptions& options);
 /// --target-ms: a frame time to keep by raising the pixel error.
 void add_target_flag(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.

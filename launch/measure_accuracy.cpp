@@ -5,13 +5,15 @@
 #include "launch/measure.hpp"
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
-#include "launch/text_table.hpp"
+#include "launch/pack_labels.hpp"
+#include "launch/print_accuracy.hpp"
 #include "measure/accuracy/accuracy_json.hpp"
 #include "measure/accuracy/accuracy_pictures.hpp"
-#include "measure/accuracy/butteraugli.hpp"
+#include "measure/accuracy/accuracy_words.hpp"
 #include "measure/json.hpp"
 #include "nodes/pack_device.hpp"
 #include "report/accuracy_page.hpp"
+#include "scene/path.hpp"
 #include "session/temporary_folder.hpp"
 #include "visibility/strategies.hpp"
 
@@ -31,7 +33,8 @@ struct MeasureAccuracyCommand {
   std::vector<PictureSize> sizes;
   std::vector<std::string> devices, strategies;
   std::filesystem::path output;
-  const CLI::App* words = nullptr;  ///< what was parsed
+  const CLI::App* words = nullptr;       ///< what was parsed
+  const CLI::Option* compare = nullptr;  ///< its --compare
   std::vector<uint32_t> min_pixels = {4, 16};
   AccuracyOptions options;
 };
@@ -70,6 +73,16 @@ std::vector<AccuracyStrategy> strategies_of(const MeasureAccuracyCommand& comman
   return found;
 }
 
+/// Once the command line was parsed: a threshold beside strategies none of which counts.
+void check_min_pixels(const CLI::App& command, const std::vector<std::string>& strategies) {
+  if (command.count("--min-pixels") == 0 || strategies.empty()) return;
+  for (const auto& [name, kind] : strategy_names()) {
+    if (counts_pixels(kind) && std::count(strategies.begin(), strategies.end(), name) > 0) return;
+  }
+  throw CLI::ValidationError("--min-pixels",
+                             "is of --strategies approximate: other strategies count no pixels");
+}
+
 /// The devices that were asked for; contexts are made once.
 std::vector<ChosenDevice> choose_devices(const MeasureAccuracyCommand& command) {
   std::vector<ChosenDevice> chosen;
@@ -85,15 +98,15 @@ std::vector<ChosenDevice> choose_devices(const MeasureAccuracyCommand& command) 
 /// The packs in the order of the command line, and what draws them.
 class Subjects {
  public:
-  Subjects(const MeasureAccuracyCommand& command, const std::vector<ChosenDevice>& chosen) {
-    open(command.run.pack);
-    for (const std::filesystem::path& other : command.others) {
-      open(other);
+  Subjects(std::span<const std::filesystem::path> files, std::span<const std::string> labels,
+           const std::vector<ChosenDevice>& chosen) {
+    for (const std::filesystem::path& file : files) {
+      packs_.push_back(std::make_unique<Pack>(file));
       const uint64_t here = packs_.back()->skeleton().source_triangles,
                      first = packs_.front()->skeleton().source_triangles;
       if (here != first)
-        fail(other.string(), "is a pack of another model: {} source triangles, and {} has {}", here,
-             command.run.pack.string(), first);
+        fail(file.string(), "is a pack of another model: {} source triangles, and {} has {}", here,
+             files.front().string(), first);
     }
     for (const auto& pack : packs_) {
       std::vector<SpeedDevice> devices;
@@ -102,16 +115,14 @@ class Subjects {
         devices.push_back(
             {device_name(device.options.kind), devices_.back()->hierarchy(), devices_.back()->device()});
       }
-      subjects_.push_back({std::filesystem::path(pack->name()).filename().string(),
-                           devices_.back()->representation().name(), *pack, devices});
+      subjects_.push_back(
+          {labels[subjects_.size()], devices_.back()->representation().name(), *pack, devices});
     }
   }
   const std::vector<AccuracySubject>& list() const { return subjects_; }
   const Skeleton& skeleton() const { return packs_.front()->skeleton(); }
 
  private:
-  void open(const std::filesystem::path& file) { packs_.push_back(std::make_unique<Pack>(file)); }
-
   std::vector<std::unique_ptr<Pack>> packs_;
   std::vector<std::unique_ptr<PackDevice>> devices_;
   std::vector<AccuracySubject> subjects_;
@@ -131,34 +142,16 @@ std::vector<std::vector<FrameRequest>> frames_of(const MeasureAccuracyCommand& c
   return frames;
 }
 
-void print(const nlohmann::json& report, bool perceptual) {
-  for (const nlohmann::json& row : report["rows"]) {
-    std::string name = row["strategy"].get<std::string>();
-    if (!row["min_pixels"].is_null()) name += fmt::format(" {}", row["min_pixels"].get<uint32_t>());
-    fmt::print("{} on {}, {}, {}: {}\n", name, row["device"].get<std::string>(),
-               row["size"].get<std::string>(), row["pack"].get<std::string>(),
-               row["says"].get<std::string>());
-  }
-  fmt::print("{} frames timed in turn, {} compared; times are medians\n", report["frames"].get<size_t>(),
-             report["rows"][0]["compared_frames"].get<size_t>());
-  if (!perceptual) fmt::print("butteraugli was not measured: install the package {}\n", Butteraugli::package);
-  for (const nlohmann::json& violation : report["violated"]) {
-    const nlohmann::json& row = report["rows"][violation["row"].get<size_t>()];
-    fmt::print(stderr, "{} at {:g} px, frame {}: {}", row["strategy"].get<std::string>(),
-               row["pixel_error"].get<double>(), violation["frame"].get<uint32_t>(),
-               violation["what"].get<std::string>());
-    if (violation.contains("drawable"))
-      fmt::print(stderr, ", of drawable {} at {}", violation["drawable"].get<DrawableId>(),
-                 json_text(violation["place"]));
-    fmt::print(stderr, "\n");
-  }
-}
-
 int run(const MeasureAccuracyCommand& command) {
-  make_folder(command.output);
+  std::vector<std::filesystem::path> packs = {command.run.pack};
+  packs.insert(packs.end(), command.others.begin(), command.others.end());
+  const std::vector<std::string> labels = pack_labels(packs);
   const std::vector<ChosenDevice> chosen = choose_devices(command);
-  const Subjects subjects(command, chosen);
+  const Subjects subjects(packs, labels, chosen);
   const auto frames = frames_of(command, subjects.skeleton());
+  if (command.compare->count() > 0 && command.options.compared_frames > frames.front().size())
+    notice("triptych: accuracy: --compare {}: there are {} frames, and every one is compared",
+           command.options.compared_frames, frames.front().size());
   const TemporaryFolder scratch;
   AccuracyOptions options = command.options;
   options.pixel_errors = each_once(command.run.pixel_errors);
@@ -166,19 +159,24 @@ int run(const MeasureAccuracyCommand& command) {
   options.scratch = scratch.path();
   const AccuracyResult result = measure_accuracy(subjects.list(), frames, options);
   nlohmann::json report = accuracy_json(result);
+  const size_t path_frames = load_path(command.run.path).frames.size();
   report["frames"] = frames.front().size();
+  report["path_frames"] = path_frames;
+  report["every"] = command.run.every;
+  report["frames_say"] = frames_in_words(frames.front().size(), path_frames, command.run.every);
   report["triangles"] = subjects.skeleton().placed_triangles;
   report["title"] = fmt::format("What accuracy costs: {}", command.run.pack.filename().string());
   report["command"] = command_line(*command.words);
   for (const ChosenDevice& device : chosen) {
     if (device.options.kind == DeviceKind::gl) report["gl"] = opengl_json(device.names);
   }
+  // Not before there is something to put into it: a run that fails leaves no folder.
   report.update(write_accuracy_pictures(result, command.output));
   write_file(command.output / "accuracy.csv", accuracy_csv(report));
   write_file(command.output / "report.html", accuracy_page(report));
   write_json(command.output / "accuracy.json", report);
   write_json(command.run.json, report);
-  print(report, result.perceptual);
+  print_accuracy(report, result.perceptual);
   fmt::print("{}: charts, pictures and all figures\n", (command.output / "report.html").string());
   const auto violations = report["violations"].get<size_t>();
   if (violations > 0)
@@ -193,10 +191,11 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
   auto command = std::make_shared<MeasureAccuracyCommand>();
   CLI::App* sub = measure.add_subcommand(
       "accuracy", "What each pixel of error costs in time, and what it spoils in pictures");
-  sub->footer("Example: triptych measure accuracy scene.tpk --path walk.json -o accuracy");
+  sub->footer("Example: triptych measure accuracy scene.tpk --path walk.json --every 10 -o accuracy");
   command->run.pixel_errors = {0.25, 0.5, 1, 2, 4, 8, 16, 32};
   command->words = sub;
   add_run_flags(*sub, command->run);
+  add_every_flag(*sub, command->run);
   take_list(sub->get_option("--pixel-error"))->default_str("0.25,0.5,1,2,4,8,16,32")->type_name("PX,...");
   sub->add_option("-o,--output", command->output,
                   "Folder for accuracy.json, accuracy.csv, report.html and pictures")
@@ -210,6 +209,7 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
       ->type_name("NAME,...");
   take_list(sub->add_option("--devices", command->devices, "Measure on each of these: cpu, gl"))
       ->check(one_of({device_name(DeviceKind::cpu), device_name(DeviceKind::gl)}))
+      ->excludes("--device")
       ->type_name("NAME,...");
   take_list(sub->add_option("--min-pixels", command->min_pixels,
                             "What approximate strategies may leave out: what owns fewer pixels"))
@@ -217,10 +217,11 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
       ->default_str("4,16")
       ->type_name("N,...");
   add_sizes_flag(*sub, command->sizes);
-  sub->add_option("--compare", command->options.compared_frames,
-                  "Compare so many frames, spread over the path; all are timed")
-      ->check(whole_number(1, max_frames))
-      ->capture_default_str();
+  sub->get_option("--sizes")->excludes("--size");
+  command->compare = sub->add_option("--compare", command->options.compared_frames,
+                                     "Compare so many frames, spread over the path; all are timed")
+                         ->check(whole_number(1, max_frames))
+                         ->capture_default_str();
   sub->add_option("--points", command->options.points,
                   "Pixels of a picture at which distances are measured, each way; 0: all")
       ->check(whole_number(0, max_frames))
@@ -229,7 +230,10 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
                   "Shifts of the camera over which the cover of small things is averaged; 0: not measured")
       ->check(whole_number(0, 64))
       ->capture_default_str();
-  sub->callback([command, &action] { action = [command] { return run(*command); }; });
+  sub->callback([command, sub, &action] {
+    check_min_pixels(*sub, command->strategies);
+    action = [command] { return run(*command); };
+  });
 }
 
 }  // namespace triptych

@@ -24,14 +24,12 @@ struct RenderCommand {
   std::filesystem::path output, timeline;
   CullChoice cull;
   bool full_detail = false, item_buffer = false;
-  uint32_t every = 1;
 };
 
 int run(const RenderCommand& command) {
   if (!command.timeline.empty()) start_timeline();
   const Pack pack(command.run.pack);
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
-  std::erase_if(frames, [&](const FrameRequest& frame) { return frame.number % command.every != 0; });
   make_folder(command.output);
   const ChosenDevice device = choose_device(command.run.device);
   const auto [width, height] = command.run.size;
@@ -94,9 +92,7 @@ void add_render(CLI::App& app, Action& action) {
   sub->add_flag("--full-detail", command->full_detail, "Draw the finest level of everything")
       ->excludes("--target-ms");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
-  sub->add_option("--every", command->every,
-                  "Only every so many frames of the path, each as if it were the next one")
-      ->check(whole_number(1, max_frames));
+  add_every_flag(*sub, command->run);
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
     action = [command] { return run(*command); };

@@ -1,5 +1,7 @@
 #include "report/accuracy_page.hpp"
 
+#include "report/accuracy_pictures_html.hpp"
+#include "report/accuracy_series.hpp"
 #include "report/html.hpp"
 #include "report/scatter_chart.hpp"
 
@@ -42,18 +44,6 @@ constexpr std::array measures = {
             "Of drawables that own a pixel and were not drawn."},
 };
 
-/// The setting without its pixel error, as far as rows differ in it.
-std::string series_name(const json& row, const json& rows) {
-  std::string name = row["strategy"].get<std::string>();
-  if (!row["min_pixels"].is_null()) name += fmt::format(" {}", row["min_pixels"].get<uint32_t>());
-  for (const char* key : {"device", "size", "pack"}) {
-    bool differs = false;
-    for (const json& other : rows) differs = differs || other[key] != row[key];
-    if (differs) name += ", " + row[key].get<std::string>();
-  }
-  return name;
-}
-
 ScatterChart chart_of(const json& rows, const Measure& measure) {
   ScatterChart chart{.x_unit = "median frame time, ms", .y_unit = measure.name};
   std::map<std::string, size_t> places;
@@ -83,13 +73,13 @@ bool shows_something(const ScatterChart& chart) {
 }
 
 std::string charts(const json& rows) {
+  std::string none;
   std::string html =
-                  "<h2>What each error costs in time</h2>\n<p>Each point is a setting, labelled with its "
-                  "pixel error; left "
-                  "is faster, lower is truer, and no other setting beats those that are filled. Point at one "
-                  "to read what "
-                  "it buys.</p>\n",
-              none;
+      "<h2>What each error costs in time</h2>\n<p>Each point is a setting, labelled with its pixel error "
+      "where there "
+      "is room; left is faster, lower is truer, and no other setting beats those that are filled. Point at "
+      "one to "
+      "read what it buys.</p>\n";
   for (const Measure& measure : measures) {
     const ScatterChart chart = chart_of(rows, measure);
     if (!shows_something(chart)) {
@@ -128,9 +118,25 @@ std::string cell(const json& row, const char* pointer, double scale, int decimal
   return value.is_number() ? grouped(scale * value.get<double>(), decimals) : "–";
 }
 
-std::string table(const json& rows) {
+/// What the columns are, and over what.
+constexpr const char* legend =
+    "px: the pixel error. ms, p95: median and 95th percentile of the frame times. triangles: drawn, the "
+    "mean. "
+    "wrong %: pixels that differ from full detail. deviation max, p99: how far surfaces are off on the "
+    "screen, in "
+    "pixels, the farthest of the points measured and 99 % of them. holes, swaps /M: pixels of holes and "
+    "swaps a "
+    "million pixels of surface. cover %: what things of at most 8 pixels keep of the pixels they cover; – "
+    "where "
+    "that is not measured or of fewer than 100 pixels. left out %: triangles in view that were not drawn. "
+    "popping: "
+    "change between successive frames beyond the reference's own, of 255, the mean over pixels. RMSE, SSIM, "
+    "butteraugli: distances of pictures.";
+
+std::string table(const json& report) {
+  const json& rows = report["rows"];
   HtmlTable table{{"setting", "px", "ms", "p95", "triangles", "wrong %", "deviation max", "p99", "holes /M",
-                   "swaps /M", "cover %", "popping", "RMSE", "SSIM", "butteraugli"},
+                   "swaps /M", "cover %", "left out %", "popping", "RMSE", "SSIM", "butteraugli"},
                   {}};
   for (const json& row : rows) {
     table.rows.push_back({escape_html(series_name(row, rows)), cell(row, "/pixel_error", 1, 2),
@@ -138,50 +144,14 @@ std::string table(const json& rows) {
                           cell(row, "/drawn_triangles/mean", 1, 0), cell(row, "/wrong_pixel_share", 100, 2),
                           cell(row, "/deviation_px/max", 1, 3), cell(row, "/deviation_px/p99", 1, 3),
                           cell(row, "/hole_share", 1e6, 0), cell(row, "/swap_share", 1e6, 0),
-                          cell(row, "/cover_kept", 100, 1), cell(row, "/popping", 1, 3),
-                          cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
+                          cell(row, "/cover_kept", 100, 1), cell(row, "/missed_triangle_share", 100, 1),
+                          cell(row, "/popping", 1, 3), cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
                           cell(row, "/butteraugli", 1, 2)});
   }
-  return "<h2>All figures</h2>\n" + to_html(table);
-}
-
-std::string image(const std::string& file, const std::string& caption) {
-  return fmt::format(
-      "<figure><img src=\"{}\" alt=\"{}\" loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
-      escape_html(file), escape_html(caption), escape_html(caption));
-}
-
-std::string strip(const json& report) {
-  std::string html = "<h2>One frame at each pixel error</h2>\n<div class=\"pictures\">\n", differences;
-  for (const json& item : report["strip"]) {
-    const double error = item["pixel_error"].get<double>();
-    html += image(item["file"].get<std::string>(),
-                  error > 0 ? fmt::format("{:g} px", error)
-                            : fmt::format("full detail, frame {}", item["frame"].get<uint32_t>()));
-    if (item.contains("difference"))
-      html += image(item["difference"].get<std::string>(),
-                    fmt::format("{:g} px: the difference, four times", error));
-  }
-  return html + "</div>\n";
-}
-
-std::string patches(const json& report) {
-  static const std::map<std::string, const char*> names = {
-      {"hole", "The largest hole"}, {"swap", "The largest swap"}, {"deviation", "The largest deviation"}};
-  std::string html = "<h2>The worst places</h2>\n";
-  for (const json& patch : report["patches"]) {
-    const json& row = report["rows"][patch["row"].get<size_t>()];
-    const auto kind = patch["kind"].get<std::string>();
-    std::string size = fmt::format("{} pixels", patch["pixels"].get<uint64_t>());
-    if (kind == "deviation") size = fmt::format("{:.3g} px", row["deviation_px"]["max"].get<double>());
-    html +=
-        fmt::format("<p>{} at {:g} px of error ({}): {}, frame {}, around pixel {},{}</p>\n", names.at(kind),
-                    row["pixel_error"].get<double>(), escape_html(series_name(row, report["rows"])), size,
-                    patch["frame"].get<uint32_t>(), patch["x"].get<int>(), patch["y"].get<int>());
-    html += "<div class=\"pictures\">\n" + image(patch["reference"].get<std::string>(), "full detail") +
-            image(patch["shown"].get<std::string>(), "as drawn") +
-            image(patch["difference"].get<std::string>(), "the difference, four times") + "</div>\n";
-  }
+  std::string html =
+      fmt::format("<h2>All figures</h2>\n<p class=\"quiet\">{}</p>\n", legend) + to_html(table);
+  for (const json& advice : report["advice"])
+    html += fmt::format("<p>{}</p>\n", escape_html(advice["says"].get<std::string>()));
   return html;
 }
 
@@ -204,9 +174,12 @@ std::string verdict(const json& report) {
 
 std::string accuracy_page(const json& report) {
   const std::string title = report["title"].get<std::string>();
-  std::string body = fmt::format("<h1>{}</h1>\n", escape_html(title)) + verdict(report);
-  body += sentences(report["rows"]) + strip(report) + charts(report["rows"]) + patches(report) +
-          table(report["rows"]);
+  std::string body = fmt::format("<h1>{}</h1>\n", escape_html(title)) +
+                     fmt::format("<p class=\"quiet\">Path: {}.</p>\n",
+                                 escape_html(report["frames_say"].get<std::string>())) +
+                     verdict(report);
+  body += sentences(report["rows"]) + accuracy_strip(report) + charts(report["rows"]) +
+          accuracy_places(report) + table(report);
   body += fmt::format("<p class=\"from\"><code>{}</code></p>\n",
                       escape_html(report["command"].get<std::string>()));
   return html_page(title, body);

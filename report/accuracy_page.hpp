@@ -6,8 +6,8 @@
 
 namespace triptych {
 
-/// report: as accuracy_json() gives it, with "title", "command", and the "strip" and "patches" of
-/// write_accuracy_pictures(). The page needs those pictures beside it and nothing else.
+/// report: as accuracy_json() gives it, with "title", "command", "frames_say", and the "strip" and "patches"
+/// of write_accuracy_pictures(). The page needs those pictures beside it and nothing else.
 std::string accuracy_page(const nlohmann::json& report);
 
 }  // namespace triptych

@@ -86,7 +86,7 @@ svg .grid { stroke: var(--rule); stroke-width: 1; } svg .label { fill: var(--qui
 .end { text-anchor: end; } .middle { text-anchor: middle; }
 .series-1 { stroke: var(--one); } .series-2 { stroke: var(--two); } .series-3 { stroke: var(--three); }
 .series-4 { stroke: var(--four); } .series-5 { stroke: var(--five); } .series-6 { stroke: var(--six); }
-.series-7 { stroke: var(--seven); } .series-8 { stroke: var(--eight); } svg circle { fill: var(--page); stroke-width: 1.6; } svg circle.best { fill: currentColor; color: var(--ink); }
+.series-7 { stroke: var(--seven); } .series-8 { stroke: var(--eight); } svg .mark { fill: var(--page); stroke-width: 1.6; } svg .mark.best { fill: currentColor; color: var(--ink); }
 ul { padding-left: 1.4rem; font-size: .9rem; }
 ol { padding-left: 1.4rem; font-size: .85rem; } li { margin: .4rem 0; }
 )css";

@@ -24,7 +24,9 @@ struct ScatterChart {
 };
 
 /// One <svg> element: x > 0 on a logarithmic axis, y from zero. Points that no other one beats, with less of
-/// both, are filled (the Pareto front).
+/// both, are filled (the Pareto front). The names of series stand above in as many rows as they need; series
+/// beyond the colours that there are have other shapes and dashes, and labels that would lie over others are
+/// left out.
 std::string scatter_svg(const ScatterChart& chart);
 
 }  // namespace triptych

@@ -29,7 +29,7 @@ std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton&
   const size_t count = options.frames > 0 ? std::min(options.frames, path.frames.size()) : path.frames.size();
   std::vector<FrameRequest> frames;
   const double near = skeleton.default_near();
-  for (size_t i = 0; i < count; ++i) {
+  for (size_t i = 0; i < count; i += options.every) {
     const View view = path.view(i, options.size.width, options.size.height, near);
     check_view(view, skeleton, fmt::format("{} frame {}", options.path.string(), i));
     frames.push_back({static_cast<uint32_t>(i), {view, options.pixel_error()}});

@@ -27,7 +27,8 @@ struct RunOptions {
   std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
   double target_ms = 0;  ///< pixel errors are raised so that frames take no longer; 0: they are not
   DeviceOptions device{.kind = DeviceKind::automatic};
-  size_t frames = 0;  ///< only the first ones; 0: all
+  size_t frames = 0;   ///< only the first ones; 0: all
+  uint32_t every = 1;  ///< of those, only every so many, from the first one on
   double pixel_error() const { return pixel_errors.front(); }
 };
 

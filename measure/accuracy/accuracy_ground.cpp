@@ -69,6 +69,7 @@ ShownPicture AccuracyGround::draw_items(const FrameView& view, std::span<const D
 }
 
 void AccuracyGround::begin(size_t frame, const FramePlan& plan) {
+  if (frame > 0 && frames_[frame].number != frames_[frame - 1].number + 1) forget_motion();
   if (plan.keep || plan.compare) {
     const FrameView full = view_of(frame, 0);
     reference_ = draw_items(full, lister_.list(full));
@@ -109,6 +110,12 @@ void AccuracyGround::compare_whole_cut(WholeCut& whole, size_t frame, const Fram
                                    {whole.cut, points_});
   add_motion(whole.measures, whole.recent);
   if (plan.perceptual && perceptual_) whole.measures.butteraugli = perceptual_distance(whole.picture);
+}
+
+void AccuracyGround::forget_motion() {
+  recent_reference_.clear();
+  for (WholeCut& whole : whole_cuts_) whole.recent.clear();
+  for (Setting& setting : settings_) setting.recent.clear();
 }
 
 void AccuracyGround::add_motion(PictureMeasures& measures, const RecentColors& recent) const {

@@ -60,6 +60,8 @@ class AccuracyGround {
   void compare_setting(Setting& setting, size_t frame, const FramePlan& plan, const FrameRecord& record);
   /// What the setting's picture was drawn of, ascending: V(i), and R(i) where that is the picture.
   VisibleSet drawn_of(const Setting& setting, const FrameRecord& record) const;
+  /// Before a frame that is not the path's next one: nothing moves between them.
+  void forget_motion();
   void add_motion(PictureMeasures& measures, const RecentColors& recent) const;
   void measure_covers(size_t frame);
   /// Adds what drawables of a shifted view cover of the small leaves.

@@ -1,5 +1,7 @@
 #include "measure/accuracy/accuracy_json.hpp"
 
+#include "measure/accuracy/accuracy_advice.hpp"
+#include "measure/accuracy/accuracy_words.hpp"
 #include "measure/json.hpp"
 
 #include <algorithm>
@@ -66,8 +68,9 @@ json row_json(const AccuracyRow& row) {
   object["swap_pixels"] = pictures.swap_pixels;
   object["swap_largest"] = pictures.swap.pixels;
   object["cover_pixels"] = pictures.cover_pixels();
-  object["cover_kept"] = or_null(pictures.cover_kept());
-  object["cover_grown"] = or_null(pictures.cover_grown());
+  const bool covers = pictures.cover_pixels() >= least_cover_pixels;
+  object["cover_kept"] = covers ? or_null(pictures.cover_kept()) : json();
+  object["cover_grown"] = covers ? or_null(pictures.cover_grown()) : json();
   object["popping"] = or_null(pictures.popping());
   object["flicker_share"] = or_null(pictures.flicker_share());
   object["rmse"] = pictures.rmse();
@@ -84,64 +87,6 @@ json row_json(const AccuracyRow& row) {
 /// What a setting is.
 constexpr std::array setting_keys = {"pack",   "strategy", "min_pixels", "representation",
                                      "device", "size",     "pixel_error"};
-
-/// Whether two rows differ in the pixel error alone.
-bool same_but_error(const json& one, const json& other) {
-  return std::all_of(setting_keys.begin(), setting_keys.end() - 1,
-                     [&](const char* key) { return one[key] == other[key]; });
-}
-
-/// "3", "0.4" or "0.05": as many digits as matter.
-std::string share_in_words(double share) {
-  const double percent = 100 * share;
-  if (percent == 0) return "none";
-  if (percent < 0.01) return "less than 0.01 %";
-  return fmt::format("{:.{}f} %", percent, percent < 0.1 ? 2 : percent < 10 ? 1 : 0);
-}
-
-std::string sentence(const json& row, const json& rows) {
-  const double error = row["pixel_error"].get<double>();
-  // Held against the same setting at 1 px or, where that is not there, at the smallest error.
-  const json* base = nullptr;
-  for (const json& other : rows) {
-    if (!same_but_error(row, other)) continue;
-    const double candidate = other["pixel_error"].get<double>();
-    if (base == nullptr || candidate == 1 ||
-        ((*base)["pixel_error"] != 1 && candidate < (*base)["pixel_error"].get<double>()))
-      base = &other;
-  }
-  const auto milliseconds = [](const json& of) { return of["frame_ms"]["p50"].get<double>(); };
-  std::string text = fmt::format("{:g} px: ", error);
-  const double base_error = (*base)["pixel_error"].get<double>();
-  if (base_error == error) {
-    text += fmt::format("{:.1f} ms a frame", milliseconds(row));
-  } else {
-    const double faster = milliseconds(*base) / std::max(milliseconds(row), 1e-9);
-    text += faster >= 1 ? fmt::format("{:.1f} times faster than {:g} px", faster, base_error)
-                        : fmt::format("{:.1f} times slower than {:g} px", 1 / faster, base_error);
-  }
-  const double worst = row["deviation_px"]["max"].get<double>();
-  text += fmt::format(", {} of the pixels differ", share_in_words(row["wrong_pixel_share"].get<double>()));
-  if (worst < 0.005) {
-    text += ", every surface is where it should be";
-  } else {
-    text += worst > tolerated_deviation(error)
-                ? fmt::format(", SOME BY {:.3g} px, WHICH BREAKS THE PROMISE", worst)
-                : fmt::format(", no surface is off by more than {:.2g} px", worst);
-  }
-  const auto counted = [&](const char* pixels, const char* largest, const char* name) {
-    const auto count = row[pixels].get<uint64_t>();
-    if (count == 0) return fmt::format(", 0 {}", name);
-    return fmt::format(", {} pixel{} of {} (the largest patch has {})", count, count == 1 ? "" : "s", name,
-                       row[largest].get<uint64_t>());
-  };
-  text += counted("hole_pixels", "hole_largest", "holes") + counted("swap_pixels", "swap_largest", "swaps");
-  if (row["cover_pixels"].get<double>() > 0)
-    text += fmt::format(", small things keep {:.0f} % of their cover", 100 * row["cover_kept"].get<double>());
-  if (const double missed = row["missed_triangle_share"].get<double>(); missed > 0)
-    text += fmt::format(", {} of the triangles in view are left out", share_in_words(missed));
-  return text;
-}
 
 void append_csv(const std::string& name, const json& value, std::vector<std::string>& names,
                 std::vector<std::string>& cells) {
@@ -170,7 +115,7 @@ std::string joined(const std::vector<std::string>& cells) {
 json accuracy_json(const AccuracyResult& result) {
   json rows = json::array(), violated = json::array();
   for (const AccuracyRow& row : result.rows) rows.push_back(row_json(row));
-  for (json& row : rows) row["says"] = sentence(row, rows);
+  for (json& row : rows) row["says"] = accuracy_sentence(row, rows);
   for (const AccuracyViolation& violation : result.violations) {
     json object = {{"row", violation.row}, {"what", violation.what}, {"frame", violation.frame}};
     if (violation.point.drawable != no_id) {
@@ -180,7 +125,8 @@ json accuracy_json(const AccuracyResult& result) {
     }
     violated.push_back(object);
   }
-  return {{"rows", rows}, {"violations", violated.size()}, {"violated", violated}};
+  const json advice = accuracy_advice(rows, violated);
+  return {{"rows", rows}, {"violations", violated.size()}, {"violated", violated}, {"advice", advice}};
 }
 
 std::string accuracy_csv(const json& report) {

@@ -13,8 +13,9 @@ namespace triptych {
 /// hole_largest, swap_share, swap_largest, cover_pixels, cover_kept, cover_grown, popping, flicker_share,
 /// rmse, ssim, butteraugli, missed_triangle_share, untraced_share, compared_frames, says}], "violations",
 /// "violated":
-/// [{row, what, frame, drawable, place}]}. Shares are of the picture's pixels, those of holes and swaps of
-/// the reference's surface pixels, over the compared frames. What was not measured is null.
+/// [{row, what, frame, drawable, place}], "advice": of accuracy_advice()}. Shares are of the picture's
+/// pixels, those of holes and swaps of the reference's surface pixels, over the compared frames. What was not
+/// measured is null, and so is the cover of fewer than least_cover_pixels.
 nlohmann::json accuracy_json(const AccuracyResult& result);
 
 /// The rows of accuracy_json(), one a line under a line of names; figures within a figure are named with a

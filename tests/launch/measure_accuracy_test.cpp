@@ -18,8 +18,9 @@ class MeasureAccuracy : public testing::Test {
     std::ofstream(path) << nlohmann::json{{"triptych_path", 1}, {"fov_y_degrees", 60}, {"frames", frames}};
   }
   std::vector<std::string> words(const std::string& pack, const std::vector<std::string>& more) const {
-    std::vector<std::string> words = {"measure", "accuracy", pack,   "--path", path, "--size",
-                                      "65x47",   "-o",       output, "--json", json};
+    std::vector<std::string> words = {"measure", "accuracy", pack,     "--path", path,
+                                      "-o",      output,     "--json", json};
+    if (std::count(more.begin(), more.end(), "--sizes") == 0) words.insert(words.end(), {"--size", "65x47"});
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -40,9 +41,10 @@ TEST_F(MeasureAccuracy, writes_a_row_a_setting_as_json_and_csv_and_a_report_with
     settings.insert(row["strategy"].get<std::string>() + row["size"].get<std::string>() +
                     row["pixel_error"].dump() + row["min_pixels"].dump());
     EXPECT_EQ(row["compared_frames"], 2);
-    for (const char* key : {"wrong_pixel_share", "hole_share", "swap_share", "cover_kept", "popping", "rmse",
-                            "ssim", "missed_triangle_share", "untraced_share"})
+    for (const char* key : {"wrong_pixel_share", "hole_share", "swap_share", "popping", "rmse", "ssim",
+                            "missed_triangle_share", "untraced_share"})
       EXPECT_TRUE(row[key].is_number()) << key;
+    EXPECT_EQ(row["cover_kept"].is_number(), row["cover_pixels"].get<double>() >= 100) << row;
     EXPECT_LE(row["deviation_px"]["max"].get<double>(), row["pixel_error"].get<double>());
     EXPECT_LE(row["deviation_px"]["median"].get<double>(), row["deviation_px"]["p99"].get<double>());
     if (row["pixel_error"] == 0.1 && !row.contains("may_miss")) {
@@ -60,6 +62,54 @@ TEST_F(MeasureAccuracy, writes_a_row_a_setting_as_json_and_csv_and_a_report_with
     EXPECT_NE(page.find(file), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(output + "/" + file)) << file;
   }
+}
+
+TEST_F(MeasureAccuracy, every_so_many_frames_of_the_path_are_said_in_the_report) {
+  const std::string pack = write_pack(small_pack());
+  Program program(words(pack, {"--every", "3", "--pixel-error", "2", "--compare", "9"}));
+  EXPECT_EQ(program.wait(), 0);
+  EXPECT_NE(program.errors().find("--compare 9: there are 2 frames"), std::string::npos) << program.errors();
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["frames"], 2);
+  EXPECT_EQ(report["path_frames"], 4);
+  EXPECT_EQ(report["every"], 3);
+  EXPECT_EQ(report["frames_say"], "frames 0 to 3 of 4, every 3rd");
+  EXPECT_NE(text_of(output + "/report.html").find("frames 0 to 3 of 4, every 3rd"), std::string::npos);
+  EXPECT_TRUE(report["rows"][0]["popping"].is_null()) << "frames 0 and 3 do not follow each other";
+}
+
+TEST_F(MeasureAccuracy, packs_of_one_name_are_told_apart_by_their_folders_and_one_pack_is_measured_once) {
+  std::filesystem::create_directories(folder.file("x"));
+  std::filesystem::create_directories(folder.file("y"));
+  const std::string one = folder.file("x/m.tpk"), other = folder.file("y/m.tpk");
+  std::filesystem::copy_file(write_pack(small_pack()), one);
+  std::filesystem::copy_file(one, other);
+  run(words(one, {"--pixel-error", "2", "--with", other, "--strategies", "occlusion"}));
+  EXPECT_EQ(json_of(json)["rows"][0]["pack"], "x/m.tpk");
+  EXPECT_EQ(json_of(json)["rows"][1]["pack"], "y/m.tpk");
+  EXPECT_EQ(json_of(json)["advice"].size(), 2u);
+  std::filesystem::create_symlink(one, folder.file("link.tpk"));
+  EXPECT_NE(failure(words(one, {"--with", folder.file("link.tpk")})).find("link.tpk: is the same pack as "),
+            std::string::npos);
+}
+
+TEST_F(MeasureAccuracy, an_earlier_run_s_pictures_go_and_a_run_that_fails_leaves_no_folder) {
+  const std::string pack = write_pack(small_pack());
+  SmallPack larger = small_pack();
+  larger.skeleton.source_triangles = 257;
+  const std::string other = folder.file("other.tpk");
+  std::filesystem::copy_file(pack, folder.file("pack.tpk"));
+  std::filesystem::copy_file(write_pack(larger), other);
+  failure(words(folder.file("pack.tpk"), {"--with", other}));
+  EXPECT_FALSE(std::filesystem::exists(output));
+  std::filesystem::create_directories(output + "/pictures");
+  for (const char* name : {"hole-99-shown.png", "0.125px-difference.png", "mine.png"})
+    std::ofstream(output + "/pictures/" + name) << "x";
+  run(words(folder.file("pack.tpk"), {"--pixel-error", "2", "--strategies", "occlusion"}));
+  EXPECT_FALSE(std::filesystem::exists(output + "/pictures/hole-99-shown.png"));
+  EXPECT_FALSE(std::filesystem::exists(output + "/pictures/0.125px-difference.png"));
+  EXPECT_TRUE(std::filesystem::exists(output + "/pictures/mine.png"));
+  EXPECT_TRUE(std::filesystem::exists(output + "/pictures/2px.png"));
 }
 
 TEST_F(MeasureAccuracy, packs_of_one_model_stand_side_by_side_and_those_of_another_are_refused) {
@@ -97,6 +147,14 @@ TEST_F(MeasureAccuracy, sizes_errors_and_strategies_that_are_none_are_usage_erro
     Program program(words(pack, {flag, value}));
     EXPECT_EQ(program.wait(), 2) << flag;
     EXPECT_NE(program.errors().find(flag), std::string::npos) << program.errors();
+  }
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--min-pixels", "4", "--strategies", "occlusion,frustum"},
+        {"--device", "cpu", "--devices", "cpu"},
+        {"--size", "33x21", "--sizes", "65x47"}}) {
+    Program program(words(pack, more));
+    EXPECT_EQ(program.wait(), 2) << more.front();
+    EXPECT_NE(program.errors().find(more.front()), std::string::npos) << program.errors();
   }
   EXPECT_FALSE(std::filesystem::exists(output));
 }

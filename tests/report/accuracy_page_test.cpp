@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <regex>
+#include <set>
 
 namespace triptych {
 namespace {
@@ -35,12 +36,16 @@ nlohmann::json report() {
   return {{"title", "What <it> costs"},
           {"command", "triptych measure accuracy a.tpk --path p.json -o o"},
           {"rows", {row("occlusion", 1, 2.5, 0.8), row("occlusion", 4, 1.5, 3.1)}},
+          {"frames_say", "frames 0 to 280 of 300, every 20th"},
+          {"advice", {{{"pack", "a.tpk"}, {"says", "a.tpk: take 4 px"}}}},
           {"violations", 0},
           {"violated", nlohmann::json::array()},
           {"strip", {{{"pixel_error", 0.0}, {"frame", 7}, {"file", "pictures/full-detail.png"}}}},
           {"patches",
            {{{"kind", "hole"},
              {"row", 1},
+             {"rows", {0, 1}},
+             {"enlarged", 4},
              {"frame", 7},
              {"pixels", 12},
              {"x", 3},
@@ -56,8 +61,15 @@ TEST(AccuracyPage, has_sentences_charts_pictures_and_patches_and_loads_nothing_f
   EXPECT_NE(page.find("4 px: &lt;one sentence&gt;"), std::string::npos);
   EXPECT_NE(page.find("<svg"), std::string::npos);
   EXPECT_NE(page.find("pictures/full-detail.png"), std::string::npos);
-  EXPECT_NE(page.find("The largest hole at 4 px of error (occlusion): 12 pixels, frame 7"),
-            std::string::npos);
+  EXPECT_NE(
+      page.find("The largest hole at 1 px of error (occlusion), at 4 px of error (occlusion): 12 pixels, "
+                "frame 7"),
+      std::string::npos);
+  EXPECT_NE(page.find("as drawn, 4 times enlarged"), std::string::npos);
+  EXPECT_NE(page.find("frames 0 to 280 of 300, every 20th"), std::string::npos);
+  EXPECT_NE(page.find("<th>left out %</th>"), std::string::npos);
+  EXPECT_LT(page.find("left out %: triangles in view"), page.find("<th>left out %</th>"));
+  EXPECT_GT(page.find("a.tpk: take 4 px"), page.find("</table>"));
   EXPECT_NE(page.find("holes, pixels a million: 0 at every setting"), std::string::npos);
   EXPECT_NE(page.find("popping, of 255: not measured"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos);
@@ -87,6 +99,42 @@ TEST(ScatterChart, fills_the_points_that_no_other_one_beats_and_stays_within_its
     EXPECT_LE(std::stod((*at)[2]), 300);
   }
   EXPECT_NE(scatter_svg({"ms", "px"}).find("</svg>"), std::string::npos);
+}
+
+TEST(ScatterChart, wraps_the_names_of_many_series_within_its_width_and_tells_each_from_the_others) {
+  ScatterChart chart{"ms", "px"};
+  for (int i = 0; i < 20; ++i)
+    chart.series.push_back({fmt::format("approximate {}, cpu, 512x512", i), {{1.0 + i, 1.0 + i, "", ""}}});
+  chart.series.push_back({std::string(200, 'n'), {{3, 3, "", ""}}});
+  const std::string svg = scatter_svg(chart);
+  const std::regex name("class=\"label name\" x=\"([^\"]*)\" y=\"([^\"]*)\">([^<]*)");
+  size_t letters = 0;
+  double last = 0;
+  for (auto at = std::sregex_iterator(svg.begin(), svg.end(), name); at != std::sregex_iterator(); ++at) {
+    EXPECT_LE(std::stod((*at)[1]) + 7 * static_cast<double>((*at)[3].length()), 640);
+    letters += static_cast<size_t>((*at)[3].length());
+    last = std::stod((*at)[2]);
+  }
+  size_t wanted = 0;
+  for (const ScatterSeries& series : chart.series) wanted += series.name.size();
+  EXPECT_EQ(letters, wanted);
+  std::smatch box;
+  ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 640 ([0-9]*)\"")));
+  EXPECT_GT(std::stod(box[1]), last + 220);
+  std::set<std::string> styles;
+  const std::regex style("<polyline ([^>]*) points");
+  for (auto at = std::sregex_iterator(svg.begin(), svg.end(), style); at != std::sregex_iterator(); ++at)
+    styles.insert((*at)[1]);
+  EXPECT_EQ(styles.size(), chart.series.size());
+}
+
+TEST(ScatterChart, leaves_out_labels_that_would_lie_over_others) {
+  const ScatterChart chart{
+      "ms", "px", {{"a", {{1, 5, "first", ""}, {100, 5, "far", ""}}}, {"b", {{1.01, 5.01, "second", ""}}}}};
+  const std::string svg = scatter_svg(chart);
+  EXPECT_NE(svg.find(">first<"), std::string::npos);
+  EXPECT_NE(svg.find(">far<"), std::string::npos);
+  EXPECT_EQ(svg.find(">second<"), std::string::npos);
 }
 
 }  // namespace

@@ -135,6 +135,16 @@ TEST(Accuracy, a_swap_is_found_where_a_level_shows_another_colour) {
   EXPECT_TRUE(result.violations.empty()) << "no distance shows it";
 }
 
+TEST(Accuracy, between_frames_that_do_not_follow_each_other_nothing_pops) {
+  const Pack pack(write_pack(colored_pack()));
+  std::vector<FrameRequest> frames = from_above();
+  EXPECT_TRUE(measure(pack, frames, options({5.1})).rows.front().pictures->popping().has_value());
+  for (FrameRequest& frame : frames) frame.number *= 20;
+  const AccuracyResult result = measure(pack, frames, options({5.1}));
+  EXPECT_FALSE(result.rows.front().pictures->popping().has_value());
+  EXPECT_FALSE(result.rows.front().pictures->flicker_share().has_value());
+}
+
 TEST(Accuracy, rays_meet_what_a_device_draws) {
   const Pack& pack = scenes::pack("room");
   const PackSurfaces surfaces(pack);
