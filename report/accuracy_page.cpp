@@ -22,6 +22,14 @@ struct Measure {
   double at_zero, scale;  ///< at_zero + scale · figure is drawn
   const char* meaning;
 };
+/// A row's figure; null where it was not measured, and for the cover of so few pixels that it says nothing.
+json figure(const json& row, const std::string& pointer) {
+  constexpr double least_cover_pixels = 100;
+  const bool is_cover = pointer == "/cover_kept";
+  if (is_cover && row.value("cover_pixels", 0.0) < least_cover_pixels) return nullptr;
+  return row.at(json::json_pointer(pointer));
+}
+
 constexpr std::array measures = {
     Measure{"/deviation_px/max", "largest deviation, pixels", 0, 1,
             "How far any surface is from where it should be, on the screen."},
@@ -47,17 +55,16 @@ constexpr std::array measures = {
 ScatterChart chart_of(const json& rows, const Measure& measure) {
   ScatterChart chart{.x_unit = "median frame time, ms", .y_unit = measure.name};
   std::map<std::string, size_t> places;
-  const json::json_pointer pointer(measure.pointer);
   for (const json& row : rows) {
-    if (!row.at(pointer).is_number()) continue;
+    const json value = figure(row, measure.pointer);
+    if (!value.is_number()) continue;
     const std::string name = series_name(row, rows);
     const auto [place, is_new] = places.emplace(name, chart.series.size());
     if (is_new) chart.series.push_back({name, {}});
     const std::string error = fmt::format("{:g}", row["pixel_error"].get<double>());
-    chart.series[place->second].points.push_back(
-        {row["frame_ms"]["p50"].get<double>(),
-         measure.at_zero + measure.scale * row.at(pointer).get<double>(), error,
-         name + ", " + row["says"].get<std::string>()});
+    chart.series[place->second].points.push_back({row["frame_ms"]["p50"].get<double>(),
+                                                  measure.at_zero + measure.scale * value.get<double>(),
+                                                  error, name + ", " + row["says"].get<std::string>()});
   }
   return chart;
 }
@@ -114,7 +121,7 @@ std::string sentences(const json& rows) {
 }
 
 std::string cell(const json& row, const char* pointer, double scale, int decimals) {
-  const json& value = row.at(json::json_pointer(pointer));
+  const json value = figure(row, pointer);
   return value.is_number() ? grouped(scale * value.get<double>(), decimals) : "–";
 }
 

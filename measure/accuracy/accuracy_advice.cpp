@@ -32,11 +32,10 @@ struct Choice {
 
 void add(Candidate& candidate, const json& row) {
   const double swaps = 1e6 * row["swap_share"].get<double>();
-  const bool covers = row["cover_kept"].is_number();
   candidate.ms += row["frame_ms"]["p50"].get<double>();
   candidate.approximate = !row["min_pixels"].is_null();
   candidate.swaps_a_million = std::max(candidate.swaps_a_million, swaps);
-  if (covers) {
+  if (says_cover(row)) {
     const double cover = row["cover_kept"].get<double>();
     candidate.cover = std::min(candidate.cover.value_or(cover), cover);
   }

@@ -68,9 +68,8 @@ json row_json(const AccuracyRow& row) {
   object["swap_pixels"] = pictures.swap_pixels;
   object["swap_largest"] = pictures.swap.pixels;
   object["cover_pixels"] = pictures.cover_pixels();
-  const bool covers = pictures.cover_pixels() >= least_cover_pixels;
-  object["cover_kept"] = covers ? or_null(pictures.cover_kept()) : json();
-  object["cover_grown"] = covers ? or_null(pictures.cover_grown()) : json();
+  object["cover_kept"] = or_null(pictures.cover_kept());
+  object["cover_grown"] = or_null(pictures.cover_grown());
   object["popping"] = or_null(pictures.popping());
   object["flicker_share"] = or_null(pictures.flicker_share());
   object["rmse"] = pictures.rmse();

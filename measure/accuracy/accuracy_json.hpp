@@ -15,7 +15,7 @@ namespace triptych {
 /// "violated":
 /// [{row, what, frame, drawable, place}], "advice": of accuracy_advice()}. Shares are of the picture's
 /// pixels, those of holes and swaps of the reference's surface pixels, over the compared frames. What was not
-/// measured is null, and so is the cover of fewer than least_cover_pixels.
+/// measured is null.
 nlohmann::json accuracy_json(const AccuracyResult& result);
 
 /// The rows of accuracy_json(), one a line under a line of names; figures within a figure are named with a

@@ -44,6 +44,10 @@ bool same_but_error(const json& one, const json& other) {
   return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return one[key] == other[key]; });
 }
 
+bool says_cover(const json& row) {
+  return row["cover_kept"].is_number() && row["cover_pixels"].get<double>() >= least_cover_pixels;
+}
+
 std::string share_in_words(double share) {
   const double percent = 100 * share;
   if (percent == 0) return "none";
@@ -89,7 +93,7 @@ std::string accuracy_sentence(const json& row, const json& rows) {
                        row[largest].get<uint64_t>());
   };
   text += counted("hole_pixels", "hole_largest", "holes") + counted("swap_pixels", "swap_largest", "swaps");
-  if (row["cover_kept"].is_number())
+  if (says_cover(row))
     text += fmt::format(", small things keep {:.0f} % of their cover", 100 * row["cover_kept"].get<double>());
   if (const double missed = row["missed_triangle_share"].get<double>(); missed > 0)
     text += fmt::format(", {} of the triangles in view are left out", share_in_words(missed));

@@ -11,6 +11,9 @@ namespace triptych {
 /// What is measured of small things is only said where it is about so many pixels.
 inline constexpr double least_cover_pixels = 100;
 
+/// Whether a row of accuracy_json() has it, about so many.
+bool says_cover(const nlohmann::json& row);
+
 /// "3 %", "0.4 %" or "0.05 %": as many digits as matter; "none" of 0.
 std::string share_in_words(double share);
 

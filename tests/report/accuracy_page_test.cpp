@@ -24,6 +24,7 @@ nlohmann::json row(const std::string& strategy, double pixel_error, double ms, d
           {"hole_share", 0.0},
           {"swap_share", 0.0},
           {"cover_kept", 0.9},
+          {"cover_pixels", 100},
           {"popping", nullptr},
           {"rmse", 1.0},
           {"ssim", 0.99},
