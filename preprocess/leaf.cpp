@@ -74,16 +74,14 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   LevelFigures figures;
   figures.detached_triangles = chain.detached_triangles;
   figures.stuck = chain.stuck && chain.levels.empty();
-  const auto add = [&](const Part& level, double steps, bool last) {
-    result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
+  const auto add = [&](const Part& level, double steps, bool last, bool is_shared = false) {
+    if (!is_shared) result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
     const bool kept = last || level.surface.triangles.size() <= kept_triangles;
     result.geometry.push_back(kept ? record_bytes(level) : std::vector<std::byte>());
     figures.bounds.push_back((steps + info.moved) * lattice.step +
                              (options.rules.bounds_hold_rounding ? lattice.rounding() : 0));
   };
-  add(part, 0, chain.levels.empty());
-  // The chunk of the finest level is the other chain's.
-  if (info.variant_of != no_id) result.chunks.clear();
+  add(part, 0, chain.levels.empty(), info.variant_of != no_id);  // the other chain has its chunk
   for (Level& level : chain.levels) {
     std::vector<BorderPoint> borders = borders_of(level.piece, numbers);
     add({std::move(level.piece.surface), std::move(borders)}, level.bound, &level == &chain.levels.back());

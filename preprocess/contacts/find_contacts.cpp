@@ -56,8 +56,8 @@ glm::dvec3 closest_on_segment(const glm::dvec3& p, const glm::dvec3& a, const gl
 
 /// What two placed parts have in contact.
 struct Touching {
-  std::vector<uint32_t> of_first, of_second;  ///< points; some may come twice
-  Box places;
+  std::vector<uint32_t> of_first, of_second;  ///< points, ascending
+  Box places;                                 ///< of those that lie on a rim of the other
 };
 
 /// Adds contacts of a's points with b's rims.
