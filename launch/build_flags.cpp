@@ -8,6 +8,7 @@
 #include "launch/number_flags.hpp"
 #include "preprocess/injected_rules.hpp"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <map>
 
@@ -49,6 +50,29 @@ std::string name_in(const std::map<std::string, Value>& names, Value wanted) {
     if (value == wanted) return name;
   }
   fail("build", "an option {} has no name", static_cast<int>(wanted));
+}
+
+void add_keep_flag(CLI::App& command, Kept& keep) {
+  std::vector<std::string> words;
+  for (const auto& [name, promise] : promises()) words.push_back(name);
+  const std::string all = CLI::detail::join(words, ",");
+  words.emplace_back("none");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--keep",
+          [&keep](const std::vector<std::string>& given) {
+            const bool none = std::count(given.begin(), given.end(), "none") > 0;
+            if (none && given.size() > 1) throw CLI::ValidationError("--keep", "none stands by itself");
+            for (const auto& [name, promise] : promises())
+              keep.*promise = std::count(given.begin(), given.end(), name) > 0;
+          },
+          "What levels of detail keep beside distances, at the price of triangles: that surfaces which touch "
+          "show no "
+          "gap (touching), that small things cover as much of the screen as in full detail (cover), or none")
+      ->delimiter(',')
+      ->check(one_of(words))
+      ->type_name(all + "|none")
+      ->default_str(name_of(keep));
 }
 
 /// Path, size and time of change.
@@ -117,25 +141,7 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
                   "Triangles of a leaf of the hierarchy, roughly")
       ->check(whole_number(min_triangles, max_triangles))
       ->capture_default_str();
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--keep",
-          [&flags](const std::vector<std::string>& words) {
-            flags.defaults.keep = {.touching = false, .cover = false};
-            for (const std::string& word : words) {
-              if (word == "none" && words.size() > 1)
-                throw CLI::ValidationError("--keep", "none stands by itself");
-              if (word != "none") flags.defaults.keep.*promises().at(word) = true;
-            }
-          },
-          "What levels of detail keep beside distances, at the price of triangles: that surfaces which touch "
-          "show no gap "
-          "(touching), that small things cover as much of the screen as in full detail (cover), both, or "
-          "none")
-      ->delimiter(',')
-      ->check(one_of({"touching", "cover", "none"}))
-      ->type_name("touching,cover|none")
-      ->default_str(name_of(options.keep));
+  add_keep_flag(command, flags.defaults.keep);
   command
       .add_option("--hlod-triangles", flags.defaults.hlod_triangles,
                   "Triangles of an inner scene node's coarsest level, roughly")

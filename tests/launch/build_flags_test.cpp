@@ -48,6 +48,18 @@ TEST(BuildFlags, without_flags_are_the_builds_own_options) {
   EXPECT_FALSE(parse({"a.obj", "--flat"}).import.find_groups);
 }
 
+TEST(BuildFlags, keep_what_is_named_and_nothing_else) {
+  const auto kept = [](const std::string& words) {
+    const Kept keep = parse({"a.obj", "--keep", words}).options().keep;
+    EXPECT_EQ(parse({"a.obj", "--keep", name_of(keep)}).options().keep.touching, keep.touching);
+    return std::pair(keep.touching, keep.cover);
+  };
+  EXPECT_EQ(kept("touching"), std::pair(true, false));
+  EXPECT_EQ(kept("cover"), std::pair(false, true));
+  EXPECT_EQ(kept("touching,cover"), std::pair(true, true));
+  EXPECT_EQ(kept("none"), std::pair(false, false));
+}
+
 TEST(BuildFlags, unknown_words_and_too_little_memory_are_usage_errors) {
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--simplifier", "best"},
                                                 {"--bound", "0"},
@@ -59,6 +71,9 @@ TEST(BuildFlags, unknown_words_and_too_little_memory_are_usage_errors) {
                                                 {"--memory", ""},
                                                 {"--memory", "99999999999G"},
                                                 {"--part-triangles", "0"},
+                                                {"--keep", "touching,none"},
+                                                {"--keep", "distances"},
+                                                {"--keep", ""},
                                                 {"--up", "x"},
                                                 {"--unit", "parsec"}}) {
     std::vector<std::string> arguments = {"a.obj"};
