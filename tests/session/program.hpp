@@ -158,7 +158,9 @@ class Program {
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       const std::string id = entry.path().filename();
       if (id.find_first_not_of("0123456789") != std::string::npos) continue;
-      const std::string stat = text_of(entry.path() / "stat");
+      std::ostringstream text;
+      text << std::ifstream(entry.path() / "stat").rdbuf();  // nothing, where the process ends while it is read
+      const std::string stat = text.str();
       const size_t name_end = stat.rfind(')');
       if (name_end == std::string::npos) continue;
       std::istringstream fields(stat.substr(name_end + 1));
