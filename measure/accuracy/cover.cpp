@@ -98,8 +98,8 @@ void count_cover(const PackSurfaces& surfaces, const FrameView& view, std::span<
   }
 }
 
-Cover compare_cover(const CoverCounts& reference, const CoverCounts& shown) {
-  Cover cover;
+CoverChange compare_cover(const CoverCounts& reference, const CoverCounts& shown) {
+  CoverChange cover;
   for (const auto& [leaf, pixels] : reference) {
     const auto found = shown.find(leaf);
     const double had = static_cast<double>(pixels),

@@ -13,7 +13,7 @@ namespace triptych {
 /// Pixels by the leaf that covers them, over several pictures.
 using CoverCounts = std::unordered_map<SceneNodeId, uint64_t>;
 
-struct Cover {
+struct CoverChange {
   double reference = 0;  ///< pixels of small objects in the reference
   double kept = 0;       ///< of those: how many each has at least
   double grown = 0;      ///< what objects have beyond theirs
@@ -37,6 +37,6 @@ void count_cover(const Skeleton& skeleton, std::span<const uint32_t> reference_i
 void count_cover(const PackSurfaces& surfaces, const FrameView& view, std::span<const uint32_t> items,
                  std::span<const SceneNodeId> leaves, CoverCounts& counts);
 
-Cover compare_cover(const CoverCounts& reference, const CoverCounts& shown);
+CoverChange compare_cover(const CoverCounts& reference, const CoverCounts& shown);
 
 }  // namespace triptych

@@ -84,7 +84,7 @@ void PictureTally::add(const PictureMeasures& measures, const std::vector<uint8_
   if (measures.flickering_pixels) flickering_ += *measures.flickering_pixels, flicker_pixels_ += pixels;
   if (measures.butteraugli) butteraugli_ += *measures.butteraugli, ++butteraugli_frames_;
   if (measures.cover) {
-    if (!cover_) cover_ = Cover();
+    if (!cover_) cover_ = CoverChange();
     cover_->reference += measures.cover->reference;
     cover_->kept += measures.cover->kept;
     cover_->grown += measures.cover->grown;

@@ -55,7 +55,7 @@ struct PictureMeasures {
   std::vector<PointDeviation> deviations{};
   std::optional<double> popping{};              ///< where the frame before is known
   std::optional<uint64_t> flickering_pixels{};  ///< where two are
-  std::optional<Cover> cover{};                 ///< where the camera was shifted
+  std::optional<CoverChange> cover{};           ///< where the camera was shifted
   std::optional<double> butteraugli{};
 };
 
@@ -104,7 +104,7 @@ class PictureTally {
   size_t frames_ = 0, popping_frames_ = 0, butteraugli_frames_ = 0;
   uint64_t pixels_ = 0, surface_pixels_ = 0, flickering_ = 0, flicker_pixels_ = 0;
   double squared_error_ = 0, ssim_ = 0, popping_ = 0, butteraugli_ = 0;
-  std::optional<Cover> cover_;
+  std::optional<CoverChange> cover_;
 };
 
 }  // namespace triptych

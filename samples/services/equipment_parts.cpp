@@ -13,7 +13,7 @@ std::string numbered(const char* name, int variant) { return fmt::format("{} {}"
 
 }  // namespace
 
-FurniturePiece trolley(int variant) {
+FurnitureModel trolley(int variant) {
   return {numbered("monitor trolley", variant), {0.6, 0.55}, [variant] {
             MeshPart frame = part_of(steel), body = part_of(white), screen = part_of(dark);
             for (const double x : {-0.25, 0.25})
@@ -32,7 +32,7 @@ FurniturePiece trolley(int variant) {
           }};
 }
 
-FurniturePiece air_handler(int variant) {
+FurnitureModel air_handler(int variant) {
   const double length = 3.2 + 0.4 * variant;
   return {numbered("air handling unit", variant), {length, 1.5}, [=] {
             MeshPart body = part_of({0.58, 0.60, 0.62}), trim = part_of(dark), frame = part_of(steel);
@@ -55,7 +55,7 @@ FurniturePiece air_handler(int variant) {
           }};
 }
 
-FurniturePiece monitor(int variant) {
+FurnitureModel monitor(int variant) {
   return {numbered("monitor", variant), {0.55, 0.22}, [variant] {
             MeshPart body = part_of(dark), foot = part_of(steel);
             const double half = 0.24 + 0.02 * variant;
@@ -67,7 +67,7 @@ FurniturePiece monitor(int variant) {
           }};
 }
 
-FurniturePiece keyboard(int variant) {
+FurnitureModel keyboard(int variant) {
   return {numbered("keyboard", variant), {0.45, 0.16}, [] {
             MeshPart body = part_of(dark), keys = part_of({0.2, 0.2, 0.21});
             add_box(body, {-0.22, 0, -0.07}, {0.22, 0.018, 0.07});

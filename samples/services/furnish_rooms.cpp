@@ -79,7 +79,7 @@ class RoomFurnisher {
   }
 
   /// At a place, its back turned as a piece's along that wall.
-  std::optional<Rect> put_at(const FurniturePiece& piece, const glm::dvec2& centre, Wall wall,
+  std::optional<Rect> put_at(const FurnitureModel& piece, const glm::dvec2& centre, Wall wall,
                              double height = 0) {
     const bool turned = wall == Wall::west || wall == Wall::east;
     const glm::dvec2 half = (turned ? glm::dvec2(piece.size.y, piece.size.x) : piece.size) / 2.0;
@@ -100,7 +100,7 @@ class RoomFurnisher {
 
   /// The first free place along a wall, from `from` metres on: from the corridor along the side walls, from
   /// the west along the others. Returns its middle.
-  std::optional<glm::dvec2> put_along(const FurniturePiece& piece, Wall wall, double from,
+  std::optional<glm::dvec2> put_along(const FurnitureModel& piece, Wall wall, double from,
                                       double gap = 0.02) {
     const bool side = wall == Wall::west || wall == Wall::east;
     const double length = side ? room_.depth() : area_.width(), half = piece.size.x / 2,
@@ -151,7 +151,7 @@ class RoomFurnisher {
   }
 
   void put_workplace(Wall wall, double from) {
-    const FurniturePiece piece = desk(variant());
+    const FurnitureModel piece = desk(variant());
     const auto at = put_along(piece, wall, from);
     if (!at) return;
     const double out = wall == Wall::west ? 1 : -1;
@@ -189,7 +189,7 @@ class RoomFurnisher {
 
   void furnish_treatment() {
     put_basin();
-    FurniturePiece lying = couch(variant());
+    FurnitureModel lying = couch(variant());
     put_at(lying, {area_.x0 + area_.width() / 2 + 0.3, room_.at(0, 0, room_.depth() * 0.58).z}, Wall::far);
     put_workplace(Wall::east, 1.9);
     put_along(trolley(variant()), Wall::west, 2.0);
@@ -253,8 +253,8 @@ class RoomFurnisher {
   void furnish_plant_room() {
     put_at(air_handler(variant()), {area_.x0 + area_.width() / 2, room_.at(0, 0, room_.depth() * 0.72).z},
            Wall::far);
-    const FurniturePiece vessel{"tank", {1.1, 1.1}, [] { return tank(1.0, 1.8); }};
-    const FurniturePiece pump_set{"pump", {0.7, 0.75}, [] { return pump(0.3); }};
+    const FurnitureModel vessel{"tank", {1.1, 1.1}, [] { return tank(1.0, 1.8); }};
+    const FurnitureModel pump_set{"pump", {0.7, 0.75}, [] { return pump(0.3); }};
     for (int i = 0; i < 2; ++i) put_along(vessel, Wall::west, 1.0);
     for (int i = 0; i < 4; ++i) put_along(pump_set, Wall::east, 1.0);
     for (int i = 0; i < 2; ++i) put_along(pump_set, Wall::far, 0.2);

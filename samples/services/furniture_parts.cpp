@@ -40,7 +40,7 @@ std::string numbered(const char* name, int variant) { return fmt::format("{} {}"
 
 }  // namespace
 
-FurniturePiece bed(int variant) {
+FurnitureModel bed(int variant) {
   return {numbered("bed", variant), {1.0, 2.15}, [variant] {
             MeshPart frame = part_of(steel), mattress = part_of({0.70, 0.74, 0.78}),
                      ends = part_of(wood(variant));
@@ -62,7 +62,7 @@ FurniturePiece bed(int variant) {
           }};
 }
 
-FurniturePiece bedside_table(int variant) {
+FurnitureModel bedside_table(int variant) {
   return {numbered("bedside table", variant), {0.5, 0.5}, [variant] {
             MeshPart body = part_of(wood(variant)), trim = part_of(steel);
             add_box(body, {-0.22, 0.1, -0.22}, {0.22, 0.78, 0.22});
@@ -78,7 +78,7 @@ FurniturePiece bedside_table(int variant) {
           }};
 }
 
-FurniturePiece chair(int variant) {
+FurnitureModel chair(int variant) {
   return {numbered("chair", variant), {0.5, 0.52}, [variant] {
             MeshPart frame = part_of(steel), seat = part_of(cloth(variant));
             add_legs(frame, 0.21, 0.2, 0.44, 0.011, variant % 2 ? 6 : 8);
@@ -95,7 +95,7 @@ FurniturePiece chair(int variant) {
           }};
 }
 
-FurniturePiece armchair(int variant) {
+FurnitureModel armchair(int variant) {
   return {numbered("armchair", variant), {0.72, 0.75}, [variant] {
             MeshPart frame = part_of(wood(variant)), cushion = part_of(cloth(variant + 1));
             add_legs(frame, 0.3, 0.3, 0.2, 0.02, 6);
@@ -108,7 +108,7 @@ FurniturePiece armchair(int variant) {
           }};
 }
 
-FurniturePiece office_chair(int variant) {
+FurnitureModel office_chair(int variant) {
   return {numbered("office chair", variant), {0.62, 0.62}, [variant] {
             MeshPart frame = part_of(dark), seat = part_of(cloth(variant));
             for (int i = 0; i < 5; ++i) {
@@ -129,7 +129,7 @@ FurniturePiece office_chair(int variant) {
           }};
 }
 
-FurniturePiece stool(int variant) {
+FurnitureModel stool(int variant) {
   return {numbered("stool", variant), {0.5, 0.5}, [variant] {
             MeshPart frame = part_of(steel), seat = part_of(cloth(variant + 2));
             for (int i = 0; i < 5; ++i) {
@@ -144,7 +144,7 @@ FurniturePiece stool(int variant) {
           }};
 }
 
-FurniturePiece desk(int variant) {
+FurnitureModel desk(int variant) {
   const double width = 1.4 + 0.2 * variant;
   return {
       numbered("desk", variant), {width, 0.8}, [=] {
@@ -162,7 +162,7 @@ FurniturePiece desk(int variant) {
       }};
 }
 
-FurniturePiece table(int variant) {
+FurnitureModel table(int variant) {
   const double width = 0.8 + 0.25 * variant;
   return {numbered("table", variant), {width, 0.8}, [=] {
             MeshPart top = part_of(wood(variant + 1)), frame = part_of(steel);
@@ -173,7 +173,7 @@ FurniturePiece table(int variant) {
           }};
 }
 
-FurniturePiece cabinet(int variant) {
+FurnitureModel cabinet(int variant) {
   const double width = 0.8 + 0.2 * variant, height = variant % 2 ? 1.95 : 1.2;
   return {numbered("cabinet", variant), {width, 0.45}, [=] {
             MeshPart body = part_of(wood(variant + 2)), trim = part_of(steel);
@@ -191,7 +191,7 @@ FurniturePiece cabinet(int variant) {
           }};
 }
 
-FurniturePiece shelf(int variant) {
+FurnitureModel shelf(int variant) {
   const double width = 1.0 + 0.1 * variant;
   return {numbered("shelf", variant), {width, 0.5}, [=] {
             MeshPart frame = part_of(steel), boards = part_of(wood(variant + 1)),
@@ -215,7 +215,7 @@ FurniturePiece shelf(int variant) {
           }};
 }
 
-FurniturePiece bench(int variant) {
+FurnitureModel bench(int variant) {
   const double width = 1.8 + 0.3 * variant;
   return {numbered("laboratory bench", variant), {width, 0.75}, [=] {
             MeshPart top = part_of({0.16, 0.17, 0.18}), body = part_of(white), trim = part_of(steel);
@@ -238,7 +238,7 @@ FurniturePiece bench(int variant) {
           }};
 }
 
-FurniturePiece couch(int variant) {
+FurnitureModel couch(int variant) {
   return {numbered("couch", variant), {0.72, 1.95}, [variant] {
             MeshPart frame = part_of(steel), pad = part_of(cloth(variant + 1));
             add_legs(frame, 0.28, 0.8, 0.55, 0.022);
@@ -251,7 +251,7 @@ FurniturePiece couch(int variant) {
           }};
 }
 
-FurniturePiece wash_basin(int variant) {
+FurnitureModel wash_basin(int variant) {
   return {numbered("wash basin", variant), {0.56, 0.48}, [variant] {
             MeshPart basin = part_of(white), tap = part_of(steel);
             const double y = 0.72, r = 0.2 + 0.01 * variant;
@@ -268,7 +268,7 @@ FurniturePiece wash_basin(int variant) {
           }};
 }
 
-FurniturePiece toilet(int variant) {
+FurnitureModel toilet(int variant) {
   return {numbered("toilet", variant), {0.4, 0.68}, [] {
             MeshPart bowl = part_of(white), trim = part_of(steel);
             add_turned(bowl, {0, 0.02, 0.1}, 1, {{0, 0.12}, {0.12, 0.1}, {0.25, 0.16}, {0.36, 0.19}}, 16);
@@ -280,7 +280,7 @@ FurniturePiece toilet(int variant) {
           }};
 }
 
-FurniturePiece drip_stand(int variant) {
+FurnitureModel drip_stand(int variant) {
   return {numbered("drip stand", variant), {0.5, 0.5}, [] {
             MeshPart frame = part_of(steel), bag = part_of({0.72, 0.76, 0.80});
             for (int i = 0; i < 5; ++i) {
@@ -296,7 +296,7 @@ FurniturePiece drip_stand(int variant) {
           }};
 }
 
-FurniturePiece waste_bin(int variant) {
+FurnitureModel waste_bin(int variant) {
   return {numbered("waste bin", variant), {0.34, 0.34}, [variant] {
             MeshPart body = part_of(cloth(variant + 3)), lid = part_of(steel);
             add_turned(body, {0, 0, 0}, 1, {{0, 0.13}, {0.5 + 0.05 * variant, 0.16}}, 12);

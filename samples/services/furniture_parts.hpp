@@ -7,33 +7,33 @@
 
 namespace triptych {
 
-struct FurniturePiece {
+struct FurnitureModel {
   std::string name;
   glm::dvec2 size{0};  ///< of its footprint: along x and z
   MakeMesh make;
 };
 
 /// A model of each; `variant` 0 to 3 tells similar ones apart.
-FurniturePiece bed(int variant);
-FurniturePiece bedside_table(int variant);
-FurniturePiece chair(int variant);
-FurniturePiece armchair(int variant);
-FurniturePiece office_chair(int variant);
-FurniturePiece stool(int variant);
-FurniturePiece desk(int variant);
-FurniturePiece table(int variant);
-FurniturePiece cabinet(int variant);
-FurniturePiece shelf(int variant);
-FurniturePiece bench(int variant);
-FurniturePiece couch(int variant);
-FurniturePiece wash_basin(int variant);
-FurniturePiece toilet(int variant);
-FurniturePiece drip_stand(int variant);
-FurniturePiece waste_bin(int variant);
-FurniturePiece trolley(int variant);
-FurniturePiece air_handler(int variant);
+FurnitureModel bed(int variant);
+FurnitureModel bedside_table(int variant);
+FurnitureModel chair(int variant);
+FurnitureModel armchair(int variant);
+FurnitureModel office_chair(int variant);
+FurnitureModel stool(int variant);
+FurnitureModel desk(int variant);
+FurnitureModel table(int variant);
+FurnitureModel cabinet(int variant);
+FurnitureModel shelf(int variant);
+FurnitureModel bench(int variant);
+FurnitureModel couch(int variant);
+FurnitureModel wash_basin(int variant);
+FurnitureModel toilet(int variant);
+FurnitureModel drip_stand(int variant);
+FurnitureModel waste_bin(int variant);
+FurnitureModel trolley(int variant);
+FurnitureModel air_handler(int variant);
 /// Stand on desks: the origin is the desk's top.
-FurniturePiece monitor(int variant);
-FurniturePiece keyboard(int variant);
+FurnitureModel monitor(int variant);
+FurnitureModel keyboard(int variant);
 
 }  // namespace triptych

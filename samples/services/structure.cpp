@@ -262,7 +262,7 @@ void add_roof_and_ground(ObjectScene& scene, int storeys, Random random) {
           },
           placed({length * i, storey, depth / 2 * k}, 0));
       const auto variant = static_cast<int>(random.below(4));
-      const FurniturePiece unit = air_handler(variant);
+      const FurnitureModel unit = air_handler(variant);
       roof.put(unit.name, unit.make,
                placed({length * (i + 0.5), storey, depth / 2 * (k + 0.5)}, random.chance(0.5) ? 0 : quarter));
     }

@@ -179,6 +179,28 @@ TEST(House, every_room_is_known) {
   }
 }
 
+TEST(House, no_two_types_that_several_files_see_have_one_name) {
+  // The linker would take the functions of either for both. Those of one file are in unnamed namespaces.
+  const std::regex type("^(?:struct|class|enum class|union) ([A-Z][A-Za-z0-9]*)[^;]*$");
+  std::map<std::string, std::set<std::string>> types;  // by name, room and file without its extension
+  for (const fs::path& file : files({".cpp", ".hpp"})) {
+    const fs::path name = fs::relative(file, source_dir);
+    const std::string room = *name.begin();
+    if (room == "tests") continue;
+    bool is_unnamed = false;
+    for (const std::string& line : lines_of(file)) {
+      if (line == "namespace {") is_unnamed = true;
+      if (line == "}  // namespace") is_unnamed = false;
+      std::smatch found;
+      if (is_unnamed || !std::regex_match(line, found, type)) continue;
+      types[found[1]].insert(room + " " + name.stem().string());
+    }
+  }
+  EXPECT_GT(types.size(), 300u);
+  for (const auto& [name, places] : types)
+    EXPECT_EQ(places.size(), 1u) << name << " in " << *places.begin() << " and " << *places.rbegin();
+}
+
 TEST(House, every_test_is_built) {
   std::string lists;
   for (const fs::path& file : files({".txt"})) {

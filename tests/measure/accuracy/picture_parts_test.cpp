@@ -137,7 +137,7 @@ TEST(Flicker, is_there_and_back_within_three_frames) {
 }
 
 TEST(Cover, what_one_object_gains_does_not_make_up_for_what_another_loses) {
-  const Cover cover = compare_cover({{7, 10}, {8, 4}, {9, 6}}, {{7, 5}, {8, 9}});
+  const CoverChange cover = compare_cover({{7, 10}, {8, 4}, {9, 6}}, {{7, 5}, {8, 9}});
   EXPECT_EQ(cover.reference, 20);
   EXPECT_EQ(cover.kept, 5 + 4);
   EXPECT_EQ(cover.grown, 5);
