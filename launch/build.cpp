@@ -77,6 +77,7 @@ int run(const BuildCommand& command) {
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
   BuildOptions options = command.flags.options();
+  options.said = build_words(command.flags);
   options.fingerprint = build_fingerprint(command.flags, model.files);
   BuildReport report = build_pack(std::move(model), options, command.output);
   report.stages.insert(report.stages.begin(), {"import", import_seconds});

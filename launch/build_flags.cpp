@@ -167,20 +167,31 @@ void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
   }
 }
 
-std::vector<std::string> build_arguments(const BuildFlags& flags) {
+PackOptions build_words(const BuildFlags& flags) {
   const BuildOptions options = flags.options();
+  PackOptions words = {{"bake-instances", flags.bake_instances ? "yes" : "no"},
+                       {"bound", name_of(options.simplify.bound)},
+                       {"flat", flags.import.find_groups ? "no" : "yes"},
+                       {"hierarchy", name_of(options.hierarchy)},
+                       {"hlod-triangles", std::to_string(options.hlod_triangles)},
+                       {"keep", name_of(options.keep)},
+                       {"leaf-triangles", std::to_string(options.leaf_triangles)},
+                       {"part-triangles", std::to_string(options.part_triangles)},
+                       {"simplifier", name_of(options.simplify.simplifier)}};
+  const std::vector<std::string> import = import_arguments(flags.import);  // each a flag and its value
+  for (size_t i = 0; i + 1 < import.size(); i += 2) words[import[i].substr(2)] = import[i + 1];
+  return words;
+}
+
+std::vector<std::string> build_arguments(const BuildFlags& flags) {
   std::vector<std::string> arguments;
   for (const auto& input : flags.inputs) arguments.push_back(std::filesystem::absolute(input).string());
-  for (const std::string& argument : import_arguments(flags.import)) arguments.push_back(argument);
-  arguments.insert(
-      arguments.end(),
-      {"--simplifier", name_of(options.simplify.simplifier), "--bound", name_of(options.simplify.bound),
-       "--hierarchy", name_of(options.hierarchy), "--memory", std::to_string(options.memory),
-       "--part-triangles", std::to_string(options.part_triangles), "--leaf-triangles",
-       std::to_string(options.leaf_triangles), "--hlod-triangles", std::to_string(options.hlod_triangles),
-       "--keep", name_of(options.keep)});
-  if (flags.bake_instances) arguments.emplace_back("--bake-instances");
-  if (!flags.import.find_groups) arguments.emplace_back("--flat");
+  for (const auto& [name, value] : build_words(flags)) {
+    if (value == "no") continue;
+    arguments.push_back("--" + name);
+    if (value != "yes") arguments.push_back(value);
+  }
+  arguments.insert(arguments.end(), {"--memory", std::to_string(flags.options().memory)});
   return arguments;
 }
 

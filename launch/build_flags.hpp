@@ -37,6 +37,10 @@ void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
 /// The arguments that give the same flags to `triptych build` in another process, --hierarchy included.
 std::vector<std::string> build_arguments(const BuildFlags& flags);
 
+/// The flags that decide what is in the pack, --hierarchy included, by their names without dashes, each with
+/// its value; "yes" or "no" of those without. Not the inputs, --memory, --threads.
+PackOptions build_words(const BuildFlags& flags);
+
 std::string name_of(Simplifier simplifier);
 std::string name_of(Bound bound);
 std::string name_of(HierarchyKind hierarchy);

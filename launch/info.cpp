@@ -14,6 +14,12 @@ namespace {
 
 nlohmann::json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
+/// Null where the pack does not say.
+nlohmann::json build_json(const Pack& pack) {
+  const PackOptions options = pack.read_options();
+  return options.empty() ? nlohmann::json() : nlohmann::json(options);
+}
+
 nlohmann::json describe(const Pack& pack) {
   const Skeleton& skeleton = pack.skeleton();
   const Box box = skeleton.lattice().box(skeleton.scene_nodes[0].box);
@@ -36,6 +42,7 @@ nlohmann::json describe(const Pack& pack) {
             {"clusters", skeleton.objects.clusters},
             {"partition2", skeleton.objects.partition2}}},
           {"effects", skeleton.effects},
+          {"build", build_json(pack)},
           {"import", to_json(skeleton.import)},
           {"hierarchy", to_json(hierarchy_quality(skeleton))}};
 }
@@ -72,6 +79,7 @@ void print_hierarchy(const Skeleton& skeleton) {
 std::string in_words(const nlohmann::json& value) {
   if (value.is_string()) return one_line(value.get<std::string>());
   if (value.is_number_unsigned()) return in_threes(value.get<double>());
+  if (value.is_null()) return "not said";
   if (!value.is_structured()) return json_text(value);
   if (value.empty()) return "none";
   std::string words;

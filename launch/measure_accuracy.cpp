@@ -1,11 +1,11 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
+#include "launch/accuracy_packs.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/measure.hpp"
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
-#include "launch/pack_labels.hpp"
 #include "launch/print_accuracy.hpp"
 #include "measure/accuracy/accuracy_json.hpp"
 #include "measure/accuracy/accuracy_pictures.hpp"
@@ -29,7 +29,7 @@ namespace {
 
 struct MeasureAccuracyCommand {
   RunOptions run;
-  std::vector<std::filesystem::path> others;
+  AccuracyPacks packs;
   std::vector<PictureSize> sizes;
   std::vector<std::string> devices, strategies;
   std::filesystem::path output;
@@ -95,39 +95,6 @@ std::vector<ChosenDevice> choose_devices(const MeasureAccuracyCommand& command) 
   return chosen;
 }
 
-/// The packs in the order of the command line, and what draws them.
-class Subjects {
- public:
-  Subjects(std::span<const std::filesystem::path> files, std::span<const std::string> labels,
-           const std::vector<ChosenDevice>& chosen) {
-    for (const std::filesystem::path& file : files) {
-      packs_.push_back(std::make_unique<Pack>(file));
-      const uint64_t here = packs_.back()->skeleton().source_triangles,
-                     first = packs_.front()->skeleton().source_triangles;
-      if (here != first)
-        fail(file.string(), "is a pack of another model: {} source triangles, and {} has {}", here,
-             files.front().string(), first);
-    }
-    for (const auto& pack : packs_) {
-      std::vector<SpeedDevice> devices;
-      for (const ChosenDevice& device : chosen) {
-        devices_.push_back(std::make_unique<PackDevice>(*pack, device.options));
-        devices.push_back(
-            {device_name(device.options.kind), devices_.back()->hierarchy(), devices_.back()->device()});
-      }
-      subjects_.push_back(
-          {labels[subjects_.size()], devices_.back()->representation().name(), *pack, devices});
-    }
-  }
-  const std::vector<AccuracySubject>& list() const { return subjects_; }
-  const Skeleton& skeleton() const { return packs_.front()->skeleton(); }
-
- private:
-  std::vector<std::unique_ptr<Pack>> packs_;
-  std::vector<std::unique_ptr<PackDevice>> devices_;
-  std::vector<AccuracySubject> subjects_;
-};
-
 std::vector<std::vector<FrameRequest>> frames_of(const MeasureAccuracyCommand& command,
                                                  const Skeleton& skeleton) {
   std::vector<PictureSize> sizes = command.sizes;
@@ -143,16 +110,15 @@ std::vector<std::vector<FrameRequest>> frames_of(const MeasureAccuracyCommand& c
 }
 
 int run(const MeasureAccuracyCommand& command) {
-  std::vector<std::filesystem::path> packs = {command.run.pack};
-  packs.insert(packs.end(), command.others.begin(), command.others.end());
-  const std::vector<std::string> labels = pack_labels(packs);
+  check_is_no_model_file({command.run.json}, command.packs.models);
+  load_path(command.run.path);  // so that its errors are reported before anything is built
   const std::vector<ChosenDevice> chosen = choose_devices(command);
-  const Subjects subjects(packs, labels, chosen);
+  const TemporaryFolder scratch;
+  const AccuracySubjects subjects(named_packs(command.packs, command.run.pack, scratch.path()), chosen);
   const auto frames = frames_of(command, subjects.skeleton());
   if (command.compare->count() > 0 && command.options.compared_frames > frames.front().size())
     notice("triptych: accuracy: --compare {}: there are {} frames, and every one is compared",
            command.options.compared_frames, frames.front().size());
-  const TemporaryFolder scratch;
   AccuracyOptions options = command.options;
   options.pixel_errors = each_once(command.run.pixel_errors);
   options.strategies = strategies_of(command);
@@ -165,7 +131,9 @@ int run(const MeasureAccuracyCommand& command) {
   report["every"] = command.run.every;
   report["frames_say"] = frames_in_words(frames.front().size(), path_frames, command.run.every);
   report["triangles"] = subjects.skeleton().placed_triangles;
-  report["title"] = fmt::format("What accuracy costs: {}", command.run.pack.filename().string());
+  report["title"] = fmt::format(
+      "What accuracy costs: {}",
+      (command.run.pack.empty() ? command.packs.models.front() : command.run.pack).filename().string());
   report["command"] = command_line(*command.words);
   for (const ChosenDevice& device : chosen) {
     if (device.options.kind == DeviceKind::gl) report["gl"] = opengl_json(device.names);
@@ -201,8 +169,7 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
                   "Folder for accuracy.json, accuracy.csv, report.html and pictures")
       ->required()
       ->type_name("DIR");
-  take_list(sub->add_option("--with", command->others, "Further packs of the same model, built otherwise"))
-      ->type_name("FILE.tpk,...");
+  add_pack_flags(*sub, command->packs);
   take_list(sub->add_option("--strategies", command->strategies,
                             fmt::format("Only these of {}", fmt::join(all_strategies(), ", "))))
       ->check(one_of(all_strategies()))
@@ -232,6 +199,7 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
       ->capture_default_str();
   sub->callback([command, sub, &action] {
     check_min_pixels(*sub, command->strategies);
+    check_packs(command->packs, command->run.pack);
     action = [command] { return run(*command); };
   });
 }

@@ -11,8 +11,8 @@ using nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SocketRecord, name, bytes, messages, deltas, delta_body_bytes, delta_ids,
                                    kernel_bytes, retransmissions, round_trip_ms, least_round_trip_ms)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SteeredFrame, target_ms, asked_pixel_error, pixel_error, predicted_ms,
-                                   cost_ms, wall_ms, undisturbed, in_reach)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SteeredFrame, target_ms, asked_pixel_error, pixel_error, aim_ms,
+                                   predicted_ms, cost_ms, wall_ms, undisturbed, in_reach)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_representation_ms,
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
                                    latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,

@@ -39,7 +39,7 @@ struct ProcessTimeline {
 };
 
 /// Of the JSON of a RoleRecord: increased whenever its keys, or those of its parts, change.
-constexpr int role_record_version = 3;
+constexpr int role_record_version = 4;
 
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent

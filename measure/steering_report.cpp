@@ -53,6 +53,7 @@ std::string add_steering(json& report, const std::vector<FrameRecord>& records, 
     if (record.steered.undisturbed) undisturbed.push_back(record.steered);
   }
   const auto cost = [](const SteeredFrame& frame) { return frame.cost_ms; };
+  const auto aim = [](const SteeredFrame& frame) { return frame.aim_ms; };
   const auto wall = [](const SteeredFrame& frame) { return frame.wall_ms; };
   const auto pixel_error = [](const SteeredFrame& frame) { return frame.pixel_error; };
   const auto count = [&](auto predicate) { return std::count_if(frames.begin(), frames.end(), predicate); };
@@ -70,6 +71,7 @@ std::string add_steering(json& report, const std::vector<FrameRecord>& records, 
   report["pixel_error"] = distribution_json(frames, pixel_error);
   report["steering"] = {{"cost", measure},
                         {"threads", thread_count()},
+                        {"aim_ms", distribution_json(frames, aim)},
                         {"cost_ms", distribution_json(frames, cost)},
                         {"wall_ms", distribution_json(frames, wall)},
                         {"share_within", within},
@@ -81,6 +83,7 @@ std::string add_steering(json& report, const std::vector<FrameRecord>& records, 
                         {"prediction_error", errors},
                         {"coefficients_ms", named}};
   report["series"]["pixel_error"] = series(frames, pixel_error);
+  report["series"]["aim_ms"] = series(frames, aim);
   report["series"]["cost_ms"] = series(frames, cost);
   report["series"]["predicted_ms"] =
       series(frames, [](const SteeredFrame& frame) { return frame.predicted_ms; });

@@ -8,13 +8,13 @@ namespace triptych {
 namespace {
 
 /// Microseconds a triangle would be a thousandth of these.
-constexpr CostCoefficients first_guess = {2, 0.1, 50e-6, 5e-3, 500e-6};
+constexpr CostCoefficients first_guess = {2, 0.2, 30e-6, 100e-6, 5e-3, 500e-6};
 /// How much of its weight a frame keeps when the next one comes: half of it after 23.
 constexpr double fading = 0.97;
 /// A coefficient that is off by all of itself weighs as much as this relative error, squared.
 constexpr double hold = 0.005;
 /// How fast the factor follows; how far, so that a frame that was disturbed counts little; and its limits.
-constexpr double following = 0.3, max_change = 1.5, max_factor = 8;
+constexpr double following = 0.5, max_change = 1.5, max_factor = 8;
 constexpr double min_ms = 1e-6;
 
 bool all_finite(const FrameWork::Values& values) {
@@ -24,8 +24,8 @@ bool all_finite(const FrameWork::Values& values) {
 }  // namespace
 
 const std::array<std::string, FrameWork::terms>& FrameWork::names() {
-  static const std::array<std::string, terms> names = {"megapixels", "covered_megapixels", "triangles",
-                                                       "drawables", "new_triangles"};
+  static const std::array<std::string, terms> names = {
+      "megapixels", "covered_megapixels", "triangles", "large_triangles", "drawables", "new_triangles"};
   return names;
 }
 
@@ -33,6 +33,7 @@ FrameWork at_least(const FrameWork& a, const FrameWork& b) {
   return {.megapixels = std::max(a.megapixels, b.megapixels),
           .covered_megapixels = std::max(a.covered_megapixels, b.covered_megapixels),
           .triangles = std::max(a.triangles, b.triangles),
+          .large_triangles = std::max(a.large_triangles, b.large_triangles),
           .drawables = std::max(a.drawables, b.drawables),
           .new_triangles = std::max(a.new_triangles, b.new_triangles)};
 }

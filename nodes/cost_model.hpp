@@ -12,12 +12,15 @@ struct FrameWork {
   double megapixels = 0;          ///< of the picture
   double covered_megapixels = 0;  ///< by each drawable by itself, summed: more than the picture has
   double triangles = 0;           ///< of the drawables
+  double large_triangles = 0;     ///< of those, the ones that may fill many pixels each; in between in part
   double drawables = 0;
   double new_triangles = 0;  ///< of chunks that no frame has drawn yet: they are read and decoded first
 
-  static constexpr size_t terms = 5;
+  static constexpr size_t terms = 6;
   using Values = std::array<double, terms>;
-  Values values() const { return {megapixels, covered_megapixels, triangles, drawables, new_triangles}; }
+  Values values() const {
+    return {megapixels, covered_megapixels, triangles, large_triangles, drawables, new_triangles};
+  }
   /// "megapixels", "covered_megapixels" …, in this order.
   static const std::array<std::string, terms>& names();
 };

@@ -13,6 +13,7 @@ struct SteeredFrame {
   double target_ms = 0;          ///< 0: it was not steered
   double asked_pixel_error = 0;  ///< the frame's own may be larger
   double pixel_error = 0;
+  double aim_ms = 0;  ///< what it was to cost at most: less than the target where predictions are uncertain
   double predicted_ms = 0;   ///< what it was to cost, before it was drawn
   double cost_ms = 0;        ///< what it did, in the same measure
   double wall_ms = 0;        ///< from its request to its picture; session: from picture to picture

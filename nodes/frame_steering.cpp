@@ -53,6 +53,7 @@ void FrameSteering::steer(FrameRequest& frame, double stretch) {
   if (unlearnt_) learn(*unlearnt_);
   unlearnt_.reset();
   const double asked = frame.state.pixel_error;
+  const double aim_ms = governor_.aim_ms() / stretch;
   tried_.clear();
   const GovernedFrame governed = governor_.choose(asked, [&](double pixel_error) {
     frame.state.pixel_error = pixel_error;
@@ -70,6 +71,7 @@ void FrameSteering::steer(FrameRequest& frame, double stretch) {
                       {.target_ms = options_.target_ms,
                        .asked_pixel_error = asked,
                        .pixel_error = governed.pixel_error,
+                       .aim_ms = aim_ms,
                        .predicted_ms = governed.predicted_ms / stretch,
                        .in_reach = governed.in_reach},
                       stretch});

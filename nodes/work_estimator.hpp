@@ -3,6 +3,7 @@
 
 #include "base/epoch_marks.hpp"
 #include "nodes/cost_model.hpp"
+#include "nodes/covered_pixels.hpp"
 #include "visibility/map_to_cut.hpp"
 
 #include <vector>
@@ -21,9 +22,8 @@ class WorkEstimator {
   void loaded(const std::vector<DrawableId>& drawn);
 
  private:
-  double covered_pixels(const FrameView& view, const SceneNode& node) const;
-
   const Skeleton& skeleton_;
+  CoveredPixels covered_;
   LazyCut cut_;
   CutMapper mapper_;
   EpochMarks loaded_, counted_;  ///< chunks

@@ -250,7 +250,10 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     report.placed_triangles = skeleton.placed_triangles;
     describe_tree(stored, file, report);
     report.import = skeleton.import;
-    work.pack().finish(std::move(stored), objects);
+    PackOptions said = options.said;
+    if (!said.empty() && report.contacts.crowded_parts > 0)
+      said["crowded-parts"] = std::to_string(report.contacts.crowded_parts);
+    work.pack().finish(std::move(stored), objects, said);
   });
   report.pack_bytes = std::filesystem::file_size(file);
   return report;

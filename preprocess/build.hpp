@@ -5,6 +5,7 @@
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_rules.hpp"
 #include "preprocess/contacts/contact_report.hpp"
+#include "scene/pack_options.hpp"
 #include "scene/skeleton.hpp"
 #include "simplify/simplify.hpp"
 
@@ -49,6 +50,10 @@ struct BuildOptions {
   /// same. Empty: it starts again.
   std::string fingerprint = {};
   BuildRules rules = {};
+  /// What the pack says of how it was built (section OPTS), beside what the build adds: "crowded-parts", how
+  /// many parts do not hold all the places where they touch, where there are any. Empty: the pack says
+  /// nothing.
+  PackOptions said = {};
   SimplifyLimits simplify_limits() const {
     SimplifyLimits limits = simplify;
     limits.keep_cover = keep.cover;

@@ -78,7 +78,8 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
   chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
 }
 
-void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> objects) {
+void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> objects,
+                        const PackOptions& options) {
   skeleton.surrounding.chunks = std::move(chunks_);
   const auto& effects = skeleton.surrounding.effects;
   const bool colored = std::count(effects.begin(), effects.end(), vertex_colors_effect) > 0;
@@ -108,6 +109,10 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
   if (!objects.empty()) {
     add_section(objects_type, [&](const auto& write) { write(objects); });
     table.back().version = objects_version;
+  }
+  if (!options.empty()) {
+    add_section(options_type, [&](const auto& write) { write(encode_pack_options(options)); });
+    table.back().version = options_version;
   }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,

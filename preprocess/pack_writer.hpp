@@ -5,6 +5,7 @@
 #include "base/record.hpp"
 #include "base/spool_file.hpp"
 #include "scene/chunk.hpp"
+#include "scene/pack_options.hpp"
 #include "scene/sub_hierarchy.hpp"
 
 #include <cstdint>
@@ -52,8 +53,10 @@ class PackWriter {
   Kept flush();
   /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place. Without
   /// instances the pack has the format version without sub-hierarchies. `objects`: the section OBJS
-  /// (preprocess/encode_objects.hpp); the pack has none if it is empty.
-  void finish(StoredSkeleton skeleton, std::span<const std::byte> objects = {});
+  /// (preprocess/encode_objects.hpp); `options`: what the section OPTS says. The pack has neither if they are
+  /// empty.
+  void finish(StoredSkeleton skeleton, std::span<const std::byte> objects = {},
+              const PackOptions& options = {});
   void finish(Skeleton skeleton) { finish(StoredSkeleton{std::move(skeleton), {}, {}}); }
 
  private:

@@ -120,6 +120,14 @@ std::string sentences(const json& rows) {
   return html;
 }
 
+/// What the packs promise beside distances.
+std::string promises(const json& sentences) {
+  std::string html;
+  for (const json& sentence : sentences)
+    html += fmt::format("<li>{}</li>\n", escape_html(sentence.get<std::string>()));
+  return html.empty() ? html : "<p>Promises of the builds:</p>\n<ul>\n" + html + "</ul>\n";
+}
+
 std::string cell(const json& row, const char* pointer, double scale, int decimals) {
   const json value = figure(row, pointer);
   return value.is_number() ? grouped(scale * value.get<double>(), decimals) : "–";
@@ -129,6 +137,8 @@ std::string cell(const json& row, const char* pointer, double scale, int decimal
 constexpr const char* legend =
     "px: the pixel error. ms, p95: median and 95th percentile of the frame times. triangles: drawn, the "
     "mean. "
+    "build s, pack MB: what building the pack took where it was built for this, and its size in millions of "
+    "bytes. "
     "wrong %: pixels that differ from full detail. deviation max, p99: how far surfaces are off on the "
     "screen, in "
     "pixels, the farthest of the points measured and 99 % of them. holes, swaps /M: pixels of holes and "
@@ -142,13 +152,15 @@ constexpr const char* legend =
 
 std::string table(const json& report) {
   const json& rows = report["rows"];
-  HtmlTable table{{"setting", "px", "ms", "p95", "triangles", "wrong %", "deviation max", "p99", "holes /M",
-                   "swaps /M", "cover %", "left out %", "popping", "RMSE", "SSIM", "butteraugli"},
-                  {}};
+  HtmlTable table{
+      {"setting", "px", "ms", "p95", "triangles", "build s", "pack MB", "wrong %", "deviation max", "p99",
+       "holes /M", "swaps /M", "cover %", "left out %", "popping", "RMSE", "SSIM", "butteraugli"},
+      {}};
   for (const json& row : rows) {
     table.rows.push_back({escape_html(series_name(row, rows)), cell(row, "/pixel_error", 1, 2),
                           cell(row, "/frame_ms/p50", 1, 2), cell(row, "/frame_ms/p95", 1, 2),
-                          cell(row, "/drawn_triangles/mean", 1, 0), cell(row, "/wrong_pixel_share", 100, 2),
+                          cell(row, "/drawn_triangles/mean", 1, 0), cell(row, "/build_seconds", 1, 1),
+                          cell(row, "/pack_bytes", 1e-6, 1), cell(row, "/wrong_pixel_share", 100, 2),
                           cell(row, "/deviation_px/max", 1, 3), cell(row, "/deviation_px/p99", 1, 3),
                           cell(row, "/hole_share", 1e6, 0), cell(row, "/swap_share", 1e6, 0),
                           cell(row, "/cover_kept", 100, 1), cell(row, "/missed_triangle_share", 100, 1),
@@ -165,8 +177,8 @@ std::string table(const json& report) {
 std::string verdict(const json& report) {
   if (report["violations"] == 0)
     return "<p><span class=\"met\">Kept:</span> no surface was found farther off than its pixel error "
-           "allows, and "
-           "exact strategies drew the whole cut's pictures.</p>\n";
+           "allows, holes and swaps are as promised below, and exact strategies drew the whole cut's "
+           "pictures.</p>\n";
   std::string html = "<p><span class=\"missed\">Broken promises:</span></p>\n<ul>\n";
   for (const json& violation : report["violated"]) {
     const json& row = report["rows"][violation["row"].get<size_t>()];
@@ -185,8 +197,8 @@ std::string accuracy_page(const json& report) {
                      fmt::format("<p class=\"quiet\">Path: {}.</p>\n",
                                  escape_html(report["frames_say"].get<std::string>())) +
                      verdict(report);
-  body += sentences(report["rows"]) + accuracy_strip(report) + charts(report["rows"]) +
-          accuracy_places(report) + table(report);
+  body += sentences(report["rows"]) + promises(report["promises"]) + accuracy_strip(report) +
+          charts(report["rows"]) + accuracy_places(report) + table(report);
   body += fmt::format("<p class=\"from\"><code>{}</code></p>\n",
                       escape_html(report["command"].get<std::string>()));
   return html_page(title, body);

@@ -78,11 +78,15 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
   constexpr std::array types = {geometry_type, skeleton_type, sub_hierarchies_type};
   const auto name_of = [&](size_t type) { return std::string_view(types[type].data(), types[type].size()); };
   Sections found{};
+  const auto take_once = [&](const std::array<char, 4>& type, const PackSection& section,
+                             std::optional<PackSection>& into) {
+    if (section.type != type) return;
+    if (into) fail(place, "names two {} sections", std::string_view(type.data(), type.size()));
+    into = section;
+  };
   for (const PackSection& section : table) {  // sections of other types are left to programs that know them
-    if (section.type == objects_type) {
-      if (objects_) fail(place, "names two OBJS sections");
-      objects_ = section;
-    }
+    take_once(objects_type, section, objects_);
+    take_once(options_type, section, options_);
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));
@@ -115,13 +119,25 @@ std::vector<std::byte> Pack::read_section(const PackSection& section, const std:
   return bytes;
 }
 
+void Pack::check_version(const PackSection& section, uint32_t known, const std::string& place) {
+  if (section.version == known) return;
+  fail(place, "is of version {}, this program reads {}: {}", section.version, known,
+       section.version < known ? "build the pack again" : "a newer program wrote it");
+}
+
+PackOptions Pack::read_options() const {
+  if (!options_) return {};
+  const std::string place = name_ + ": section OPTS";
+  check_version(*options_, options_version, place);
+  if (options_->size > max_pack_options_bytes)
+    fail(place, "has {} bytes, more than {}", options_->size, max_pack_options_bytes);
+  return decode_pack_options(read_section(*options_, place), place);
+}
+
 PackObjects Pack::read_objects() const {
   if (!objects_) return PackObjects(skeleton_);
   const std::string place = name_ + ": section OBJS";
-  if (objects_->version != objects_version) {
-    fail(place, "is of version {}, this program reads {}: {}", objects_->version, objects_version,
-         objects_->version < objects_version ? "build the pack again" : "a newer program wrote it");
-  }
+  check_version(*objects_, objects_version, place);
   return {decode_objects(read_section(*objects_, place), place), skeleton_, place};
 }
 

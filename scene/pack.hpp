@@ -5,6 +5,7 @@
 #include "base/descriptor.hpp"
 #include "scene/chunk.hpp"
 #include "scene/pack_format.hpp"
+#include "scene/pack_options.hpp"
 #include "scene/skeleton.hpp"
 
 #include <array>
@@ -34,6 +35,9 @@ class Pack {
   /// Error (file, section, byte) for damage, or for a section of another version. Without objects: an empty
   /// one. The pack must outlive it. scene/pack_objects.hpp has what it returns.
   PackObjects read_objects() const;
+  /// Reads and verifies what the pack says of how it was built, which opening a pack does not touch. Error
+  /// (file, section, byte) for damage, or for a section of another version. Empty where it says nothing.
+  PackOptions read_options() const;
   /// The same for all files with the same content: a hash of the skeleton and every chunk's checksum.
   uint64_t content_hash() const { return content_hash_; }
   uint64_t size() const { return size_; }
@@ -46,6 +50,7 @@ class Pack {
   void read();
   std::vector<PackSection> read_table();
   Sections find_sections(std::span<const PackSection> table);
+  static void check_version(const PackSection& section, uint32_t known, const std::string& place);
   std::vector<std::byte> read_section(const PackSection& section, const std::string& place) const;
   std::vector<std::byte> read_bytes(uint64_t offset, uint64_t count, const std::string& place) const;
 
@@ -54,7 +59,7 @@ class Pack {
   uint32_t format_version_ = 0;
   uint64_t size_ = 0, geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
-  std::optional<PackSection> objects_;
+  std::optional<PackSection> objects_, options_;
 };
 
 }  // namespace triptych

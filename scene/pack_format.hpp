@@ -26,6 +26,9 @@ inline constexpr std::array<char, 4> sub_hierarchies_type = {'S', 'U', 'B', 'H'}
 /// Only in packs of models with names. It is not read when a pack is opened.
 inline constexpr std::array<char, 4> objects_type = {'O', 'B', 'J', 'S'};
 inline constexpr uint32_t objects_version = 1;
+/// How the pack was built. It is not read when a pack is opened.
+inline constexpr std::array<char, 4> options_type = {'O', 'P', 'T', 'S'};
+inline constexpr uint32_t options_version = 1;
 
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;

@@ -3,6 +3,7 @@
 #include "base/progress.hpp"
 #include "base/signals.hpp"
 #include "measure/accuracy/accuracy_ground.hpp"
+#include "measure/accuracy/accuracy_promises.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -92,6 +93,7 @@ AccuracyResult measure_accuracy(std::span<const AccuracySubject> subjects,
     progress.advance();
   }
   find_deviations(result);
+  find_broken_promises(result);
   return result;
 }
 

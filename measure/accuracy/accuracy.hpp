@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct AccuracySubject {
   std::string representation;  ///< how its geometry gets finer and coarser: Representation::name()
   const Pack& pack;
   std::vector<SpeedDevice> devices;
+  std::optional<double> build_seconds{};  ///< where it was built for this
 };
 
 struct AccuracyOptions {
@@ -46,6 +48,9 @@ struct AccuracyOptions {
 /// One setting, and what it costs and spoils.
 struct AccuracyRow {
   std::string pack, strategy, representation, device;
+  PackOptions build{};  ///< how the pack was built, as it says
+  std::optional<double> build_seconds{};
+  uint64_t pack_bytes = 0;
   std::string may_miss{};  ///< of an approximate strategy: what, in its own words
   uint32_t min_pixels = 0;
   int width = 0, height = 0;
@@ -69,7 +74,8 @@ struct AccuracyViolation {
   size_t row = 0;
   std::string what;
   uint32_t frame = 0;
-  PointDeviation point{};  ///< of a deviation
+  /// What deviates, or what is there in the largest patch; its pixels are by how much, or of the patch.
+  PointDeviation point{};
 };
 
 /// One frame at one pixel error, for people to look at.

@@ -29,6 +29,7 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
   points_ = spread_pixels(options.points == 0 ? pixels : options.points, pixels);
   for (const double pixel_error : options.pixel_errors)
     whole_cuts_.push_back({pixel_error, std::make_shared<PictureTally>()});
+  const PackOptions build = subject.pack.read_options();
   for (const AccuracyStrategy& strategy : options.strategies) {
     for (size_t cut = 0; cut < whole_cuts_.size(); ++cut) {
       Setting setting{
@@ -43,6 +44,9 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
            .strategy = strategy.name,
            .representation = subject.representation,
            .device = device.name,
+           .build = build,
+           .build_seconds = subject.build_seconds,
+           .pack_bytes = subject.pack.size(),
            .may_miss = approximate ? approximate->may_miss() : "",
            .min_pixels = strategy.min_pixels,
            .width = view.width,

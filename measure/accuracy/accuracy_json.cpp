@@ -1,6 +1,7 @@
 #include "measure/accuracy/accuracy_json.hpp"
 
 #include "measure/accuracy/accuracy_advice.hpp"
+#include "measure/accuracy/accuracy_promises.hpp"
 #include "measure/accuracy/accuracy_words.hpp"
 #include "measure/json.hpp"
 
@@ -49,6 +50,18 @@ json row_json(const AccuracyRow& row) {
                  {"size", fmt::format("{}x{}", row.width, row.height)},
                  {"pixel_error", row.pixel_error},
                  {"min_pixels", row.min_pixels > 0 ? json(row.min_pixels) : json()}};
+  object["build"] = row.build.empty() ? json() : json(row.build);
+  object["build_seconds"] = or_null(row.build_seconds);
+  object["pack_bytes"] = row.pack_bytes;
+  for (const PatchPromise& promise : patch_promises()) {
+    const bool promised = is_promised(promise, row);
+    object["promised"][promise.what] = {
+        {"limit_a_million", promised ? json(promise.limit) : json()},
+        {"broken", promised && is_broken(promise, row)},
+        {"says", promised
+                     ? promise.keep() + " promises " + promise.in_words()
+                     : std::string(promise.what) + " are not promised: " + why_not_promised(promise, row)}};
+  }
   object["frame_ms"] = frames_json(row, [](const Frame& f) { return f.frame_ms; });
   object["cpu_ms"] = frames_json(row, [](const Frame& f) { return f.cpu_ms; });
   object["stages_ms"] = {
@@ -64,6 +77,7 @@ json row_json(const AccuracyRow& row) {
   object["hole_share"] = pictures.share_of_surface(pictures.hole_pixels);
   object["hole_pixels"] = pictures.hole_pixels;
   object["hole_largest"] = pictures.hole.pixels;
+  object["slit_pixels"] = pictures.slit_pixels;
   object["swap_share"] = pictures.share_of_surface(pictures.swap_pixels);
   object["swap_pixels"] = pictures.swap_pixels;
   object["swap_largest"] = pictures.swap.pixels;
@@ -86,6 +100,9 @@ json row_json(const AccuracyRow& row) {
 /// What a setting is.
 constexpr std::array setting_keys = {"pack",   "strategy", "min_pixels", "representation",
                                      "device", "size",     "pixel_error"};
+
+/// What is no figure, or not the same in all rows.
+bool in_words(const std::string& key) { return key == "may_miss" || key == "build" || key == "promised"; }
 
 void append_csv(const std::string& name, const json& value, std::vector<std::string>& names,
                 std::vector<std::string>& cells) {
@@ -125,7 +142,11 @@ json accuracy_json(const AccuracyResult& result) {
     violated.push_back(object);
   }
   const json advice = accuracy_advice(rows, violated);
-  return {{"rows", rows}, {"violations", violated.size()}, {"violated", violated}, {"advice", advice}};
+  return {{"rows", rows},
+          {"promises", promises_in_words(rows)},
+          {"violations", violated.size()},
+          {"violated", violated},
+          {"advice", advice}};
 }
 
 std::string accuracy_csv(const json& report) {
@@ -135,7 +156,7 @@ std::string accuracy_csv(const json& report) {
     const std::set<std::string> first(setting_keys.begin(), setting_keys.end());
     for (const char* key : setting_keys) append_csv(key, row[key], names, cells);
     for (const auto& [key, value] : row.items()) {
-      if (key != "may_miss" && first.count(key) == 0) append_csv(key, value, names, cells);
+      if (!in_words(key) && first.count(key) == 0) append_csv(key, value, names, cells);
     }
     if (text.empty()) text = joined(names);
     text += joined(cells);

@@ -12,6 +12,19 @@ using nlohmann::json;
 
 namespace {
 
+/// How many there are, and what was promised of them.
+std::string patches_in_words(const json& row, const std::string& key, const char* name) {
+  const json promised = row.value("promised", json::object()).value(name, json::object());
+  const bool is_promised = promised.contains("limit_a_million") && !promised["limit_a_million"].is_null();
+  const auto count = row[key + "_pixels"].get<uint64_t>();
+  if (count == 0) return fmt::format(", 0 {}{}", name, is_promised ? " as promised" : "");
+  const char* const says = !is_promised                     ? ""
+                           : promised["broken"].get<bool>() ? ", WHICH BREAKS THE PROMISE"
+                                                            : ", within the promise";
+  return fmt::format(", {} pixel{} of {} (the largest patch has {}){}", count, count == 1 ? "" : "s", name,
+                     row[key + "_largest"].get<uint64_t>(), says);
+}
+
 /// "1st", "2nd", "11th".
 std::string ordinal(uint32_t number) {
   const uint32_t last = number % 10, teens = number % 100 / 10;
@@ -86,18 +99,27 @@ std::string accuracy_sentence(const json& row, const json& rows) {
                 ? fmt::format(", SOME BY {:.3g} px, WHICH BREAKS THE PROMISE", worst)
                 : fmt::format(", no surface was found off by more than {:.2g} px {}", worst, where);
   }
-  const auto counted = [&](const char* pixels, const char* largest, const char* name) {
-    const auto count = row[pixels].get<uint64_t>();
-    if (count == 0) return fmt::format(", 0 {}", name);
-    return fmt::format(", {} pixel{} of {} (the largest patch has {})", count, count == 1 ? "" : "s", name,
-                       row[largest].get<uint64_t>());
-  };
-  text += counted("hole_pixels", "hole_largest", "holes") + counted("swap_pixels", "swap_largest", "swaps");
+  text += patches_in_words(row, "hole", "holes") + patches_in_words(row, "swap", "swaps");
   if (says_cover(row))
     text += fmt::format(", small things keep {:.0f} % of their cover", 100 * row["cover_kept"].get<double>());
   if (const double missed = row["missed_triangle_share"].get<double>(); missed > 0)
     text += fmt::format(", {} of the triangles in view are left out", share_in_words(missed));
   return text;
+}
+
+std::vector<std::string> promises_in_words(const json& rows) {
+  std::vector<std::string> sentences;
+  for (const json& row : rows) {
+    std::string name = row["pack"].get<std::string>();
+    if (row.contains("may_miss")) name += ", " + row["strategy"].get<std::string>();
+    const json promised = row.value("promised", json::object());
+    for (const auto& [what, promise] : promised.items()) {
+      std::string sentence = name + ": " + promise["says"].get<std::string>();
+      if (std::count(sentences.begin(), sentences.end(), sentence) == 0)
+        sentences.push_back(std::move(sentence));
+    }
+  }
+  return sentences;
 }
 
 }  // namespace triptych

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace triptych {
 
@@ -26,6 +27,10 @@ std::string frames_in_words(size_t frames, size_t path_frames, uint32_t every);
 
 /// A row of accuracy_json() in one sentence, beside the rows of the same setting at other errors.
 std::string accuracy_sentence(const nlohmann::json& row, const nlohmann::json& rows);
+
+/// What the builds promise of holes and swaps, or why they do not: a sentence for each pack and strategy,
+/// each once.
+std::vector<std::string> promises_in_words(const nlohmann::json& rows);
 
 /// Whether two rows differ in the pixel error alone.
 bool same_but_error(const nlohmann::json& one, const nlohmann::json& other);

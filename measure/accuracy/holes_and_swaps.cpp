@@ -1,6 +1,7 @@
 #include "measure/accuracy/holes_and_swaps.hpp"
 
 #include "base/threads.hpp"
+#include "measure/pixel_rays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,35 @@ PixelMask find_holes(std::span<const SurfacePixel> reference, std::span<const Su
     }
   }
   return holes;
+}
+
+uint64_t take_out_slits(const PackSurfaces& surfaces, const FrameView& view,
+                        std::span<const SurfacePixel> shown, PixelMask& holes) {
+  constexpr int beside = 2;  // pixels
+  const PixelRays rays(view);
+  uint64_t taken = 0;
+  std::vector<DrawableId> around;
+  for (int y = 0; y < holes.height; ++y) {
+    for (int x = 0; x < holes.width; ++x) {
+      if (holes.at(x, y) == 0) continue;
+      around.clear();
+      for (int row = std::max(y - beside, 0); row <= std::min(y + beside, holes.height - 1); ++row) {
+        for (int column = std::max(x - beside, 0); column <= std::min(x + beside, holes.width - 1);
+             ++column) {
+          const SurfacePixel& pixel = shown[static_cast<size_t>(row) * static_cast<size_t>(holes.width) +
+                                            static_cast<size_t>(column)];
+          if (!pixel.background() && std::count(around.begin(), around.end(), pixel.drawable) == 0)
+            around.push_back(pixel.drawable);
+        }
+      }
+      const bool slit = std::any_of(around.begin(), around.end(),
+                                    [&](DrawableId id) { return rays.hit(surfaces, id, x, y).has_value(); });
+      if (!slit) continue;
+      holes.at(x, y) = 0;
+      ++taken;
+    }
+  }
+  return taken;
 }
 
 PixelMask find_swaps(const Skeleton& skeleton, std::span<const SurfacePixel> reference,

@@ -16,6 +16,12 @@ int search_radius(double pixel_error);
 PixelMask find_holes(std::span<const SurfacePixel> reference, std::span<const SurfacePixel> shown, int width,
                      int height, int radius);
 
+/// Takes those pixels out of the holes whose middle what is shown beside them comes as near to as 1/128 of a
+/// pixel, and returns how many: surfaces that meet in corners on each other's edges are drawn with slits
+/// about as narrow as a device snaps corners, the full detail's too. shown: of that view.
+uint64_t take_out_slits(const PackSurfaces& surfaces, const FrameView& view,
+                        std::span<const SurfacePixel> shown, PixelMask& holes);
+
 /// Surfaces of which the reference shows nothing within `radius` pixels: no leaf that the drawable stands for
 /// in about the same base colour. What a drawable of many objects shows of one of them in place of another
 /// of the same colour is not seen.

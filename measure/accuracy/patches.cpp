@@ -9,7 +9,7 @@ namespace {
 
 /// Takes the patch that holds this pixel out of the mask.
 Patches take_patch(PixelMask& mask, int x, int y, std::vector<std::pair<int, int>>& open) {
-  Patches patch{.left = x, .bottom = y, .right = x + 1, .top = y + 1};
+  Patches patch{.left = x, .bottom = y, .right = x + 1, .top = y + 1, .x = x, .y = y};
   open.assign(1, {x, y});
   mask.at(x, y) = 0;
   while (!open.empty()) {

@@ -26,6 +26,7 @@ struct Patches {
   uint64_t largest = 0;  ///< pixels of the largest connected patch; neighbours share a side or a corner
   /// The box of that patch: from left, bottom up to, not including, right, top.
   int left = 0, bottom = 0, right = 0, top = 0;
+  int x = 0, y = 0;  ///< a pixel of it
 };
 Patches find_patches(PixelMask mask);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace triptych {
 
@@ -22,11 +23,20 @@ std::pair<int, int> pixel_of(const FrameView& view, const glm::dvec3& point) {
           clamped((eye.y / depth - v.camera.bottom) * v.focal_y(), v.height)};
 }
 
-void keep_worst(WorstPatch& worst, const Patches& patch, const PictureMeasures& measures,
-                const std::vector<uint8_t>& reference, const std::vector<uint8_t>& shown) {
+/// What a picture shows in the largest patch.
+PointDeviation place_of(const Patches& patch, const std::vector<SurfacePixel>& surface, int width) {
+  if (patch.largest == 0) return {};
+  const SurfacePixel& pixel =
+      surface[static_cast<size_t>(patch.y) * static_cast<size_t>(width) + static_cast<size_t>(patch.x)];
+  return {static_cast<double>(patch.largest), pixel.drawable, pixel.point, patch.x, patch.y};
+}
+
+void keep_worst(WorstPatch& worst, const Patches& patch, const PointDeviation& at,
+                const PictureMeasures& measures, const std::vector<uint8_t>& reference,
+                const std::vector<uint8_t>& shown) {
   if (patch.largest <= worst.pixels) return;
-  worst = {patch.largest, measures.frame, patch.left,      patch.bottom, patch.right,
-           patch.top,     measures.width, measures.height, reference,    shown};
+  worst = {patch.largest,  measures.frame,  patch.left, patch.bottom, patch.right, patch.top,
+           measures.width, measures.height, reference,  shown,        at};
 }
 
 }  // namespace
@@ -44,9 +54,13 @@ PictureMeasures measure_picture(const PackSurfaces& surfaces, const FrameView& v
   measures.wrong_pixels = difference.wrong_pixels;
   measures.squared_error = difference.squared_error;
   measures.ssim = difference.ssim;
-  measures.holes = find_patches(find_holes(reference.surface, shown.surface, width, height, radius));
+  PixelMask holes = find_holes(reference.surface, shown.surface, width, height, radius);
+  measures.slit_pixels = take_out_slits(surfaces, view, shown.surface, holes);
+  measures.holes = find_patches(std::move(holes));
   measures.swaps =
       find_patches(find_swaps(surfaces.skeleton(), reference.surface, shown.surface, width, height, radius));
+  measures.hole_at = place_of(measures.holes, reference.surface, width);
+  measures.swap_at = place_of(measures.swaps, shown.surface, width);
   measures.deviations = shown_deviations(surfaces, view, shown.surface, points.pixels);
   const std::vector<PointDeviation> back =
       reference_deviations(surfaces, view, points.cut, reference.surface, points.pixels);
@@ -65,11 +79,12 @@ void PictureTally::add(const PictureMeasures& measures, const std::vector<uint8_
   wrong_pixels += measures.wrong_pixels;
   untraced_pixels += measures.untraced_pixels;
   hole_pixels += measures.holes.pixels;
+  slit_pixels += measures.slit_pixels;
   swap_pixels += measures.swaps.pixels;
   squared_error_ += measures.squared_error;
   ssim_ += measures.ssim;
-  keep_worst(hole, measures.holes, measures, reference, shown);
-  keep_worst(swap, measures.swaps, measures, reference, shown);
+  keep_worst(hole, measures.holes, measures.hole_at, measures, reference, shown);
+  keep_worst(swap, measures.swaps, measures.swap_at, measures, reference, shown);
   for (const PointDeviation& point : measures.deviations) {
     deviations.push_back(static_cast<float>(point.pixels));
     if (point.pixels <= worst_deviation.point.pixels) continue;

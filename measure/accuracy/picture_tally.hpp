@@ -37,6 +37,9 @@ struct WorstPatch {
   int left = 0, bottom = 0, right = 0, top = 0;  ///< pixels of the picture
   int width = 0, height = 0;
   std::vector<uint8_t> reference, shown;  ///< whole pictures
+  /// One of its pixels and what is there: the surface that a hole is in, or that is swapped in; its pixels
+  /// are those of the patch.
+  PointDeviation at{};
 };
 
 struct WorstDeviation {
@@ -50,8 +53,10 @@ struct PictureMeasures {
   int width = 0, height = 0;
   uint64_t surface_pixels = 0;  ///< of the reference
   uint64_t wrong_pixels = 0, untraced_pixels = 0;
+  uint64_t slit_pixels = 0;  ///< of take_out_slits()
   double squared_error = 0, ssim = 1;
   Patches holes{}, swaps{};
+  PointDeviation hole_at{}, swap_at{};  ///< WorstPatch::at of the largest ones
   std::vector<PointDeviation> deviations{};
   std::optional<double> popping{};              ///< where the frame before is known
   std::optional<uint64_t> flickering_pixels{};  ///< where two are
@@ -80,7 +85,7 @@ class PictureTally {
   double share_of_pixels(uint64_t count) const;
   double share_of_surface(uint64_t count) const;
 
-  uint64_t wrong_pixels = 0, untraced_pixels = 0, hole_pixels = 0, swap_pixels = 0;
+  uint64_t wrong_pixels = 0, untraced_pixels = 0, hole_pixels = 0, slit_pixels = 0, swap_pixels = 0;
   WorstPatch hole, swap;
   std::vector<float> deviations;  ///< pixels
   WorstDeviation worst_deviation;

@@ -27,7 +27,7 @@ class Checking {
     check_nested_boxes();
     check_errors();
     check_chunks();
-    check_objects();
+    check_sections();
     check_distances();
     return std::move(report_);
   }
@@ -115,13 +115,18 @@ class Checking {
     }
   }
 
-  void check_objects() {
-    try {
-      pack_.read_objects();
-    } catch (const Error& error) {
-      ++report_.checksum_errors;
-      if (report_.messages.size() < options_.messages) report_.messages.push_back(error.what());
-    }
+  /// Those that opening the pack did not read.
+  void check_sections() {
+    const auto check = [&](const auto& read) {
+      try {
+        read();
+      } catch (const Error& error) {
+        ++report_.checksum_errors;
+        if (report_.messages.size() < options_.messages) report_.messages.push_back(error.what());
+      }
+    };
+    check([&] { pack_.read_objects(); });
+    check([&] { pack_.read_options(); });
   }
 
   static bool is_outward_as_said(const Chunk& chunk) {

@@ -30,7 +30,8 @@ struct CheckReport {
   uint64_t monotonicity_violations = 0;
   /// Chunks with triangles that are said to be outward (Chunk::outward) and are not proven to be.
   uint64_t outward_violations = 0;
-  uint64_t checksum_errors = 0;  ///< chunks, and the section OBJS, that do not verify or do not decode
+  uint64_t checksum_errors =
+      0;  ///< chunks, and the sections OBJS and OPTS, that do not verify or do not decode
   /// Error over measured distance, of simplified drawables whose measured distance exceeds the lattice's
   /// rounding.
   Distribution bound_over_measured;

@@ -18,7 +18,7 @@ namespace triptych {
 namespace {
 
 /// The most points on a triangle besides its vertices.
-constexpr uint64_t max_points_per_triangle = 16;
+constexpr uint64_t max_points_per_triangle = 4;
 
 /// A number that looks random and is the same on every machine (splitmix64, Sebastiano Vigna), from 0 up
 /// to 1.
@@ -85,18 +85,19 @@ double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t p
   std::vector<uint32_t> own(drawable.placement_count);
   for (uint32_t i = 0; i < drawable.placement_count; ++i) own[i] = drawable.first_placement + i;
   double largest = 0;
+  HeldTrees held;
   uint64_t visited = 0;
   const auto pause = [&] {
     if (++visited % 1024 == 0) between();
   };
   for_each_point(surfaces, own, points / 2, [&](const glm::dvec3& point) {
     pause();
-    largest = std::max(largest, surfaces.distance_to_source(drawable.scene_node, point, largest));
+    largest = std::max(largest, surfaces.distance_to_source(drawable.scene_node, point, largest, &held));
   });
   for_each_point(surfaces, surfaces.source_placements(drawable.scene_node), points / 2,
                  [&](const glm::dvec3& point) {
                    pause();
-                   largest = std::max(largest, surfaces.distance_to_drawable(id, point, largest));
+                   largest = std::max(largest, surfaces.distance_to_drawable(id, point, largest, &held));
                  });
   return largest;
 }

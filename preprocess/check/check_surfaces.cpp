@@ -79,19 +79,28 @@ std::shared_ptr<const ChunkTree> PackSurfaces::tree(uint32_t chunk) const {
   return made;
 }
 
+const ChunkTree& HeldTrees::of(const PackSurfaces& surfaces, uint32_t chunk) {
+  Entry& entry = entries_[chunk % entries_.size()];
+  if (!entry.tree || entry.chunk != chunk) entry = {chunk, surfaces.tree(chunk)};
+  return *entry.tree;
+}
+
 double PackSurfaces::nearest_placement(const Drawable& drawable, const glm::dvec3& point, double best,
-                                       double floor) const {
+                                       double floor, HeldTrees* held) const {
   for (uint32_t i = 0; i < drawable.placement_count && best > floor; ++i) {
     const uint32_t index = drawable.first_placement + i;
     if (distance_to_box(point, placement_boxes_[index]) >= best) continue;
     const Placement& placement = skeleton().placements[index];
-    best = tree(placement.chunk)->distance(placings_[placement.transform], point, best, floor);
+    const Placing& placing = placings_[placement.transform];
+    best = held ? held->of(*this, placement.chunk).distance(placing, point, best, floor)
+                : tree(placement.chunk)->distance(placing, point, best, floor);
   }
   return best;
 }
 
-double PackSurfaces::distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor) const {
-  return nearest_placement(skeleton().drawables[drawable], point, infinite, floor);
+double PackSurfaces::distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor,
+                                          HeldTrees* held) const {
+  return nearest_placement(skeleton().drawables[drawable], point, infinite, floor, held);
 }
 
 std::optional<PackSurfaces::Hit> PackSurfaces::first_hit(DrawableId id, const glm::dvec3& origin,
@@ -111,7 +120,7 @@ std::optional<PackSurfaces::Hit> PackSurfaces::first_hit(DrawableId id, const gl
 }
 
 PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node, const glm::dvec3& point,
-                                                         double floor) const {
+                                                         double floor, HeldTrees* held) const {
   struct Open {
     double distance;
     SceneNodeId node;
@@ -125,7 +134,7 @@ PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node,
     const SceneNode& node = skeleton().scene_nodes[next.node];
     if (node.child_count == 0) {
       const double distance =
-          nearest_placement(skeleton().drawables[node.first_drawable], point, best.distance, floor);
+          nearest_placement(skeleton().drawables[node.first_drawable], point, best.distance, floor, held);
       if (distance < best.distance) best = {distance, next.node};
       continue;
     }

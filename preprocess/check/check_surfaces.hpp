@@ -4,12 +4,29 @@
 #include "preprocess/check/chunk_tree.hpp"
 #include "scene/pack.hpp"
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 #include <vector>
 
 namespace triptych {
+
+class PackSurfaces;
+
+/// The trees that one thread has used last: who asks at many points need not share PackSurfaces' own list,
+/// and wait for others, at each of them. For one thread; must not outlive the surfaces.
+class HeldTrees {
+ public:
+  const ChunkTree& of(const PackSurfaces& surfaces, uint32_t chunk);
+
+ private:
+  struct Entry {
+    uint32_t chunk = 0;
+    std::shared_ptr<const ChunkTree> tree;
+  };
+  std::array<Entry, 64> entries_;
+};
 
 /// The surfaces of a pack's drawables and of their sources. Safe to use from several threads; keeps the trees
 /// that were used last. Error for a chunk that is damaged.
@@ -23,13 +40,16 @@ class PackSurfaces {
     double distance;
     SceneNodeId leaf = no_id;
   };
-  NearestSource nearest_source(SceneNodeId scene_node, const glm::dvec3& point, double floor) const;
+  NearestSource nearest_source(SceneNodeId scene_node, const glm::dvec3& point, double floor,
+                               HeldTrees* held = nullptr) const;
   /// The distance to the finest leaf drawables below a scene node, and to one drawable. `floor`: as
   /// ChunkTree::distance has it.
-  double distance_to_source(SceneNodeId scene_node, const glm::dvec3& point, double floor) const {
-    return nearest_source(scene_node, point, floor).distance;
+  double distance_to_source(SceneNodeId scene_node, const glm::dvec3& point, double floor,
+                            HeldTrees* held = nullptr) const {
+    return nearest_source(scene_node, point, floor, held).distance;
   }
-  double distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor) const;
+  double distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor,
+                              HeldTrees* held = nullptr) const;
 
   /// Where a line first meets a drawable; as ChunkTree::first_hit.
   struct Hit {
@@ -48,8 +68,8 @@ class PackSurfaces {
   const Placing& placing(uint32_t transform) const { return placings_[transform]; }
 
  private:
-  double nearest_placement(const Drawable& drawable, const glm::dvec3& point, double best,
-                           double floor) const;
+  double nearest_placement(const Drawable& drawable, const glm::dvec3& point, double best, double floor,
+                           HeldTrees* held) const;
 
   struct Entry {
     std::shared_ptr<const ChunkTree> tree;

@@ -1,14 +1,16 @@
 // The pack reader behind its checksums, which a fuzzer cannot guess: first byte 0, then the length of a
 // skeleton, the skeleton, and the geometry that its chunks are in. First byte 1: a pack file as it stands.
 // First byte 2: the length of a skeleton, the skeleton, and the section of sub-hierarchies. First byte 3: the
-// section of objects.
+// section of objects. First byte 4: the section of options.
 #include "base/error.hpp"
 #include "fuzz_target.hpp"
 #include "scene/expand.hpp"
 #include "scene/pack.hpp"
 #include "scene/pack_objects.hpp"
+#include "scene/pack_options.hpp"
 #include "scene/pack_skeleton.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -86,10 +88,17 @@ void read_objects(std::span<const std::byte> bytes) {
   }
 }
 
+/// What was read is written as it was.
+void read_options(std::span<const std::byte> bytes) {
+  const std::vector<std::byte> again = encode_pack_options(decode_pack_options(bytes, "options"));
+  if (!std::equal(bytes.begin(), bytes.end(), again.begin(), again.end())) std::abort();
+}
+
 void read_file_of(std::span<const uint8_t> bytes) {
   const Pack pack(fuzz::file_of(bytes));
   for (uint32_t i = 0; i < pack.skeleton().chunks.size(); ++i) pack.read_chunk(i);
   pack.read_objects();
+  pack.read_options();
 }
 
 }  // namespace
@@ -104,6 +113,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (data[0] == 1) triptych::read_file_of(rest);
     if (data[0] == 2) triptych::expand_parts(std::as_bytes(rest));
     if (data[0] == 3) triptych::read_objects(std::as_bytes(rest));
+    if (data[0] == 4) triptych::read_options(std::as_bytes(rest));
   } catch (const triptych::Error&) {
   }
   return 0;

@@ -203,7 +203,8 @@ void write_pack() {
   const auto file = folder / "whole.tpk";
   PackWriter writer(file);
   writer.add_chunk(chunk, 0);
-  writer.finish(skeleton);
+  const PackOptions options = {{"bound", "fast"}, {"keep", "cover,touching"}};
+  writer.finish({skeleton, {}, {}}, {}, options);
   ByteWriter whole;
   whole.write(uint8_t{1});
   whole.write_all(std::span<const std::byte>(read_file(file)));
@@ -237,6 +238,10 @@ void write_pack() {
   section.write(uint8_t{3});
   section.write_all(std::span<const std::byte>(encode_objects(objects)));
   write("pack/objects", section.bytes());
+  ByteWriter said;
+  said.write(uint8_t{4});
+  said.write_all(std::span<const std::byte>(encode_pack_options(options)));
+  write("pack/options", said.bytes());
 
   const auto encoded = encode_chunk(chunk);
   const auto parts_of = [](uint8_t kind, const std::vector<std::byte>& first,

@@ -92,6 +92,30 @@ TEST(BuildFlags, as_arguments_give_the_same_flags_again) {
   EXPECT_EQ(parse(arguments).import.unit, LengthUnit::foot);
 }
 
+TEST(BuildFlags, as_words_say_what_decides_about_the_pack_and_nothing_else) {
+  const PackOptions words = build_words(parse({"a.obj"}));
+  EXPECT_EQ(words.at("keep"), name_of(BuildOptions().keep));
+  EXPECT_EQ(words.at("bound"), name_of(BuildOptions().simplify.bound));
+  EXPECT_EQ(words.at("flat"), "no");
+  EXPECT_EQ(words, build_words(parse({"/tmp/b.obj", "--memory", "2G"})));
+  for (const std::vector<std::string>& flag : {std::vector<std::string>{"--up", "z"},
+                                               {"--unit", "mm"},
+                                               {"--chord", "0.5"},
+                                               {"--simplifier", "openmesh"},
+                                               {"--bound", "tight"},
+                                               {"--hierarchy", "median_split"},
+                                               {"--bake-instances"},
+                                               {"--flat"},
+                                               {"--part-triangles", "99"},
+                                               {"--leaf-triangles", "99"},
+                                               {"--hlod-triangles", "99"},
+                                               {"--keep", "none"}}) {
+    std::vector<std::string> arguments = {"a.obj"};
+    arguments.insert(arguments.end(), flag.begin(), flag.end());
+    EXPECT_EQ(build_words(parse(arguments)).at(flag[0].substr(2)), flag.size() > 1 ? flag[1] : "yes");
+  }
+}
+
 TEST(BuildFingerprint, changes_with_every_flag_that_changes_the_pack_and_with_the_files) {
   const Folder folder;
   const std::string model = folder.file("model.obj");

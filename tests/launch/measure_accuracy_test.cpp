@@ -2,6 +2,7 @@
 #include "tests/session/program.hpp"
 #include "tests/support/small_pack.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <set>
@@ -136,6 +137,84 @@ TEST_F(MeasureAccuracy, a_bound_that_promises_too_much_ends_with_exit_code_1_and
   EXPECT_GT(report["violations"], 0);
   EXPECT_EQ(report["violated"][0]["place"].size(), 3u);
   EXPECT_GT(report["violated"][0]["pixels"].get<double>(), 0.1);
+}
+
+/// A wavy sphere of radius 10, as an object for each of so many sectors, which share no points.
+void write_sphere(const std::string& file, int sectors, int rings) {
+  std::ofstream obj(file);
+  constexpr double pi = 3.14159265358979;
+  int first = 1;
+  for (int sector = 0; sector < sectors; ++sector) {
+    obj << "o sector_" << sector << "\n";
+    const int columns = 2 * rings / sectors;
+    for (int i = 0; i <= rings; ++i) {
+      for (int k = 0; k <= columns; ++k) {
+        // The seam of the last sector is that of the first one, to the bit.
+        const double around = 2 * pi * ((sector * columns + k) % (2 * rings)) / (2 * rings);
+        const double down = pi * i / rings;
+        const double r = 10 * (1 + 0.05 * std::sin(9 * down) * std::sin(6 * around));
+        obj << "v " << r * std::sin(down) * std::cos(around) << " " << r * std::cos(down) << " "
+            << r * std::sin(down) * std::sin(around) << "\n";
+      }
+    }
+    for (int i = 0; i < rings; ++i) {
+      for (int k = 0; k < columns; ++k) {
+        const int a = first + i * (columns + 1) + k, b = a + columns + 1;
+        obj << "f " << a << " " << a + 1 << " " << b << "\nf " << a + 1 << " " << b + 1 << " " << b << "\n";
+      }
+    }
+    first += (rings + 1) * (columns + 1);
+  }
+}
+
+TEST_F(MeasureAccuracy,
+       a_hole_where_surfaces_touch_ends_with_exit_code_1_and_packs_that_it_builds_have_none) {
+  const std::string model = folder.file("sphere.obj"), around = folder.file("around.json");
+  write_sphere(model, 8, 48);
+  std::ofstream(around) << R"({"triptych_path": 1, "fov_y_degrees": 90, "frames": [)"
+                        << R"({"eye": [1, 0, 2], "target": [5, 1, 3], "up": [0, 1, 0]},)"
+                        << R"({"eye": [-2, 1, 1], "target": [-3, 0, 6], "up": [0, 1, 0]}]})";
+  const std::string build = "--part-triangles 300 --leaf-triangles 300 --hlod-triangles 48";
+  const std::vector<std::string> common = {"measure", "accuracy", "--model",      model,           "--path",
+                                           around,    "-o",       output,         "--json",        json,
+                                           "--size",  "160x120",  "--strategies", "occlusion",     "--shifts",
+                                           "0",       "--build",  build,          "--pixel-error", "8"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    return more;
+  };
+  run(with({"--build", build + " --keep none"}));
+  const nlohmann::json rows = json_of(json)["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_NE(rows[0]["build"]["keep"].get<std::string>().find("touching"), std::string::npos);
+  EXPECT_EQ(rows[1]["build"]["keep"], "none");
+  EXPECT_EQ(rows[0]["hole_pixels"], 0);
+  EXPECT_FALSE(rows[0]["promised"]["holes"]["limit_a_million"].is_null());
+  EXPECT_GT(rows[1]["hole_pixels"].get<int>(), 0) << "nothing to keep";
+  for (const nlohmann::json& row : rows) {
+    EXPECT_GT(row["build_seconds"].get<double>(), 0);
+    EXPECT_GT(row["pack_bytes"].get<uint64_t>(), 0u);
+  }
+  Program loose(with({"--inject", "loose-contacts"}));
+  EXPECT_EQ(loose.wait(), 1) << loose.errors();
+  const std::string message = loose.errors();
+  EXPECT_NE(message.find("pixels of holes"), std::string::npos) << message;
+  EXPECT_NE(message.find("--keep touching"), std::string::npos) << message;
+  EXPECT_NE(message.find(" at 8 px, frame "), std::string::npos) << message;
+  EXPECT_NE(message.find("of drawable "), std::string::npos) << message;
+}
+
+TEST_F(MeasureAccuracy, builds_that_are_none_are_usage_errors) {
+  const std::string pack = write_pack(small_pack());
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--build", "--keep none"},
+                                               {"--model", path},
+                                               {"--model", path, "--build", "--keep everything"},
+                                               {"--model", path, "--build", "other.obj"},
+                                               {"--model", path, "--build", "--flat", "--build", "--flat"}}) {
+    Program program(words(pack, more));
+    EXPECT_EQ(program.wait(), 2) << more.back();
+    EXPECT_NE(program.errors().find("--build"), std::string::npos) << program.errors();
+  }
 }
 
 TEST_F(MeasureAccuracy, sizes_errors_and_strategies_that_are_none_are_usage_errors) {

@@ -168,7 +168,9 @@ TEST_F(MeasureCommands, a_path_that_is_missing_is_said_before_anything_is_built)
 }
 
 TEST_F(MeasureCommands, info_has_the_papers_table_and_the_hierarchys_quality) {
-  run({"build", model, "-o", folder.file("built.tpk"), "--leaf-triangles", "900", "--part-triangles", "400"});
+  const std::string built = folder.file("built.json");
+  run({"build", model, "-o", folder.file("built.tpk"), "--leaf-triangles", "900", "--part-triangles", "400",
+       "--json", built});
   run({"info", folder.file("built.tpk"), "--json", json});
   const nlohmann::json report = json_of(json);
   for (const char* key : {"initial", "partition1", "clusters", "partition2"})
@@ -183,6 +185,8 @@ TEST_F(MeasureCommands, info_has_the_papers_table_and_the_hierarchys_quality) {
   }
   EXPECT_EQ(drawables, report["drawables"]);
   EXPECT_EQ(nodes, report["scene_nodes"]);
+  EXPECT_EQ(report["build"]["leaf-triangles"], "900") << "how it was built";
+  EXPECT_EQ(report["build"]["keep"], json_of(built)["keep"]);
   EXPECT_GT(hierarchy["balance"]["mean"].get<double>(), 0);
   EXPECT_LT(hierarchy["overlap"]["mean"].get<double>(), 1);
 }

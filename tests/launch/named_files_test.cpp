@@ -172,8 +172,8 @@ TEST_F(NamedFiles, of_every_command_are_known_as_read_or_written) {
   std::set<std::string> read, written, others;
   collect(app, read, written, others);
   using Names = std::set<std::string>;
-  EXPECT_EQ(read, (Names{"--hosts", "--key-file", "--pack", "--path", "--with", "folder", "input", "manifest",
-                         "pack"}));
+  EXPECT_EQ(read, (Names{"--hosts", "--key-file", "--model", "--pack", "--path", "--with", "folder", "input",
+                         "manifest", "pack"}));
   EXPECT_EQ(written, (Names{"--journal", "--json", "--keep-pack", "--output", "--record", "--timeline"}));
   for (const std::string& name : read) EXPECT_EQ(others.count(name), 0u) << name << " is of two kinds";
 }

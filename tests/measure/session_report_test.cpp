@@ -120,11 +120,11 @@ TEST(RoleRecord, its_version_goes_up_when_its_keys_change) {
   const nlohmann::json flat = to_json(record).flatten();
   for (const auto& [key, value] : flat.items()) keys += key + " ";
   // Where these differ now, raise role_record_version and write the new ones down here.
-  EXPECT_EQ(role_record_version, 3);
+  EXPECT_EQ(role_record_version, 4);
   EXPECT_EQ(keys,
             "/clocks/0/ahead_ms /clocks/0/peer /clocks/0/uncertainty_ms "
             "/cost_coefficients/0 /cost_coefficients/1 /cost_coefficients/2 /cost_coefficients/3 "
-            "/cost_coefficients/4 /device/renderer "
+            "/cost_coefficients/4 /cost_coefficients/5 /device/renderer "
             "/device/vendor /device/version /frames/0/added /frames/0/camera_to_image_ms "
             "/frames/0/cut_drawables /frames/0/digest_mismatch /frames/0/drawn_triangles "
             "/frames/0/fallback /frames/0/frame_ms /frames/0/hardware_cull_ms "
@@ -132,7 +132,8 @@ TEST(RoleRecord, its_version_goes_up_when_its_keys_change) {
             "/frames/0/latency_render_ms /frames/0/latency_waiting_ms "
             "/frames/0/level_changes /frames/0/lost /frames/0/network_ms /frames/0/number "
             "/frames/0/occlusion_representation_ms /frames/0/picture_hash /frames/0/removed "
-            "/frames/0/render_ms /frames/0/steered/asked_pixel_error /frames/0/steered/cost_ms "
+            "/frames/0/render_ms /frames/0/steered/aim_ms /frames/0/steered/asked_pixel_error "
+            "/frames/0/steered/cost_ms "
             "/frames/0/steered/in_reach /frames/0/steered/pixel_error /frames/0/steered/predicted_ms "
             "/frames/0/steered/target_ms /frames/0/steered/undisturbed /frames/0/steered/wall_ms "
             "/frames/0/tests /frames/0/visible/0 /frames/0/visible/1 "

@@ -10,7 +10,7 @@ namespace {
 FrameRecord frame(double pixel_error, double predicted_ms, double cost_ms, double wall_ms, bool undisturbed,
                   bool in_reach = true) {
   FrameRecord record;
-  record.steered = {10, 1, pixel_error, predicted_ms, cost_ms, wall_ms, undisturbed, in_reach};
+  record.steered = {10, 1, pixel_error, 9, predicted_ms, cost_ms, wall_ms, undisturbed, in_reach};
   return record;
 }
 
@@ -20,7 +20,7 @@ TEST(SteeringReport, counts_what_was_kept_raised_and_out_of_reach) {
       add_steering(report,
                    {frame(1, 8, 10, 11, true), frame(2, 9, 12, 30, false), frame(4, 10, 12.5, 13, true),
                     frame(64, 15, 20, 20, false, false), FrameRecord{}},
-                   10, "wall", {1, 2, 3, 4, 5});
+                   10, "wall", {1, 2, 3, 4, 5, 6});
   EXPECT_EQ(report["target_ms"], 10);
   EXPECT_EQ(report["pixel_error"]["max"], 64);
   EXPECT_EQ(report["series"]["pixel_error"], nlohmann::json({1.0, 2.0, 4.0, 64.0}));

@@ -37,6 +37,9 @@ TEST_F(FrameSteeringTest, a_set_of_the_frame_s_own_cut_is_estimated_as_what_it_i
   EXPECT_EQ(before.drawables, static_cast<double>(visible.size()));
   EXPECT_DOUBLE_EQ(before.megapixels, 1e-6 * width * height);
   EXPECT_GT(before.covered_megapixels, 0);
+  EXPECT_LE(before.covered_megapixels, before.megapixels * before.drawables);
+  EXPECT_GT(before.large_triangles, 0);
+  EXPECT_LT(before.large_triangles, triangles);
   EXPECT_GT(before.new_triangles, 0);
   estimator.loaded(visible);
   EXPECT_EQ(estimator.estimate(view, visible).new_triangles, 0);

@@ -19,6 +19,8 @@ nlohmann::json row(const std::string& strategy, double pixel_error, double ms, d
           {"pixel_error", pixel_error},
           {"frame_ms", {{"p50", ms}, {"p95", ms}}},
           {"drawn_triangles", {{"mean", 1234}}},
+          {"build_seconds", 2.5},
+          {"pack_bytes", 3400000},
           {"deviation_px", {{"max", deviation}, {"p99", deviation}}},
           {"wrong_pixel_share", 0.01},
           {"hole_share", 0.0},
@@ -39,6 +41,7 @@ nlohmann::json report() {
           {"rows", {row("occlusion", 1, 2.5, 0.8), row("occlusion", 4, 1.5, 3.1)}},
           {"frames_say", "frames 0 to 280 of 300, every 20th"},
           {"advice", {{{"pack", "a.tpk"}, {"says", "a.tpk: take 4 px"}}}},
+          {"promises", {"a.tpk: --keep touching promises no holes"}},
           {"violations", 0},
           {"violated", nlohmann::json::array()},
           {"strip", {{{"pixel_error", 0.0}, {"frame", 7}, {"file", "pictures/full-detail.png"}}}},
@@ -73,6 +76,7 @@ TEST(AccuracyPage, has_sentences_charts_pictures_and_patches_and_loads_nothing_f
   EXPECT_GT(page.find("a.tpk: take 4 px"), page.find("</table>"));
   EXPECT_NE(page.find("holes, pixels a million: 0 at every setting"), std::string::npos);
   EXPECT_NE(page.find("popping, of 255: not measured"), std::string::npos);
+  EXPECT_NE(page.find("<li>a.tpk: --keep touching promises no holes</li>"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_EQ(page.find("<one"), std::string::npos);
 }

@@ -21,7 +21,7 @@ class TargetTime : public SceneFiles {
               steering.at("prediction_error").at("p50").get<double>());
     for (const auto& [term, milliseconds] : steering.at("coefficients_ms").items())
       EXPECT_GE(milliseconds.get<double>(), 0) << term;
-    for (const char* key : {"pixel_error", "cost_ms", "predicted_ms"})
+    for (const char* key : {"pixel_error", "aim_ms", "cost_ms", "predicted_ms"})
       EXPECT_EQ(report.at("series").at(key).size(), frame_count) << key;
   }
 };

@@ -100,7 +100,7 @@ inline SmallPack small_pack() {
 /// have one each.
 inline std::filesystem::path write_pack(const std::vector<Chunk>& chunks,
                                         const std::vector<uint32_t>& chunk_lattices,
-                                        const StoredSkeleton& skeleton) {
+                                        const StoredSkeleton& skeleton, const PackOptions& options = {}) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const char* device = std::getenv("TRIPTYCH_TEST_DEVICE");
   const auto file =
@@ -108,12 +108,12 @@ inline std::filesystem::path write_pack(const std::vector<Chunk>& chunks,
                                                    test->test_suite_name() + "_" + test->name() + ".tpk");
   PackWriter writer(file);
   for (size_t i = 0; i < chunks.size(); ++i) writer.add_chunk(chunks[i], chunk_lattices[i]);
-  writer.finish(skeleton);
+  writer.finish(skeleton, {}, options);
   return file;
 }
 
-inline std::filesystem::path write_pack(const SmallPack& pack) {
-  return write_pack(pack.chunks, pack.chunk_lattices, {pack.skeleton, {}, {}});
+inline std::filesystem::path write_pack(const SmallPack& pack, const PackOptions& options = {}) {
+  return write_pack(pack.chunks, pack.chunk_lattices, {pack.skeleton, {}, {}}, options);
 }
 
 }  // namespace triptych::test

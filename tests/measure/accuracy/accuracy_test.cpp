@@ -2,6 +2,7 @@
 #include "measure/accuracy/accuracy.hpp"
 
 #include "measure/accuracy/accuracy_json.hpp"
+#include "measure/accuracy/holes_and_swaps.hpp"
 #include "nodes/pack_device.hpp"
 #include "nodes/picture_stage.hpp"
 #include "tests/support/scenes.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace triptych {
 namespace {
@@ -126,13 +128,37 @@ TEST(Accuracy, a_hole_is_found_where_a_level_lost_a_surface) {
   EXPECT_FALSE(result.violations.empty()) << "the way back: nothing stands for the surface";
 }
 
+TEST(Accuracy, a_hole_is_a_slit_where_what_is_shown_beside_it_covers_its_middle) {
+  const Pack pack(write_pack(small_pack()));
+  const PackSurfaces surfaces(pack);
+  const FrameRequest frame = from_above(1).front();
+  const FrameView view(pack.skeleton(), frame.state);
+  PixelMask holes(frame.state.view.width, frame.state.view.height);
+  std::vector<SurfacePixel> shown(holes.pixels.size(), SurfacePixel{.drawable = 0});
+  const auto open = [&](int x, int y) {
+    holes.at(x, y) = 1;
+    shown[static_cast<size_t>(y * holes.width + x)] = {};
+  };
+  open(60, 70);   // the middle of the root's square over leaf 1
+  open(200, 70);  // between its squares
+  EXPECT_EQ(take_out_slits(surfaces, view, shown, holes), 1u);
+  EXPECT_FALSE(std::as_const(holes).at(60, 70));
+  EXPECT_TRUE(std::as_const(holes).at(200, 70));
+}
+
 TEST(Accuracy, a_swap_is_found_where_a_level_shows_another_colour) {
   const Pack pack(write_pack(small_pack()));  // the root's square over the red leaf is green
   const AccuracyResult result = measure(pack, from_above(), options({5.1}));
   const PictureTally& pictures = *result.rows.front().pictures;
   EXPECT_NEAR(static_cast<double>(pictures.swap.pixels), 80 * 80, 200);
   EXPECT_EQ(pictures.hole_pixels, 0u);
-  EXPECT_TRUE(result.violations.empty()) << "no distance shows it";
+  EXPECT_TRUE(result.violations.empty()) << "no distance shows it, and the pack promises nothing else";
+  const Pack promising(write_pack(small_pack(), {{"keep", "order,planes"}}));
+  const AccuracyResult broken = measure(promising, from_above(), options({5.1}));
+  ASSERT_EQ(broken.violations.size(), 1u);
+  EXPECT_NE(broken.violations[0].what.find("of swaps"), std::string::npos) << broken.violations[0].what;
+  EXPECT_LT(broken.violations[0].point.place.x, 8.01) << "over the red leaf";
+  EXPECT_EQ(broken.violations[0].point.drawable, 0u);
 }
 
 TEST(Accuracy, between_frames_that_do_not_follow_each_other_nothing_pops) {
