@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fmt/core.h>
 #include <map>
+#include <nlohmann/json.hpp>
 
 namespace triptych {
 
@@ -201,6 +202,20 @@ void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes) {
                 },
                 "Draw the path at each of these sizes, instead of --size"))
       ->type_name("WxH,...");
+}
+
+void add_picture_flags(CLI::App& command, RunOptions& options) {
+  const std::map<std::string, uint32_t> counts{{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}};
+  add_choice_flag(command, "--samples", options.samples, counts,
+                  "Samples a pixel: more make outlines smooth, and take as many times longer")
+      ->type_name("1|4|8|16")
+      ->default_str("1");
+  command.add_flag("--edges", options.edges, "Draw edges and creases as thin lines");
+}
+
+void add_picture(nlohmann::json& report, const RunOptions& options) {
+  report["samples"] = options.samples;
+  report["edges"] = options.edges;
 }
 
 void add_every_flag(CLI::App& command, RunOptions& options) {

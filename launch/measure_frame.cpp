@@ -71,6 +71,7 @@ int run(const MeasureFrameCommand& command) {
   }
   fmt::print("{}", text_table({"step", "us", "median", "p95", "allocations"}, lines));
   add_device(report, chosen.names);
+  add_picture(report, command.run);
   write_json(command.run.json, report);
   return 0;
 }
@@ -83,6 +84,7 @@ void add_measure_frame(CLI::App& measure, Action& action) {
       "frame", "The steps of a frame without drawing: microseconds and allocations of each");
   frame->footer("Example: triptych measure frame scene.tpk --path walk.json --json frame.json");
   add_run_flags(*frame, command->run);
+  add_picture_flags(*frame, command->run);
   frame->add_option("--rounds", command->rounds, "How often the path is played; the medians are reported")
       ->check(whole_number(1, 1000))
       ->capture_default_str();

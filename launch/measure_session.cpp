@@ -119,6 +119,7 @@ int run(SessionOptions options) {
   measurement.fallback = comparisons[1];
   nlohmann::json report = session_report(pack, measurement);
   report["batches"] = batches;
+  add_picture(report, options.run);
   if (batches.size() > 1) print_batches(batches);
   fmt::print(
       "{} frames, median {:.1f} ms (one process {:.1f} ms); {} of {} identical to the un-culled picture\n",

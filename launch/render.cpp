@@ -67,6 +67,7 @@ int run(const RenderCommand& command) {
       {"series", frame_series(records)},
       {"peak_rss_bytes", peak_resident_bytes()}};
   add_device(report, device.names);
+  add_picture(report, command.run);
   fmt::print(
       "{} frames on {}, median {:.1f} ms, {:.0f} drawables and {:.0f} triangles drawn of a cut of {:.0f}\n",
       records.size(), device_name(device.options.kind), report["frame_ms"]["p50"].get<double>(),
@@ -85,6 +86,7 @@ void add_render(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("render", "Draw a path in one process, without a display");
   sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
   add_run_flags(*sub, command->run);
+  add_picture_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
   add_cull_flags(*sub, command->cull);

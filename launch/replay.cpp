@@ -59,6 +59,8 @@ class Replayer {
     drawn_.insert(frame.request.number);
     frames_.push_back({{"number", frame.request.number},
                        {"pixel_error", frame.request.state.pixel_error},
+                       {"samples", frame.request.state.samples},
+                       {"edges", frame.request.state.edges},
                        {"visible", frame.visible.size()},
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},

@@ -74,6 +74,7 @@ void add_role(CLI::App& app, Action& action) {
   auto render_command = std::make_shared<RoleCommand>();
   CLI::App* render = role->add_subcommand("render", "The render node: sends cameras, draws pictures");
   add_run_flags(*render, render_command->run);
+  add_picture_flags(*render, render_command->run);
   add_target_flag(*render, render_command->run);
   add_connection_flags(*render, *render_command);
   render->add_option("-o,--output", render_command->output, "Folder for the PNG files")->type_name("DIR");

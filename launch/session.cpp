@@ -50,6 +50,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
       {"pictures_are", same_device ? "identical" : "conservative"},
       {"roles", roles}};
   if (!outcome.records.front().device.vendor.empty()) add_device(report, outcome.records.front().device);
+  add_picture(report, options.run);
   if (options.hash) {
     report["pictures"] = nlohmann::json::array();
     for (const FrameRecord& frame : frames)

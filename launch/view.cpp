@@ -66,6 +66,7 @@ int run(const ViewCommand& command) {
       {"drawn_triangles", distribution_json(records, [](const FrameRecord& r) { return r.drawn_triangles; })},
       {"peak_rss_bytes", peak_resident_bytes()}};
   add_device(report, device.names);
+  add_picture(report, command.run);
   fmt::print("{} frames on {}, median {:.1f} ms\n", records.size(), device_name(device.options.kind),
              report["frame_ms"]["p50"].get<double>());
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
@@ -80,6 +81,7 @@ void add_view(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("view", "Walk through a pack in a window, in one process");
   sub->footer("Example: triptych view scene.tpk --path walk.json\nKeys:\n" + viewer_help());
   add_run_flags(*sub, command->run);
+  add_picture_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
   sub->get_option("--frames")->required(false);

@@ -12,7 +12,7 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
                       const VisibleSet& visible) {
   const View& view = state.view;
   const Camera& camera = view.camera;
-  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 8> fields;
+  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 4 + 1 + 8> fields;
   std::byte* end = fields.data();
   const auto add = [&](const auto& value) {
     std::memcpy(end, &value, sizeof(value));
@@ -29,6 +29,8 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
   add(static_cast<uint8_t>(camera.projection));
   add(view.width);
   add(view.height);
+  add(state.samples);
+  add(static_cast<uint8_t>(state.edges));
   add(pack_hash);
   assert(end == fields.data() + fields.size());
   return hash_values(std::span<const DrawableId>(visible), hash_bytes(fields));

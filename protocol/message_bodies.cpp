@@ -3,8 +3,10 @@
 #include "protocol/delta_codec.hpp"
 #include "protocol/wire.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -20,7 +22,16 @@ namespace {
 constexpr uint32_t delta_type = 2, all_decided_mark = 0x80;
 constexpr uint32_t max_side = 1 << 15;
 // The marks of a camera.
-constexpr uint8_t last_mark = 1, warm_up_mark = 2, orthographic_mark = 4, symmetric_mark = 8;
+constexpr uint8_t last_mark = 1, warm_up_mark = 2, orthographic_mark = 4, symmetric_mark = 8, edges_mark = 16;
+// Two bits of them are a place in this list.
+constexpr std::array<uint32_t, 4> sample_counts = {1, 4, 8, 16};
+constexpr uint32_t samples_shift = 5;
+
+uint8_t samples_marks(uint32_t samples) {
+  const auto* const found = std::find(sample_counts.begin(), sample_counts.end(), samples);
+  assert(found != sample_counts.end());
+  return static_cast<uint8_t>((found - sample_counts.begin()) << samples_shift);
+}
 
 bool is_control(char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; }
 
@@ -183,12 +194,13 @@ template <typename Body, Either<CameraMessage> M>
 void describe(Body& body, M& message) {
   auto& view = message.state.view;
   auto& camera = view.camera;
-  auto marks = static_cast<uint8_t>((message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
-                                    (camera.orthographic() ? orthographic_mark : 0) |
-                                    (is_symmetric(camera) ? symmetric_mark : 0));
+  auto marks = static_cast<uint8_t>(
+      (message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
+      (camera.orthographic() ? orthographic_mark : 0) | (is_symmetric(camera) ? symmetric_mark : 0) |
+      (message.state.edges ? edges_mark : 0) | samples_marks(message.state.samples));
   auto width = static_cast<uint32_t>(view.width), height = static_cast<uint32_t>(view.height);
-  body.choice(marks, static_cast<uint8_t>(last_mark | warm_up_mark | orthographic_mark | symmetric_mark),
-              "camera mark");
+  constexpr uint8_t all_marks = 127;
+  body.choice(marks, all_marks, "camera mark");
   body.count(width);
   body.count(height);
   const bool symmetric = (marks & symmetric_mark) != 0;
@@ -212,6 +224,8 @@ void describe(Body& body, M& message) {
   if constexpr (Body::reads) {
     message.last = (marks & last_mark) != 0;
     message.warm_up = (marks & warm_up_mark) != 0;
+    message.state.edges = (marks & edges_mark) != 0;
+    message.state.samples = sample_counts.at(marks >> samples_shift);
     if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
     if (width < 1 || width > max_side || height < 1 || height > max_side)
       fail(body.place(), "a viewport of {}x{}", width, height);

@@ -72,10 +72,11 @@ void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& co
 VertexStage::VertexStage(const FrameView& view)
     : clip(clip_terms(view)), orthographic(view.clip.orthographic) {}
 
-GeometryTerms::GeometryTerms(const FrameView& view, const BoxProjector& of_view)
+GeometryTerms::GeometryTerms(const FrameView& view, const BoxProjector& of_view, const SamplePlace& place)
     : VertexStage(view),
       projector(&of_view),
-      window(view.view().width, view.view().height),
+      sample(place),
+      window(view.view().width, view.view().height, place),
       limits{view.view().width, view.view().height} {}
 
 template <typename Position>
@@ -183,7 +184,7 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
   result.top = -1;
   if (range.triangle_count == 0) return;
   for (const LatticeBox& piece : pieces)
-    result.limits.push_back(depth_limit(terms.projector->pixel_bound(piece)));
+    result.limits.push_back(depth_limit(terms.projector->pixel_bound(piece), terms.sample));
   const RasterChunk& chunk = *range.chunk;
   static thread_local Stage stage;
   stage.make_room(chunk.vertex_count(), range.triangle_count);

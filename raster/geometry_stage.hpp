@@ -30,11 +30,12 @@ struct VertexStage {
   Position to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
 };
 
-/// What is the same for all that is drawn into one picture.
+/// What is the same for all that is drawn into one picture, or into one sample of each of its pixels.
 struct GeometryTerms : VertexStage {
-  GeometryTerms(const FrameView& view, const BoxProjector& projector);
+  GeometryTerms(const FrameView& view, const BoxProjector& projector, const SamplePlace& place = {});
 
   const BoxProjector* projector;
+  SamplePlace sample;
   WindowTransform window;
   PictureLimits limits;
 

@@ -5,7 +5,9 @@
 #include "raster/box_test.hpp"
 #include "raster/float_state.hpp"
 #include "raster/lines.hpp"
+#include "raster/resolve.hpp"
 #include "visibility/facing.hpp"
+#include "visibility/sample_rectangle.hpp"
 #include "visibility/shading.hpp"
 
 #include <algorithm>
@@ -25,11 +27,13 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   representation_.begin(view);
   placer_.begin(view);
   projector_.emplace(view, steady_margins);
-  terms_.emplace(*view_, *projector_);
+  terms_.clear();
+  for (const SamplePlace& place : sample_places(view.state.samples))
+    terms_.emplace_back(*view_, *projector_, place);
 }
 
-[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables,
-                                             VisibilityBuffer& buffer) {
+[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables, SamplePlanes& planes) {
+  assert(planes.size() == terms_.size());
   // Front to back, so that tiles hide what comes later; the result is the same in any order.
   ranks_.clear();
   for (const DrawableId id : drawables) ranks_.push_back(draw_rank(skeleton_, view_->cell, id));
@@ -56,16 +60,21 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
     triangles += stretch.triangle_count;
     stretches_.push_back(stretch);
   }
-  buffer.draw(*terms_, stretches_);
+  for (size_t i = 0; i < planes.size(); ++i) planes[i].draw(terms_[i], stretches_);
   return triangles;
 }
 
 RasterTarget::RasterTarget(RasterScene& scene, TargetKind kind, int width, int height,
                            const RasterOptions& options)
-    : scene_(scene),
-      kind_(kind),
-      buffer_(width, height, kind == TargetKind::depth_only, options.max_slots),
-      drawn_(scene.skeleton().drawables.size()) {}
+    : scene_(scene), kind_(kind), max_slots_(options.max_slots), drawn_(scene.skeleton().drawables.size()) {
+  make_planes(1, width, height);
+}
+
+void RasterTarget::make_planes(size_t count, int width, int height) {
+  while (planes_.size() > count) planes_.pop_back();
+  while (planes_.size() < count)
+    planes_.emplace_back(width, height, kind_ == TargetKind::depth_only, max_slots_);
+}
 
 DeviceMargins RasterTarget::margins() const { return steady_margins; }
 
@@ -77,7 +86,8 @@ void RasterTarget::begin(const FrameView& view) {
   const FloatState state;
   view_ = view;
   scene_.set_view(view);
-  buffer_.clear();
+  make_planes(view.state.samples, width(), height());
+  for (VisibilityBuffer& plane : planes_) plane.clear();
   drawn_.clear();
   drawn_triangles_ = 0;
   picture_is_made_ = false;
@@ -91,22 +101,32 @@ void RasterTarget::draw(std::span<const DrawableId> drawables) {
   }
   if (fresh_.empty()) return;
   scene_.set_view(*view_);  // other targets draw, too
-  drawn_triangles_ += scene_.draw(fresh_, buffer_);
+  drawn_triangles_ += scene_.draw(fresh_, planes_);
   picture_is_made_ = false;
 }
 
 void RasterTarget::test(std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
                         uint32_t min_pixels, std::span<uint8_t> visible) {
   const bool strict = !view_->rules.non_strict_test;
+  const auto places = sample_places(view_->state.samples);
+  const auto count = [&](size_t plane, const ScreenRectangle& rectangle, uint32_t enough) {
+    return planes_.size() == 1
+               ? count_pixels(planes_[plane], rectangle, strict, enough)
+               : count_pixels(planes_[plane], at_sample(rectangle, places[plane], width(), height()), strict,
+                              enough);
+  };
   const auto test_some = [&](size_t begin, size_t end) {
     const FloatState state;
     for (size_t i = begin; i < end; ++i) {
       const size_t first = i == 0 ? 0 : ends[i - 1];
       const auto own = rectangles.subspan(first, ends[i] - first);
-      uint32_t missing = min_pixels;
-      for (auto next = own.begin(); next != own.end() && missing > 0; ++next)
-        missing -= count_pixels(buffer_, *next, strict, missing);
-      visible[i] = missing == 0;
+      visible[i] = 0;
+      for (size_t plane = 0; plane < planes_.size() && visible[i] == 0; ++plane) {
+        uint32_t missing = min_pixels;
+        for (auto next = own.begin(); next != own.end() && missing > 0; ++next)
+          missing -= count(plane, *next, missing);
+        visible[i] = missing == 0;
+      }
     }
   };
   // Few tests take less time than waking other threads.
@@ -120,7 +140,13 @@ void RasterTarget::test(std::span<const ScreenRectangle> rectangles, std::span<c
 }
 
 bool RasterTarget::hides(const ScreenExtent& extent) const {
-  return triptych::hides(buffer_, extent, !view_->rules.non_strict_test);
+  const bool strict = !view_->rules.non_strict_test;
+  const auto places = sample_places(view_->state.samples);
+  for (size_t i = 0; i < planes_.size(); ++i) {
+    const ScreenExtent seen = planes_.size() == 1 ? extent : at_sample(extent, places[i], width(), height());
+    if (!triptych::hides(planes_[i], seen, strict)) return false;
+  }
+  return true;
 }
 
 void RasterTarget::finish() {
@@ -131,10 +157,12 @@ void RasterTarget::make_picture() const {
   if (picture_is_made_) return;
   const FloatState state;
   picture_.resize(static_cast<size_t>(width()) * static_cast<size_t>(height()));
-  if (view_) {
-    shade(buffer_, *view_, picture_);
-  } else {
+  if (!view_) {
     std::fill(picture_.begin(), picture_.end(), background_bytes);
+  } else if (planes_.size() == 1 && !view_->state.edges) {
+    shade(planes_.front(), *view_, picture_);
+  } else {
+    resolve(planes_, *view_, picture_);
   }
   picture_is_made_ = true;
 }
@@ -158,7 +186,7 @@ std::vector<uint8_t> RasterTarget::read_colors() const {
 std::vector<uint32_t> RasterTarget::read_items() const {
   assert(kind_ == TargetKind::item || kind_ == TargetKind::color_and_item);
   std::vector<uint32_t> items(static_cast<size_t>(width()) * static_cast<size_t>(height()));
-  name_items(buffer_, items);
+  name_items(planes_.front(), items);
   return items;
 }
 

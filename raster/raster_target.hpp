@@ -3,6 +3,7 @@
 
 #include "base/epoch_marks.hpp"
 #include "raster/raster_device.hpp"
+#include "raster/sample_planes.hpp"
 #include "raster/shade.hpp"
 #include "visibility/frame_target.hpp"
 
@@ -18,8 +19,8 @@ class RasterScene {
 
   /// What follows is drawn under this view.
   void set_view(const FrameView& view);
-  /// Draws them into the buffer; how many triangles they are.
-  uint64_t draw(std::span<const DrawableId> drawables, VisibilityBuffer& buffer);
+  /// Draws them into each plane, as many as the view has samples; how many triangles they are.
+  uint64_t draw(std::span<const DrawableId> drawables, SamplePlanes& planes);
 
   const Skeleton& skeleton() const { return skeleton_; }
   uint64_t memory_bytes() const { return geometry_.memory_bytes(); }
@@ -31,7 +32,7 @@ class RasterScene {
   LatticePlacer placer_;
   std::optional<FrameView> view_;
   std::optional<BoxProjector> projector_;
-  std::optional<GeometryTerms> terms_;
+  std::vector<GeometryTerms> terms_;  ///< of each sample
   std::vector<DrawRank> ranks_;
   std::vector<DrawItem> items_;
   std::vector<PlacedStretch> stretches_;
@@ -41,8 +42,8 @@ class RasterTarget final : public FrameTarget {
  public:
   RasterTarget(RasterScene& scene, TargetKind kind, int width, int height, const RasterOptions& options);
 
-  int width() const override { return buffer_.width(); }
-  int height() const override { return buffer_.height(); }
+  int width() const override { return planes_.front().width(); }
+  int height() const override { return planes_.front().height(); }
   TargetKind kind() const override { return kind_; }
   DeviceMargins margins() const override;
   void begin(const FrameView& view) override;
@@ -62,11 +63,13 @@ class RasterTarget final : public FrameTarget {
 
  private:
   bool has_colors() const { return kind_ == TargetKind::color || kind_ == TargetKind::color_and_item; }
+  void make_planes(size_t count, int width, int height);
   void make_picture() const;
 
   RasterScene& scene_;
   TargetKind kind_;
-  VisibilityBuffer buffer_;
+  uint64_t max_slots_;
+  SamplePlanes planes_;
   std::optional<FrameView> view_;
   EpochMarks drawn_;  ///< drawables
   std::vector<DrawableId> fresh_;

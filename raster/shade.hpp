@@ -1,16 +1,12 @@
 // Colours, once a pixel, when all is drawn.
 #pragma once
 
-#include "raster/visibility_buffer.hpp"
+#include "raster/triangle_shader.hpp"
 
-#include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace triptych {
-
-using Rgba = std::array<uint8_t, 4>;
 
 /// The picture of what the buffer holds under the view, rows from bottom to top: flat faces, or the colours
 /// of corners over them, in the light that visibility/shading.hpp has, over the background.

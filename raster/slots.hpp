@@ -46,6 +46,8 @@ class SlotTable {
     uint32_t triangle;  ///< of the chunk
   };
   Triangle find(uint32_t slot) const;
+  /// Whether compact() was called since clear().
+  bool is_compacted() const { return compacted_ > 0; }
   /// Whether the first wins over the second at equal depth: the lower draw rank, part, triangle.
   bool precedes(uint32_t slot, uint32_t other) const;
 

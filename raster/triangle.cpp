@@ -95,12 +95,13 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   return true;
 }
 
-DepthLimit depth_limit(const PixelDepthBound& bound) {
+DepthLimit depth_limit(const PixelDepthBound& bound, const SamplePlace& place) {
+  const glm::vec2 offset(place.pixels());
   DepthLimit limit;
   for (int i = 0; i < 3; ++i) {
     limit.x[i] = bound.x[i];
     limit.y[i] = bound.y[i];
-    limit.at[i] = bound.at[i];
+    limit.at[i] = bound.at[i] + (bound.x[i] * offset.x + bound.y[i] * offset.y);
   }
   limit.nearest = bound.at.w;
   return limit;

@@ -55,7 +55,8 @@ inline int64_t twice_area(const std::array<WindowVertex, 3>& corners) {
 bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
             WindowTriangle& triangle);
 
-DepthLimit depth_limit(const PixelDepthBound& bound);
+/// As it is at that sample of each pixel.
+DepthLimit depth_limit(const PixelDepthBound& bound, const SamplePlace& place = {});
 /// How far behind the limit a corner lies, at least, in depth; negative in front of it.
 float slack(const DepthLimit& limit, const WindowVertex& corner);
 

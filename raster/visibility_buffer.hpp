@@ -54,6 +54,8 @@ class VisibilityBuffer {
   /// where side_by_side; else one after the other here.
   void for_each_band(bool side_by_side, const std::function<void(int32_t, int32_t)>& body) const;
   SlotTable::Triangle find(uint32_t slot) const { return table_.find(slot); }
+  /// Whether slots have other numbers by now than in the order of drawing.
+  bool is_renumbered() const { return table_.is_compacted(); }
 
  private:
   void number(const PlacedStretch& stretch, uint32_t first, uint32_t count);

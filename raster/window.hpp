@@ -2,6 +2,7 @@
 // sub-pixels.
 #pragma once
 
+#include "scene/sample_places.hpp"
 #include "visibility/device_margins.hpp"
 #include "visibility/vertex_terms.hpp"
 
@@ -35,17 +36,18 @@ struct WindowVertex {
   float depth;   ///< reversed
 };
 
-/// From clip space to window coordinates of a width × height picture.
+/// From clip space to window coordinates of a width × height picture; pixel centres lie at this sample of
+/// each pixel.
 class WindowTransform {
  public:
   WindowTransform() = default;
-  WindowTransform(int width, int height)
+  WindowTransform(int width, int height, const SamplePlace& place = {})
       : scale_x_(static_cast<float>(width) * (subpixels / 2)),
         scale_y_(static_cast<float>(height) * (subpixels / 2)),
         guard_x_(guard_band / scale_x_),
         guard_y_(guard_band / scale_y_),
-        middle_x_(width * (subpixels / 2)),
-        middle_y_(height * (subpixels / 2)) {}
+        middle_x_(width * (subpixels / 2) - place.x * (subpixels / 32)),
+        middle_y_(height * (subpixels / 2) - place.y * (subpixels / 32)) {}
 
   /// How far inside a plane a position is, in no unit; negative outside, not a number where it has no place.
   enum class Plane { near, right, left, top, bottom };

@@ -10,18 +10,20 @@ namespace {
 class GlDevice final : public Device {
  public:
   GlDevice(const Skeleton& skeleton, Representation& representation, Residency& residency, TestKind test)
-      : renderer_(skeleton, representation, residency), rectangles_(test), names_(current_opengl()) {}
+      : passes_{.renderer = {skeleton, representation, residency},
+                .rectangles = RectangleTest(test),
+                .lines = {},
+                .resolve = {}},
+        names_(current_opengl()) {}
 
   std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) override {
-    return std::make_unique<GlFrameTarget>(renderer_, rectangles_, lines_, kind, width, height);
+    return std::make_unique<GlFrameTarget>(passes_, kind, width, height);
   }
   const DeviceNames& names() const override { return names_; }
-  uint64_t memory_bytes() const override { return renderer_.memory_bytes(); }
+  uint64_t memory_bytes() const override { return passes_.renderer.memory_bytes(); }
 
  private:
-  Renderer renderer_;
-  RectangleTest rectangles_;
-  LinePass lines_;
+  GlPasses passes_;
   DeviceNames names_;
 };
 

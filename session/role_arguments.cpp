@@ -44,9 +44,9 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
   append(words,
          {"--journal", setup.journal.string(), "--begin", std::to_string(mend_frame_journal(setup.journal)),
           "--size", fmt::format("{}x{}", run.size.width, run.size.height), "--pixel-error",
-          fmt::format("{}", run.pixel_error()), "--listen-descriptor",
-          std::to_string(setup.render_listener->descriptor()), "--loop", std::to_string(options.loop),
-          "--timeout", fmt::format("{}", options.timeout_ms)});
+          fmt::format("{}", run.pixel_error()), "--samples", std::to_string(run.samples),
+          "--listen-descriptor", std::to_string(setup.render_listener->descriptor()), "--loop",
+          std::to_string(options.loop), "--timeout", fmt::format("{}", options.timeout_ms)});
   if (run.frames > 0) append(words, {"--frames", std::to_string(run.frames)});
   if (run.target_ms > 0) append(words, {"--target-ms", fmt::format("{}", run.target_ms)});
   if (options.rate > 0) append(words, {"--rate", fmt::format("{}", options.rate)});
@@ -54,6 +54,7 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
   if (!run.path.empty()) append(words, {"--path", run.path.string()});
   if (options.window) append(words, {"--window"});
   if (options.hash) append(words, {"--hash"});
+  if (run.edges) append(words, {"--edges"});
   return words;
 }
 

@@ -11,6 +11,8 @@ ViewerOptions viewer_options(const RunOptions& run) {
   options.window.width = run.size.width;
   options.window.height = run.size.height;
   options.pixel_error = run.pixel_error();
+  options.samples = run.samples;
+  options.edges = run.edges;
   if (run.path.empty()) return options;
   options.path = load_path(run.path);
   auto& frames = options.path->frames;

@@ -56,7 +56,9 @@ const FrameTarget& BirdsEye::draw(const FrameView& frame, const VisibleSet& visi
     target_ = device_.make_target(TargetKind::color, view.width, view.height);
   const std::vector<DrawableId> cut = select_cut(frame).drawables;
   View above = birds_eye_view(skeleton_, view, cut);
-  const FrameView from_above(skeleton_, {above, frame.state.pixel_error}, frame.rules);
+  FrameState state = frame.state;
+  state.view = above;
+  const FrameView from_above(skeleton_, state, frame.rules);
   target_->begin(from_above);
   std::vector<DrawableId> ordered = visible;
   sort_by_rank(skeleton_, from_above.cell, ordered);

@@ -26,8 +26,10 @@ std::string viewer_help() {
          "  Q or left shift     down                           P                         play the path, "
          "stop\n"
          "  C                   culling on, off                B                         bird's-eye view\n"
-         "  [ ]                 finer, coarser                 F2                        save the picture\n"
-         "  H or F1             this help                      Esc                       leave\n";
+         "  [ ]                 finer, coarser                 L                         edges as lines, "
+         "off\n"
+         "  H or F1             this help                      F2                        save the picture\n"
+         "                                                     Esc                       leave\n";
 }
 
 Viewer::Viewer(const Pack& pack, ViewerOptions options)
@@ -73,6 +75,9 @@ void Viewer::take(Command command) {
     case Command::toggle_play:
       options_.play = options_.path && !options_.play;
       break;
+    case Command::toggle_edges:
+      options_.edges = !options_.edges;
+      break;
     case Command::take_picture:
       picture_wanted_ = true;
       break;
@@ -101,7 +106,7 @@ FrameRequest Viewer::next_frame() {
     walker_.jump_to(view().camera);
   }
   new_frame_ = false;
-  return {next_number_++, {view(), options_.pixel_error}};
+  return {next_number_++, {view(), options_.pixel_error, options_.samples, options_.edges}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,

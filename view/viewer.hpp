@@ -21,6 +21,8 @@ struct ViewerOptions {
   std::optional<Path> path;  ///< to start from and to play; without one the view shows the model's box
   bool play = false;         ///< starts playing at once
   double pixel_error = 1;
+  uint32_t samples = 1;  ///< a pixel
+  bool edges = false;    ///< drawn as lines
   bool culling = true;
   std::filesystem::path pictures = ".";  ///< where F2 saves what the window shows
 };

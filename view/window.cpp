@@ -46,6 +46,8 @@ std::optional<Command> command_of(int key) {
       return Command::toggle_birds_eye;
     case GLFW_KEY_P:
       return Command::toggle_play;
+    case GLFW_KEY_L:
+      return Command::toggle_edges;
     case GLFW_KEY_F2:
       return Command::take_picture;
     case GLFW_KEY_LEFT_BRACKET:

@@ -21,7 +21,16 @@ struct WindowOptions {
 };
 
 /// What pressing a key once does.
-enum class Command { toggle_culling, toggle_birds_eye, toggle_play, take_picture, finer, coarser, help };
+enum class Command {
+  toggle_culling,
+  toggle_birds_eye,
+  toggle_play,
+  toggle_edges,
+  take_picture,
+  finer,
+  coarser,
+  help
+};
 
 /// What happened since the last time.
 struct Input {

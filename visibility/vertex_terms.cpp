@@ -53,12 +53,14 @@ PlacedLattice LatticePlacer::place(uint32_t transform, uint32_t lattice) {
   return placed;
 }
 
-ClipTerms clip_terms(const FrameView& view) {
+ClipTerms clip_terms(const FrameView& view, const SamplePlace& place) {
   const Camera& camera = view.view().camera;
   const ClipSpace& clip = view.clip;
   const double width = camera.right - camera.left, height = camera.top - camera.bottom;
-  const double shift_x = (camera.right + camera.left) / width,
-               shift_y = (camera.top + camera.bottom) / height;
+  // The frustum of one sample of each pixel is a little lopsided.
+  const glm::dvec2 offset = 2.0 * place.pixels() / glm::dvec2(view.view().width, view.view().height);
+  const double shift_x = (camera.right + camera.left) / width + offset.x,
+               shift_y = (camera.top + camera.bottom) / height + offset.y;
   const double scale = clip.orthographic ? 2 * clip.unit : 2;  // sides are tangents, or model units
   const double side = clip.orthographic ? -1 : 1;              // shifts go with −z, or with 1
   ClipTerms terms{.frustum = glm::vec4(scale / width, scale / height, side * shift_x, side * shift_y),

@@ -4,6 +4,7 @@
 
 #include "base/epoch_marks.hpp"
 #include "lod/frame_view.hpp"
+#include "scene/sample_places.hpp"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -50,6 +51,7 @@ struct ClipTerms {
   glm::vec4 frustum;
   glm::vec2 depth;
 };
-ClipTerms clip_terms(const FrameView& view);
+/// Pixel centres lie at this sample of each pixel.
+ClipTerms clip_terms(const FrameView& view, const SamplePlace& place = {});
 
 }  // namespace triptych

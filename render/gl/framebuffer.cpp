@@ -8,36 +8,43 @@
 namespace triptych {
 
 namespace {
-constexpr GLenum color_attachment = GL_COLOR_ATTACHMENT0, item_attachment = GL_COLOR_ATTACHMENT1;
+constexpr GLenum color_attachment = GL_COLOR_ATTACHMENT0, item_attachment = GL_COLOR_ATTACHMENT1,
+                 normal_attachment = GL_COLOR_ATTACHMENT2;
 }  // namespace
 
-Framebuffer::Framebuffer(TargetKind kind, int width, int height)
-    : kind_(kind), width_(width), height_(height) {
+Framebuffer::Framebuffer(TargetKind kind, int width, int height, const FramebufferLayout& layout)
+    : kind_(kind), width_(width), height_(height), layout_(layout), planes_(layout.samples) {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   if (width > limit || height > limit)
     fail("OpenGL", "{}x{} pixels are more than its limit of {}", width, height, limit);
-  glTextureStorage2D(depth_, 1, GL_DEPTH_COMPONENT32F, width, height);
-  glNamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, depth_, 0);
-  if (has_colors()) attach(color_, color_attachment, GL_RGBA8);
-  if (has_items()) attach(item_, item_attachment, GL_R32UI);
+  attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
   // A program writes its first output to the first of these.
-  const GLenum first = has_colors() ? color_attachment : has_items() ? item_attachment : GL_NONE;
-  const GLenum draw_buffers[] = {first, kind == TargetKind::color_and_item ? item_attachment : GL_NONE};
-  glNamedFramebufferDrawBuffers(framebuffer_, 2, draw_buffers);
-  if (glCheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    fail("OpenGL", "a framebuffer of {}x{} is not complete", width, height);
+  std::vector<GLenum> draw_buffers;
+  const auto attach_drawn = [&](const GlTextureArray& texture, GLenum attachment, GLenum format) {
+    attach(texture, attachment, format);
+    draw_buffers.push_back(attachment);
+  };
+  if (has_colors()) attach_drawn(color_, color_attachment, GL_RGBA8);
+  if (has_items()) attach_drawn(item_, item_attachment, GL_R32UI);
+  if (has_colors() && layout.normals) attach_drawn(normal_, normal_attachment, GL_RGBA16);
+  if (draw_buffers.empty()) draw_buffers.push_back(GL_NONE);
+  for (const GlFramebuffer& plane : planes_) {
+    glNamedFramebufferDrawBuffers(plane, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
+    if (glCheckNamedFramebufferStatus(plane, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      fail("OpenGL", "a framebuffer of {}x{} is not complete", width, height);
   }
   check_gl("framebuffer");
 }
 
-void Framebuffer::attach(const GlTexture& texture, GLenum attachment, GLenum format) {
-  glTextureStorage2D(texture, 1, format, width_, height_);
-  glNamedFramebufferTexture(framebuffer_, attachment, texture, 0);
+void Framebuffer::attach(const GlTextureArray& texture, GLenum attachment, GLenum format) {
+  glTextureStorage3D(texture, 1, format, width_, height_, static_cast<GLsizei>(planes_.size()));
+  for (size_t i = 0; i < planes_.size(); ++i)
+    glNamedFramebufferTextureLayer(planes_[i], attachment, texture, 0, static_cast<GLint>(i));
 }
 
-void Framebuffer::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+void Framebuffer::bind(uint32_t plane) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, planes_[plane]);
   glViewport(0, 0, width_, height_);
 }
 
@@ -45,14 +52,16 @@ void Framebuffer::clear() const {
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const float far_away = 0;
-  glClearNamedFramebufferfv(framebuffer_, GL_DEPTH, 0, &far_away);
   const GLuint nothing[4] = {0, 0, 0, 0};
-  if (has_colors()) glClearNamedFramebufferfv(framebuffer_, GL_COLOR, 0, background_color);
-  if (has_items()) glClearNamedFramebufferuiv(framebuffer_, GL_COLOR, has_colors() ? 1 : 0, nothing);
+  for (const GlFramebuffer& plane : planes_) {
+    glClearNamedFramebufferfv(plane, GL_DEPTH, 0, &far_away);
+    if (has_colors()) glClearNamedFramebufferfv(plane, GL_COLOR, 0, background_color);
+    if (has_items()) glClearNamedFramebufferuiv(plane, GL_COLOR, has_colors() ? 1 : 0, nothing);
+  }
 }
 
 void Framebuffer::write_colors(std::span<const uint8_t> colors) {
-  glTextureSubImage2D(color_, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
+  glTextureSubImage3D(color_, 0, 0, 0, 0, width_, height_, 1, GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
 }
 
 void Framebuffer::copy_to_window(int window_width, int window_height) const {
@@ -62,8 +71,8 @@ void Framebuffer::copy_to_window(int window_width, int window_height) const {
     glBindFramebuffer(GL_FRAMEBUFFER, window);
     glClearNamedFramebufferfv(window, GL_COLOR, 0, background_color);
   }
-  glNamedFramebufferReadBuffer(framebuffer_, color_attachment);
-  glBlitNamedFramebuffer(framebuffer_, window, 0, 0, copied_width, copied_height, 0, 0, copied_width,
+  glNamedFramebufferReadBuffer(planes_.front(), color_attachment);
+  glBlitNamedFramebuffer(planes_.front(), window, 0, 0, copied_width, copied_height, 0, 0, copied_width,
                          copied_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
@@ -79,12 +88,12 @@ std::vector<Value> read(const Framebuffer& target, GLenum format, GLenum type, s
 }  // namespace
 
 std::vector<uint8_t> Framebuffer::read_colors() const {
-  glNamedFramebufferReadBuffer(framebuffer_, color_attachment);
+  glNamedFramebufferReadBuffer(planes_.front(), color_attachment);
   return read<uint8_t>(*this, GL_RGBA, GL_UNSIGNED_BYTE, 4);
 }
 
 std::vector<uint32_t> Framebuffer::read_items() const {
-  glNamedFramebufferReadBuffer(framebuffer_, item_attachment);
+  glNamedFramebufferReadBuffer(planes_.front(), item_attachment);
   return read<uint32_t>(*this, GL_RED_INTEGER, GL_UNSIGNED_INT, 1);
 }
 

@@ -36,6 +36,7 @@ inline void remove_vertex_array(GLuint name) { glDeleteVertexArrays(1, &name); }
 inline void make_framebuffer(GLuint* name) { glCreateFramebuffers(1, name); }
 inline void remove_framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
 inline void make_texture(GLuint* name) { glCreateTextures(GL_TEXTURE_2D, 1, name); }
+inline void make_texture_array(GLuint* name) { glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, name); }
 inline void remove_texture(GLuint name) { glDeleteTextures(1, &name); }
 inline void make_program(GLuint* name) { *name = glCreateProgram(); }
 inline void remove_program(GLuint name) { glDeleteProgram(name); }
@@ -45,6 +46,7 @@ using GlBuffer = GlObject<gl_functions::make_buffer, gl_functions::remove_buffer
 using GlVertexArray = GlObject<gl_functions::make_vertex_array, gl_functions::remove_vertex_array>;
 using GlFramebuffer = GlObject<gl_functions::make_framebuffer, gl_functions::remove_framebuffer>;
 using GlTexture = GlObject<gl_functions::make_texture, gl_functions::remove_texture>;
+using GlTextureArray = GlObject<gl_functions::make_texture_array, gl_functions::remove_texture>;
 using GlProgram = GlObject<gl_functions::make_program, gl_functions::remove_program>;
 
 /// Compiles and links; Error with the driver's log where that fails.

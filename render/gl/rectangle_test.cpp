@@ -24,12 +24,12 @@ const GlProgram& RectangleTest::program(bool counting) {
   return *program;
 }
 
-void RectangleTest::test(const Framebuffer& framebuffer, GLenum comparison,
+void RectangleTest::test(const Framebuffer& framebuffer, uint32_t plane, GLenum comparison,
                          std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends,
                          uint32_t min_pixels, std::span<uint8_t> visible) {
   if (rectangles.empty()) return;
   rectangles_.upload(rectangles);
-  framebuffer.bind();
+  framebuffer.bind(plane);
   glBindVertexArray(vertex_array_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, rectangles_binding, rectangles_);
   const RectangleState state(program(min_pixels > 1), framebuffer.width(), framebuffer.height(), comparison);

@@ -19,10 +19,11 @@ class RectangleTest {
   RectangleTest(const RectangleTest&) = delete;
   RectangleTest& operator=(const RectangleTest&) = delete;
 
-  /// As OcclusionTester::test(), against the framebuffer's depth. comparison: GL_GEQUAL is the non-strict
-  /// one.
-  void test(const Framebuffer& framebuffer, GLenum comparison, std::span<const ScreenRectangle> rectangles,
-            std::span<const uint32_t> ends, uint32_t min_pixels, std::span<uint8_t> visible);
+  /// As OcclusionTester::test(), against the depth of a plane of the framebuffer. comparison: GL_GEQUAL is
+  /// the non-strict one.
+  void test(const Framebuffer& framebuffer, uint32_t plane, GLenum comparison,
+            std::span<const ScreenRectangle> rectangles, std::span<const uint32_t> ends, uint32_t min_pixels,
+            std::span<uint8_t> visible);
 
  private:
   /// One way to ask: whether there is a pixel, or how many there are.

@@ -5,11 +5,11 @@
 namespace triptych {
 
 namespace {
-GlProgram make_pass(TargetKind kind, Projection projection, BaseColors colors) {
+GlProgram make_pass(TargetKind kind, Projection projection, BaseColors colors, bool normals) {
   const std::string vertex = geometry_vertex_shader(projection, colors);
   switch (kind) {
     case TargetKind::color:
-      return make_program("colour", vertex, color_fragment_shader(colors));
+      return make_program("colour", vertex, color_fragment_shader(colors, normals));
     case TargetKind::item:
       return make_program("item", vertex, item_fragment_shader());
     case TargetKind::depth_only:
@@ -17,7 +17,7 @@ GlProgram make_pass(TargetKind kind, Projection projection, BaseColors colors) {
     case TargetKind::color_and_item:
       break;
   }
-  return make_program("colour and item", vertex, color_and_item_fragment_shader(colors));
+  return make_program("colour and item", vertex, color_and_item_fragment_shader(colors, normals));
 }
 
 /// Of triangles whose fronts go round so; 0: both.
@@ -35,12 +35,12 @@ void show_sides(int32_t front) {
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
     : geometry_(skeleton, residency), representation_(representation), builder_(skeleton) {}
 
-Renderer::Pass& Renderer::pass(TargetKind kind, BaseColors colors) {
+Renderer::Pass& Renderer::pass(TargetKind kind, BaseColors colors, bool normals) {
   const Projection projection = view_->view().camera.projection;
-  std::optional<Pass>& pass =
-      passes_[static_cast<size_t>(colors)][static_cast<size_t>(projection)][static_cast<size_t>(kind)];
+  std::optional<Pass>& pass = passes_[normals ? 1 : 0][static_cast<size_t>(colors)]
+                                     [static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
-  pass.emplace(make_pass(kind, projection, colors));
+  pass.emplace(make_pass(kind, projection, colors, normals));
   return *pass;
 }
 
@@ -63,17 +63,24 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
   bounds_.upload(std::span<const PixelDepthBound>(list_.bounds));
   commands_.upload(std::span<const DrawCommand>(list_.commands));
 
+  const auto places = sample_places(framebuffer.layout().samples);
+  for (uint32_t plane = 0; plane < places.size(); ++plane) draw_list(framebuffer, plane, places[plane]);
+  return list_.triangles;
+}
+
+void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const SamplePlace& place) {
   const TargetKind kind = framebuffer.kind();
-  const bool shows_colors = kind == TargetKind::color || kind == TargetKind::color_and_item;
   const auto use = [&](bool colored) {
-    const Pass& used = pass(kind, colored && shows_colors ? BaseColors::vertices : BaseColors::palette);
+    const BaseColors colors =
+        colored && framebuffer.has_colors() ? BaseColors::vertices : BaseColors::palette;
+    const Pass& used = pass(kind, colors, framebuffer.has_colors() && framebuffer.layout().normals);
     glUseProgram(used.program);
-    used.uniforms.set(*view_);
+    used.uniforms.set(*view_, place);
     geometry_.bind(records_, colored);
   };
   bool colored = list_.groups.front().colored;
   use(colored);
-  framebuffer.bind();
+  framebuffer.bind(plane);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
   glDepthMask(GL_TRUE);
@@ -87,7 +94,6 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
     offset += group.count * sizeof(DrawCommand);
   }
   show_sides(0);
-  return list_.triangles;
 }
 
 }  // namespace triptych

@@ -20,8 +20,8 @@ class Renderer {
 
   /// The view for the draws that follow.
   void set_view(const FrameView& view);
-  /// Draws in the order given, over what the framebuffer holds already; at equal depth what was drawn first
-  /// stays. Returns the number of triangles drawn.
+  /// Draws in the order given, over what the framebuffer holds already, each of its planes at a sample of its
+  /// own; at equal depth what was drawn first stays. Returns the number of triangles drawn into a plane.
   uint64_t draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer);
   uint64_t memory_bytes() const { return geometry_.memory_bytes(); }
 
@@ -31,10 +31,13 @@ class Renderer {
     GlProgram program;
     ViewUniforms uniforms;
   };
-  Pass& pass(TargetKind kind, BaseColors colors);
+  Pass& pass(TargetKind kind, BaseColors colors, bool normals);
+  /// Into one plane of the framebuffer, whose pixel centres lie at this sample of each pixel.
+  void draw_list(const Framebuffer& framebuffer, uint32_t plane, const SamplePlace& place);
 
   Geometry geometry_;
-  std::optional<Pass> passes_[2][2][4];  ///< by base colours, projection and kind; made when first used
+  /// By normals, base colours, projection and kind; made when first used.
+  std::optional<Pass> passes_[2][2][2][4];
   Representation& representation_;
   DrawListBuilder builder_;
   std::vector<DrawItem> items_;

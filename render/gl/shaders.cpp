@@ -3,6 +3,7 @@
 #include "visibility/shading.hpp"
 
 #include <fmt/core.h>
+#include <optional>
 
 namespace triptych {
 
@@ -38,11 +39,15 @@ void bound_fragment() {
 /// Of the base colour, between vertices.
 std::string flatness(BaseColors colors) { return colors == BaseColors::palette ? "flat " : ""; }
 
-// The shaded colour of a fragment, the same source text for every pass that draws colours.
-std::string shaded(BaseColors colors) {
+// The shaded colour of a fragment, the same source text for every pass that draws colours; and, for edges,
+// the normal of its face at a location.
+std::string shaded(BaseColors colors, std::optional<int> normal_location = std::nullopt) {
+  const std::string declared =
+      normal_location ? fmt::format("layout(location = {}) out vec4 face_normal;\n", *normal_location) : "";
+  const std::string written = normal_location ? "  face_normal = vec4(normal * 0.5 + 0.5, 1.0);\n" : "";
   return fmt::format("const float ambient = {}, diffuse = {}, head = {};\n{}in vec4 base_color;\n",
                      ambient_light, diffuse_light, head_light, flatness(colors)) +
-         R"(
+         declared + R"(
 in vec3 eye_position;
 uniform vec3 light;  // direction to the light, eye space
 layout(location = 0) out vec4 color;
@@ -50,7 +55,8 @@ void shade_fragment() {
   vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
   float length_squared = dot(normal, normal);
   normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
-  color = vec4(base_color.rgb * (ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z)), 1.0);
+)" + written +
+         R"(  color = vec4(base_color.rgb * (ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z)), 1.0);
 }
 )";
 }
@@ -109,6 +115,7 @@ std::string geometry_vertex_shader(Projection projection, BaseColors colors) {
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
 invariant gl_Position;
+uniform vec2 sample_place;  // from pixel centres, pixels: where this pass looks at them
 out vec3 eye_position;
 flat out vec3 bound_x, bound_y;
 flat out vec4 bound_at;
@@ -124,7 +131,7 @@ void main() {
   BoundRecord bound = bounds[first_bound + (color_and_piece >> 24)];
   bound_x = bound.x.xyz;
   bound_y = bound.y.xyz;
-  bound_at = bound.at;
+  bound_at = bound.at + vec4(bound.x.xyz * sample_place.x + bound.y.xyz * sample_place.y, 0.0);
   item = drawable;
 }
 )";
@@ -132,8 +139,8 @@ void main() {
 
 std::string depth_fragment_shader() { return version + bounded + "void main() { bound_fragment(); }\n"; }
 
-std::string color_fragment_shader(BaseColors colors) {
-  return version + bounded + shaded(colors) + R"(
+std::string color_fragment_shader(BaseColors colors, bool normals) {
+  return version + bounded + shaded(colors, normals ? std::optional(1) : std::nullopt) + R"(
 void main() {
   bound_fragment();
   shade_fragment();
@@ -141,8 +148,8 @@ void main() {
 )";
 }
 
-std::string color_and_item_fragment_shader(BaseColors colors) {
-  return version + bounded + shaded(colors) + R"(
+std::string color_and_item_fragment_shader(BaseColors colors, bool normals) {
+  return version + bounded + shaded(colors, normals ? std::optional(2) : std::nullopt) + R"(
 flat in uint item;
 layout(location = 1) out uint id;
 void main() {

@@ -22,10 +22,11 @@ std::string geometry_vertex_shader(Projection projection, BaseColors colors = Ba
 /// Only depth, flat-shaded base colours, and drawable ids; all drop fragments nearer than their piece's
 /// bound.
 std::string depth_fragment_shader();
-std::string color_fragment_shader(BaseColors colors = BaseColors::palette);
+/// normals: at the location after the others, half of the face's and a half.
+std::string color_fragment_shader(BaseColors colors = BaseColors::palette, bool normals = false);
 std::string item_fragment_shader();
 /// Colours and ids in one pass, at locations 0 and 1.
-std::string color_and_item_fragment_shader(BaseColors colors = BaseColors::palette);
+std::string color_and_item_fragment_shader(BaseColors colors = BaseColors::palette, bool normals = false);
 
 /// Of a whole model in floats (FlatVertex), one transform for all of it; the same shading and no bounds.
 std::string flat_model_vertex_shader(Projection projection);

@@ -2,20 +2,22 @@
 #pragma once
 
 #include "lod/frame_view.hpp"
+#include "scene/sample_places.hpp"
 
 #include <glad/gl.h>
 
 namespace triptych {
 
-/// The uniforms `frustum`, `depth` and `light` of shaders that draw geometry; the last where it has one.
+/// The uniforms `frustum`, `depth`, `sample_place` and `light` of shaders that draw geometry; the last two
+/// where it has them.
 class ViewUniforms {
  public:
   explicit ViewUniforms(GLuint program);
   /// The program must be in use.
-  void set(const FrameView& view) const;
+  void set(const FrameView& view, const SamplePlace& place = {}) const;
 
  private:
-  GLint frustum_, depth_, light_;
+  GLint frustum_, depth_, sample_place_, light_;
 };
 
 }  // namespace triptych

@@ -5,6 +5,7 @@
 #include "visibility/shading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/core.h>
 
 namespace triptych::hard_cases {
@@ -26,7 +27,9 @@ class PictureTrial {
         everything_(built_.pack(), options(trial, StrategyKind::none, device)),
         unbounded_(built_.pack(), without_fragment_bound(options(trial, StrategyKind::frustum, device))),
         with_backs_(built_.pack(), with_backs(options(trial, StrategyKind::frustum, device))),
-        items_(built_.pack(), with_items(options(trial, StrategyKind::frustum, device))) {
+        items_(built_.pack(), with_items(options(trial, StrategyKind::frustum, device))),
+        sampled_(built_.pack(), options(trial, StrategyKind::occlusion, device)),
+        sampled_whole_(built_.pack(), options(trial, StrategyKind::frustum, device)) {
     if (!trial.twin) return;
     built_twin_.emplace(*trial.twin);
     twin_.emplace(built_twin_->pack(), options(*trial.twin, StrategyKind::occlusion, device));
@@ -38,6 +41,7 @@ class PictureTrial {
       const FrameRequest request{static_cast<uint32_t>(i), {trial_.views[i], trial_.pixel_error}};
       const FrameRecord record = culled_.draw(request);
       const std::vector<uint8_t> picture = culled_.target().read_colors();
+      if (i % 8 == 0) compare_sampled(request);
       if (trial_.stands_still && i > 2) {
         expect_rest(record, picture);
         continue;
@@ -90,6 +94,15 @@ class PictureTrial {
     other.draw(request);
     const size_t pixels = test::differing_pixels(picture, other.target().read_colors());
     if (pixels > 0) say(fmt::format("{} pixels differ from {}", pixels, name));
+  }
+
+  /// The culled picture of several samples a pixel, with edges.
+  void compare_sampled(FrameRequest request) {
+    request.state.samples = std::array<uint32_t, 3>{4, 16, 8}[request.number / 8 % 3];
+    request.state.edges = true;
+    sampled_.draw(request);
+    compare(sampled_.target().read_colors(), sampled_whole_, request,
+            fmt::format("the un-culled one of {} samples", request.state.samples));
   }
 
   /// Backs that are left out change nothing but where they tie with what is before them, as at outlines on
@@ -151,7 +164,7 @@ class PictureTrial {
   const DeviceKind device_kind_;
   BuiltTrial built_;
   std::optional<BuiltTrial> built_twin_;
-  LocalPipeline culled_, whole_, everything_, unbounded_, with_backs_, items_;
+  LocalPipeline culled_, whole_, everything_, unbounded_, with_backs_, items_, sampled_, sampled_whole_;
   std::optional<LocalPipeline> twin_;
   size_t frame_ = 0, shown_ = 0;
   VisibleSet last_;

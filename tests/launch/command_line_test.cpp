@@ -56,6 +56,23 @@ TEST(CommandLine, a_threshold_in_pixels_is_of_the_approximate_strategy_alone) {
   }
 }
 
+TEST(CommandLine, samples_are_1_4_8_or_16) {
+  for (const auto& [add, line] : {std::pair(&add_render, std::string("render p --path w -o o")),
+                                  std::pair(&add_view, std::string("view p")),
+                                  std::pair(&add_session, std::string("session p --path w"))}) {
+    const auto parse = [add = add, line = line](const std::string& flags) {
+      CLI::App app;
+      Action action;
+      add(app, action);
+      app.parse(line + flags, false);
+    };
+    for (const char* samples : {"1", "4", "8", "16"})
+      EXPECT_NO_THROW(parse(std::string(" --edges --samples ") + samples));
+    for (const char* samples : {"0", "2", "-4", "32", "4.0", "08", "all"})
+      EXPECT_THROW(parse(std::string(" --samples ") + samples), CLI::ValidationError) << samples;
+  }
+}
+
 TEST(CommandLine, numbers_are_not_taken_for_words) {
   CLI::App app;
   Action action;

@@ -105,14 +105,19 @@ class SpoiledConnection : public Connection {
 /// The views of a path, over and over.
 class Frames : public FrameSource {
  public:
-  Frames(const std::vector<View>& views, uint32_t first, uint32_t count)
-      : views_(views), numbers_{first, count} {}
+  /// like: how frames are drawn besides.
+  Frames(const std::vector<View>& views, uint32_t first, uint32_t count, const FrameState& like = {})
+      : views_(views), numbers_{first, count}, state_(like) {}
   Numbers numbers() const override { return numbers_; }
-  FrameRequest next(uint32_t number) override { return {number, {views_[number % views_.size()], 1}}; }
+  FrameRequest next(uint32_t number) override {
+    state_.view = views_[number % views_.size()];
+    return {number, state_};
+  }
 
  private:
   const std::vector<View>& views_;
   Numbers numbers_;
+  FrameState state_;
 };
 
 /// What the render node drew.
@@ -161,15 +166,16 @@ class Roles : public testing::Test {
   }
   /// What each frame of the path has to look like: the whole cut, drawn in one process.
   static const std::vector<uint64_t>& right() {
-    static const std::vector<uint64_t> hashes = thread(Role::render).run(whole_cuts).get();
+    static const std::vector<uint64_t> hashes = thread(Role::render).run([] { return whole_cuts({}); }).get();
     return hashes;
   }
-  static std::vector<uint64_t> whole_cuts() {
+  static std::vector<uint64_t> whole_cuts(FrameState state) {
     std::vector<uint64_t> hashes;
     LocalPipeline pipeline(
         pack(), {.width = side, .height = side, .cull = StrategyKind::frustum, .device = wanted_device()});
     for (uint32_t i = 0; i < views().size(); ++i) {
-      pipeline.draw({i, {views()[i], 1}});
+      state.view = views()[i];
+      pipeline.draw({i, state});
       const auto colors = pipeline.target().read_colors();
       hashes.push_back(hash_values(std::span<const uint8_t>(colors)));
     }
@@ -209,7 +215,7 @@ class Roles : public testing::Test {
   std::future<RenderNodeSummary> start_render(uint32_t count, uint32_t first = 0) {
     return thread(Role::render).run([this, count, first] {
       const auto stop = [this] { return stopped(Role::render).load(); };
-      Frames frames(views(), first, count);
+      Frames frames(views(), first, count, like);
       RenderNodeOptions options;
       options.timeout = timeout;
       options.device = wanted_device();
@@ -261,6 +267,7 @@ class Roles : public testing::Test {
 
   MemoryNetwork::Wrapper spoil;               ///< what becomes of a caller's end
   std::function<void(Role, Mailbox&)> equip;  ///< what becomes of a mailbox
+  FrameState like;                            ///< how frames are drawn, but for their views
   std::array<SessionRules, 3> rules;
   std::chrono::milliseconds timeout = patience;  ///< the render node's, for a frame
   std::atomic<bool> over{false};

@@ -22,6 +22,21 @@ TEST_F(Roles, draw_every_frame_together) {
   EXPECT_EQ(switches[0].epochs, 1u);
 }
 
+TEST_F(Roles, draw_every_frame_with_samples_and_edges) {
+  for (const uint32_t samples : {4u, 16u}) {
+    like.samples = samples;
+    like.edges = samples == 4;
+    pictures.records.clear();
+    const auto expected = thread(Role::render).run([this] { return whole_cuts(like); }).get();
+    const RenderNodeSummary summary = run_all(12);
+    EXPECT_EQ(summary.fallback_frames, 0u);
+    EXPECT_EQ(mismatches(), 0u);
+    ASSERT_EQ(pictures.records.size(), 12u);
+    for (size_t i = 0; i < 12; ++i) EXPECT_EQ(pictures.records[i].picture_hash, expected[i]) << i;
+    EXPECT_NE(expected[0], right()[0]);
+  }
+}
+
 TEST_F(Roles, a_wrong_delta_is_told_by_its_digest_and_never_shown) {
   rules[1].withholds_added = rules[2].withholds_added = true;
   const RenderNodeSummary summary = run_all(24);

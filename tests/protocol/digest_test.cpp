@@ -15,6 +15,8 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
   const uint64_t digest = frame_digest(7, {view, 1.0}, 99, {1, 2, 3});
   EXPECT_NE(frame_digest(8, {view, 1.0}, 99, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 2.0}, 99, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0, 4}, 99, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0, 1, true}, 99, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 98, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2, 4}), digest);

@@ -69,7 +69,7 @@ TEST(Wire, a_delta_after_which_everything_is_decided_spends_nothing_on_its_water
 }
 
 TEST(Wire, bodies_are_as_long_as_documented) {
-  CameraMessage walk{1, {}, 1, false};
+  CameraMessage walk{1, {}, true, false};
   walk.state.view.width = walk.state.view.height = 512;
   walk.state.view.camera = {.eye = {1 / 3.0, 2 / 3.0, 4 / 3.0},
                             .target = {1 / 7.0, 2 / 7.0, 3 / 7.0},
@@ -110,7 +110,10 @@ RC_GTEST_PROP(Wire, cameras_come_back_to_the_bit, (uint32_t frame, bool last)) {
     return *rc::gen::suchThat(rc::gen::arbitrary<double>(),
                               [](double value) { return std::abs(value) < 1e100; });
   };
-  CameraMessage message{frame, sample_view(), std::abs(finite()), last};
+  CameraMessage message{
+      frame,
+      {sample_view(), std::abs(finite()), *rc::gen::element(1u, 4u, 8u, 16u), *rc::gen::arbitrary<bool>()},
+      last};
   message.state.view.camera.eye = {finite(), finite(), finite()};
   message.state.view.camera.target =
       message.state.view.camera.eye + glm::dvec3(std::abs(message.state.view.camera.eye.x) + 1, 0, 0);
@@ -208,18 +211,18 @@ TEST(Wire, refusals_name_the_peer_and_the_frame) {
 }
 
 TEST(Wire, a_camera_without_a_direction_is_refused) {
-  CameraMessage message{1, sample_view(), 1, false};
+  CameraMessage message{1, {sample_view(), 1}};
   message.state.view.camera.target = message.state.view.camera.eye;
   EXPECT_NE(refusal_of(encode(message)).find("no direction"), std::string::npos);
 }
 
 TEST(Wire, a_camera_that_is_not_a_number_is_refused) {
-  CameraMessage message{1, sample_view(), 1, false};
+  CameraMessage message{1, {sample_view(), 1}};
   message.state.view.camera.eye.y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal_of(encode(message)), "");
-  message = {1, sample_view(), std::numeric_limits<double>::infinity(), false};
+  message = {1, {sample_view(), std::numeric_limits<double>::infinity()}};
   EXPECT_NE(refusal_of(encode(message)), "");
-  message = {1, sample_view(), 1, false};
+  message = {1, {sample_view(), 1}};
   message.state.view.width = 0;
   EXPECT_NE(refusal_of(encode(message)), "");
 }

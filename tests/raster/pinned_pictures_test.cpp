@@ -28,8 +28,8 @@ View view_from_anywhere(const Skeleton& skeleton, scenes::Random& random, int wi
   return view;
 }
 
-/// Of colours and items of a dozen frames.
-uint64_t checksum_of_pictures(const Pack& pack) {
+/// Of colours and items of a dozen frames, of so many samples.
+uint64_t checksum_of_pictures(const Pack& pack, uint32_t samples = 1, bool edges = false) {
   constexpr int width = 200, height = 150;
   const Skeleton& skeleton = pack.skeleton();
   const Hierarchy hierarchy(skeleton);
@@ -40,7 +40,7 @@ uint64_t checksum_of_pictures(const Pack& pack) {
   scenes::Random random(1);
   StreamHash hash;
   for (int frame = 0; frame < 12; ++frame) {
-    const FrameView view(skeleton, {view_from_anywhere(skeleton, random, width, height), 1});
+    const FrameView view(skeleton, {view_from_anywhere(skeleton, random, width, height), 1, samples, edges});
     std::vector<DrawableId> cut = select_cut(view).drawables;
     sort_by_rank(skeleton, view.cell, cut);
     target->begin(view);
@@ -75,6 +75,19 @@ TEST(PinnedPictures, are_the_same_bits_on_every_processor_and_with_any_number_of
   set_thread_count(0);
   force_instruction_set(std::nullopt);
   EXPECT_EQ(pinned.size(), scenes::names().size());
+}
+
+TEST(PinnedPictures, of_several_samples_and_with_edges_are_too) {
+  const std::map<std::string, uint64_t> pinned = {
+      {"room", 0x4f1824de07f9cb88}, {"coplanar", 0xb2bc1ba8227cf6e6}, {"painted", 0xa1857fe6242acece}};
+  for (const auto& [name, expected] : pinned) {
+    for (const InstructionSet set : instruction_sets_here()) {
+      force_instruction_set(set);
+      EXPECT_EQ(checksum_of_pictures(scenes::pack(name), 8, true), expected)
+          << name << ", " << instruction_set_name(set);
+    }
+  }
+  force_instruction_set(std::nullopt);
 }
 
 }  // namespace

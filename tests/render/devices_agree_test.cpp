@@ -85,6 +85,45 @@ TEST_P(DevicesAgree, in_coverage_to_a_few_pixels_and_in_colours_but_where_planes
   EXPECT_LE(sum.color, pixels / 2000);
 }
 
+TEST_P(DevicesAgree, in_edges_of_one_sample_and_of_several_but_for_a_few_pixels) {
+  const Box box = pack.skeleton().lattice().box(pack.skeleton().scene_nodes[0].box);
+  size_t different = 0, edges = 0;
+  for (const uint32_t samples : {1u, 4u, 8u}) {
+    View view{.camera = {.eye = box.lo + (box.hi - box.lo) * glm::dvec3(-0.4, 0.3, 1.3),
+                         .target = (box.lo + box.hi) * 0.5,
+                         .near = pack.skeleton().default_near()},
+              .width = width,
+              .height = height};
+    if (samples == 8)
+      set_orthographic_height(view.camera, pack.skeleton().diagonal(), 1);
+    else
+      set_field_of_view(view.camera, 60, 1);
+    const auto colors_with = [&](FrameTarget& target, bool with_edges) {
+      const FrameView frame(pack.skeleton(), {view, 1, samples, with_edges});
+      std::vector<DrawableId> cut = select_cut(frame).drawables;
+      sort_by_rank(pack.skeleton(), frame.cell, cut);
+      target.begin(frame);
+      target.draw(cut);
+      target.finish();
+      return target.read_colors();
+    };
+    const auto plain = colors_with(*cpu_target, false), on_cpu = colors_with(*cpu_target, true),
+               plain_on_gl = colors_with(*gl_target, false), on_gl = colors_with(*gl_target, true);
+    const auto apart = [](const std::vector<uint8_t>& one, const std::vector<uint8_t>& other, size_t i) {
+      return std::abs(int{one[i]} - int{other[i]}) > 24 || std::abs(int{one[i + 1]} - int{other[i + 1]}) > 24;
+    };
+    for (size_t i = 0; i < plain.size(); i += 4) {
+      if (apart(plain, plain_on_gl, i)) continue;  // where planes coincide
+      different += apart(on_cpu, on_gl, i);
+      edges += apart(on_cpu, plain, i);
+    }
+  }
+  RecordProperty("different", std::to_string(different));
+  RecordProperty("edges", std::to_string(edges));
+  EXPECT_GT(edges, 0u);
+  EXPECT_LE(different, edges / 50);
+}
+
 // Not slivers: OpenGL drops fragments of theirs that leave their bounds, and the rasteriser keeps them. Not
 // dust, where a pixel is a drawable. Coplanar faces are what differs there.
 INSTANTIATE_TEST_SUITE_P(Scenes, DevicesAgree,

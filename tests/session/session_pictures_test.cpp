@@ -53,6 +53,13 @@ TEST_F(SessionPictures, are_the_un_culled_ones_with_osmesa_queries_and_an_odd_si
   expect_identical(frame_count);
 }
 
+TEST_F(SessionPictures, are_the_un_culled_ones_with_samples_and_edges) {
+  run(measure({"--samples", "4", "--edges", "--frames", "12"}));
+  expect_identical(12);
+  EXPECT_EQ(json_of(json)["samples"], 4);
+  EXPECT_EQ(json_of(json)["edges"], true);
+}
+
 TEST_F(SessionPictures, are_the_un_culled_ones_each_time_that_the_path_is_played) {
   run(measure({"--frames", "6", "--loop", "3"}));
   expect_identical(18);

@@ -1,0 +1,124 @@
+#include "raster/triangle_shader.hpp"
+
+#include "raster/instruction_set.hpp"
+#include "visibility/shading.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace triptych {
+
+namespace {
+
+uint8_t to_byte(float channel) { return static_cast<uint8_t>(std::rint(channel * 255.0f)); }
+
+/// So that products neither overflow nor vanish.
+glm::vec3 scaled(const glm::vec3& v) {
+  const float most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return most > 0 ? v / most : v;
+}
+
+/// Of no certain length.
+glm::vec3 normal_of(const SlotTable::Triangle& shown) {
+  const RasterChunk& chunk = *shown.range->chunk;
+  const uint32_t from = chunk.corner[0][shown.triangle];
+  // Differences of lattice points are exact.
+  const auto edge = [&](uint32_t to) {
+    const auto x = static_cast<float>(chunk.x[to] - chunk.x[from]),
+               y = static_cast<float>(chunk.y[to] - chunk.y[from]),
+               z = static_cast<float>(chunk.z[to] - chunk.z[from]);
+    const auto along = [&](const glm::vec4& row) { return (row.x * x + row.y * y) + row.z * z; };
+    const PlacedLattice& placed = shown.range->placed;
+    return glm::vec3(along(placed.rows[0]), along(placed.rows[1]), along(placed.rows[2]));
+  };
+  return glm::cross(scaled(edge(chunk.corner[1][shown.triangle])),
+                    scaled(edge(chunk.corner[2][shown.triangle])));
+}
+
+/// What makes it one of unit length; 0 of one without a direction.
+float to_unit(const glm::vec3& normal) {
+  const float length = std::sqrt((normal.x * normal.x + normal.y * normal.y) + normal.z * normal.z);
+  return length > 0 ? 1.0f / length : 0.0f;
+}
+
+}  // namespace
+
+TriangleShader::TriangleShader(const FrameView& view)
+    : palette_(view.skeleton->palette),
+      light_(light_direction(view)),
+      stage_(view),
+      width_(view.view().width),
+      height_(view.view().height) {}
+
+Rgba TriangleShader::operator()(const SlotTable::Triangle& shown) const {
+  const float lit = light_on(shown);
+  Rgba color{0, 0, 0, 255};
+  const std::array<uint8_t, 4>& base = palette_[shown.range->chunk->color[shown.triangle]];
+  for (size_t i = 0; i < 3; ++i) color[i] = to_byte(static_cast<float>(base[i]) / 255.0f * lit);
+  return color;
+}
+
+InterpolatedColors TriangleShader::varying(const SlotTable::Triangle& shown) const {
+  return interpolate_colors(stage_, width_, height_, shown, light_on(shown));
+}
+
+glm::vec3 TriangleShader::normal(const SlotTable::Triangle& shown) {
+  const glm::vec3 normal = normal_of(shown);
+  return normal * to_unit(normal);
+}
+
+float TriangleShader::light_on(const SlotTable::Triangle& shown) const {
+  const glm::vec3 normal = normal_of(shown);
+  const float scale = to_unit(normal);
+  const float towards = (normal.x * light_.x + normal.y * light_.y) + normal.z * light_.z;
+  return (ambient_light + diffuse_light * std::abs(towards * scale)) +
+         head_light * std::abs(normal.z * scale);
+}
+
+RecentColors::RecentColors(const VisibilityBuffer& buffer, const TriangleShader& shader)
+    : buffer_(buffer), shader_(shader) {
+  // No slot that is looked for in an entry has this number.
+  for (uint32_t i = 0; i < count; ++i) entries_[i].slot = i + 1;
+}
+
+Rgba RecentColors::of(uint32_t slot, int32_t x, int32_t y) {
+  Varying& varying = varying_[slot % varying_count];
+  if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
+    varying_is_set_[slot % varying_count] = true;
+    varying = {slot, shader_.varying(buffer_.find(slot))};
+  }
+  float color[3];
+  varying.colors.at(x, y, color);
+  return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
+}
+
+const RecentColors::Entry& RecentColors::entry(uint32_t slot) {
+  Entry& entry = entries_[slot % count];
+  if (entry.slot != slot) {
+    const SlotTable::Triangle shown = buffer_.find(slot);
+    const bool varies = TriangleShader::varies(shown);
+    entry = {slot, varies ? Rgba{} : shader_(shown), varies};
+  }
+  any_varies_ |= entry.varies;
+  return entry;
+}
+
+[[gnu::noinline]] void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
+                                 RecentColors& recent, Rgba* row) {
+  recent.begin_row();
+  if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
+    const SlotColors colors{.background = std::bit_cast<uint32_t>(background_bytes),
+                            .context = &recent,
+                            .of_slot = [](void* context, uint32_t slot) {
+                              return std::bit_cast<uint32_t>(static_cast<RecentColors*>(context)->of(slot));
+                            }};
+    kernels->color_row(colors, depths.data(), slots.data(), static_cast<int32_t>(depths.size()), row);
+  } else {
+    for (size_t x = 0; x < depths.size(); ++x)
+      row[x] = depths[x] == 0 ? background_bytes : recent.of(slots[x]);
+  }
+}
+
+}  // namespace triptych

@@ -1,0 +1,77 @@
+// What triangles of a visibility buffer look like: their colours, and their normals.
+#pragma once
+
+#include "raster/corner_colors.hpp"
+#include "raster/visibility_buffer.hpp"
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+namespace triptych {
+
+using Rgba = std::array<uint8_t, 4>;
+
+/// Shades triangles under one view: the light of visibility/shading.hpp.
+class TriangleShader {
+ public:
+  explicit TriangleShader(const FrameView& view);
+
+  /// Of a triangle whose chunk has no colours of its own.
+  Rgba operator()(const SlotTable::Triangle& shown) const;
+  static bool varies(const SlotTable::Triangle& shown) { return !shown.range->chunk->vertex_color.empty(); }
+  InterpolatedColors varying(const SlotTable::Triangle& shown) const;
+  /// Of either side, eye space, unit length; 0 of a triangle without area.
+  static glm::vec3 normal(const SlotTable::Triangle& shown);
+
+ private:
+  float light_on(const SlotTable::Triangle& shown) const;
+
+  const std::vector<std::array<uint8_t, 4>>& palette_;
+  glm::vec3 light_;
+  VertexStage stage_;
+  int width_, height_;
+};
+
+/// The colours of triangles that were shaded a short while ago: most show in the row above, too.
+class RecentColors {
+ public:
+  /// Slots are the buffer's.
+  RecentColors(const VisibilityBuffer& buffer, const TriangleShader& shader);
+
+  /// Of a triangle whose colours vary no colour, and any_varies() is true from then on.
+  Rgba of(uint32_t slot) { return entry(slot).color; }
+  bool any_varies() const { return any_varies_; }
+  void begin_row() { any_varies_ = false; }
+
+  /// Whether the colours of the slot's triangle vary, and what they are at a pixel's centre.
+  bool varies(uint32_t slot) { return entry(slot).varies; }
+  Rgba of(uint32_t slot, int32_t x, int32_t y);
+
+ private:
+  static constexpr uint32_t count = 1024, varying_count = 256;
+  struct Entry {
+    uint32_t slot;
+    Rgba color;
+    bool varies;
+  };
+  struct Varying {
+    uint32_t slot;
+    InterpolatedColors colors;
+  };
+  const Entry& entry(uint32_t slot);
+
+  const VisibilityBuffer& buffer_;
+  const TriangleShader& shader_;
+  std::array<Entry, count> entries_;
+  std::array<Varying, varying_count> varying_;  // unused, and so not touched, in pictures without any
+  std::bitset<varying_count> varying_is_set_;
+  bool any_varies_ = false;
+};
+
+/// The colours of a row's pixels, background where nothing is. Those whose colours vary get none: recent says
+/// whether there are any.
+void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots, RecentColors& recent,
+               Rgba* row);
+
+}  // namespace triptych
