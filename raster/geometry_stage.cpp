@@ -47,23 +47,30 @@ void add(const WindowTriangle& triangle, StretchTriangles& result) {
   (triangle.right - triangle.left < large_width ? result.small : result.large).push_back(triangle);
 }
 
-void add_window(const GeometryTerms& terms, const std::array<WindowVertex, 3>& window, uint32_t slot,
+/// What a triangle has besides its corners.
+struct Drawn {
+  uint32_t slot;
+  uint32_t layers_above;
+};
+
+void add_window(const GeometryTerms& terms, const std::array<WindowVertex, 3>& window, const Drawn& drawn,
                 const DepthLimit& limit, StretchTriangles& result) {
   WindowTriangle triangle;
   if (!set_up(window, terms.limits, triangle)) return;
-  triangle.slot = slot;
+  triangle.slot = drawn.slot;
+  if (drawn.layers_above > 0) put_below(drawn.layers_above, terms.layers, triangle);
   hold_to(limit, std::min({slack(limit, window[0]), slack(limit, window[1]), slack(limit, window[2])}),
           triangle);
   add(triangle, result);
 }
 
-void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& corners, uint32_t slot,
+void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& corners, const Drawn& drawn,
                  const DepthLimit& limit, StretchTriangles& result) {
   const ClippedPolygon polygon = clip_triangle(corners, terms.window);
   for (size_t i = 2; i < polygon.count; ++i) {
     const std::array<WindowVertex, 3> window = {polygon.corners[0], polygon.corners[i - 1],
                                                 polygon.corners[i]};
-    add_window(terms, window, slot, limit, result);
+    add_window(terms, window, drawn, limit, result);
   }
 }
 
@@ -75,6 +82,7 @@ VertexStage::VertexStage(const FrameView& view)
 GeometryTerms::GeometryTerms(const FrameView& view, const BoxProjector& of_view)
     : VertexStage(view),
       projector(&of_view),
+      layers(view),
       window(view.view().width, view.view().height),
       limits{view.view().width, view.view().height} {}
 
@@ -195,9 +203,10 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
     const std::array<uint32_t, 3> corners = {chunk.corner[0][triangle], chunk.corner[1][triangle],
                                              chunk.corner[2][triangle]};
     const DepthLimit& limit = result.limits[chunk.piece[corners[0]]];
+    const Drawn own{range.first_slot + i, chunk.layers_above(triangle)};
     const std::array<WindowVertex, 3> window = {stage[corners[0]], stage[corners[1]], stage[corners[2]]};
     if (!is_outside(window)) {
-      add_window(terms, window, range.first_slot + i, limit, result);
+      add_window(terms, window, own, limit, result);
       continue;
     }
     std::array<ClipCorner, 3> positions;
@@ -205,7 +214,7 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
       positions[k] = {terms.to_clip<glm::vec4>(range.placed, chunk, corners[k]),
                       terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k])};
     }
-    add_clipped(terms, positions, range.first_slot + i, limit, result);
+    add_clipped(terms, positions, own, limit, result);
   }
 }
 

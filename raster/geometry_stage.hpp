@@ -35,6 +35,7 @@ struct GeometryTerms : VertexStage {
   GeometryTerms(const FrameView& view, const BoxProjector& projector);
 
   const BoxProjector* projector;
+  LayerOffset layers;
   WindowTransform window;
   PictureLimits limits;
 

@@ -95,6 +95,24 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   return true;
 }
 
+void put_below(uint32_t layers, const LayerOffset& offset, WindowTriangle& triangle) {
+  const float x = triangle.precise ? static_cast<float>(triangle.precise_x) : triangle.slope_x,
+              y = triangle.precise ? static_cast<float>(triangle.precise_y) : triangle.slope_y;
+  const float to_axis_x = offset.axis_x * subpixels - static_cast<float>(triangle.first_x),
+              to_axis_y = offset.axis_y * subpixels - static_cast<float>(triangle.first_y);
+  const DepthDrop below =
+      offset.drop(layers, {x * subpixels, y * subpixels, (triangle.z + y * to_axis_y) + x * to_axis_x});
+  triangle.z = triangle.z * below.keep - below.drop;
+  triangle.slope_x *= below.keep;
+  triangle.slope_y *= below.keep;
+  triangle.precise_x *= below.keep;
+  triangle.precise_y *= below.keep;
+  triangle.low = below.apply(triangle.low);
+  triangle.high = below.apply(triangle.high);
+  // What was rounded here: the slopes, and the first corner's depth.
+  triangle.error = triangle.error * 1.5f + 4 * unit_roundoff<float> * (triangle.high + below.drop);
+}
+
 DepthLimit depth_limit(const PixelDepthBound& bound) {
   DepthLimit limit;
   for (int i = 0; i < 3; ++i) {

@@ -4,6 +4,7 @@
 #include "raster/fill_triangle.hpp"
 #include "raster/window.hpp"
 #include "visibility/depth_bound.hpp"
+#include "visibility/layer_offset.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +55,9 @@ inline int64_t twice_area(const std::array<WindowVertex, 3>& corners) {
 /// False where it covers nothing: it has no area, or lies between pixel centres.
 bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
             WindowTriangle& triangle);
+
+/// Moves it behind what lies on it.
+void put_below(uint32_t layers, const LayerOffset& offset, WindowTriangle& triangle);
 
 DepthLimit depth_limit(const PixelDepthBound& bound);
 /// How far behind the limit a corner lies, at least, in depth; negative in front of it.

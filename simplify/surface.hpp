@@ -13,8 +13,18 @@
 
 namespace triptych {
 
-/// Different points of a lattice, and triangles that share them. Here Triangle::material is an index into the
-/// palette. No triangle is degenerate, and every point belongs to one.
+/// What Triangle::material holds in a Surface: in its lowest 20 bits an index into the palette, above them
+/// ChunkVertex::layers_above, and from bit 24 on the class of a covered triangle (preprocess/covered/), or 0.
+/// Where any of them changes, simplifiers see a border.
+inline uint32_t palette_index(uint32_t material) { return material & (max_colors - 1); }
+inline uint32_t layers_above(uint32_t material) { return material >> 20 & max_layers_above; }
+inline uint32_t covered_class(uint32_t material) { return material >> 24; }
+inline uint32_t material_under(uint32_t material, uint32_t layers) { return material | layers << 20; }
+inline uint32_t material_seen(uint32_t material) { return material & 0xffffffu; }
+inline uint32_t material_covered(uint32_t material, uint32_t of_class) { return material | of_class << 24; }
+
+/// Different points of a lattice, and triangles that share them. No triangle is degenerate, and every point
+/// belongs to one.
 struct Surface {
   std::vector<glm::ivec3> points;
   std::vector<Triangle> triangles;

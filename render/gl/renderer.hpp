@@ -33,6 +33,7 @@ class Renderer {
   };
   Pass& pass(TargetKind kind, BaseColors colors);
 
+  Layers layers_;
   Geometry geometry_;
   std::optional<Pass> passes_[2][2][4];  ///< by base colours, projection and kind; made when first used
   Representation& representation_;

@@ -35,6 +35,27 @@ void bound_fragment() {
 }
 )";
 
+// Fragments of what others lie on are moved behind those (LayerOffset). Before anything is discarded, since
+// derivatives need the whole quad.
+const std::string layered = R"(
+flat in uint layers;
+uniform vec4 layer_view;  // focal lengths, axis
+uniform vec2 layer_step;  // LayerOffset::step, parallel
+void place_fragment() {
+  float z = gl_FragCoord.z;
+  vec2 slope = vec2(dFdx(z), dFdy(z));
+  float ahead = layer_step.y > 0.0 ? layer_step.y : z + dot(slope, layer_view.zw - gl_FragCoord.xy);
+  vec2 along = slope * layer_view.xy;
+  float normal = sqrt(dot(along, along) + ahead * ahead);
+  float moved = float(layers) * layer_step.x * normal;
+  float snapped = float(layers) * normal / (512.0 * max(layer_view.x, layer_view.y));
+  float below = layer_step.y > 0.0 ? z - (moved + snapped) : z * max(1.0 - moved, 0.5) - snapped;
+  gl_FragDepth = layers > 0u ? max(below, z * 0.5) : z;
+}
+)";
+const std::string not_layered = "void place_fragment() {}\n";
+std::string placed(Layers layers) { return layers == Layers::some ? layered : not_layered; }
+
 /// Of the base colour, between vertices.
 std::string flatness(BaseColors colors) { return colors == BaseColors::palette ? "flat " : ""; }
 
@@ -100,7 +121,7 @@ bool counts() {
 
 }  // namespace
 
-std::string geometry_vertex_shader(Projection projection, BaseColors colors) {
+std::string geometry_vertex_shader(Projection projection, BaseColors colors, Layers layers) {
   const bool palette = colors == BaseColors::palette;
   return version + draw_record + frustum_uniforms + flatness(colors) + "out vec4 base_color;\n" +
          (palette ? "layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };\n"
@@ -113,12 +134,14 @@ out vec3 eye_position;
 flat out vec3 bound_x, bound_y;
 flat out vec4 bound_at;
 flat out uint item;
+)" + (layers == Layers::some ? "flat out uint layers;\n" : "") +
+         R"(
 void main() {
   // Integers are added exactly and converted once: shared vertices come out bit-equal whichever chunk brings them.
   vec3 p = vec3(point + cell);
   eye_position = vec3(dot(row_x.xyz, p) + row_x.w, dot(row_y.xyz, p) + row_y.w, dot(row_z.xyz, p) + row_z.w);
 )" + project(projection) +
-         (palette ? "  base_color = palette[color_and_piece & 0xffffffu];\n"
+         (palette ? "  base_color = palette[color_and_piece & 0xfffffu];\n"
                   : "  base_color = vertex_color;\n") +
          R"(
   BoundRecord bound = bounds[first_bound + (color_and_piece >> 24)];
@@ -126,26 +149,34 @@ void main() {
   bound_y = bound.y.xyz;
   bound_at = bound.at;
   item = drawable;
+)" + (layers == Layers::some ? "  layers = color_and_piece >> 20 & 15u;\n}\n" : "}\n");
+}
+
+std::string depth_fragment_shader(Layers layers) {
+  return version + bounded + placed(layers) + R"(
+void main() {
+  place_fragment();
+  bound_fragment();
 }
 )";
 }
 
-std::string depth_fragment_shader() { return version + bounded + "void main() { bound_fragment(); }\n"; }
-
-std::string color_fragment_shader(BaseColors colors) {
-  return version + bounded + shaded(colors) + R"(
+std::string color_fragment_shader(BaseColors colors, Layers layers) {
+  return version + bounded + placed(layers) + shaded(colors) + R"(
 void main() {
+  place_fragment();
   bound_fragment();
   shade_fragment();
 }
 )";
 }
 
-std::string color_and_item_fragment_shader(BaseColors colors) {
-  return version + bounded + shaded(colors) + R"(
+std::string color_and_item_fragment_shader(BaseColors colors, Layers layers) {
+  return version + bounded + placed(layers) + shaded(colors) + R"(
 flat in uint item;
 layout(location = 1) out uint id;
 void main() {
+  place_fragment();
   bound_fragment();
   shade_fragment();
   id = item + 1u;
@@ -153,11 +184,12 @@ void main() {
 )";
 }
 
-std::string item_fragment_shader() {
-  return version + bounded + R"(
+std::string item_fragment_shader(Layers layers) {
+  return version + bounded + placed(layers) + R"(
 flat in uint item;
 out uint id;
 void main() {
+  place_fragment();
   bound_fragment();
   id = item + 1u;
 }

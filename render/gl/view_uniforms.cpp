@@ -1,5 +1,6 @@
 #include "render/gl/view_uniforms.hpp"
 
+#include "visibility/layer_offset.hpp"
 #include "visibility/shading.hpp"
 #include "visibility/vertex_terms.hpp"
 
@@ -8,12 +9,19 @@ namespace triptych {
 ViewUniforms::ViewUniforms(GLuint program)
     : frustum_(glGetUniformLocation(program, "frustum")),
       depth_(glGetUniformLocation(program, "depth")),
-      light_(glGetUniformLocation(program, "light")) {}
+      light_(glGetUniformLocation(program, "light")),
+      layer_view_(glGetUniformLocation(program, "layer_view")),
+      layer_step_(glGetUniformLocation(program, "layer_step")) {}
 
 void ViewUniforms::set(const FrameView& view) const {
   const auto [frustum, depth] = clip_terms(view);
   glUniform4f(frustum_, frustum.x, frustum.y, frustum.z, frustum.w);
   glUniform2f(depth_, depth.x, depth.y);
+  if (layer_view_ >= 0) {
+    const LayerOffset offset(view);
+    glUniform4f(layer_view_, offset.focal_x, offset.focal_y, offset.axis_x, offset.axis_y);
+    glUniform2f(layer_step_, offset.step, offset.parallel);
+  }
   if (light_ >= 0) {
     const glm::vec3 light = light_direction(view);
     glUniform3f(light_, light.x, light.y, light.z);

@@ -7,7 +7,8 @@
 
 namespace triptych {
 
-/// The uniforms `frustum`, `depth` and `light` of shaders that draw geometry; the last where it has one.
+/// The uniforms `frustum`, `depth`, `light`, `layer_view` and `layer_step` of shaders that draw geometry; the
+/// last three where it has them.
 class ViewUniforms {
  public:
   explicit ViewUniforms(GLuint program);
@@ -15,7 +16,7 @@ class ViewUniforms {
   void set(const FrameView& view) const;
 
  private:
-  GLint frustum_, depth_, light_;
+  GLint frustum_, depth_, light_, layer_view_, layer_step_;
 };
 
 }  // namespace triptych
