@@ -35,7 +35,7 @@ void print(const BuildReport& report, const std::filesystem::path& output) {
   }
   if (report.layers.facets > 0) {
     fmt::print(
-        "{} flat faces have others on them in their plane, up to {} layers: those are drawn in front\n",
+        "{} flat faces have others on them in their plane, in up to {} layers: those are drawn in front\n",
         report.layers.facets, report.layers.most);
   }
   if (report.layers.crowded_parts > 0) {

@@ -233,8 +233,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });
   stage("hierarchy", [&] { hierarchies.make_nodes(options.hierarchy); });
   if (options.keeps_order())
-    stage("covered",
-          [&] { report.covered = make_room(parts, work.parts(), options.rules, options.memory / 4); });
+    stage("covered", [&] { report.covered = make_room(parts, work.parts(), options.memory / 4); });
   if (options.makes_layers()) {
     stage("layers", [&] { report.layers = make_layers(parts, work.parts(), options.memory / 4); });
     if (report.layers.facets > 0) skeleton.effects.push_back(layers_effect);

@@ -108,7 +108,7 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   }
   for (const LayeredTriangle& layered : info.layers) {
     uint32_t& material = part.surface.triangles[layered.triangle].material;
-    material = material_under(material, layered.layers);
+    material = material_in_layer(material, layered.layer);
   }
   std::vector<uint8_t> locked;
   std::vector<uint32_t> numbers;

@@ -17,9 +17,9 @@
 
 namespace triptych {
 
-/// A triangle that others lie on in its plane, and how many (ChunkVertex::layers_above).
+/// A triangle in whose plane others lie, and its layer (scene/layers.hpp).
 struct LayeredTriangle {
-  uint32_t triangle = 0, layers = 0;
+  uint32_t triangle = 0, layer = 0;
 };
 
 /// What is known of a part without its geometry.
@@ -36,7 +36,7 @@ struct PartInfo {
   std::vector<uint32_t> contacts = {};
   /// The palette index of all of its triangles; no_id where they have several, or colours of vertices.
   uint32_t color = no_id;
-  /// Triangles that others lie on in their plane, ascending.
+  /// Triangles in whose planes others lie, ascending.
   std::vector<LayeredTriangle> layers = {};
   /// Of its mesh; none where that is not known.
   Outside outside = Outside::none;

@@ -34,9 +34,9 @@ RasterChunk::RasterChunk(const Chunk& chunk) : vertex_color(chunk.colors) {
     // Colours are of triangles: as in OpenGL, the last corner's.
     color.push_back(chunk.vertices[chunk.indices[i + 2]].color);
   }
-  if (std::ranges::any_of(chunk.vertices, [](auto& vertex) { return vertex.layers_above > 0; })) {
+  if (std::ranges::any_of(chunk.vertices, [](auto& vertex) { return vertex.layer > 0; })) {
     for (size_t i = 2; i < chunk.indices.size(); i += 3)
-      layers.push_back(chunk.vertices[chunk.indices[i]].layers_above);
+      layers.push_back(chunk.vertices[chunk.indices[i]].layer);
   }
   outward.resize(color.size() / 32 + 2);
   const std::vector<bool> is_outward = chunk.outward();

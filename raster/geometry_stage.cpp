@@ -1,6 +1,7 @@
 #include "raster/geometry_stage.hpp"
 
 #include "raster/clip.hpp"
+#include "raster/exact_plane.hpp"
 #include "raster/instruction_set.hpp"
 
 #include <algorithm>
@@ -50,15 +51,21 @@ void add(const WindowTriangle& triangle, StretchTriangles& result) {
 /// What a triangle has besides its corners.
 struct Drawn {
   uint32_t slot;
-  uint32_t layers_above;
+  uint32_t layer;
+  ExactPlane plane = {};  ///< where layer > 0
 };
 
-void add_window(const GeometryTerms& terms, const std::array<WindowVertex, 3>& window, const Drawn& drawn,
+void add_window(const GeometryTerms& terms, std::array<WindowVertex, 3> window, const Drawn& drawn,
                 const DepthLimit& limit, StretchTriangles& result) {
   WindowTriangle triangle;
-  if (!set_up(window, terms.limits, triangle)) return;
+  if (drawn.layer > 0) {
+    for (WindowVertex& corner : window) corner.depth = drawn.plane.depth_at(corner);
+    // Depths count from the first corner's: from the farthest one that is rounded least.
+    std::rotate(window.begin(), std::ranges::min_element(window, {}, &WindowVertex::depth), window.end());
+  }
+  if (!set_up(window, terms.limits, triangle, drawn.layer > 0)) return;
   triangle.slot = drawn.slot;
-  if (drawn.layers_above > 0) put_below(drawn.layers_above, terms.layers, triangle);
+  if (drawn.layer > 1) put_below(drawn.layer - 1, terms.layers, triangle);
   hold_to(limit, std::min({slack(limit, window[0]), slack(limit, window[1]), slack(limit, window[2])}),
           triangle);
   add(triangle, result);
@@ -203,7 +210,11 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
     const std::array<uint32_t, 3> corners = {chunk.corner[0][triangle], chunk.corner[1][triangle],
                                              chunk.corner[2][triangle]};
     const DepthLimit& limit = result.limits[chunk.piece[corners[0]]];
-    const Drawn own{range.first_slot + i, chunk.layers_above(triangle)};
+    Drawn own{range.first_slot + i, chunk.layer(triangle)};
+    if (own.layer > 0) {
+      const auto exact = [&](size_t k) { return terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k]); };
+      own.plane = ExactPlane({exact(0), exact(1), exact(2)}, terms.window);
+    }
     const std::array<WindowVertex, 3> window = {stage[corners[0]], stage[corners[1]], stage[corners[2]]};
     if (!is_outside(window)) {
       add_window(terms, window, own, limit, result);

@@ -46,8 +46,8 @@ class SlotTable {
     uint32_t triangle;  ///< of the chunk
   };
   Triangle find(uint32_t slot) const;
-  /// Whether the first wins over the second at equal depth: that with fewer layers above, then the lower draw
-  /// rank, part, triangle.
+  /// Whether the first wins over the second at equal depth: that of the higher layer (the lower number), then
+  /// the lower draw rank, part, triangle.
   bool precedes(uint32_t slot, uint32_t other) const;
 
  private:

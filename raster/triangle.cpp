@@ -56,8 +56,8 @@ void set_up_edge(const WindowVertex& from, const WindowVertex& to, size_t edge, 
 
 }  // namespace
 
-bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
-            WindowTriangle& triangle) {
+bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits, WindowTriangle& triangle,
+            bool precisely) {
   const auto& [a, b, c] = corners;
   const PixelBox box = pixel_box(corners, limits);
   if (box.empty()) return false;
@@ -85,7 +85,7 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   triangle.error = plane.error;
   triangle.low = std::min({a.depth, b.depth, c.depth});
   triangle.high = std::max({a.depth, b.depth, c.depth});
-  if (!(triangle.error <= max_float_error * triangle.low)) {
+  if (precisely || !(triangle.error <= max_float_error * triangle.low)) {
     const DepthPlaneOf<double> precise = depth_plane<double>(corners);
     triangle.precise = true;
     triangle.precise_x = precise.slope_x;

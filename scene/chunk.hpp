@@ -18,9 +18,8 @@ namespace triptych {
 struct ChunkVertex {
   glm::ivec3 point;         ///< on the chunk's lattice
   uint32_t color : 20 = 0;  ///< index into the palette
-  /// Of the triangles that it belongs to, how many surfaces lie on them in their plane (scene/layers.hpp).
-  uint32_t layers_above : 4 = 0;
-  uint32_t piece : 8 = 0;  ///< index into the chunk's pieces; the same for all corners of a triangle
+  uint32_t layer : 4 = 0;   ///< of the triangles that it belongs to (scene/layers.hpp)
+  uint32_t piece : 8 = 0;   ///< index into the chunk's pieces; the same for all corners of a triangle
   bool operator==(const ChunkVertex&) const = default;
 };
 static_assert(sizeof(ChunkVertex) == 16);

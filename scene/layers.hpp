@@ -9,9 +9,10 @@
 
 namespace triptych {
 
-/// Of a triangle: so many surfaces of other colours lie on it in its plane, at most. Devices move it behind
-/// them (visibility/layer_offset.hpp).
-inline constexpr uint32_t max_layers_above = 15;
+/// The layer of a triangle: 0 where nothing of another colour lies in its plane with it, 1 for the uppermost,
+/// 2 for what that lies on, and so on. Devices draw each a little behind the one on it
+/// (visibility/layer_offset.hpp).
+inline constexpr uint32_t max_layer = 15;
 
 /// What Skeleton::effects calls it where there are any.
 inline constexpr const char* layers_effect = "layers in a plane";

@@ -61,7 +61,7 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
       const VertexColor own = colored ? surface.colors[i][k] : VertexColor{};
       ChunkVertex vertex{surface.points[point], 0, 0, piece};
       vertex.color = palette_index(material) & (max_colors - 1);
-      vertex.layers_above = layers_above(material) & max_layers_above;
+      vertex.layer = layer_of(material) & max_layer;
       const auto next = static_cast<uint32_t>(chunk.vertices.size());
       if (first[point] == none) first[point] = next;
       uint32_t index = first[point];

@@ -14,12 +14,12 @@
 namespace triptych {
 
 /// What Triangle::material holds in a Surface: in its lowest 20 bits an index into the palette, above them
-/// ChunkVertex::layers_above, and from bit 24 on the class of a covered triangle (preprocess/covered/), or 0.
+/// ChunkVertex::layer, and from bit 24 on the class of a covered triangle (preprocess/covered/), or 0.
 /// Where any of them changes, simplifiers see a border.
 inline uint32_t palette_index(uint32_t material) { return material & (max_colors - 1); }
-inline uint32_t layers_above(uint32_t material) { return material >> 20 & max_layers_above; }
+inline uint32_t layer_of(uint32_t material) { return material >> 20 & max_layer; }
 inline uint32_t covered_class(uint32_t material) { return material >> 24; }
-inline uint32_t material_under(uint32_t material, uint32_t layers) { return material | layers << 20; }
+inline uint32_t material_in_layer(uint32_t material, uint32_t layer) { return material | layer << 20; }
 inline uint32_t material_seen(uint32_t material) { return material & 0xffffffu; }
 inline uint32_t material_covered(uint32_t material, uint32_t of_class) { return material | of_class << 24; }
 

@@ -4,7 +4,7 @@
 
 namespace triptych {
 
-LayerOffset::LayerOffset(const FrameView& view) {
+LayerOffset::LayerOffset(const FrameView& view, double snapping) {
   const View& of = view.view();
   const ClipSpace& clip = view.clip;
   focal_x = static_cast<float>(of.focal_x());
@@ -19,6 +19,7 @@ LayerOffset::LayerOffset(const FrameView& view) {
   }
   const double moved = share_of_distance * farthest;
   step = static_cast<float>(clip.orthographic ? moved : moved / clip.near);
+  snapped = static_cast<float>(snapping / std::max(of.focal_x(), of.focal_y()));
   parallel = clip.orthographic ? static_cast<float>(1 / clip.range) : 0;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace triptych {
@@ -76,24 +77,22 @@ class CoverFinder {
         hierarchy_(hierarchy),
         cache_(cache),
         tolerance_(contact_steps * parts.lattices[hierarchy.lattice].step),
-        tree_(boxes_of(parts, hierarchy)) {}
+        boxes_(boxes_of(parts, hierarchy)),
+        tree_(boxes_) {}
 
   std::vector<CoveredRegion> run() {
-    std::vector<std::vector<CoveredRegion>> found(hierarchy_.placed.size());
-    parallel_for(found.size(), [&](size_t i) { look_at(static_cast<uint32_t>(i), found[i]); });
-    // A region counts if it is covered in all of the part's placements.
-    std::vector<uint32_t> placements(parts_.parts.size(), 0);
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> times;
-    for (const PlacedPart& placed : hierarchy_.placed) ++placements[placed.part];
-    for (const auto& own : found) {
-      for (const CoveredRegion& region : own) ++times[{part_of(region.placed), region.region}];
+    // Part by part: a region that is not covered in one placement is not looked at in others.
+    std::map<uint32_t, std::vector<uint32_t>> placements;
+    for (uint32_t i = 0; i < hierarchy_.placed.size(); ++i) {
+      if (parts_.parts[part_of(i)].outside != Outside::none) placements[part_of(i)].push_back(i);
     }
+    std::vector<std::pair<uint32_t, const std::vector<uint32_t>*>> list;
+    for (const auto& [part, own] : placements) list.push_back({part, &own});
+    std::vector<std::vector<CoveredRegion>> found(list.size());
+    parallel_for(list.size(), [&](size_t i) { found[i] = look_at(*list[i].second); });
     std::vector<CoveredRegion> result;
     for (auto& own : found) {
-      for (CoveredRegion& region : own) {
-        const uint32_t part = part_of(region.placed);
-        if (times[{part, region.region}] == placements[part]) result.push_back(std::move(region));
-      }
+      for (CoveredRegion& region : own) result.push_back(std::move(region));
     }
     return result;
   }
@@ -108,16 +107,114 @@ class CoverFinder {
   }
   uint32_t part_of(uint32_t placed) const { return hierarchy_.placed[placed].part; }
 
-  void look_at(uint32_t number, std::vector<CoveredRegion>& found) const {
-    if (parts_.parts[part_of(number)].outside == Outside::none) return;
-    const Placed own(parts_, hierarchy_, number, cache_);
-    for (uint32_t region = 0; region < own.regions->regions.size(); ++region) {
-      if (auto covers = covers_of(own, region)) found.push_back({number, region, std::move(*covers)});
+  /// Placed parts near the one that is looked at, and itself; loaded where they are needed.
+  struct Other {
+    uint32_t number;
+    Box box;
+    std::optional<Placed> placed = {};
+  };
+  using Others = std::vector<Other>;
+
+  const Placed& loaded(Other& other) const {
+    if (!other.placed) other.placed.emplace(parts_, hierarchy_, other.number, cache_);
+    return *other.placed;
+  }
+
+  /// What a placement may be covered by: in an order and with a key that are the same for placements among
+  /// the same others.
+  struct Neighborhood {
+    std::vector<uint32_t> placed;
+    std::vector<int64_t> key;
+  };
+  Neighborhood neighborhood(uint32_t number) const {
+    const Box box = grown(boxes_[number], diagonal(boxes_[number]) / 16 + tolerance_);
+    const PartSpace own(hierarchy_, number);
+    std::vector<std::pair<std::array<int64_t, 13>, uint32_t>> entries;
+    tree_.visit(box, [&](uint32_t other) {
+      const Affine& transform = hierarchy_.transforms[hierarchy_.placed[other].transform];
+      std::array<int64_t, 13> entry{part_of(other)};
+      // Axes to a millionth, places to a quarter of the tolerance.
+      for (int column = 0; column < 4; ++column) {
+        const glm::dvec3 relative = column < 3 ? own.inverse * transform[column] : own.in(transform[3]);
+        const double unit = column < 3 ? 1e-6 : tolerance_ / 4;
+        for (int row = 0; row < 3; ++row)
+          entry[static_cast<size_t>(1 + 3 * column + row)] = std::llround(relative[row] / unit);
+      }
+      entries.push_back({entry, other});
+    });
+    std::sort(entries.begin(), entries.end());
+    Neighborhood result;
+    for (const auto& [entry, other] : entries) {
+      result.placed.push_back(other);
+      result.key.insert(result.key.end(), entry.begin(), entry.end());
     }
+    return result;
+  }
+
+  /// All placements of one part.
+  std::vector<CoveredRegion> look_at(const std::vector<uint32_t>& placements) const {
+    struct Looked {
+      Neighborhood around;
+      uint32_t like = 0;           ///< the first placement with this neighborhood
+      std::vector<Covers> covers;  ///< by region that is left; empty where another one is alike
+    };
+    std::vector<Looked> looked;
+    std::map<std::vector<int64_t>, uint32_t> known;  // by key, index of the first placement
+    std::vector<uint32_t> left;
+    for (uint32_t k = 0; k < placements.size(); ++k) {
+      Looked& here = looked.emplace_back(Looked{neighborhood(placements[k]), k, {}});
+      const auto [first, is_new] = known.try_emplace(here.around.key, k);
+      here.like = first->second;
+      if (!is_new) continue;
+      Others others;
+      for (const uint32_t other : here.around.placed)
+        others.push_back({other, grown(boxes_[other], tolerance_)});
+      const Placed own(parts_, hierarchy_, placements[k], cache_);
+      if (k == 0) {
+        left.resize(own.regions->regions.size());
+        std::iota(left.begin(), left.end(), 0u);
+      }
+      std::vector<size_t> kept;
+      for (size_t i = 0; i < left.size(); ++i) {
+        auto found = covers_of(own, left[i], others);
+        if (!found) continue;
+        kept.push_back(i);
+        here.covers.push_back(std::move(*found));
+      }
+      if (kept.size() < left.size()) {
+        for (uint32_t before = 0; before < k; ++before) {
+          if (looked[before].like == before) looked[before].covers = only(looked[before].covers, kept);
+        }
+        left = only(left, kept);
+      }
+      if (left.empty()) return {};
+    }
+    std::vector<CoveredRegion> result;
+    for (uint32_t k = 0; k < placements.size(); ++k) {
+      const Looked& like = looked[looked[k].like];
+      for (size_t i = 0; i < left.size(); ++i) {
+        Covers covers = like.covers[i];
+        for (CoveredRegion::Cover& cover : covers) {  // the same ones around this placement
+          const auto& around = like.around.placed;
+          const auto at = std::find(around.begin(), around.end(), cover.placed) - around.begin();
+          cover.placed = looked[k].around.placed.at(static_cast<size_t>(at));
+        }
+        std::ranges::sort(covers, {}, &CoveredRegion::Cover::placed);
+        result.push_back({placements[k], placements[looked[k].like], left[i], std::move(covers)});
+      }
+    }
+    return result;
+  }
+
+  template <typename Value>
+  static std::vector<Value> only(std::vector<Value>& values, const std::vector<size_t>& kept) {
+    std::vector<Value> result;
+    for (const size_t index : kept) result.push_back(std::move(values[index]));
+    return result;
   }
 
   /// Nothing where the region is not covered all over.
-  std::optional<Covers> covers_of(const Placed& own, uint32_t index) const {
+  std::optional<Covers> covers_of(const Placed& own, uint32_t index, Others& others) const {
     const SmoothRegion& region = own.regions->regions[index];
     const double whole = diagonal(own.out(region.box));
     if (whole < 8 * tolerance_) return std::nullopt;
@@ -135,7 +232,7 @@ class CoverFinder {
       const int least = region.count < 64 ? 2 : 1;
       const int n = std::clamp(static_cast<int>(std::ceil(longest / apart)), least, 8);
       const bool all = each_sample(corners, n, [&](const glm::dvec3& at) {
-        const auto over = first_over(own, index, at, normal, whole);
+        const auto over = first_over(own, index, at, normal, whole, others);
         if (!over) return false;
         const auto [entry, inserted] = nearest.try_emplace(over->placed, over->clearance);
         if (!inserted) entry->second = std::min(entry->second, over->clearance);
@@ -148,38 +245,60 @@ class CoverFinder {
     return covers;
   }
 
-  /// What covers the place, if anything does.
+  /// What covers the place, if anything does: something near, or a body that it lies in.
   std::optional<CoveredRegion::Cover> first_over(const Placed& own, uint32_t region, const glm::dvec3& from,
-                                                 const glm::dvec3& normal, double whole) const {
-    const double near = whole / 32;
-    Box way{from, from};
-    way.extend(from + normal * whole);
-    double first = whole;
-    std::optional<CoveredRegion::Cover> cover;
-    tree_.visit(grown(way, tolerance_), [&](uint32_t number) {
-      const Placed other(parts_, hierarchy_, number, cache_);
-      other.regions->tree.visit(grown(other.in(way), tolerance_ * other.shrink), [&](uint32_t triangle) {
-        if (number == own.number && other.regions->region_of[triangle] == region) return;
-        const auto corners = other.corners(triangle);
+                                                 const glm::dvec3& normal, double whole,
+                                                 Others& others) const {
+    struct First {
+      double along;
+      uint32_t placed;
+      bool leaves;
+    };
+    std::optional<First> first;
+    const auto look = [&](Other& other, const Box& way, double reach) {
+      const uint32_t number = other.number;
+      const Placed& placed = loaded(other);
+      placed.regions->tree.visit(grown(placed.in(way), tolerance_ * placed.shrink), [&](uint32_t triangle) {
+        if (number == own.number && placed.regions->region_of[triangle] == region) return;
+        const auto corners = placed.corners(triangle);
         const auto hit = meet(from, normal, corners[0], corners[1], corners[2]);
-        if (!hit || hit->along < -tolerance_ || hit->along > first) return;
-        const bool leaves = hit->leaves != other.turns_over;
+        if (!hit || hit->along < -tolerance_ || hit->along > reach) return;
+        if (first && hit->along >= first->along) return;
+        const bool leaves = hit->leaves != placed.turns_over;
         // What faces the same way in the same plane lies beside it, not over it.
-        if (leaves && hit->along <= tolerance_) return;
-        first = hit->along;
-        const bool covers = first <= near || (leaves && other.outside != Outside::none);
-        cover.reset();
-        if (covers) cover = {number, std::max(first, 0.0)};
+        if (!leaves || hit->along > tolerance_) first = First{hit->along, number, leaves};
       });
-    });
-    return cover;
+    };
+    const double near = whole / 16;
+    Box way{from, from};
+    way.extend(from + normal * near);
+    for (Other& other : others) {
+      if (overlap(other.box, way)) look(other, way, near);
+    }
+    if (first) return CoveredRegion::Cover{first->placed, std::max(first->along, 0.0)};
+    way.extend(from + normal * whole);
+    std::optional<CoveredRegion::Cover> inside;
+    for (Other& other : others) {
+      const PartInfo& info = parts_.parts[part_of(other.number)];
+      if (other.number == own.number || info.outside == Outside::none || info.borders > 0 ||
+          !overlap(other.box, {from, from}))
+        continue;
+      first.reset();
+      look(other, way, whole);
+      if (first && first->leaves) {
+        inside = {other.number, first->along};
+        break;
+      }
+    }
+    return inside;
   }
 
   const Parts& parts_;
   const PlacedParts& hierarchy_;
   PartCache<PartRegions>& cache_;
   double tolerance_;
-  BoxTree tree_;  ///< of placed parts
+  std::vector<Box> boxes_;  ///< of placed parts
+  BoxTree tree_;
 };
 
 }  // namespace

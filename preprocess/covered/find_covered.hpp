@@ -12,7 +12,9 @@ namespace triptych {
 
 /// A region of a placed part that is covered.
 struct CoveredRegion {
-  uint32_t placed = 0, region = 0;  ///< index into PlacedParts::placed, and into its PartRegions::regions
+  uint32_t placed = 0;  ///< index into PlacedParts::placed
+  uint32_t like = 0;    ///< the first placement of its part that stands among the same others
+  uint32_t region = 0;  ///< index into its PartRegions::regions
   /// What lies over it: placed parts, ascending, and how near they come.
   struct Cover {
     uint32_t placed = 0;
@@ -21,8 +23,8 @@ struct CoveredRegion {
   std::vector<Cover> covers;
 };
 
-/// The covered regions of a hierarchy's placed parts, in their order. Samples all over a region look out
-/// along its normals: it is covered if each of them meets another surface within 1/32 of the region's
+/// The covered regions of a hierarchy's placed parts, by part. Samples all over a region look out
+/// along its normals: it is covered if each of them meets another surface within 1/16 of the region's
 /// diagonal, or lies inside a body that it leaves within the diagonal. Only regions of meshes that enclose
 /// bodies, whose backs nobody sees. A part's region counts if it is covered in each of its placements.
 std::vector<CoveredRegion> find_covered(const Parts& parts, const PlacedParts& hierarchy,

@@ -1,8 +1,10 @@
 #include "preprocess/covered/make_room.hpp"
 
 #include "base/threads.hpp"
+#include "preprocess/contacts/find_contacts.hpp"
 #include "preprocess/covered/find_covered.hpp"
-#include "simplify/distance.hpp"
+#include "preprocess/part_space.hpp"
+#include "simplify/one_sided.hpp"
 
 #include <algorithm>
 #include <map>
@@ -14,14 +16,15 @@ namespace {
 
 /// For each placed part with covered regions those, and what covers them.
 struct CoveredPart {
+  uint32_t like = 0;  ///< CoveredRegion::like
   std::vector<uint32_t> regions;
   std::map<uint32_t, double> covers;  ///< by placed part, the least clearance
 };
 
 class RoomMaker {
  public:
-  RoomMaker(Parts& parts, const SpoolFile& geometry, const BuildRules& rules, uint64_t memory)
-      : parts_(parts), geometry_(geometry), rules_(rules), cache_(parts, geometry, memory) {}
+  RoomMaker(Parts& parts, const SpoolFile& geometry, uint64_t memory)
+      : parts_(parts), cache_(parts, geometry, memory) {}
 
   CoverReport run() {
     for (PlacedParts& hierarchy : parts_.hierarchies) look_into(hierarchy);
@@ -43,6 +46,7 @@ class RoomMaker {
     std::map<uint32_t, CoveredPart> covered;  // by placed part
     for (const CoveredRegion& region : find_covered(parts_, hierarchy, cache_)) {
       CoveredPart& own = covered[region.placed];
+      own.like = region.like;
       own.regions.push_back(region.region);
       for (const CoveredRegion::Cover& cover : region.covers) {
         const auto [known, inserted] = own.covers.try_emplace(cover.placed, cover.clearance);
@@ -51,22 +55,21 @@ class RoomMaker {
     }
     if (covered.empty()) return;
     // What is covered in one placement is so in all.
-    std::map<uint32_t, std::set<uint32_t>> triangles;  // by part
+    std::map<uint32_t, std::vector<bool>> gone;  // by part, by region
     for (const auto& [placed, own] : covered) {
       const uint32_t part = hierarchy.placed[placed].part;
-      if (triangles.count(part) > 0) continue;
-      const auto all = cache_.get(part);
-      for (const uint32_t index : own.regions) {
-        const SmoothRegion& region = all->regions[index];
-        for (uint32_t i = region.first; i < region.first + region.count; ++i)
-          triangles[part].insert(all->numbers[i]);
-      }
+      if (gone.count(part) > 0) continue;
+      std::vector<bool>& of_part = gone[part];
+      of_part.resize(cache_.get(part)->regions.size());
+      for (const uint32_t region : own.regions) of_part[region] = true;
     }
     std::vector<std::pair<uint32_t, const CoveredPart*>> list;
-    for (const auto& [placed, own] : covered) list.push_back({placed, &own});
+    for (const auto& [placed, own] : covered) {
+      if (own.like == placed) list.push_back({placed, &own});
+    }
     std::vector<double> distances(list.size());  // lattice steps
     parallel_for(list.size(),
-                 [&](size_t i) { distances[i] = distance_of(list[i].first, hierarchy, covered, triangles); });
+                 [&](size_t i) { distances[i] = distance_of(list[i].first, hierarchy, covered, gone); });
     std::map<uint32_t, double> furthest;  // by part
     for (size_t i = 0; i < list.size(); ++i) {
       double& distance = furthest[hierarchy.placed[list[i].first].part];
@@ -76,15 +79,18 @@ class RoomMaker {
     for (const auto& [part, distance] : furthest) {
       if (!(distance < no_distance)) continue;
       PartInfo& info = parts_.parts[part];
-      info.covered.assign(triangles[part].begin(), triangles[part].end());
+      const auto regions = cache_.get(part);
+      for (uint32_t i = 0; i < regions->triangles.size(); ++i) {
+        if (gone[part][regions->region_of[i]]) info.covered.push_back(regions->numbers[i]);
+      }
       info.covered_class = class_of_distance(distance);
     }
-    for (const auto& [placed, own] : list) {
+    for (const auto& [placed, own] : covered) {
       const PartInfo& info = parts_.parts[hierarchy.placed[placed].part];
       if (info.covered.empty()) continue;
       const double high = distance_of_class(info.covered_class) * lattice.step;
-      for (const auto& [cover, clearance] : own->covers) {
-        const ErrorGap gap{std::min(std::max(0.49 * clearance, least_room * high), high), high};
+      for (const auto& [cover, clearance] : own.covers) {
+        const ErrorGap gap{std::min(std::max(0.45 * clearance, least_room * high), high), high};
         for (const uint32_t side : {placed, cover}) {
           const PlacedPart& of = hierarchy.placed[side];
           add_gaps({gap}, 1 / hierarchy.stretches[of.transform], parts_.parts[of.part].gaps);
@@ -102,7 +108,7 @@ class RoomMaker {
   /// what covers it, and of what covers that. Lattice steps.
   double distance_of(uint32_t placed, const PlacedParts& hierarchy,
                      const std::map<uint32_t, CoveredPart>& covered,
-                     const std::map<uint32_t, std::set<uint32_t>>& triangles) const {
+                     const std::map<uint32_t, std::vector<bool>>& gone) const {
     std::set<uint32_t> near = {placed};
     for (int step = 0; step < 2; ++step) {
       const std::set<uint32_t> before = near;
@@ -113,48 +119,48 @@ class RoomMaker {
       }
     }
     const Lattice& lattice = parts_.lattices[hierarchy.lattice];
-    Baker all(lattice, {}, rules_), left(lattice, {}, rules_);
+    const Box box = lattice.box(hierarchy.boxes[placed]);
+    const double most = thin * diagonal(box);
+    std::vector<Corners> left_out, stays;
     for (const uint32_t member : near) {
       const uint32_t part = hierarchy.placed[member].part;
-      const auto gone = triangles.find(part);
-      const auto surface = load<Part>(geometry_, parts_.parts[part].place).surface;
-      Surface own = surface, other = surface;
-      own.colors.clear(), other.colors.clear();
-      own.triangles.clear(), other.triangles.clear();
-      for (uint32_t i = 0; i < surface.triangles.size(); ++i) {
-        const bool is_gone = gone != triangles.end() && gone->second.count(i) > 0;
-        if (is_gone && member == placed) own.triangles.push_back(surface.triangles[i]);
-        if (!is_gone) other.triangles.push_back(surface.triangles[i]);
+      const auto regions = cache_.get(part);
+      const auto found = gone.find(part);
+      const PartSpace space(hierarchy, member);
+      for (uint32_t i = 0; i < regions->triangles.size(); ++i) {
+        const bool is_gone = found != gone.end() && found->second[regions->region_of[i]];
+        if (is_gone && member != placed) continue;
+        Corners corners;
+        Box around;
+        for (size_t k = 0; k < 3; ++k) {
+          corners[k] = space.out(regions->points[regions->triangles[i][k]]);
+          around.extend(corners[k]);
+          corners[k] /= lattice.step;
+        }
+        if (is_gone) {
+          left_out.push_back(corners);
+        } else if (overlap(around, grown(box, most))) {
+          stays.push_back(corners);
+        }
       }
-      add(own, hierarchy.placed[member], hierarchy, all);
-      add(other, hierarchy.placed[member], hierarchy, all);
-      add(other, hierarchy.placed[member], hierarchy, left);
     }
-    const Baked whole = all.finish(0), rest = left.finish(0);
-    if (rest.surface.triangles.empty()) return no_distance;
-    const double moved = (whole.error + rest.error) / lattice.step;
-    const double distance = distance_bound(whole.surface, rest.surface, Colors::ignore) + moved;
-    const LatticeBox& box = hierarchy.boxes[placed];
-    return distance <= thin * diagonal(lattice.box(box)) / lattice.step ? distance : no_distance;
-  }
-
-  void add(const Surface& surface, const PlacedPart& placed, const PlacedParts& hierarchy,
-           Baker& baker) const {
-    if (surface.triangles.empty()) return;
-    const Piece used = extract(surface.points, surface.triangles);
-    const std::vector<LeafSpan> none(used.surface.points.size());
-    if (placed.transform == 0) {
-      baker.add(used.surface, none);
-    } else {
-      baker.add(used.surface, parts_.lattices[parts_.parts[placed.part].lattice],
-                hierarchy.transforms[placed.transform], none);
+    if (stays.empty()) return no_distance;
+    constexpr double tightness = 1.5;
+    constexpr size_t cuts_per_triangle = 6, cuts_beyond = 2000;
+    const TriangleTree tree(std::move(stays));
+    OneSided side(tree, 0, tightness);
+    for (const Corners& corners : left_out) {
+      for (const glm::dvec3& corner : corners) side.reach(corner);
+      if (side.lower() * lattice.step > most) return no_distance;
     }
+    for (const Corners& corners : left_out) side.add(corners, no_distance);
+    const double distance = side.finish(cuts_per_triangle * left_out.size() + cuts_beyond, no_distance);
+    // Placements that stand among the same others do so to within the tolerance of contacts.
+    return distance * lattice.step < most ? distance + contact_steps : no_distance;
   }
 
   Parts& parts_;
-  const SpoolFile& geometry_;
-  const BuildRules& rules_;
-  PartCache<PartRegions> cache_;
+  mutable PartCache<PartRegions> cache_;
 };
 
 bool is_left_out(const Triangle& triangle, double distance) {
@@ -171,8 +177,8 @@ bool leaves_out_some(const Surface& surface, double distance) {
 
 }  // namespace
 
-CoverReport make_room(Parts& parts, const SpoolFile& geometry, const BuildRules& rules, uint64_t memory) {
-  return RoomMaker(parts, geometry, rules, memory).run();
+CoverReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory) {
+  return RoomMaker(parts, geometry, memory).run();
 }
 
 std::optional<Piece> without_covered(const Piece& piece, double distance) {
@@ -214,8 +220,14 @@ double leave_out_covered(Baked& baked, double distance) {
 Surface speck(const Surface& surface) {
   const Triangle& first = surface.triangles.front();
   const glm::ivec3 at = surface.points[first.vertices[0]];
-  Surface speck{.points = {at, at + glm::ivec3(1, 0, 0), at + glm::ivec3(0, 1, 0)},
-                .triangles = {{{0, 1, 2}, first.material}}};
+  // Along two axes in which it extends, so that it stays in the surface's box.
+  const LatticeBox box = surface.box();
+  Surface speck{.points = {at}, .triangles = {{{0, 1, 2}, first.material}}};
+  for (int axis = 0; axis < 3 && speck.points.size() < 3; ++axis) {
+    if (box.lo[axis] == box.hi[axis]) continue;
+    speck.points.push_back(at);
+    speck.points.back()[axis] += at[axis] < box.hi[axis] ? 1 : -1;
+  }
   if (!surface.colors.empty()) speck.colors = {surface.colors.front()};
   return speck;
 }

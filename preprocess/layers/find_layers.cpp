@@ -9,12 +9,16 @@
 #include <atomic>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <limits>
+#include <tsl/robin_set.h>
 
 namespace triptych {
 
 namespace {
 
 using FlatTriangle = std::array<glm::dvec2, 3>;
+
+constexpr double about_parallel = 0.999;  ///< cosine
 
 /// A placed part and its facets.
 struct Placed : PartSpace {
@@ -93,7 +97,6 @@ bool facets_overlap(const Placed& a, const Facet& of_a, const Placed& b, const F
                     double tolerance) {
   const glm::dvec3 normal_a = a.normal_out(of_a.normal), normal_b = b.normal_out(of_b.normal);
   const double cosine = glm::dot(normal_a, normal_b);
-  constexpr double about_parallel = 0.999;
   if (std::abs(cosine) < about_parallel || (cosine < 0 && of_a.is_outward && of_b.is_outward)) return false;
   const double flat = tolerance + a.rounding + b.rounding;
   const bool a_is_larger = of_a.area > of_b.area;
@@ -122,12 +125,12 @@ class LayerFinder {
     const Lattice& lattice = parts.lattices[hierarchy.lattice];
     uint32_t instances = 0;
     for (const PlacedPart& placed : hierarchy.placed) instances = std::max(instances, placed.instance + 1);
-    instances_.resize(instances);
+    members_.resize(instances);
+    tsl::robin_set<uint32_t> seen;
     for (size_t i = 0; i < hierarchy.placed.size(); ++i) {
       boxes_.push_back(grown(lattice.box(hierarchy.boxes[i]), tolerance_));
-      Box& whole = instances_[hierarchy.placed[i].instance];
-      whole.extend(boxes_.back().lo);
-      whole.extend(boxes_.back().hi);
+      members_[hierarchy.placed[i].instance].push_back(static_cast<uint32_t>(i));
+      is_first_.push_back(seen.insert(hierarchy.placed[i].part).second);
     }
   }
 
@@ -141,14 +144,13 @@ class LayerFinder {
       parallel_for(batch.size(), [&](size_t index) {
         const auto number = static_cast<uint32_t>(first + index);
         size_t tried = 0;
-        within(number, batch[index]);
+        if (is_first_[number]) within(number, batch[index]);
         larger_boxes.visit(number, [&](uint32_t larger) {
-          if (!may_differ(number, larger)) return true;
           if (tried++ == most_tried) {
             ++left_out;
             return false;
           }
-          between(number, larger, batch[index]);
+          if (may_differ(number, larger)) between(number, larger, batch[index]);
           return true;
         });
       });
@@ -169,10 +171,25 @@ class LayerFinder {
 
   PlacedFacet describe(const Placed& placed, uint32_t facet) const {
     const Facet& of = placed.facets->facets[facet];
-    const Box& box = instances_[placed.instance];
-    const glm::dvec3 size = box.hi - box.lo, normal = glm::abs(placed.normal_out(of.normal));
-    const glm::dvec3 sides(size.y * size.z, size.z * size.x, size.x * size.y);
-    return {placed.part, facet, placed.instance, glm::dot(normal, sides), of.area};
+    return {placed.part, facet, placed.instance, span_of(placed, of), of.area};
+  }
+
+  double span_of(const Placed& own, const Facet& facet) const {
+    constexpr size_t many = 64;
+    const std::vector<uint32_t>& members = members_[own.instance];
+    if (members.size() == 1) return own.facets->area_in_plane(facet);
+    if (members.size() > many) return std::numeric_limits<double>::infinity();
+    const glm::dvec3 point = own.out(facet.point), normal = own.normal_out(facet.normal);
+    double span = 0;
+    for (const uint32_t member : members) {
+      const Placed other = placed(member);
+      for (const Facet& next : other.facets->facets) {
+        if (std::abs(glm::dot(other.normal_out(next.normal), normal)) > about_parallel &&
+            std::abs(glm::dot(other.out(next.point) - point, normal)) < tolerance_)
+          span += next.area;
+      }
+    }
+    return span;
   }
 
   void add(const Placed& a, uint32_t of_a, const Placed& b, uint32_t of_b,
@@ -213,8 +230,9 @@ class LayerFinder {
   const PlacedParts& hierarchy_;
   PartCache<PartFacets>& cache_;
   double tolerance_;
-  std::vector<Box> boxes_;      ///< of placed parts
-  std::vector<Box> instances_;  ///< of whole instances
+  std::vector<Box> boxes_;                      ///< of placed parts
+  std::vector<bool> is_first_;                  ///< placement of its part
+  std::vector<std::vector<uint32_t>> members_;  ///< for each instance its placed parts
 };
 
 }  // namespace

@@ -14,8 +14,9 @@ namespace triptych {
 struct PlacedFacet {
   uint32_t part = 0, facet = 0;  ///< index into Parts::parts, and into its PartFacets::facets
   uint32_t instance = 0;         ///< PlacedPart::instance
-  double span = 0;               ///< the area that the box of the instance has along the facet's normal
-  double area = 0;               ///< its own
+  /// The area of all of the instance's facets in its plane; infinite for one of more than 64 parts.
+  double span = 0;
+  double area = 0;  ///< its own
 };
 
 struct FacetOverlap {

@@ -14,11 +14,11 @@ namespace {
 
 using Name = std::pair<uint32_t, uint32_t>;  ///< part and facet
 
-/// To about a thousandth, so that what is as large is not told apart by rounding.
-double rounded(double value) {
+/// Areas in steps of a factor of 8: within one of them the order of the file says more.
+int size_class(double area) {
   int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  return std::ldexp(std::rint(mantissa * 1024), exponent);
+  std::frexp(area, &exponent);
+  return exponent >= 0 ? exponent / 3 : -((2 - exponent) / 3);
 }
 
 /// What the order of layers is made of, over all placements of a facet.
@@ -43,7 +43,7 @@ std::vector<LayeredFacet> layer_facets(const std::vector<FacetOverlap>& overlaps
   // The uppermost first.
   const auto key = [&](const std::pair<const Name, Extent>& entry) {
     const auto& [name, extent] = entry;
-    return std::tuple(rounded(extent.span), rounded(extent.area), -int64_t{extent.instance},
+    return std::tuple(size_class(extent.span), size_class(extent.area), -int64_t{extent.instance},
                       -int64_t{name.first}, -int64_t{name.second});
   };
   std::vector<const std::pair<const Name, Extent>*> order;
@@ -57,10 +57,10 @@ std::vector<LayeredFacet> layer_facets(const std::vector<FacetOverlap>& overlaps
                    b = places[{overlap.b.part, overlap.b.facet}];
     above[std::max(a, b)].push_back(std::min(a, b));
   }
-  std::vector<uint32_t> layers(order.size(), 0);
+  std::vector<uint32_t> layers(order.size(), 1);
   for (uint32_t place = 0; place < order.size(); ++place) {
     for (const uint32_t other : above[place])
-      layers[place] = std::max(layers[place], std::min(layers[other] + 1, max_layers_above));
+      layers[place] = std::max(layers[place], std::min(layers[other] + 1, max_layer));
   }
   std::vector<LayeredFacet> result;
   for (const auto& [name, place] : places) result.push_back({name.first, name.second, layers[place]});
@@ -76,15 +76,15 @@ LayerReport make_layers(Parts& parts, const SpoolFile& geometry, uint64_t memory
     overlaps.insert(overlaps.end(), found.begin(), found.end());
   }
   for (const LayeredFacet& layered : layer_facets(overlaps)) {
-    if (layered.layers == 0) continue;
     const auto facets = cache.get(layered.part);
     const Facet& facet = facets->facets[layered.facet];
     std::vector<LayeredTriangle>& own = parts.parts[layered.part].layers;
     for (uint32_t i = facet.first; i < facet.first + facet.count; ++i)
-      own.push_back({facets->numbers[i], layered.layers});
+      own.push_back({facets->numbers[i], layered.layer});
+    if (layered.layer == 1) continue;
     ++report.facets;
     report.triangles += facet.count;
-    report.most = std::max(report.most, layered.layers);
+    report.most = std::max(report.most, layered.layer);
   }
   for (PartInfo& part : parts.parts) {
     std::sort(part.layers.begin(), part.layers.end(),

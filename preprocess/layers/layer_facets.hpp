@@ -8,15 +8,15 @@
 
 namespace triptych {
 
-/// For each facet in an overlap how many layers lie on it: one more than on any that lies on it, at most
-/// max_layers_above.
+/// A facet in an overlap, and its layer (scene/layers.hpp): one more than that of any that lies on it.
 struct LayeredFacet {
-  uint32_t part = 0, facet = 0, layers = 0;
+  uint32_t part = 0, facet = 0, layer = 0;
 };
 
-/// By part and facet. What is placed on what: an instance that spans less of the plane lies on one that spans
-/// more, of one instance's facets the smaller one on the larger one, and of equal ones that which comes later
-/// in the file. This is one order of all facets, so there are no cycles.
+/// By part and facet. What is placed on what: an instance that spans far less of the plane (by a factor of 8,
+/// roughly) lies on one that spans more, of one instance's facets a far smaller one on a larger one, and of
+/// those of about one size that which comes later in the file. This is one order of all facets, so there are
+/// no cycles.
 std::vector<LayeredFacet> layer_facets(const std::vector<FacetOverlap>& overlaps);
 
 /// Finds the layers of all hierarchies, and gives them to the parts (PartInfo::layers). `memory`: bytes that

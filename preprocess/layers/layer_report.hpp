@@ -8,7 +8,7 @@ namespace triptych {
 struct LayerReport {
   uint64_t facets = 0;         ///< flat faces that others lie on
   uint64_t triangles = 0;      ///< of them, in parts
-  uint32_t most = 0;           ///< layers on one of them
+  uint32_t most = 0;           ///< layers in one plane
   uint64_t crowded_parts = 0;  ///< placed parts that overlap so many others that not all were looked at
 };
 

@@ -40,16 +40,18 @@ void bound_fragment() {
 const std::string layered = R"(
 flat in uint layers;
 uniform vec4 layer_view;  // focal lengths, axis
-uniform vec2 layer_step;  // LayerOffset::step, parallel
+uniform vec3 layer_step;  // LayerOffset::step, snapped, parallel
 void place_fragment() {
   float z = gl_FragCoord.z;
   vec2 slope = vec2(dFdx(z), dFdy(z));
-  float ahead = layer_step.y > 0.0 ? layer_step.y : z + dot(slope, layer_view.zw - gl_FragCoord.xy);
+  float ahead = layer_step.z > 0.0 ? layer_step.z : z + dot(slope, layer_view.zw - gl_FragCoord.xy);
   vec2 along = slope * layer_view.xy;
   float normal = sqrt(dot(along, along) + ahead * ahead);
   float moved = float(layers) * layer_step.x * normal;
-  float snapped = float(layers) * normal / (512.0 * max(layer_view.x, layer_view.y));
-  float below = layer_step.y > 0.0 ? z - (moved + snapped) : z * max(1.0 - moved, 0.5) - snapped;
+  float sheared = float(layers) * layer_step.y * normal;
+  float rounded = float(layers) * 9.5e-7;
+  float below = layer_step.z > 0.0 ? z * (1.0 - rounded) - (moved + sheared)
+                                   : z * max(1.0 - (moved + rounded), 0.5) - sheared;
   gl_FragDepth = layers > 0u ? max(below, z * 0.5) : z;
 }
 )";
@@ -149,7 +151,7 @@ void main() {
   bound_y = bound.y.xyz;
   bound_at = bound.at;
   item = drawable;
-)" + (layers == Layers::some ? "  layers = color_and_piece >> 20 & 15u;\n}\n" : "}\n");
+)" + (layers == Layers::some ? "  layers = max(color_and_piece >> 20 & 15u, 1u) - 1u;\n}\n" : "}\n");
 }
 
 std::string depth_fragment_shader(Layers layers) {

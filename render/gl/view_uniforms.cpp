@@ -18,9 +18,10 @@ void ViewUniforms::set(const FrameView& view) const {
   glUniform4f(frustum_, frustum.x, frustum.y, frustum.z, frustum.w);
   glUniform2f(depth_, depth.x, depth.y);
   if (layer_view_ >= 0) {
-    const LayerOffset offset(view);
+    // As a rule graphics cards snap to 1/256 pixel, and OpenGL lets them do so before depths are computed.
+    const LayerOffset offset(view, 1.0 / 192);
     glUniform4f(layer_view_, offset.focal_x, offset.focal_y, offset.axis_x, offset.axis_y);
-    glUniform2f(layer_step_, offset.step, offset.parallel);
+    glUniform3f(layer_step_, offset.step, offset.snapped, offset.parallel);
   }
   if (light_ >= 0) {
     const glm::vec3 light = light_direction(view);

@@ -113,7 +113,7 @@ class PictureTrial {
   }
 
   void expect_no_blue(FrameRequest request) {
-    for (const double pixel_error : {0.0, 1.0, 16.0}) {
+    for (const double pixel_error : {0.0, 1.0, 4.0}) {
       request.state.pixel_error = pixel_error;
       items_.draw(request);
       const std::vector<uint8_t> colors = items_.target().read_colors();

@@ -196,7 +196,7 @@ TEST(Chunk, a_point_has_one_vertex_for_each_of_its_colours_and_pieces) {
   std::set<std::array<uint32_t, 3>> distinct;
   for (int i = 0; i < 3000; ++i) {
     const uint32_t hub = 3, a = 4 + random(36), b = 4 + random(36),
-                   color = material_under(random(200), random(3));
+                   color = material_in_layer(random(200), random(3));
     surface.triangles.push_back({{hub, a, b}, color});
     pieces.push_back(static_cast<uint8_t>(random(3)));
     for (const uint32_t point : {hub, a, b}) distinct.insert({point, color, pieces.back()});
@@ -207,7 +207,7 @@ TEST(Chunk, a_point_has_one_vertex_for_each_of_its_colours_and_pieces) {
   for (size_t i = 0; i < chunk.indices.size(); ++i) {
     const Triangle& triangle = surface.triangles[i / 3];
     const ChunkVertex expected{surface.points[triangle.vertices[i % 3]], triangle.material & 0xfffffu,
-                               layers_above(triangle.material) & 15u, pieces[i / 3]};
+                               layer_of(triangle.material) & 15u, pieces[i / 3]};
     EXPECT_EQ(chunk.vertices[chunk.indices[i]], expected) << i;
   }
 }

@@ -12,7 +12,7 @@ const InGallery depth_one_plane(
      .make = [] {
        Trial trial;
        Maker maker;
-       maker.box({-10, -10, -0.3}, {10, 10, 0});
+       maker.box({-7.5, -7.5, -0.3}, {7.5, 7.5, 0});
        for (int i = 0; i < 16; ++i) {
          Mesh tile = awkward::grid(static_cast<uint32_t>(1 + i % 5), 4);
          for (glm::dvec3& position : tile.positions)
