@@ -20,8 +20,9 @@ const std::vector<std::string>& fault_names() {
       "float-positions",   "fixed-units",       "euclidean-depth",
       "dropped-stretch",   "perspective-rule",  "dropped-singular-value",
       "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
-      "shared-shears",     "loose-contacts",    "exact-frustum",
-      "backs-nearby",      "slow-render-node",  "slow-switch-node"};
+      "shared-shears",     "loose-contacts",    "no-room",
+      "untold-layers",     "exact-frustum",     "backs-nearby",
+      "slow-render-node",  "slow-switch-node"};
   return names;
 }
 

@@ -31,6 +31,8 @@ enum class Fault {
   unflipped_mirror,  ///< mirrored placements keep their winding
   shared_shears,     ///< meshes are shared under transforms that floats cannot place exactly
   loose_contacts,    ///< levels of detail do not hold the points where surfaces touch
+  no_room,           ///< what covers others, and what is covered, may be off by any error
+  untold_layers,     ///< of surfaces in one plane nothing says which lies on which
   exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
   backs_nearby,      ///< backs are left out even where the eye is among them
   slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change

@@ -29,6 +29,19 @@ void print(const BuildReport& report, const std::filesystem::path& output) {
   fmt::print("dropped triangles {}, welded vertices {}, repaired edges {}, stuck groups {}, warnings {}\n",
              report.import.dropped_triangles, report.import.welded_vertices, report.import.repaired_edges,
              report.import.stuck_groups, report.import.warnings.size());
+  if (report.covered.triangles > 0) {
+    fmt::print("{} triangles lie right beneath others: {} parts keep their distance, or leave them out\n",
+               report.covered.triangles, report.covered.parts);
+  }
+  if (report.layers.facets > 0) {
+    fmt::print(
+        "{} flat faces have others on them in their plane, in up to {} layers: those are drawn in front\n",
+        report.layers.facets, report.layers.most);
+  }
+  if (report.layers.crowded_parts > 0) {
+    fmt::print("{} parts overlap so many larger ones that not all faces in one plane were looked for\n",
+               report.layers.crowded_parts);
+  }
   if (report.contacts.contacts > 0) {
     fmt::print(
         "{} parts touch others at {} places: their levels of detail hold those; {} more chains for "
@@ -56,6 +69,11 @@ nlohmann::json report_json(const BuildReport& report, const BuildOptions& option
           {"pack_bytes", report.pack_bytes},
           {"peak_rss_bytes", peak_resident_bytes()},
           {"keep", name_of(options.keep)},
+          {"covered_triangles", report.covered.triangles},
+          {"covering_parts", report.covered.parts},
+          {"layered_facets", report.layers.facets},
+          {"layered_triangles", report.layers.triangles},
+          {"most_layers", report.layers.most},
           {"contacts", report.contacts.contacts},
           {"contact_parts", report.contacts.held_parts},
           {"contact_chains", report.contacts.added_chains},

@@ -40,6 +40,8 @@ const std::map<std::string, HierarchyKind>& hierarchies() {
 /// The words of --keep.
 const std::map<std::string, bool Kept::*>& promises() {
   static const std::map<std::string, bool Kept::*> names = {{"touching", &Kept::touching},
+                                                            {"order", &Kept::order},
+                                                            {"planes", &Kept::planes},
                                                             {"cover", &Kept::cover}};
   return names;
 }
@@ -67,8 +69,10 @@ void add_keep_flag(CLI::App& command, Kept& keep) {
               keep.*promise = std::count(given.begin(), given.end(), name) > 0;
           },
           "What levels of detail keep beside distances, at the price of triangles: that surfaces which touch "
-          "show no "
-          "gap (touching), that small things cover as much of the screen as in full detail (cover), or none")
+          "show no gap (touching), that what lies right beneath a surface does not come out of it (order), "
+          "that of surfaces in one plane the same one shows from everywhere "
+          "(planes), "
+          "that small things cover as much of the screen as in full detail (cover), or none")
       ->delimiter(',')
       ->check(one_of(words))
       ->type_name(all + "|none")

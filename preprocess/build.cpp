@@ -9,7 +9,9 @@
 #include "preprocess/build_work.hpp"
 #include "preprocess/contacts/find_contacts.hpp"
 #include "preprocess/contacts/hold_contacts.hpp"
+#include "preprocess/covered/make_room.hpp"
 #include "preprocess/encode_objects.hpp"
+#include "preprocess/layers/layer_facets.hpp"
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
 #include "preprocess/parts.hpp"
@@ -230,6 +232,12 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   model = {};
   stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });
   stage("hierarchy", [&] { hierarchies.make_nodes(options.hierarchy); });
+  if (options.keeps_order())
+    stage("covered", [&] { report.covered = make_room(parts, work.parts(), options.memory / 4); });
+  if (options.makes_layers()) {
+    stage("layers", [&] { report.layers = make_layers(parts, work.parts(), options.memory / 4); });
+    if (report.layers.facets > 0) skeleton.effects.push_back(layers_effect);
+  }
   if (options.holds_contacts()) {
     stage("contacts", [&] {
       report.contacts =

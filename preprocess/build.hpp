@@ -5,6 +5,8 @@
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_rules.hpp"
 #include "preprocess/contacts/contact_report.hpp"
+#include "preprocess/covered/cover_report.hpp"
+#include "preprocess/layers/layer_report.hpp"
 #include "scene/pack_options.hpp"
 #include "scene/skeleton.hpp"
 #include "simplify/simplify.hpp"
@@ -20,6 +22,8 @@ namespace triptych {
 /// What levels of detail keep beside distances, at the price of triangles.
 struct Kept {
   bool touching = true;  ///< surfaces that touch show no gap at any mix of levels
+  bool order = false;    ///< what lies right beneath a surface does not come out of it; only if asked for
+  bool planes = true;    ///< of surfaces in one plane the same one shows from everywhere
   bool cover = true;     ///< small things cover as much of the screen as in full detail
 };
 
@@ -59,6 +63,8 @@ struct BuildOptions {
     limits.keep_cover = keep.cover;
     return limits;
   }
+  bool keeps_order() const { return keep.order && rules.order_is_kept; }
+  bool makes_layers() const { return keep.planes && rules.layers_are_told; }
   bool holds_contacts() const { return keep.touching && rules.contacts_hold; }
 };
 
@@ -79,6 +85,8 @@ struct BuildReport {
   uint64_t sub_hierarchies = 0, instances = 0;
   uint32_t levels = 0;  ///< of the hierarchy: the longest path from its root to a leaf
   ContactReport contacts;
+  LayerReport layers;
+  CoverReport covered;
   uint64_t resumed_units = 0;  ///< batches of units that an earlier, killed build had completed
   ImportReport import;
 };

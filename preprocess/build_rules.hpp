@@ -10,6 +10,8 @@ struct BuildRules {
   bool bounds_are_stretched = true;  ///< bounds of placed geometry grow with the transform's stretch
   bool mirrors_flip_winding = true;  ///< triangles under a mirroring transform get the opposite winding
   bool contacts_hold = true;         ///< Kept::touching is kept
+  bool order_is_kept = true;         ///< Kept::order is kept
+  bool layers_are_told = true;       ///< Kept::planes is kept
   /// Meshes are shared only under transforms of at most this condition number, for which floats are precise
   /// enough.
   double max_condition = 8;

@@ -1,6 +1,7 @@
 #include "preprocess/hlod.hpp"
 
 #include "preprocess/contacts/small_contacts.hpp"
+#include "preprocess/covered/make_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ uint32_t Baker::place(const glm::ivec3& point, const LeafSpan& span) {
 
 /// The material's for all corners.
 CornerColors Baker::colors_of(const Triangle& triangle) const {
-  VertexColor color = palette_[triangle.material];
+  VertexColor color = palette_[palette_index(triangle.material)];
   color[3] = 255;
   return {color, color, color};
 }
@@ -87,26 +88,29 @@ Baked Baker::finish(double error) {
 }
 
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
-               uint32_t triangles, const SimplifyLimits& how, bool in_pieces) {
+               const HlodLimits& limits) {
   std::vector<uint8_t> locked;
   for (const LeafSpan& span : children.spans)
     locked.push_back(span.first < first_place || span.last >= end_place);
   free_small_contacts(children, children.error / lattice.step, locked);
   Hlod hlod;
-  SimplifyLimits limits = how;
-  limits.triangles = triangles;
-  limits.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
-  Chain chain = simplify(children.surface, locked, limits);
+  SimplifyLimits how = limits.simplify;
+  how.triangles = limits.triangles;
+  how.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
+  Chain chain = simplify(children.surface, locked, how);
   hlod.stuck = chain.stuck && chain.levels.empty();
-  if (chain.levels.empty()) {
+  if (chain.levels.empty() || limits.begins_as_it_is) {
     Level all{{children.surface, std::vector<uint32_t>(children.surface.points.size())}, 0};
     std::iota(all.piece.sources.begin(), all.piece.sources.end(), 0u);
-    chain.levels.push_back(std::move(all));
+    chain.levels.insert(chain.levels.begin(), std::move(all));
   }
   for (Level& level : chain.levels) {
-    EncodedChunk chunk = encode(level.piece.surface, in_pieces);
-    hlod.drawables.push_back(
-        {std::move(level.piece), std::move(chunk), children.error + level.bound * lattice.step});
+    const double error = beyond_gaps(children.error + level.bound * lattice.step, limits.gaps);
+    if (auto left = without_covered(level.piece, error / lattice.step)) level.piece = std::move(*left);
+    // Of levels with one error the coarsest is enough.
+    if (!hlod.drawables.empty() && hlod.drawables.back().error >= error) hlod.drawables.pop_back();
+    EncodedChunk chunk = encode(level.piece.surface, limits.in_pieces);
+    hlod.drawables.push_back({std::move(level.piece), std::move(chunk), error});
   }
   const HlodDrawable& last = hlod.drawables.back();
   for (const uint32_t source : last.piece.sources) hlod.coarsest.spans.push_back(children.spans[source]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "preprocess/build_rules.hpp"
+#include "preprocess/covered/error_gaps.hpp"
 #include "preprocess/leaf_span.hpp"
 #include "preprocess/part.hpp"
 #include "preprocess/pieces.hpp"
@@ -79,11 +80,19 @@ struct Hlod {
   bool stuck = false;  ///< the simplifier could not reduce the children's triangles to as few as wanted
 };
 
+struct HlodLimits {
+  uint32_t triangles = 32;  ///< of the coarsest level, roughly
+  SimplifyLimits simplify;  ///< simplifier and kind of bound
+  bool in_pieces = true;    ///< chunks whose box is mostly air get several pieces
+  /// Errors that levels may not have. From their ends on what is covered is left out.
+  std::vector<ErrorGap> gaps = {};
+  bool begins_as_it_is = false;  ///< the children's geometry is the finest level
+};
+
 /// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.
-/// `how`: simplifier and kind of bound. `in_pieces`: chunks whose box is mostly air get several pieces.
 /// Points on borders to other subtrees stay, so that surfaces that continue there stay closed at any mix of
 /// levels.
 Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const Lattice& lattice,
-               uint32_t triangles, const SimplifyLimits& how, bool in_pieces);
+               const HlodLimits& limits);
 
 }  // namespace triptych

@@ -12,6 +12,8 @@ BuildRules injected_build_rules() {
           .bounds_are_stretched = !injected(Fault::dropped_singular_value),
           .mirrors_flip_winding = !injected(Fault::unflipped_mirror),
           .contacts_hold = !injected(Fault::loose_contacts),
+          .order_is_kept = !injected(Fault::no_room),
+          .layers_are_told = !injected(Fault::untold_layers),
           .max_condition = injected(Fault::shared_shears) ? std::numeric_limits<double>::infinity()
                                                           : BuildRules().max_condition};
 }

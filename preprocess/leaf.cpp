@@ -1,6 +1,7 @@
 #include "preprocess/leaf.hpp"
 
 #include "base/progress.hpp"
+#include "preprocess/covered/make_room.hpp"
 #include "preprocess/pieces.hpp"
 #include "simplify/simplify.hpp"
 
@@ -46,10 +47,69 @@ std::vector<BorderPoint> borders_of(const Piece& level, const std::vector<uint32
   return borders;
 }
 
+/// A level on its way into the pack.
+struct PartLevelGeometry {
+  Part level;
+  double bound = 0;  ///< PartLevel::bound
+};
+
+/// The level without the triangles that are covered; false where it has none.
+bool leave_out_covered(Part& level) {
+  const auto is_covered = [](const Triangle& triangle) { return covered_class(triangle.material) > 0; };
+  const auto& triangles = level.surface.triangles;
+  if (std::ranges::none_of(triangles, is_covered)) return false;
+  if (std::ranges::all_of(triangles, is_covered)) {
+    level = {speck(level.surface), {}};
+    return true;
+  }
+  std::vector<uint32_t> own(level.surface.points.size());
+  std::iota(own.begin(), own.end(), 0u);
+  Piece left = *without_covered({std::move(level.surface), std::move(own)}, distance_of_class(255));
+  std::vector<uint32_t> numbers(left.sources.empty() ? 0 : *std::ranges::max_element(left.sources) + 1,
+                                no_id);
+  std::vector<BorderPoint> borders;
+  for (uint32_t point = 0; point < left.sources.size(); ++point) numbers[left.sources[point]] = point;
+  for (const BorderPoint& border : level.borders) {
+    if (border.point < numbers.size() && numbers[border.point] != no_id)
+      borders.push_back({numbers[border.point], border.number});
+  }
+  level = {std::move(left.surface), std::move(borders)};
+  return true;
+}
+
+/// Raises bounds beyond the part's gaps, and leaves out what is covered from there on; where no level is off
+/// by as much, one more does.
+void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) {
+  if (info.gaps.empty()) return;
+  std::vector<PartLevelGeometry> kept = {std::move(levels.front())};
+  const double from = beyond_gaps(info.covered_from, info.gaps);
+  const auto add = [&](PartLevelGeometry level) {
+    level.bound = beyond_gaps(level.bound, info.gaps);
+    if (!info.covered.empty() && level.bound >= info.covered_from) leave_out_covered(level.level);
+    // Of levels with one bound the coarsest is enough.
+    if (kept.size() > 1 && kept.back().bound >= level.bound) kept.pop_back();
+    kept.push_back(std::move(level));
+  };
+  for (size_t i = 1; i < levels.size(); ++i) add(std::move(levels[i]));
+  if (!info.covered.empty() && kept.back().bound < from) {
+    PartLevelGeometry last{kept.back().level, from};
+    add(std::move(last));
+  }
+  levels = std::move(kept);
+}
+
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
 /// lattice_is_own: its own, which placements turn; false: that of the hierarchy that it is in.
 UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, bool lattice_is_own,
                        const BuildOptions& options, size_t kept_triangles) {
+  for (const uint32_t triangle : info.covered) {
+    uint32_t& material = part.surface.triangles[triangle].material;
+    material = material_covered(material, info.covered_class);
+  }
+  for (const LayeredTriangle& layered : info.layers) {
+    uint32_t& material = part.surface.triangles[layered.triangle].material;
+    material = material_in_layer(material, layered.layer);
+  }
   std::vector<uint8_t> locked;
   std::vector<uint32_t> numbers;
   for (const uint32_t point : info.contacts) part.borders.push_back({point, 0});
@@ -74,17 +134,22 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   LevelFigures figures;
   figures.detached_triangles = chain.detached_triangles;
   figures.stuck = chain.stuck && chain.levels.empty();
-  const auto add = [&](const Part& level, double steps, bool last, bool is_shared = false) {
-    if (!is_shared) result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
-    const bool kept = last || level.surface.triangles.size() <= kept_triangles;
-    result.geometry.push_back(kept ? record_bytes(level) : std::vector<std::byte>());
-    figures.bounds.push_back((steps + info.moved) * lattice.step +
-                             (options.rules.bounds_hold_rounding ? lattice.rounding() : 0));
-  };
-  add(part, 0, chain.levels.empty(), info.variant_of != no_id);  // the other chain has its chunk
+  const double rounding = options.rules.bounds_hold_rounding ? lattice.rounding() : 0;
+  std::vector<PartLevelGeometry> levels = {{std::move(part), info.moved * lattice.step + rounding}};
   for (Level& level : chain.levels) {
     std::vector<BorderPoint> borders = borders_of(level.piece, numbers);
-    add({std::move(level.piece.surface), std::move(borders)}, level.bound, &level == &chain.levels.back());
+    levels.push_back({{std::move(level.piece.surface), std::move(borders)},
+                      (level.bound + info.moved) * lattice.step + rounding});
+  }
+  keep_beneath(info, levels);
+  for (size_t i = 0; i < levels.size(); ++i) {
+    const auto& [level, bound] = levels[i];
+    // The other chain has the first one's chunk.
+    if (i > 0 || info.variant_of == no_id)
+      result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
+    const bool kept = i + 1 == levels.size() || level.surface.triangles.size() <= kept_triangles;
+    result.geometry.push_back(kept ? record_bytes(level) : std::vector<std::byte>());
+    figures.bounds.push_back(bound);
   }
   result.figures = record_bytes(figures);
   return result;

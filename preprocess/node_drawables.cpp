@@ -3,6 +3,7 @@
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "preprocess/contacts/stitch.hpp"
+#include "preprocess/covered/make_room.hpp"
 #include "preprocess/hlod.hpp"
 #include "preprocess/triangle_objects.hpp"
 
@@ -33,8 +34,9 @@ struct RootFigures {
 struct Coarsest {
   double error = 0;
   uint32_t triangles = 0;
-  std::vector<uint32_t> levels;  ///< of a leaf of parts: LeafDrawable::levels of its last drawable
-  SpoolPlace baked;              ///< otherwise: the last drawable of the node, or of what it stands for
+  std::vector<uint32_t> levels;     ///< of a leaf of parts: LeafDrawable::levels of its last drawable
+  SpoolPlace baked;                 ///< otherwise: the last drawable of the node, or of what it stands for
+  std::vector<ErrorGap> gaps = {};  ///< PartInfo::gaps of all parts in it, model units
 };
 
 }  // namespace
@@ -207,6 +209,10 @@ class NodeDrawables {
     }
     const Drawable& last = content.drawables.back();
     coarsest_[node] = {last.error, last.triangles, std::move(leaf_levels.back().levels), {}};
+    for (const uint32_t member : members) {
+      const PlacedPart& placed = placed_.placed[member];
+      add_gaps(parts_.parts[placed.part].gaps, placed_.stretches[placed.transform], coarsest_[node].gaps);
+    }
   }
 
   /// A leaf that stands for a sub-hierarchy: it draws the sub-hierarchy's own drawables.
@@ -252,9 +258,19 @@ class NodeDrawables {
 
   UnitResult simplify_children(uint32_t node) const {
     Baked children = bake_children(node);
+    const size_t all = children.surface.triangles.size();
+    constexpr double small = 1.0 / 64;
+    const double early = std::max(children.error, small * diagonal(lattice_.box(children.surface.box())));
+    children.error =
+        std::max(children.error, lattice_.step * leave_out_covered(children, early / lattice_.step));
     const TriangleObjects objects(children);
-    Hlod hlod = make_hlod(std::move(children), nodes_[node].first_place, nodes_[node].end_place, lattice_,
-                          options_.hlod_triangles, options_.simplify_limits(), options_.in_pieces());
+    const HlodLimits limits{.triangles = options_.hlod_triangles,
+                            .simplify = options_.simplify_limits(),
+                            .in_pieces = options_.in_pieces(),
+                            .gaps = gaps_of_children(node),
+                            .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all};
+    Hlod hlod =
+        make_hlod(std::move(children), nodes_[node].first_place, nodes_[node].end_place, lattice_, limits);
     hlod.coarsest.objects = objects.of(hlod.drawables.back().piece);
     HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck, {}};
     UnitResult result;
@@ -266,6 +282,14 @@ class NodeDrawables {
     result.geometry.push_back(record_bytes(hlod.coarsest));
     result.figures = record_bytes(figures);
     return result;
+  }
+
+  std::vector<ErrorGap> gaps_of_children(uint32_t node) const {
+    std::vector<ErrorGap> gaps;
+    const uint32_t first = nodes_[node].first_child;
+    for (uint32_t child = first; child < first + nodes_[node].child_count; ++child)
+      add_gaps(coarsest_[child].gaps, 1, gaps);
+    return gaps;
   }
 
   Baked bake_children(uint32_t node) const {
@@ -293,7 +317,10 @@ class NodeDrawables {
       std::vector<SourceObjectId> objects;
       for (const SourceObjectId local : baked.objects)
         objects.push_back(object_in(placed.first_object, local));
-      baker.add(baked.surface, lattice_of(placed), placed_.transforms[placed.transform], none, objects);
+      // What is covered in there was measured in its own steps.
+      Surface surface = baked.surface;
+      for (Triangle& triangle : surface.triangles) triangle.material = material_seen(triangle.material);
+      baker.add(surface, lattice_of(placed), placed_.transforms[placed.transform], none, objects);
     }
   }
 
@@ -333,6 +360,7 @@ class NodeDrawables {
       content.box.extend(stored.chunks[i].box);
     }
     content.triangle_objects = std::move(figures.objects);
+    coarsest_[node].gaps = gaps_of_children(node);
     double children = 0;  // the largest error of one
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {

@@ -3,6 +3,7 @@
 #include "base/hashing.hpp"
 #include "base/unnamed_file.hpp"
 #include "preprocess/encode_chunk.hpp"
+#include "scene/layers.hpp"
 #include "scene/pack_format.hpp"
 #include "scene/pack_skeleton.hpp"
 
@@ -83,8 +84,11 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
   skeleton.surrounding.chunks = std::move(chunks_);
   const auto& effects = skeleton.surrounding.effects;
   const bool colored = std::count(effects.begin(), effects.end(), vertex_colors_effect) > 0;
+  const uint32_t version = has_layers(effects) ? layered_geometry_version
+                           : colored           ? colored_geometry_version
+                                               : geometry_version;
   std::vector<PackSection> table = {{.type = geometry_type,
-                                     .version = colored ? colored_geometry_version : geometry_version,
+                                     .version = version,
                                      .offset = sizeof(PackHeader),
                                      .size = file_.size() - sizeof(PackHeader),
                                      .checksum = geometry_checksum(skeleton.surrounding.chunks)}};

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "preprocess/covered/closed_surface.hpp"
 #include "preprocess/divide.hpp"
 #include "preprocess/sorted_mesh.hpp"
 #include "preprocess/weld.hpp"
@@ -17,6 +18,8 @@ namespace {
 
 struct PartFigures {
   uint32_t triangles = 0, borders = 0;
+  uint32_t color = no_id;  ///< PartInfo::color
+  Outside outside = Outside::none;
   std::vector<LatticeBox> boxes;  ///< in each of the mesh's instances
 };
 
@@ -32,6 +35,7 @@ struct DivisionFigures {
 
 template <>
 inline constexpr auto record_members<PartFigures> = std::tuple(&PartFigures::triangles, &PartFigures::borders,
+                                                               &PartFigures::color, &PartFigures::outside,
                                                                &PartFigures::boxes);
 template <>
 inline constexpr auto record_members<DivisionFigures> =
@@ -40,6 +44,16 @@ inline constexpr auto record_members<DivisionFigures> =
                &DivisionFigures::first_own, &DivisionFigures::parts);
 
 namespace {
+
+/// PartInfo::color.
+uint32_t color_of(const Surface& surface) {
+  if (!surface.colors.empty() || surface.triangles.empty()) return no_id;
+  const uint32_t color = surface.triangles.front().material;
+  const bool is_everywhere =
+      std::all_of(surface.triangles.begin(), surface.triangles.end(),
+                  [&](const Triangle& triangle) { return triangle.material == color; });
+  return is_everywhere ? color : no_id;
+}
 
 /// A box on the lattice `to` that holds the surface under the transform.
 LatticeBox placed_box(const Surface& surface, const Lattice& lattice, const Affine& transform,
@@ -127,7 +141,9 @@ class PartMaker {
                        .borders = part.borders,
                        .moved = figures.enlarged ? 1u : 0u,
                        .own_borders_from = figures.first_own,
-                       .own_borders_behind = border_counts[mesh] - figures.first_own});
+                       .own_borders_behind = border_counts[mesh] - figures.first_own,
+                       .color = part.color,
+                       .outside = part.outside});
       boxes.push_back(part.boxes);
     }
     border_counts[mesh] += figures.own_borders;
@@ -154,11 +170,16 @@ class PartMaker {
                             .own_borders = division.own_borders,
                             .first_own = division.first_own,
                             .parts = {}};
+    // Of a bucket nobody knows.
+    const Outside outside =
+        shared.empty() && options_.keeps_order() ? outside_of(welded.surface) : Outside::none;
     UnitResult result;
     for (const Part& part : division.parts) {
       PartFigures& of_part =
           figures.parts.emplace_back(PartFigures{static_cast<uint32_t>(part.surface.triangles.size()),
                                                  static_cast<uint32_t>(part.borders.size()),
+                                                 color_of(part.surface),
+                                                 outside,
                                                  {}});
       for (const uint32_t instance : mesh.instances) of_part.boxes.push_back(box_in(instance, mesh, part));
       result.geometry.push_back(record_bytes(part));

@@ -4,6 +4,8 @@
 
 #include "model/model.hpp"
 #include "preprocess/build_work.hpp"
+#include "preprocess/covered/closed_surface.hpp"
+#include "preprocess/covered/error_gaps.hpp"
 #include "preprocess/leaf_span.hpp"
 #include "preprocess/part.hpp"
 #include "preprocess/plan.hpp"
@@ -14,6 +16,11 @@
 #include <vector>
 
 namespace triptych {
+
+/// A triangle in whose plane others lie, and its layer (scene/layers.hpp).
+struct LayeredTriangle {
+  uint32_t triangle = 0, layer = 0;
+};
 
 /// What is known of a part without its geometry.
 struct PartInfo {
@@ -27,6 +34,20 @@ struct PartInfo {
   /// Further points that its levels must hold, since others touch them in some of its placements; ascending,
   /// none of them is a border point.
   std::vector<uint32_t> contacts = {};
+  /// The palette index of all of its triangles; no_id where they have several, or colours of vertices.
+  uint32_t color = no_id;
+  /// Triangles in whose planes others lie, ascending.
+  std::vector<LayeredTriangle> layers = {};
+  /// Of its mesh; none where that is not known.
+  Outside outside = Outside::none;
+  /// Triangles that lie right beneath other surfaces in all placements (preprocess/covered/).
+  std::vector<uint32_t> covered = {};
+  /// Their class: within that distance of what is not covered, in steps of the hierarchy's lattice.
+  uint32_t covered_class = 0;
+  /// Levels that are off by this or more leave them out; in the units of its lattice's space.
+  double covered_from = 0;
+  /// What its levels may not be off, in the same units.
+  std::vector<ErrorGap> gaps = {};
   /// The same part with another chain of levels, whose finest one they share; no_id: none.
   uint32_t variant_of = no_id;
 };

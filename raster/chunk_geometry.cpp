@@ -34,6 +34,10 @@ RasterChunk::RasterChunk(const Chunk& chunk) : vertex_color(chunk.colors) {
     // Colours are of triangles: as in OpenGL, the last corner's.
     color.push_back(chunk.vertices[chunk.indices[i + 2]].color);
   }
+  if (std::ranges::any_of(chunk.vertices, [](auto& vertex) { return vertex.layer > 0; })) {
+    for (size_t i = 2; i < chunk.indices.size(); i += 3)
+      layers.push_back(chunk.vertices[chunk.indices[i]].layer);
+  }
   outward.resize(color.size() / 32 + 2);
   const std::vector<bool> is_outward = chunk.outward();
   for (size_t i = 0; i < is_outward.size(); ++i) outward[i / 32] |= uint32_t{is_outward[i]} << i % 32;
@@ -52,7 +56,7 @@ RasterChunk::VertexRange RasterChunk::vertices(uint32_t first_triangle, uint32_t
 
 uint64_t RasterChunk::bytes() const {
   uint64_t sum = sizeof *this + bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(piece) + bytes_of(color) +
-                 bytes_of(outward) + bytes_of(ranges_) + bytes_of(vertex_color);
+                 bytes_of(outward) + bytes_of(ranges_) + bytes_of(layers) + bytes_of(vertex_color);
   for (const auto& values : corner) sum += bytes_of(values);
   return sum;
 }

@@ -27,11 +27,13 @@ class RasterChunk {
   uint64_t bytes() const;
   /// Whether backs of the triangle cannot be seen from outside of the chunk's box (Chunk::outward).
   bool is_outward(size_t triangle) const { return outward[triangle / 32] >> triangle % 32 & 1; }
+  uint32_t layer(size_t triangle) const { return layers.empty() ? 0 : layers[triangle]; }
 
   std::vector<int32_t> x, y, z;           ///< of each vertex, on the chunk's lattice; and spare ones
   std::vector<uint8_t> piece;             ///< of each vertex, index into the chunk's pieces
   std::vector<uint32_t> corner[3];        ///< of each triangle: indices of vertices; and spare ones
   std::vector<uint32_t> color;            ///< of each triangle, index into the palette
+  std::vector<uint8_t> layers;            ///< of each triangle ChunkVertex::layer; empty if all are 0
   std::vector<VertexColor> vertex_color;  ///< of each vertex, in place of `color`; empty if it has none
   std::vector<uint32_t> outward;          ///< of each triangle a bit, the lowest first; and spare ones
   bool has_outward = false;

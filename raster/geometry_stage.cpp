@@ -1,6 +1,7 @@
 #include "raster/geometry_stage.hpp"
 
 #include "raster/clip.hpp"
+#include "raster/exact_plane.hpp"
 #include "raster/instruction_set.hpp"
 
 #include <algorithm>
@@ -47,23 +48,36 @@ void add(const WindowTriangle& triangle, StretchTriangles& result) {
   (triangle.right - triangle.left < large_width ? result.small : result.large).push_back(triangle);
 }
 
-void add_window(const GeometryTerms& terms, const std::array<WindowVertex, 3>& window, uint32_t slot,
+/// What a triangle has besides its corners.
+struct Drawn {
+  uint32_t slot;
+  uint32_t layer;
+  ExactPlane plane = {};  ///< where layer > 0
+};
+
+void add_window(const GeometryTerms& terms, std::array<WindowVertex, 3> window, const Drawn& drawn,
                 const DepthLimit& limit, StretchTriangles& result) {
   WindowTriangle triangle;
-  if (!set_up(window, terms.limits, triangle)) return;
-  triangle.slot = slot;
+  if (drawn.layer > 0) {
+    for (WindowVertex& corner : window) corner.depth = drawn.plane.depth_at(corner);
+    // Depths count from the first corner's: from the farthest one that is rounded least.
+    std::rotate(window.begin(), std::ranges::min_element(window, {}, &WindowVertex::depth), window.end());
+  }
+  if (!set_up(window, terms.limits, triangle, drawn.layer > 0)) return;
+  triangle.slot = drawn.slot;
+  if (drawn.layer > 1) put_below(drawn.layer - 1, terms.layers, triangle);
   hold_to(limit, std::min({slack(limit, window[0]), slack(limit, window[1]), slack(limit, window[2])}),
           triangle);
   add(triangle, result);
 }
 
-void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& corners, uint32_t slot,
+void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& corners, const Drawn& drawn,
                  const DepthLimit& limit, StretchTriangles& result) {
   const ClippedPolygon polygon = clip_triangle(corners, terms.window);
   for (size_t i = 2; i < polygon.count; ++i) {
     const std::array<WindowVertex, 3> window = {polygon.corners[0], polygon.corners[i - 1],
                                                 polygon.corners[i]};
-    add_window(terms, window, slot, limit, result);
+    add_window(terms, window, drawn, limit, result);
   }
 }
 
@@ -75,6 +89,7 @@ VertexStage::VertexStage(const FrameView& view)
 GeometryTerms::GeometryTerms(const FrameView& view, const BoxProjector& of_view, const SamplePlace& place)
     : VertexStage(view),
       projector(&of_view),
+      layers(view),
       sample(place),
       window(view.view().width, view.view().height, place),
       limits{view.view().width, view.view().height} {}
@@ -196,9 +211,14 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
     const std::array<uint32_t, 3> corners = {chunk.corner[0][triangle], chunk.corner[1][triangle],
                                              chunk.corner[2][triangle]};
     const DepthLimit& limit = result.limits[chunk.piece[corners[0]]];
+    Drawn own{range.first_slot + i, chunk.layer(triangle)};
+    if (own.layer > 0) {
+      const auto exact = [&](size_t k) { return terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k]); };
+      own.plane = ExactPlane({exact(0), exact(1), exact(2)}, terms.window);
+    }
     const std::array<WindowVertex, 3> window = {stage[corners[0]], stage[corners[1]], stage[corners[2]]};
     if (!is_outside(window)) {
-      add_window(terms, window, range.first_slot + i, limit, result);
+      add_window(terms, window, own, limit, result);
       continue;
     }
     std::array<ClipCorner, 3> positions;
@@ -206,7 +226,7 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
       positions[k] = {terms.to_clip<glm::vec4>(range.placed, chunk, corners[k]),
                       terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k])};
     }
-    add_clipped(terms, positions, range.first_slot + i, limit, result);
+    add_clipped(terms, positions, own, limit, result);
   }
 }
 

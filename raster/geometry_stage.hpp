@@ -35,6 +35,7 @@ struct GeometryTerms : VertexStage {
   GeometryTerms(const FrameView& view, const BoxProjector& projector, const SamplePlace& place = {});
 
   const BoxProjector* projector;
+  LayerOffset layers;
   SamplePlace sample;
   WindowTransform window;
   PictureLimits limits;

@@ -48,7 +48,8 @@ class SlotTable {
   Triangle find(uint32_t slot) const;
   /// Whether compact() was called since clear().
   bool is_compacted() const { return compacted_ > 0; }
-  /// Whether the first wins over the second at equal depth: the lower draw rank, part, triangle.
+  /// Whether the first wins over the second at equal depth: that of the higher layer (the lower number), then
+  /// the lower draw rank, part, triangle.
   bool precedes(uint32_t slot, uint32_t other) const;
 
  private:

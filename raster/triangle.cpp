@@ -56,8 +56,8 @@ void set_up_edge(const WindowVertex& from, const WindowVertex& to, size_t edge, 
 
 }  // namespace
 
-bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
-            WindowTriangle& triangle) {
+bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits, WindowTriangle& triangle,
+            bool precisely) {
   const auto& [a, b, c] = corners;
   const PixelBox box = pixel_box(corners, limits);
   if (box.empty()) return false;
@@ -85,7 +85,7 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   triangle.error = plane.error;
   triangle.low = std::min({a.depth, b.depth, c.depth});
   triangle.high = std::max({a.depth, b.depth, c.depth});
-  if (!(triangle.error <= max_float_error * triangle.low)) {
+  if (precisely || !(triangle.error <= max_float_error * triangle.low)) {
     const DepthPlaneOf<double> precise = depth_plane<double>(corners);
     triangle.precise = true;
     triangle.precise_x = precise.slope_x;
@@ -93,6 +93,24 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
     triangle.error = static_cast<float>(precise.error) + 2 * unit_roundoff<float> * triangle.high;
   }
   return true;
+}
+
+void put_below(uint32_t layers, const LayerOffset& offset, WindowTriangle& triangle) {
+  const float x = triangle.precise ? static_cast<float>(triangle.precise_x) : triangle.slope_x,
+              y = triangle.precise ? static_cast<float>(triangle.precise_y) : triangle.slope_y;
+  const float to_axis_x = offset.axis_x * subpixels - static_cast<float>(triangle.first_x),
+              to_axis_y = offset.axis_y * subpixels - static_cast<float>(triangle.first_y);
+  const DepthDrop below =
+      offset.drop(layers, {x * subpixels, y * subpixels, (triangle.z + y * to_axis_y) + x * to_axis_x});
+  triangle.z = triangle.z * below.keep - below.drop;
+  triangle.slope_x *= below.keep;
+  triangle.slope_y *= below.keep;
+  triangle.precise_x *= below.keep;
+  triangle.precise_y *= below.keep;
+  triangle.low = below.apply(triangle.low);
+  triangle.high = below.apply(triangle.high);
+  // What was rounded here: the slopes, and the first corner's depth.
+  triangle.error = triangle.error * 1.5f + 4 * unit_roundoff<float> * (triangle.high + below.drop);
 }
 
 DepthLimit depth_limit(const PixelDepthBound& bound, const SamplePlace& place) {

@@ -4,6 +4,7 @@
 #include "raster/fill_triangle.hpp"
 #include "raster/window.hpp"
 #include "visibility/depth_bound.hpp"
+#include "visibility/layer_offset.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,9 +52,13 @@ inline int64_t twice_area(const std::array<WindowVertex, 3>& corners) {
   return int64_t{b.x - a.x} * int64_t{c.y - a.y} - int64_t{c.x - a.x} * int64_t{b.y - a.y};
 }
 
-/// False where it covers nothing: it has no area, or lies between pixel centres.
-bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits,
-            WindowTriangle& triangle);
+/// False where it covers nothing: it has no area, or lies between pixel centres. precisely: its depths are
+/// computed in doubles.
+bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& limits, WindowTriangle& triangle,
+            bool precisely = false);
+
+/// Moves it behind what lies on it.
+void put_below(uint32_t layers, const LayerOffset& offset, WindowTriangle& triangle);
 
 /// As it is at that sample of each pixel.
 DepthLimit depth_limit(const PixelDepthBound& bound, const SamplePlace& place = {});

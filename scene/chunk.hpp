@@ -1,6 +1,7 @@
 // A chunk of geometry, as it is drawn: lattice points with a colour, and triangles.
 #pragma once
 
+#include "scene/layers.hpp"
 #include "scene/skeleton.hpp"
 #include "scene/vertex_color.hpp"
 
@@ -16,14 +17,15 @@ namespace triptych {
 /// 16 bytes, as the graphics card reads it.
 struct ChunkVertex {
   glm::ivec3 point;         ///< on the chunk's lattice
-  uint32_t color : 24 = 0;  ///< index into the palette
+  uint32_t color : 20 = 0;  ///< index into the palette
+  uint32_t layer : 4 = 0;   ///< of the triangles that it belongs to (scene/layers.hpp)
   uint32_t piece : 8 = 0;   ///< index into the chunk's pieces; the same for all corners of a triangle
   bool operator==(const ChunkVertex&) const = default;
 };
 static_assert(sizeof(ChunkVertex) == 16);
 
 /// The most colours of a palette: vertices could not name more.
-inline constexpr size_t max_colors = size_t{1} << 24;
+inline constexpr size_t max_colors = size_t{1} << 20;
 /// The most pieces of a chunk, for the same reason.
 inline constexpr size_t max_chunk_pieces = 256;
 

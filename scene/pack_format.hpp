@@ -21,6 +21,9 @@ inline constexpr std::array<char, 4> geometry_type = {'G', 'E', 'O', 'M'};
 inline constexpr uint32_t geometry_version = 2;
 /// Of that section where chunks may have vertex colours (Skeleton::effects names them).
 inline constexpr uint32_t colored_geometry_version = 3;
+/// Of that section where vertices may say how many layers lie on them (Skeleton::effects names those, and
+/// vertex colours if there are any).
+inline constexpr uint32_t layered_geometry_version = 4;
 inline constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
 inline constexpr std::array<char, 4> sub_hierarchies_type = {'S', 'U', 'B', 'H'};
 /// Only in packs of models with names. It is not read when a pack is opened.

@@ -180,7 +180,9 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
     auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
     if (!level || level->bound > limits.max_bound) break;
-    if (cover) level->bound += cover->restore(level->piece, level->bound);
+    // No point moves further than half of what is given.
+    const double left = 2 * (limits.max_bound - level->bound);
+    if (cover) level->bound += cover->restore(level->piece, std::min(level->bound, left));
     if (!chain.levels.empty()) level->bound = std::max(level->bound, chain.levels.back().bound);
     chain.levels.push_back(std::move(*level));
   }

@@ -54,18 +54,20 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   tsl::robin_map<Key, uint32_t, KeyHash, KeyEqual> further;
   const bool colored = !surface.colors.empty();
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
-    const uint32_t color = surface.triangles[i].material;
+    const uint32_t material = surface.triangles[i].material;
     const uint8_t piece = pieces.empty() ? 0 : pieces[i];
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t point = surface.triangles[i].vertices[k];
       const VertexColor own = colored ? surface.colors[i][k] : VertexColor{};
-      const ChunkVertex vertex{surface.points[point], color & 0xffffffu, piece};
+      ChunkVertex vertex{surface.points[point], 0, 0, piece};
+      vertex.color = palette_index(material) & (max_colors - 1);
+      vertex.layer = layer_of(material) & max_layer;
       const auto next = static_cast<uint32_t>(chunk.vertices.size());
       if (first[point] == none) first[point] = next;
       uint32_t index = first[point];
       if (index != next && (chunk.vertices[index] != vertex || (colored && chunk.colors[index] != own)))
-        index =
-            further.try_emplace(Key{point, color, std::bit_cast<uint32_t>(own), piece}, next).first->second;
+        index = further.try_emplace(Key{point, material, std::bit_cast<uint32_t>(own), piece}, next)
+                    .first->second;
       if (index == next) {
         chunk.vertices.push_back(vertex);
         if (colored) chunk.colors.push_back(own);

@@ -13,8 +13,18 @@
 
 namespace triptych {
 
-/// Different points of a lattice, and triangles that share them. Here Triangle::material is an index into the
-/// palette. No triangle is degenerate, and every point belongs to one.
+/// What Triangle::material holds in a Surface: in its lowest 20 bits an index into the palette, above them
+/// ChunkVertex::layer, and from bit 24 on the class of a covered triangle (preprocess/covered/), or 0.
+/// Where any of them changes, simplifiers see a border.
+inline uint32_t palette_index(uint32_t material) { return material & (max_colors - 1); }
+inline uint32_t layer_of(uint32_t material) { return material >> 20 & max_layer; }
+inline uint32_t covered_class(uint32_t material) { return material >> 24; }
+inline uint32_t material_in_layer(uint32_t material, uint32_t layer) { return material | layer << 20; }
+inline uint32_t material_seen(uint32_t material) { return material & 0xffffffu; }
+inline uint32_t material_covered(uint32_t material, uint32_t of_class) { return material | of_class << 24; }
+
+/// Different points of a lattice, and triangles that share them. No triangle is degenerate, and every point
+/// belongs to one.
 struct Surface {
   std::vector<glm::ivec3> points;
   std::vector<Triangle> triangles;

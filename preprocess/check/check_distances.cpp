@@ -78,7 +78,7 @@ void for_each_point(const PackSurfaces& surfaces, const std::vector<uint32_t>& p
   }
 }
 
-/// The largest distance found between the drawable and its source, both ways.
+/// The largest distance found between the drawable and what can be seen of its source, both ways.
 double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t points,
                          const std::function<void()>& between) {
   const Drawable& drawable = surfaces.skeleton().drawables[id];
@@ -87,6 +87,8 @@ double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t p
   double largest = 0;
   HeldTrees held;
   uint64_t visited = 0;
+  // Beyond rounding, of files, too, so that a point does not hide itself.
+  const double start = std::max(1e-3 * drawable.error, 16 * surfaces.skeleton().lattice().step);
   const auto pause = [&] {
     if (++visited % 1024 == 0) between();
   };
@@ -97,7 +99,12 @@ double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t p
   for_each_point(surfaces, surfaces.source_placements(drawable.scene_node), points / 2,
                  [&](const glm::dvec3& point) {
                    pause();
-                   largest = std::max(largest, surfaces.distance_to_drawable(id, point, largest, &held));
+                   const double distance = surfaces.distance_to_drawable(id, point, largest, &held);
+                   // What nobody sees may be left out.
+                   if (distance > std::max(largest, drawable.error) &&
+                       surfaces.is_enclosed(drawable.scene_node, point, start))
+                     return;
+                   largest = std::max(largest, distance);
                  });
   return largest;
 }

@@ -119,8 +119,41 @@ std::optional<PackSurfaces::Hit> PackSurfaces::first_hit(DrawableId id, const gl
   return first;
 }
 
+bool PackSurfaces::meets_source(const glm::dvec3& origin, const glm::dvec3& direction, double from) const {
+  std::vector<SceneNodeId> open = {0};
+  while (!open.empty()) {
+    const SceneNode& node = skeleton().scene_nodes[open.back()];
+    open.pop_back();
+    if (node.child_count == 0) {
+      if (first_hit(node.first_drawable, origin, direction, from)) return true;
+      continue;
+    }
+    const size_t first = open.size();
+    for (uint32_t i = 0; i < node.child_count; ++i) {
+      if (may_meet(node_boxes_[node.first_child + i], origin, direction))
+        open.push_back(node.first_child + i);
+    }
+    std::sort(open.begin() + static_cast<std::ptrdiff_t>(first),
+              open.end(),  // the nearest is looked at first
+              [&](SceneNodeId a, SceneNodeId b) {
+                return distance_to_box(origin, node_boxes_[a]) > distance_to_box(origin, node_boxes_[b]);
+              });
+  }
+  return false;
+}
+
+bool PackSurfaces::is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, double from) const {
+  int escape = 0;
+  for (int i = 0; i < 27 && escape < 2; ++i) {
+    // A little beside the axes, along which faces lie as a rule.
+    const glm::dvec3 direction(i % 3 - 1 + 0.013, i / 3 % 3 - 1 + 0.029, i / 9 - 1 - 0.017);
+    if (i != 13) escape += !meets_source(point, glm::normalize(direction), from);
+  }
+  return escape < 2 || nearest_source(0, point, from, nullptr, scene_node).distance <= from;
+}
+
 PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node, const glm::dvec3& point,
-                                                         double floor, HeldTrees* held) const {
+                                                         double floor, HeldTrees* held, SceneNodeId without) const {
   struct Open {
     double distance;
     SceneNodeId node;
@@ -130,7 +163,7 @@ PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node,
   while (!open.empty() && best.distance > floor) {
     const Open next = open.back();
     open.pop_back();
-    if (next.distance >= best.distance) continue;
+    if (next.distance >= best.distance || next.node == without) continue;
     const SceneNode& node = skeleton().scene_nodes[next.node];
     if (node.child_count == 0) {
       const double distance =

@@ -40,8 +40,9 @@ class PackSurfaces {
     double distance;
     SceneNodeId leaf = no_id;
   };
+  /// `without`: what is below this one does not count.
   NearestSource nearest_source(SceneNodeId scene_node, const glm::dvec3& point, double floor,
-                               HeldTrees* held = nullptr) const;
+                               HeldTrees* held = nullptr, SceneNodeId without = no_id) const;
   /// The distance to the finest leaf drawables below a scene node, and to one drawable. `floor`: as
   /// ChunkTree::distance has it.
   double distance_to_source(SceneNodeId scene_node, const glm::dvec3& point, double floor,
@@ -61,6 +62,11 @@ class PackSurfaces {
   std::optional<Hit> first_hit(DrawableId drawable, const glm::dvec3& origin, const glm::dvec3& direction,
                                double from) const;
 
+  /// Whether nobody outside sees the point, or sees something else there: by the finest leaf drawables of the
+  /// whole model, of lines in 26 directions all but one at most meet something further than `from` from it,
+  /// model units; or what is not below the scene node lies as near.
+  bool is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, double from) const;
+
   /// The placements of the finest leaf drawables below a scene node.
   std::vector<uint32_t> source_placements(SceneNodeId scene_node) const;
   std::shared_ptr<const ChunkTree> tree(uint32_t chunk) const;
@@ -68,6 +74,7 @@ class PackSurfaces {
   const Placing& placing(uint32_t transform) const { return placings_[transform]; }
 
  private:
+  bool meets_source(const glm::dvec3& origin, const glm::dvec3& direction, double from) const;
   double nearest_placement(const Drawable& drawable, const glm::dvec3& point, double best, double floor,
                            HeldTrees* held) const;
 

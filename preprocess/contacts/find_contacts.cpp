@@ -1,15 +1,14 @@
 #include "preprocess/contacts/find_contacts.hpp"
 
 #include "base/threads.hpp"
-#include "preprocess/contacts/larger_boxes.hpp"
-#include "preprocess/contacts/rim_cache.hpp"
+#include "preprocess/contacts/part_rims.hpp"
+#include "preprocess/larger_boxes.hpp"
+#include "preprocess/part_cache.hpp"
+#include "preprocess/part_space.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -18,33 +17,14 @@ namespace triptych {
 
 namespace {
 
-/// A placed part and what leads back to its own space.
-struct Placed {
-  Placed(const PlacedParts& hierarchy, uint32_t index, RimCache& cache)
-      : number(index),
-        rims(cache.get(hierarchy.placed[index].part)),
-        transform(hierarchy.transforms[hierarchy.placed[index].transform]),
-        inverse(glm::inverse(glm::dmat3(transform))),
-        shrink(0) {
-    for (int row = 0; row < 3; ++row) {
-      const glm::dvec3 entries(inverse[0][row], inverse[1][row], inverse[2][row]);
-      shrink = std::max(shrink, glm::length(entries));
-    }
-  }
-  glm::dvec3 out(const glm::dvec3& point) const { return transform * glm::dvec4(point, 1); }
-  glm::dvec3 in(const glm::dvec3& point) const { return inverse * (point - transform[3]); }
-  /// In its own space a box that holds this one of the hierarchy's space.
-  Box in(const Box& box) const {
-    Box own;
-    for (int corner = 0; corner < 8; ++corner) own.extend(in(box.corner(corner)));
-    return own;
-  }
+using RimCache = PartCache<PartRims>;
 
-  uint32_t number;
+/// A placed part and its rims.
+struct Placed : PartSpace {
+  Placed(const PlacedParts& hierarchy, uint32_t index, RimCache& cache)
+      : PartSpace(hierarchy, index), rims(cache.get(hierarchy.placed[index].part)) {}
+
   std::shared_ptr<const PartRims> rims;
-  Affine transform;
-  glm::dmat3 inverse;
-  double shrink;  ///< no coordinate of its own space changes by more than this for a step of length 1
 };
 
 glm::dvec3 closest_on_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {

@@ -1,7 +1,7 @@
 // What of a part's surface others may continue: its points, and the edges where it ends or folds.
 #pragma once
 
-#include "preprocess/contacts/box_tree.hpp"
+#include "preprocess/box_tree.hpp"
 #include "preprocess/part.hpp"
 #include "scene/lattice.hpp"
 

@@ -1,6 +1,6 @@
 #include "preprocess/contacts/stitch.hpp"
 
-#include "preprocess/contacts/box_tree.hpp"
+#include "preprocess/box_tree.hpp"
 #include "preprocess/contacts/find_contacts.hpp"
 #include "simplify/key_hash.hpp"
 

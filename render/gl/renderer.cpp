@@ -1,23 +1,24 @@
 #include "render/gl/renderer.hpp"
 
 #include "render/gl/shaders.hpp"
+#include "scene/layers.hpp"
 
 namespace triptych {
 
 namespace {
-GlProgram make_pass(TargetKind kind, Projection projection, BaseColors colors, bool normals) {
-  const std::string vertex = geometry_vertex_shader(projection, colors);
+GlProgram make_pass(TargetKind kind, Projection projection, BaseColors colors, Layers layers, bool normals) {
+  const std::string vertex = geometry_vertex_shader(projection, colors, layers);
   switch (kind) {
     case TargetKind::color:
-      return make_program("colour", vertex, color_fragment_shader(colors, normals));
+      return make_program("colour", vertex, color_fragment_shader(colors, layers, normals));
     case TargetKind::item:
-      return make_program("item", vertex, item_fragment_shader());
+      return make_program("item", vertex, item_fragment_shader(layers));
     case TargetKind::depth_only:
-      return make_program("depth", vertex, depth_fragment_shader());
+      return make_program("depth", vertex, depth_fragment_shader(layers));
     case TargetKind::color_and_item:
       break;
   }
-  return make_program("colour and item", vertex, color_and_item_fragment_shader(colors, normals));
+  return make_program("colour and item", vertex, color_and_item_fragment_shader(colors, layers, normals));
 }
 
 /// Of triangles whose fronts go round so; 0: both.
@@ -33,14 +34,17 @@ void show_sides(int32_t front) {
 }  // namespace
 
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
-    : geometry_(skeleton, residency), representation_(representation), builder_(skeleton) {}
+    : layers_(has_layers(skeleton.effects) ? Layers::some : Layers::none),
+      geometry_(skeleton, residency),
+      representation_(representation),
+      builder_(skeleton) {}
 
 Renderer::Pass& Renderer::pass(TargetKind kind, BaseColors colors, bool normals) {
   const Projection projection = view_->view().camera.projection;
   std::optional<Pass>& pass = passes_[normals ? 1 : 0][static_cast<size_t>(colors)]
                                      [static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
-  pass.emplace(make_pass(kind, projection, colors, normals));
+  pass.emplace(make_pass(kind, projection, colors, layers_, normals));
   return *pass;
 }
 

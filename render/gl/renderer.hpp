@@ -35,6 +35,7 @@ class Renderer {
   /// Into one plane of the framebuffer, whose pixel centres lie at this sample of each pixel.
   void draw_list(const Framebuffer& framebuffer, uint32_t plane, const SamplePlace& place);
 
+  Layers layers_;
   Geometry geometry_;
   /// By normals, base colours, projection and kind; made when first used.
   std::optional<Pass> passes_[2][2][2][4];

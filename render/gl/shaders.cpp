@@ -36,6 +36,29 @@ void bound_fragment() {
 }
 )";
 
+// Fragments of what others lie on are moved behind those (LayerOffset). Before anything is discarded, since
+// derivatives need the whole quad.
+const std::string layered = R"(
+flat in uint layers;
+uniform vec4 layer_view;  // focal lengths, axis
+uniform vec3 layer_step;  // LayerOffset::step, snapped, parallel
+void place_fragment() {
+  float z = gl_FragCoord.z;
+  vec2 slope = vec2(dFdx(z), dFdy(z));
+  float ahead = layer_step.z > 0.0 ? layer_step.z : z + dot(slope, layer_view.zw - gl_FragCoord.xy);
+  vec2 along = slope * layer_view.xy;
+  float normal = sqrt(dot(along, along) + ahead * ahead);
+  float moved = float(layers) * layer_step.x * normal;
+  float sheared = float(layers) * layer_step.y * normal;
+  float rounded = float(layers) * 9.5e-7;
+  float below = layer_step.z > 0.0 ? z * (1.0 - rounded) - (moved + sheared)
+                                   : z * max(1.0 - (moved + rounded), 0.5) - sheared;
+  gl_FragDepth = layers > 0u ? max(below, z * 0.5) : z;
+}
+)";
+const std::string not_layered = "void place_fragment() {}\n";
+std::string placed(Layers layers) { return layers == Layers::some ? layered : not_layered; }
+
 /// Of the base colour, between vertices.
 std::string flatness(BaseColors colors) { return colors == BaseColors::palette ? "flat " : ""; }
 
@@ -106,7 +129,7 @@ bool counts() {
 
 }  // namespace
 
-std::string geometry_vertex_shader(Projection projection, BaseColors colors) {
+std::string geometry_vertex_shader(Projection projection, BaseColors colors, Layers layers) {
   const bool palette = colors == BaseColors::palette;
   return version + draw_record + frustum_uniforms + flatness(colors) + "out vec4 base_color;\n" +
          (palette ? "layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };\n"
@@ -120,12 +143,14 @@ out vec3 eye_position;
 flat out vec3 bound_x, bound_y;
 flat out vec4 bound_at;
 flat out uint item;
+)" + (layers == Layers::some ? "flat out uint layers;\n" : "") +
+         R"(
 void main() {
   // Integers are added exactly and converted once: shared vertices come out bit-equal whichever chunk brings them.
   vec3 p = vec3(point + cell);
   eye_position = vec3(dot(row_x.xyz, p) + row_x.w, dot(row_y.xyz, p) + row_y.w, dot(row_z.xyz, p) + row_z.w);
 )" + project(projection) +
-         (palette ? "  base_color = palette[color_and_piece & 0xffffffu];\n"
+         (palette ? "  base_color = palette[color_and_piece & 0xfffffu];\n"
                   : "  base_color = vertex_color;\n") +
          R"(
   BoundRecord bound = bounds[first_bound + (color_and_piece >> 24)];
@@ -133,26 +158,34 @@ void main() {
   bound_y = bound.y.xyz;
   bound_at = bound.at + vec4(bound.x.xyz * sample_place.x + bound.y.xyz * sample_place.y, 0.0);
   item = drawable;
+)" + (layers == Layers::some ? "  layers = max(color_and_piece >> 20 & 15u, 1u) - 1u;\n}\n" : "}\n");
+}
+
+std::string depth_fragment_shader(Layers layers) {
+  return version + bounded + placed(layers) + R"(
+void main() {
+  place_fragment();
+  bound_fragment();
 }
 )";
 }
 
-std::string depth_fragment_shader() { return version + bounded + "void main() { bound_fragment(); }\n"; }
-
-std::string color_fragment_shader(BaseColors colors, bool normals) {
-  return version + bounded + shaded(colors, normals ? std::optional(1) : std::nullopt) + R"(
+std::string color_fragment_shader(BaseColors colors, Layers layers, bool normals) {
+  return version + bounded + placed(layers) + shaded(colors, normals ? std::optional(1) : std::nullopt) + R"(
 void main() {
+  place_fragment();
   bound_fragment();
   shade_fragment();
 }
 )";
 }
 
-std::string color_and_item_fragment_shader(BaseColors colors, bool normals) {
-  return version + bounded + shaded(colors, normals ? std::optional(2) : std::nullopt) + R"(
+std::string color_and_item_fragment_shader(BaseColors colors, Layers layers, bool normals) {
+  return version + bounded + placed(layers) + shaded(colors, normals ? std::optional(2) : std::nullopt) + R"(
 flat in uint item;
 layout(location = 1) out uint id;
 void main() {
+  place_fragment();
   bound_fragment();
   shade_fragment();
   id = item + 1u;
@@ -160,11 +193,12 @@ void main() {
 )";
 }
 
-std::string item_fragment_shader() {
-  return version + bounded + R"(
+std::string item_fragment_shader(Layers layers) {
+  return version + bounded + placed(layers) + R"(
 flat in uint item;
 out uint id;
 void main() {
+  place_fragment();
   bound_fragment();
   id = item + 1u;
 }

@@ -17,16 +17,22 @@ inline constexpr GLuint bounds_binding = 4;      ///< storage: one PixelDepthBou
 /// Where base colours come from: the palette, the same for a whole triangle; or the vertices, interpolated.
 enum class BaseColors { palette, vertices };
 
+/// Whether any surface of the model lies on another one in its plane (scene/layers.hpp).
+enum class Layers { none, some };
+
 /// For perspective views, or for orthographic ones, whose w is 1 and whose depth is linear.
-std::string geometry_vertex_shader(Projection projection, BaseColors colors = BaseColors::palette);
+std::string geometry_vertex_shader(Projection projection, BaseColors colors = BaseColors::palette,
+                                   Layers layers = Layers::none);
 /// Only depth, flat-shaded base colours, and drawable ids; all drop fragments nearer than their piece's
 /// bound.
-std::string depth_fragment_shader();
+std::string depth_fragment_shader(Layers layers = Layers::none);
 /// normals: at the location after the others, half of the face's and a half.
-std::string color_fragment_shader(BaseColors colors = BaseColors::palette, bool normals = false);
-std::string item_fragment_shader();
+std::string color_fragment_shader(BaseColors colors = BaseColors::palette, Layers layers = Layers::none,
+                                  bool normals = false);
+std::string item_fragment_shader(Layers layers = Layers::none);
 /// Colours and ids in one pass, at locations 0 and 1.
-std::string color_and_item_fragment_shader(BaseColors colors = BaseColors::palette, bool normals = false);
+std::string color_and_item_fragment_shader(BaseColors colors = BaseColors::palette,
+                                           Layers layers = Layers::none, bool normals = false);
 
 /// Of a whole model in floats (FlatVertex), one transform for all of it; the same shading and no bounds.
 std::string flat_model_vertex_shader(Projection projection);

@@ -1,5 +1,6 @@
 #include "render/gl/view_uniforms.hpp"
 
+#include "visibility/layer_offset.hpp"
 #include "visibility/shading.hpp"
 #include "visibility/vertex_terms.hpp"
 
@@ -9,7 +10,9 @@ ViewUniforms::ViewUniforms(GLuint program)
     : frustum_(glGetUniformLocation(program, "frustum")),
       depth_(glGetUniformLocation(program, "depth")),
       sample_place_(glGetUniformLocation(program, "sample_place")),
-      light_(glGetUniformLocation(program, "light")) {}
+      light_(glGetUniformLocation(program, "light")),
+      layer_view_(glGetUniformLocation(program, "layer_view")),
+      layer_step_(glGetUniformLocation(program, "layer_step")) {}
 
 void ViewUniforms::set(const FrameView& view, const SamplePlace& place) const {
   const auto [frustum, depth] = clip_terms(view, place);
@@ -18,6 +21,12 @@ void ViewUniforms::set(const FrameView& view, const SamplePlace& place) const {
   if (sample_place_ >= 0) {
     const glm::vec2 pixels(place.pixels());
     glUniform2f(sample_place_, pixels.x, pixels.y);
+  }
+  if (layer_view_ >= 0) {
+    // As a rule graphics cards snap to 1/256 pixel, and OpenGL lets them do so before depths are computed.
+    const LayerOffset offset(view, 1.0 / 192);
+    glUniform4f(layer_view_, offset.focal_x, offset.focal_y, offset.axis_x, offset.axis_y);
+    glUniform3f(layer_step_, offset.step, offset.snapped, offset.parallel);
   }
   if (light_ >= 0) {
     const glm::vec3 light = light_direction(view);

@@ -59,6 +59,7 @@ class PictureTrial {
       if (!missing.empty())
         say(fmt::format("{} drawables show and are not in the visible set", missing.size()));
       if (trial_.closed) expect_closed(request);
+      if (trial_.no_blue) expect_no_blue(request);
       if (twin_) {
         twin_->draw({static_cast<uint32_t>(i), {trial_.twin->views[i], trial_.twin->pixel_error}});
         const size_t pixels = test::differing_pixels(picture, twin_->target().read_colors());
@@ -122,6 +123,17 @@ class PictureTrial {
       holes += is_empty(picture) != is_empty(other);
     }
     if (holes > 0) say(fmt::format("{} pixels show the background without the backs of solids", holes));
+  }
+
+  void expect_no_blue(FrameRequest request) {
+    for (const double pixel_error : {0.0, 1.0, 4.0}) {
+      request.state.pixel_error = pixel_error;
+      items_.draw(request);
+      const std::vector<uint8_t> colors = items_.target().read_colors();
+      size_t blue = 0;
+      for (size_t i = 0; i < colors.size(); i += 4) blue += colors[i] == 0 && colors[i + 2] > 0;
+      if (blue > 0) say(fmt::format("{} pixels are blue at a pixel error of {}", blue, pixel_error));
+    }
   }
 
   /// Levels of detail move outlines, but open no surface: where full detail shows something for two pixels

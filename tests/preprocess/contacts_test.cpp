@@ -3,9 +3,8 @@
 #include "preprocess/contacts/hold_contacts.hpp"
 #include "preprocess/contacts/small_contacts.hpp"
 #include "preprocess/contacts/stitch.hpp"
-#include "tests/support/awkward_meshes.hpp"
+#include "tests/preprocess/parts_scene.hpp"
 
-#include <filesystem>
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
@@ -14,43 +13,9 @@
 namespace triptych {
 namespace {
 
-constexpr double step = 0x1p-10;
+using test::step;
 
-/// Placed meshes as parts of one hierarchy, each an instance.
-class Scene {
- public:
-  Scene()
-      : file(std::filesystem::path(testing::TempDir()) /
-             ("triptych_contacts_" + std::to_string(::getpid()))) {
-    parts.lattices = {Lattice{{0, 0, 0}, step}};
-    parts.hierarchies.emplace_back();
-    hierarchy().transforms = {Affine(1)};
-  }
-  ~Scene() { std::filesystem::remove(file.path()); }
-
-  uint32_t add_part(const Mesh& mesh) {
-    const Part part{awkward::surface_of(mesh), {}};
-    PartInfo info;
-    info.triangles = static_cast<uint32_t>(part.surface.triangles.size());
-    info.place = file.append(record_bytes(part));
-    boxes.push_back(part.surface.box());
-    parts.parts.push_back(info);
-    return static_cast<uint32_t>(parts.parts.size() - 1);
-  }
-  /// Moved by so much, model units.
-  uint32_t place(uint32_t part, const glm::dvec3& by = glm::dvec3(0)) {
-    const auto number = static_cast<uint32_t>(hierarchy().placed.size());
-    hierarchy().transforms.push_back(awkward::translation(by));
-    hierarchy().placed.push_back({part, number + 1, number});
-    LatticeBox box = boxes[part];
-    box.lo += glm::ivec3(by / step) - 1;
-    box.hi += glm::ivec3(by / step) + 1;
-    hierarchy().boxes.push_back(box);
-    return number;
-  }
-  uint32_t add(const Mesh& mesh) { return place(add_part(mesh)); }
-
-  PlacedParts& hierarchy() { return parts.hierarchies[0]; }
+struct Scene : test::PartsScene {
   /// Each placed part is a leaf of its own, at the place of its number.
   FoundContacts found() const {
     std::vector<uint32_t> places(parts.hierarchies[0].placed.size());
@@ -65,10 +30,6 @@ class Scene {
       points += contact.placed == placed && contact.span.first <= other && other <= contact.span.last;
     return points;
   }
-
-  Parts parts;
-  SpoolFile file;
-  std::vector<LatticeBox> boxes;
 };
 
 TEST(Contacts, boxes_side_by_side_touch_at_the_corners_of_their_common_face) {

@@ -11,7 +11,7 @@ namespace {
 using test::holes_of_random_mixes;
 using test::pack_of;
 
-constexpr Kept nothing = {.touching = false, .cover = false};
+constexpr Kept nothing = {.touching = false, .order = false, .planes = false, .cover = false};
 
 /// The mesh as one mesh for each octant and shell of triangles, each with points of its own.
 Model in_objects(const Mesh& whole) {

@@ -52,7 +52,7 @@ Chunk random_chunk(unsigned seed, size_t vertices, size_t triangles) {
       return static_cast<int>(random() % (2u * Lattice::limit)) - Lattice::limit;
     };
     chunk.vertices.push_back(
-        {{coordinate(), coordinate(), coordinate()}, static_cast<uint32_t>(random() % 7) & 0xffffffu});
+        {{coordinate(), coordinate(), coordinate()}, static_cast<uint32_t>(random() % 7) & 0xfffffu});
   }
   for (size_t i = 0; i < 3 * triangles; ++i)
     chunk.indices.push_back(static_cast<uint32_t>(i < vertices ? i : random() % vertices));
@@ -195,7 +195,8 @@ TEST(Chunk, a_point_has_one_vertex_for_each_of_its_colours_and_pieces) {
   for (int i = 0; i < 40; ++i) surface.points.push_back({i, i * i % 17, i * 7 % 5});
   std::set<std::array<uint32_t, 3>> distinct;
   for (int i = 0; i < 3000; ++i) {
-    const uint32_t hub = 3, a = 4 + random(36), b = 4 + random(36), color = random(200);
+    const uint32_t hub = 3, a = 4 + random(36), b = 4 + random(36),
+                   color = material_in_layer(random(200), random(3));
     surface.triangles.push_back({{hub, a, b}, color});
     pieces.push_back(static_cast<uint8_t>(random(3)));
     for (const uint32_t point : {hub, a, b}) distinct.insert({point, color, pieces.back()});
@@ -205,8 +206,8 @@ TEST(Chunk, a_point_has_one_vertex_for_each_of_its_colours_and_pieces) {
   ASSERT_EQ(chunk.indices.size(), 3 * surface.triangles.size());
   for (size_t i = 0; i < chunk.indices.size(); ++i) {
     const Triangle& triangle = surface.triangles[i / 3];
-    const ChunkVertex expected{surface.points[triangle.vertices[i % 3]], triangle.material & 0xffffffu,
-                               pieces[i / 3]};
+    const ChunkVertex expected{surface.points[triangle.vertices[i % 3]], triangle.material & 0xfffffu,
+                               layer_of(triangle.material) & 15u, pieces[i / 3]};
     EXPECT_EQ(chunk.vertices[chunk.indices[i]], expected) << i;
   }
 }

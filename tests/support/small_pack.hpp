@@ -17,8 +17,7 @@ inline Chunk grid_chunk(const glm::ivec3& origin, int cells, int cell, int lift 
   for (int y = 0; y <= cells; ++y) {
     for (int x = 0; x <= cells; ++x) {
       const bool inner = x > 0 && y > 0 && x < cells && y < cells;
-      chunk.vertices.push_back(
-          {origin + glm::ivec3(x * cell, y * cell, inner ? lift : 0), color & 0xffffffu});
+      chunk.vertices.push_back({origin + glm::ivec3(x * cell, y * cell, inner ? lift : 0), color & 0xfffffu});
     }
   }
   for (int y = 0; y < cells; ++y) {

@@ -2,7 +2,7 @@
 // box sees very many because it is large.
 #pragma once
 
-#include "preprocess/contacts/box_tree.hpp"
+#include "preprocess/box_tree.hpp"
 
 #include <cstdint>
 #include <vector>

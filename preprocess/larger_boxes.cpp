@@ -1,4 +1,4 @@
-#include "preprocess/contacts/larger_boxes.hpp"
+#include "preprocess/larger_boxes.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "preprocess/contacts/box_tree.hpp"
+#include "preprocess/box_tree.hpp"
 
 #include "simplify/median_split.hpp"
 

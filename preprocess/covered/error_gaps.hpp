@@ -1,0 +1,58 @@
+// Errors that levels of detail may not have, so that what is covered stays beneath what covers it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace triptych {
+
+/// A covered surface and what covers it stay apart while both are off by at most `low`. From `high` on the
+/// covered one is left out: all of it lies within that of what is left. In between a level's error is raised
+/// to `high`.
+struct ErrorGap {
+  double low = 0, high = 0;
+};
+
+/// The least error of at least this that lies in no gap, its ends excepted.
+inline double beyond_gaps(double error, const std::vector<ErrorGap>& gaps) {
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const ErrorGap& gap : gaps) {
+      if (!(error > gap.low && error < gap.high)) continue;
+      error = gap.high;
+      moved = true;
+    }
+  }
+  return error;
+}
+
+/// Gaps that overlap become one; ascending. Times `factor`.
+inline void add_gaps(const std::vector<ErrorGap>& added, double factor, std::vector<ErrorGap>& gaps) {
+  for (const ErrorGap& gap : added) gaps.push_back({gap.low * factor, gap.high * factor});
+  std::sort(gaps.begin(), gaps.end(), [](const ErrorGap& a, const ErrorGap& b) { return a.low < b.low; });
+  size_t kept = 0;
+  for (const ErrorGap& gap : gaps) {
+    if (kept > 0 && gap.low < gaps[kept - 1].high) {
+      gaps[kept - 1].high = std::max(gaps[kept - 1].high, gap.high);
+    } else {
+      gaps[kept++] = gap;
+    }
+  }
+  gaps.resize(kept);
+}
+
+/// Classes of distances, two an octave: the first that is no less than so many lattice steps, at least 1 and
+/// at most 255; and the distance of a class.
+inline double distance_of_class(uint32_t of_class) {
+  constexpr double root = 1.4142135623730951;
+  const double power = of_class % 2 == 0 ? 1 : root;
+  return power * static_cast<double>(uint64_t{1} << std::min(of_class / 2, 62u));
+}
+inline uint32_t class_of_distance(double steps) {
+  uint32_t of_class = 1;
+  while (of_class < 120 && distance_of_class(of_class) < steps) ++of_class;
+  return of_class;
+}
+
+}  // namespace triptych

@@ -1,0 +1,35 @@
+// The smooth regions of a part: connected triangles of one colour, without a sharp edge between them.
+#pragma once
+
+#include "preprocess/box_tree.hpp"
+#include "preprocess/part.hpp"
+#include "scene/lattice.hpp"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace triptych {
+
+struct SmoothRegion {
+  Box box;
+  uint32_t first = 0, count = 0;  ///< in PartRegions::triangles
+};
+
+/// All in the space of the part's lattice.
+struct PartRegions {
+  PartRegions(const Part& part, const Lattice& lattice);
+
+  std::vector<glm::dvec3> points;                  ///< the part's
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< by region
+  std::vector<uint32_t> numbers;                   ///< of each of them, in the part
+  std::vector<uint32_t> region_of;                 ///< of each of them
+  std::vector<SmoothRegion> regions;
+  BoxTree tree;  ///< of the triangles' boxes
+
+  /// Of all of this in memory, roughly; bytes.
+  size_t size() const { return points.size() * 24 + triangles.size() * 150 + regions.size() * 60; }
+};
+
+}  // namespace triptych
