@@ -15,6 +15,7 @@ namespace {
 /// What is known of a part's levels, beside their chunks and their geometry.
 struct LevelFigures {
   std::vector<double> bounds;  ///< PartLevel::bound
+  std::vector<double> grown;   ///< PartLevel::grown
   uint64_t detached_triangles = 0;
   bool stuck = false;
 };
@@ -22,7 +23,7 @@ struct LevelFigures {
 }  // namespace
 
 template <>
-inline constexpr auto record_members<LevelFigures> = std::tuple(&LevelFigures::bounds,
+inline constexpr auto record_members<LevelFigures> = std::tuple(&LevelFigures::bounds, &LevelFigures::grown,
                                                                 &LevelFigures::detached_triangles,
                                                                 &LevelFigures::stuck);
 
@@ -47,9 +48,8 @@ std::vector<BorderPoint> borders_of(const Piece& level, const std::vector<uint32
 }
 
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
-/// lattice_is_own: its own, which placements turn; false: that of the hierarchy that it is in.
-UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, bool lattice_is_own,
-                       const BuildOptions& options, size_t kept_triangles) {
+UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, const BuildOptions& options,
+                       size_t kept_triangles) {
   std::vector<uint8_t> locked;
   std::vector<uint32_t> numbers;
   for (const uint32_t point : info.contacts) part.borders.push_back({point, 0});
@@ -63,9 +63,6 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   }
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify_limits();
-  // A level that is enlarged stays in the part's box, but not in the tighter one of a placement that is
-  // turned.
-  if (lattice_is_own) limits.keep_cover = false;
   limits.triangles = coarsest_triangles;
   limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
@@ -74,17 +71,19 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   LevelFigures figures;
   figures.detached_triangles = chain.detached_triangles;
   figures.stuck = chain.stuck && chain.levels.empty();
-  const auto add = [&](const Part& level, double steps, bool last, bool is_shared = false) {
+  const auto add = [&](const Part& level, double steps, double moved, bool last, bool is_shared = false) {
     if (!is_shared) result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
     const bool kept = last || level.surface.triangles.size() <= kept_triangles;
     result.geometry.push_back(kept ? record_bytes(level) : std::vector<std::byte>());
+    figures.grown.push_back(moved * lattice.step);
     figures.bounds.push_back((steps + info.moved) * lattice.step +
                              (options.rules.bounds_hold_rounding ? lattice.rounding() : 0));
   };
-  add(part, 0, chain.levels.empty(), info.variant_of != no_id);  // the other chain has its chunk
+  add(part, 0, 0, chain.levels.empty(), info.variant_of != no_id);  // the other chain has its chunk
   for (Level& level : chain.levels) {
     std::vector<BorderPoint> borders = borders_of(level.piece, numbers);
-    add({std::move(level.piece.surface), std::move(borders)}, level.bound, &level == &chain.levels.back());
+    add({std::move(level.piece.surface), std::move(borders)}, level.bound, level.moved,
+        &level == &chain.levels.back());
   }
   result.figures = record_bytes(figures);
   return result;
@@ -98,9 +97,11 @@ PartLevels take(const StoredUnit& stored, const PartLevel* shared, ImportReport&
   PartLevels levels{{}, stored.geometry};
   levels.levels.reserve(figures.bounds.size());
   if (shared) levels.levels.push_back(*shared);
-  for (uint32_t i = 0; i < stored.chunks.size(); ++i)
-    levels.levels.push_back(
-        {stored.first_chunk + i, stored.chunks[i].triangle_count, figures.bounds.at(levels.levels.size())});
+  for (uint32_t i = 0; i < stored.chunks.size(); ++i) {
+    const size_t level = levels.levels.size();
+    levels.levels.push_back({stored.first_chunk + i, stored.chunks[i].triangle_count,
+                             figures.bounds.at(level), figures.grown.at(level)});
+  }
   return levels;
 }
 
@@ -111,11 +112,8 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
   Progress progress("simplifying parts", parts.parts.size());
   const UnitFunction unit = [&](uint32_t part) {
     const PartInfo& info = parts.parts[part];
-    const bool is_own =
-        std::none_of(parts.hierarchies.begin(), parts.hierarchies.end(),
-                     [&](const PlacedParts& placed) { return placed.lattice == info.lattice; });
     return record_bytes(make_levels(load<Part>(work.parts(), info.place), info, parts.lattices[info.lattice],
-                                    is_own, options, kept_triangles));
+                                    options, kept_triangles));
   };
   std::vector<uint32_t> all(parts.parts.size());
   std::iota(all.begin(), all.end(), 0u);

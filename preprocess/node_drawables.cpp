@@ -7,6 +7,7 @@
 #include "preprocess/triangle_objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -202,11 +203,22 @@ class NodeDrawables {
         const PlacedPart& placed = placed_.placed[members[i]];
         const PartLevel& level = levels_[placed.part].levels[leaf.levels[i]];
         place({level.chunk, placed.transform}, level.triangles, content, drawable);
+        if (level.grown > 0) content.box.extend(box_of(members[i], level));
       }
       content.drawables.push_back(drawable);
     }
     const Drawable& last = content.drawables.back();
     coarsest_[node] = {last.error, last.triangles, std::move(leaf_levels.back().levels), {}};
+  }
+
+  /// Of a placed part at a level, which may be enlarged beyond the part's box.
+  LatticeBox box_of(uint32_t member, const PartLevel& level) const {
+    const double stretch = placed_.stretches[placed_.placed[member].transform];
+    const int margin = static_cast<int>(std::ceil(level.grown * stretch * (1 + 1e-9) / lattice_.step)) + 1;
+    LatticeBox box = placed_.boxes[member];
+    box.lo -= margin;
+    box.hi += margin;
+    return box;
   }
 
   /// A leaf that stands for a sub-hierarchy: it draws the sub-hierarchy's own drawables.
