@@ -24,7 +24,8 @@ constexpr double hurried = 2;
 /// The tightness where they are measured against the source.
 constexpr double tight = 1.5;
 /// Where cover takes more than this share of a bound, and the source has no more triangles than this, the
-/// level is measured: that lies mostly on the other side of the source than what it lost.
+/// level is measured: that lies mostly on the other side of the source than what it lost. Not where colours
+/// are ignored: there a smaller distance, to things of any colour, would bring in levels that show less.
 constexpr double much = 0.3;
 constexpr size_t quickly_measured = 2000;
 /// A connected component is small if it has fewer triangles than this, and less than half of all.
@@ -219,7 +220,7 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
       if (level->moved > 0)
         level->bound = moved_bound(bound, level->moved, level->piece.surface, before, maker.errors());
       if (level->bound > bound * (1 + much) && surface.triangles.size() <= quickly_measured &&
-          surface.colors.empty()) {
+          surface.colors.empty() && limits.colors == Colors::keep) {
         if (!meter) meter.emplace(surface, limits.colors);
         level->bound = meter->bound(level->piece.surface, {tight, level->bound, {}});
       }
