@@ -100,7 +100,7 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   Chain chain = simplify(children.surface, locked, how);
   hlod.stuck = chain.stuck && chain.levels.empty();
   if (chain.levels.empty() || limits.begins_as_it_is) {
-    Level all{{children.surface, std::vector<uint32_t>(children.surface.points.size())}, 0};
+    Level all{{children.surface, std::vector<uint32_t>(children.surface.points.size())}, 0, 0};
     std::iota(all.piece.sources.begin(), all.piece.sources.end(), 0u);
     chain.levels.insert(chain.levels.begin(), std::move(all));
   }

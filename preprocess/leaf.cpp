@@ -16,6 +16,7 @@ namespace {
 /// What is known of a part's levels, beside their chunks and their geometry.
 struct LevelFigures {
   std::vector<double> bounds;  ///< PartLevel::bound
+  std::vector<double> grown;   ///< PartLevel::grown
   uint64_t detached_triangles = 0;
   bool stuck = false;
 };
@@ -23,7 +24,7 @@ struct LevelFigures {
 }  // namespace
 
 template <>
-inline constexpr auto record_members<LevelFigures> = std::tuple(&LevelFigures::bounds,
+inline constexpr auto record_members<LevelFigures> = std::tuple(&LevelFigures::bounds, &LevelFigures::grown,
                                                                 &LevelFigures::detached_triangles,
                                                                 &LevelFigures::stuck);
 
@@ -51,6 +52,7 @@ std::vector<BorderPoint> borders_of(const Piece& level, const std::vector<uint32
 struct PartLevelGeometry {
   Part level;
   double bound = 0;  ///< PartLevel::bound
+  double grown = 0;  ///< PartLevel::grown
 };
 
 /// The level without the triangles that are covered; false where it has none.
@@ -92,16 +94,15 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
   };
   for (size_t i = 1; i < levels.size(); ++i) add(std::move(levels[i]));
   if (!info.covered.empty() && kept.back().bound < from) {
-    PartLevelGeometry last{kept.back().level, from};
+    PartLevelGeometry last{kept.back().level, from, kept.back().grown};
     add(std::move(last));
   }
   levels = std::move(kept);
 }
 
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
-/// lattice_is_own: its own, which placements turn; false: that of the hierarchy that it is in.
-UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, bool lattice_is_own,
-                       const BuildOptions& options, size_t kept_triangles) {
+UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, const BuildOptions& options,
+                       size_t kept_triangles) {
   for (const uint32_t triangle : info.covered) {
     uint32_t& material = part.surface.triangles[triangle].material;
     material = material_covered(material, info.covered_class);
@@ -123,9 +124,6 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   }
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify_limits();
-  // A level that is enlarged stays in the part's box, but not in the tighter one of a placement that is
-  // turned.
-  if (lattice_is_own) limits.keep_cover = false;
   limits.triangles = coarsest_triangles;
   limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
@@ -135,21 +133,23 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   figures.detached_triangles = chain.detached_triangles;
   figures.stuck = chain.stuck && chain.levels.empty();
   const double rounding = options.rules.bounds_hold_rounding ? lattice.rounding() : 0;
-  std::vector<PartLevelGeometry> levels = {{std::move(part), info.moved * lattice.step + rounding}};
+  std::vector<PartLevelGeometry> levels = {{std::move(part), info.moved * lattice.step + rounding, 0}};
   for (Level& level : chain.levels) {
     std::vector<BorderPoint> borders = borders_of(level.piece, numbers);
     levels.push_back({{std::move(level.piece.surface), std::move(borders)},
-                      (level.bound + info.moved) * lattice.step + rounding});
+                      (level.bound + info.moved) * lattice.step + rounding,
+                      level.moved * lattice.step});
   }
   keep_beneath(info, levels);
   for (size_t i = 0; i < levels.size(); ++i) {
-    const auto& [level, bound] = levels[i];
+    const auto& [level, bound, grown] = levels[i];
     // The other chain has the first one's chunk.
     if (i > 0 || info.variant_of == no_id)
       result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
     const bool kept = i + 1 == levels.size() || level.surface.triangles.size() <= kept_triangles;
     result.geometry.push_back(kept ? record_bytes(level) : std::vector<std::byte>());
     figures.bounds.push_back(bound);
+    figures.grown.push_back(grown);
   }
   result.figures = record_bytes(figures);
   return result;
@@ -163,9 +163,11 @@ PartLevels take(const StoredUnit& stored, const PartLevel* shared, ImportReport&
   PartLevels levels{{}, stored.geometry};
   levels.levels.reserve(figures.bounds.size());
   if (shared) levels.levels.push_back(*shared);
-  for (uint32_t i = 0; i < stored.chunks.size(); ++i)
-    levels.levels.push_back(
-        {stored.first_chunk + i, stored.chunks[i].triangle_count, figures.bounds.at(levels.levels.size())});
+  for (uint32_t i = 0; i < stored.chunks.size(); ++i) {
+    const size_t level = levels.levels.size();
+    levels.levels.push_back({stored.first_chunk + i, stored.chunks[i].triangle_count,
+                             figures.bounds.at(level), figures.grown.at(level)});
+  }
   return levels;
 }
 
@@ -176,11 +178,8 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
   Progress progress("simplifying parts", parts.parts.size());
   const UnitFunction unit = [&](uint32_t part) {
     const PartInfo& info = parts.parts[part];
-    const bool is_own =
-        std::none_of(parts.hierarchies.begin(), parts.hierarchies.end(),
-                     [&](const PlacedParts& placed) { return placed.lattice == info.lattice; });
     return record_bytes(make_levels(load<Part>(work.parts(), info.place), info, parts.lattices[info.lattice],
-                                    is_own, options, kept_triangles));
+                                    options, kept_triangles));
   };
   std::vector<uint32_t> all(parts.parts.size());
   std::iota(all.begin(), all.end(), 0u);

@@ -13,6 +13,7 @@ namespace triptych {
 struct PartLevel {
   uint32_t chunk = 0, triangles = 0;
   double bound = 0;  ///< of the distance to the mesh, mesh units, rounding to the lattice included
+  double grown = 0;  ///< how far it may reach beyond the box of the part, mesh units
 };
 
 struct PartLevels {

@@ -8,6 +8,7 @@
 #include "preprocess/triangle_objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -204,6 +205,7 @@ class NodeDrawables {
         const PlacedPart& placed = placed_.placed[members[i]];
         const PartLevel& level = levels_[placed.part].levels[leaf.levels[i]];
         place({level.chunk, placed.transform}, level.triangles, content, drawable);
+        if (level.grown > 0) content.box.extend(box_of(members[i], level));
       }
       content.drawables.push_back(drawable);
     }
@@ -213,6 +215,16 @@ class NodeDrawables {
       const PlacedPart& placed = placed_.placed[member];
       add_gaps(parts_.parts[placed.part].gaps, placed_.stretches[placed.transform], coarsest_[node].gaps);
     }
+  }
+
+  /// Of a placed part at a level, which may be enlarged beyond the part's box.
+  LatticeBox box_of(uint32_t member, const PartLevel& level) const {
+    const double stretch = placed_.stretches[placed_.placed[member].transform];
+    const int margin = static_cast<int>(std::ceil(level.grown * stretch * (1 + 1e-9) / lattice_.step)) + 1;
+    LatticeBox box = placed_.boxes[member];
+    box.lo -= margin;
+    box.hi += margin;
+    return box;
   }
 
   /// A leaf that stands for a sub-hierarchy: it draws the sub-hierarchy's own drawables.

@@ -2,7 +2,8 @@
 // they get simpler.
 #pragma once
 
-#include "base/disjoint_sets.hpp"
+#include "simplify/component_covers.hpp"
+#include "simplify/local_middles.hpp"
 #include "simplify/surface.hpp"
 
 #include <cstdint>
@@ -11,37 +12,39 @@
 
 namespace triptych {
 
-/// A connected component of a surface, as something that covers a part of the screen.
-struct Cover {
-  /// On average over all directions, from afar, square lattice steps: a quarter of the area of what is closed
-  /// (Cauchy), half of what is flat, in between by how much its normals cancel. What hides itself otherwise
-  /// is not counted.
-  double covered = 0;
-  double area = 0, flatness = 0;  ///< flatness: 0 where normals cancel, 1 where all are the same
-  glm::dvec3 middle{0};           ///< of its area
-  double radius = 0;              ///< no point is further from the middle
-  uint32_t material = 0;          ///< of its largest triangle
-  bool locked = false;            ///< whether one of its points is
-};
-
 class CoverKeeper {
  public:
-  /// `locked`: for each point of the source whether it must stay where it is; empty: none. Kept by reference.
-  CoverKeeper(const Surface& source, std::span<const uint8_t> locked);
+  /// `locked`: for each point of the source whether it must stay where it is; empty: none. Both are kept by
+  /// reference.
+  CoverKeeper(const Surface& source, std::span<const uint8_t> locked)
+      : locked_(locked), source_(source), middles_(source, source_) {}
+  CoverKeeper(const CoverKeeper&) = delete;
+  CoverKeeper& operator=(const CoverKeeper&) = delete;
 
-  /// Enlarges components of a level of the source, about their middles, to the cover of the components whose
-  /// points they hold; and where components have vanished, small ones of the same material take over theirs
-  /// (Cook, Halstead, Planck and Ryu, Stochastic simplification of aggregate detail, 2007). Components with
-  /// locked points stay, and so do those that are large against the level's bound, which lose little. No
-  /// point moves further than half of the bound, or out of the source's box. Returns how far the furthest
+  /// Enlarges components of a level of the source to the cover of the components whose points they hold,
+  /// about their middles, or, where they are long, across; and where components have vanished, small ones of
+  /// the same material take over theirs (Cook, Halstead, Planck and Ryu, Stochastic simplification of
+  /// aggregate detail, 2007). Locked points stay, and so do components that are thick against the level's
+  /// bound, which lose little. No point moves further than half of the bound. Returns how far the furthest
   /// did, lattice steps.
-  double restore(Piece& level, double bound) const;
+  double restore(Piece& level, double bound);
 
  private:
-  const Surface& source_;
+  class Growth;
+  double enlarge(Growth& growth, const Piece& level, const Cover& cover, std::span<const uint32_t> points,
+                 std::span<const uint32_t> triangles, double goal, double bound);
+  glm::dvec3 middle_of(const Piece& level, std::span<const uint32_t> points) const;
+  const Cover& of_source(const Piece& level, uint32_t point) const {
+    return source_.covers[source_.component_of[level.sources[point]]];
+  }
+  std::vector<double> goals(const Piece& level, const ComponentCovers& of_level, double bound) const;
+  bool is_locked(const Piece& level, uint32_t point) const {
+    return !locked_.empty() && locked_[level.sources[point]] != 0;
+  }
+
   std::span<const uint8_t> locked_;
-  std::vector<uint32_t> component_of_;  ///< for each point
-  std::vector<Cover> covers_;           ///< of the components
+  ComponentCovers source_;
+  LocalMiddles middles_;  ///< of the source
 };
 
 }  // namespace triptych

@@ -5,6 +5,7 @@
 #include "simplify/vertex_clustering.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -22,13 +23,21 @@ constexpr double steep = 16;
 constexpr double hurried = 2;
 /// The tightness where they are measured against the source.
 constexpr double tight = 1.5;
+/// Where cover takes more than this share of a bound, and the source has no more triangles than this, the
+/// level is measured: that lies mostly on the other side of the source than what it lost. Not where colours
+/// are ignored: there a smaller distance, to things of any colour, would bring in levels that show less.
+constexpr double much = 0.3;
+constexpr size_t quickly_measured = 2000;
 /// A connected component is small if it has fewer triangles than this, and less than half of all.
 constexpr size_t small_thing = 256;
 
-/// Whether most of the surface are small components: collapses do not merge them, so they soon get stuck
-/// there, with a result that is no nearer than a clustering. A component with a locked point is a piece of
-/// something larger.
-bool is_heap(const Surface& surface, std::span<const uint8_t> locked) {
+/// Collapses do not take closed components below so many triangles.
+constexpr size_t least_closed = 4;
+
+/// Below how many triangles the surface is a heap: most of it are small components, collapses do not merge
+/// them, and so they soon get stuck there, with a result that is no nearer than a clustering. A component
+/// with a locked point is a piece of something larger.
+size_t heap_below(const Surface& surface, std::span<const uint8_t> locked) {
   DisjointSets sets = connected_points(surface);
   std::vector<size_t> sizes(surface.points.size(), 0);
   for (const Triangle& triangle : surface.triangles) ++sizes[sets.root(triangle.vertices[0])];
@@ -36,9 +45,12 @@ bool is_heap(const Surface& surface, std::span<const uint8_t> locked) {
     if (locked[i]) sizes[sets.root(i)] = 0;
   }
   const size_t small = std::min(small_thing, surface.triangles.size() / 2);
-  size_t in_small = 0;
-  for (const size_t size : sizes) in_small += size < small ? size : 0;
-  return 4 * in_small >= 3 * surface.triangles.size();
+  size_t in_small = 0, components = 0;
+  for (const size_t size : sizes) {
+    in_small += size < small ? size : 0;
+    components += size > 0;
+  }
+  return 4 * in_small >= 3 * surface.triangles.size() ? least_closed * components : 0;
 }
 
 /// A level with its fast bound.
@@ -56,12 +68,16 @@ class ChainMaker {
     current_.piece.surface = source;
     current_.piece.sources.resize(source.points.size());
     std::iota(current_.piece.sources.begin(), current_.piece.sources.end(), 0u);
-    is_heap_ = limits.colors == Colors::ignore && is_heap(source, locked);
+    if (limits.colors == Colors::ignore) heap_below_ = heap_below(source, locked);
+    if (source.triangles.size() / 2 < heap_below_) return;
     start();
-    if (reducer_) detached_triangles_ = reducer_->detached_triangles();
+    detached_triangles_ = reducer_->detached_triangles();
   }
 
+  /// Of the last level: see Stage.
+  const std::vector<double>& errors() const { return current_.errors; }
   size_t triangles() const { return current_.piece.surface.triangles.size(); }
+  /// Of the source; 0 where nothing but clustering was asked for.
   size_t detached_triangles() const { return detached_triangles_; }
   /// Whether the last next() returned nothing because of max_bound.
   bool at_limit() const { return at_limit_; }
@@ -69,12 +85,13 @@ class ChainMaker {
   /// The next level, of about `goal` triangles; nullopt if that is not possible.
   std::optional<Level> next(size_t goal) {
     const auto enough = static_cast<size_t>(static_cast<double>(triangles()) * worth_it);
-    if (is_heap_) {
+    if (goal < heap_below_) {
       Stage clustered = cluster(current_, goal);
       if (clustered.piece.surface.triangles.size() > enough) return std::nullopt;
       current_ = std::move(clustered);
       return measured();
     }
+    if (!reducer_) start();
     Stage reduced = reduce(goal);
     const bool got_there = reduced.piece.surface.triangles.size() <= enough;
     at_limit_ = !got_there && reduced_further_;
@@ -95,7 +112,6 @@ class ChainMaker {
 
  private:
   void start() {
-    if (is_heap_) return;
     start_ = current_;
     start_locked_ = locked_of(start_.piece);
     reducer_ = make_reducer(limits_.simplifier, start_.piece.surface, start_locked_);
@@ -144,7 +160,7 @@ class ChainMaker {
   bool is_measured() const { return limits_.bound == Bound::tight && source_.colors.empty(); }
 
   Level measured() {
-    Level level{current_.piece, current_.bound};
+    Level level{current_.piece, current_.bound, 0};
     if (is_measured()) {
       if (!meter_) meter_.emplace(source_, limits_.colors);
       level.bound = meter_->bound(level.piece.surface, {tight, level.bound, current_.errors});
@@ -160,11 +176,27 @@ class ChainMaker {
   std::vector<uint8_t> start_locked_;
   std::unique_ptr<Reducer> reducer_;
   std::optional<DistanceMeter> meter_;
-  bool is_heap_ = false;   ///< if so, vertices are clustered at once
+  size_t heap_below_ = 0;  ///< for goals below this, vertices are clustered at once
   double last_bound_ = 0;  ///< of the levels given
   size_t detached_triangles_ = 0;
   bool reduced_further_ = false, at_limit_ = false;
 };
+
+/// The bound of a level, a surface whose points moved by at most so much. Each point of the source is near
+/// one of a triangle by that triangle's error, and the other way about, wherever those are known.
+double moved_bound(double bound, double moved, const Surface& surface, const std::vector<glm::ivec3>& before,
+                   const std::vector<double>& errors) {
+  if (errors.size() != surface.triangles.size()) return bound + moved;
+  double largest = bound;
+  for (size_t i = 0; i < errors.size(); ++i) {
+    double furthest = 0;
+    for (const uint32_t corner : surface.triangles[i].vertices)
+      furthest =
+          std::max(furthest, glm::distance(glm::dvec3(surface.points[corner]), glm::dvec3(before[corner])));
+    largest = std::max(largest, errors[i] + furthest);
+  }
+  return std::min(largest, bound + moved);
+}
 
 }  // namespace
 
@@ -175,14 +207,24 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
   if (surface.triangles.size() <= enough) return chain;
   ChainMaker maker(surface, locked, limits);
   std::optional<CoverKeeper> cover;
+  std::optional<DistanceMeter> meter;
   if (limits.keep_cover) cover.emplace(surface, locked);
   while (maker.triangles() > enough) {
     auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
     if (!level || level->bound > limits.max_bound) break;
-    // No point moves further than half of what is given.
-    const double left = 2 * (limits.max_bound - level->bound);
-    if (cover) level->bound += cover->restore(level->piece, std::min(level->bound, left));
+    if (cover) {
+      const std::vector<glm::ivec3> before = level->piece.surface.points;
+      const double bound = level->bound;
+      level->moved = cover->restore(level->piece, bound);
+      if (level->moved > 0)
+        level->bound = moved_bound(bound, level->moved, level->piece.surface, before, maker.errors());
+      if (level->bound > bound * (1 + much) && surface.triangles.size() <= quickly_measured &&
+          surface.colors.empty() && limits.colors == Colors::keep) {
+        if (!meter) meter.emplace(surface, limits.colors);
+        level->bound = meter->bound(level->piece.surface, {tight, level->bound, {}});
+      }
+    }
     if (!chain.levels.empty()) level->bound = std::max(level->bound, chain.levels.back().bound);
     chain.levels.push_back(std::move(*level));
   }

@@ -45,6 +45,7 @@ struct Level {
   Piece piece;
   /// Of the two-sided distance to that surface, lattice steps; never shrinks along the chain.
   double bound = 0;
+  double moved = 0;  ///< how far keep_cover moved a point at most, lattice steps
 };
 
 struct Chain {

@@ -105,7 +105,8 @@ TEST(Simplify, merges_thousands_of_bolts_to_any_target) {
   }
 }
 
-TEST(Simplify, a_heap_of_small_things_is_clustered_at_once_and_a_single_thing_is_not) {
+TEST(Simplify,
+     a_heap_of_small_things_is_clustered_where_each_would_be_left_few_triangles_and_a_single_thing_is_not) {
   Mesh heap{"heap", {}, {}};
   for (int i = 0; i < 60; ++i) {
     const glm::dvec3 corner(i % 8, i / 8, i % 3);
@@ -113,15 +114,23 @@ TEST(Simplify, a_heap_of_small_things_is_clustered_at_once_and_a_single_thing_is
   }
   SimplifyLimits limits;
   limits.colors = Colors::ignore;
+  const auto is_clustered = [&](const Surface& from, const Level& level, std::span<const uint8_t> locked,
+                                size_t goal) {
+    return level.piece.surface.triangles ==
+           cluster_to(from, locked, goal, limits.colors).piece.surface.triangles;
+  };
   const auto first_is_clustered = [&](const Surface& surface, std::span<const uint8_t> locked) {
-    const size_t half = surface.triangles.size() / 2;
     const Chain chain = simplify(surface, locked, limits);
     return !chain.levels.empty() &&
-           chain.levels[0].piece.surface.triangles ==
-               cluster_to(surface, locked, half, limits.colors).piece.surface.triangles;
+           is_clustered(surface, chain.levels[0], locked, surface.triangles.size() / 2);
   };
   const Surface boxes = awkward::surface_of(heap), sphere = awkward::surface_of(awkward::sphere(8));
-  EXPECT_TRUE(first_is_clustered(boxes, {}));
+  // Halves have six triangles a box, quarters would have three.
+  const Chain chain = simplify(boxes, {}, limits);
+  ASSERT_GE(chain.levels.size(), 2u);
+  const Surface& half = chain.levels[0].piece.surface;
+  EXPECT_FALSE(first_is_clustered(boxes, {}));
+  EXPECT_TRUE(is_clustered(half, chain.levels[1], {}, half.triangles.size() / 2));
   EXPECT_FALSE(first_is_clustered(sphere, {}));
   // With a border everywhere they are pieces of something larger.
   std::vector<uint8_t> locked(boxes.points.size(), 0);
