@@ -153,7 +153,8 @@ bool PackSurfaces::is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, 
 }
 
 PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node, const glm::dvec3& point,
-                                                         double floor, HeldTrees* held, SceneNodeId without) const {
+                                                         double floor, HeldTrees* held,
+                                                         SceneNodeId without) const {
   struct Open {
     double distance;
     SceneNodeId node;

@@ -8,8 +8,8 @@
 
 namespace triptych {
 
-/// The uniforms `frustum`, `depth`, `sample_place`, `light`, `layer_view` and `layer_step` of shaders that draw
-/// geometry; the last four where it has them.
+/// The uniforms `frustum`, `depth`, `sample_place`, `light`, `layer_view` and `layer_step` of shaders that
+/// draw geometry; the last four where it has them.
 class ViewUniforms {
  public:
   explicit ViewUniforms(GLuint program);

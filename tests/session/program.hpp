@@ -159,7 +159,8 @@ class Program {
       const std::string id = entry.path().filename();
       if (id.find_first_not_of("0123456789") != std::string::npos) continue;
       std::ostringstream text;
-      text << std::ifstream(entry.path() / "stat").rdbuf();  // nothing, where the process ends while it is read
+      text << std::ifstream(entry.path() / "stat")
+                  .rdbuf();  // nothing, where the process ends while it is read
       const std::string stat = text.str();
       const size_t name_end = stat.rfind(')');
       if (name_end == std::string::npos) continue;
