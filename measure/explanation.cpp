@@ -166,7 +166,9 @@ void Explainer::explain_culling(DrawableExplanation& explanation) {
     explanation.fate = hidden ? Fate::hidden : Fate::between_pixels;
     explanation.decided_at = node;
   }
-  if (explanation.fate == Fate::hidden) name_what_is_in_front(explanation);
+  if (explanation.fate != Fate::hidden) return;
+  name_what_is_in_front(explanation);
+  if (explanation.by.empty()) explanation.fate = Fate::between_pixels;
 }
 
 void Explainer::name_what_is_in_front(DrawableExplanation& explanation) {

@@ -259,8 +259,8 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     describe_tree(stored, file, report);
     report.import = skeleton.import;
     PackOptions said = options.said;
-    if (!said.empty() && report.contacts.crowded_parts > 0)
-      said["crowded-parts"] = std::to_string(report.contacts.crowded_parts);
+    const uint64_t crowded = report.contacts.crowded_parts + report.layers.crowded_parts;
+    if (!said.empty() && crowded > 0) said["crowded-parts"] = std::to_string(crowded);
     work.pack().finish(std::move(stored), objects, said);
   });
   report.pack_bytes = std::filesystem::file_size(file);

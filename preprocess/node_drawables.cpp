@@ -4,6 +4,7 @@
 #include "base/threads.hpp"
 #include "preprocess/contacts/stitch.hpp"
 #include "preprocess/covered/make_room.hpp"
+#include "preprocess/held_spans.hpp"
 #include "preprocess/hlod.hpp"
 #include "preprocess/triangle_objects.hpp"
 
@@ -74,11 +75,10 @@ class NodeDrawables {
         options_(options),
         work_(work),
         coarsest_(nodes.size()),
-        span_file_(work.file("spans")) {
-    span_borders();
-  }
+        held_(parts, placed, leaf_places(objects, nodes, placed.placed.size()), work) {}
 
   void run(Progress& progress) {
+    for (const LatticeBox& box : placed_.boxes) whole_.extend(box);
     std::vector<size_t> leaves;
     for (size_t i = 0; i < nodes_.size(); ++i) {
       if (nodes_[i].child_count == 0) leaves.push_back(i);
@@ -91,6 +91,7 @@ class NodeDrawables {
       }
     });
     progress.advance(leaves.size());
+    for (const size_t leaf : leaves) whole_.extend(contents[leaf].box);
     // From the deepest level up. Nodes are in breadth-first order: those of one depth are contiguous.
     std::vector<uint32_t> depths(nodes_.size(), 0);
     for (size_t i = 1; i < nodes_.size(); ++i) depths[i] = depths[nodes_[i].parent] + 1;
@@ -135,63 +136,6 @@ class NodeDrawables {
     return nodes_[node].child_count == 0 && stands_for(node) == no_id;
   }
 
-  /// Writes for each held point the span of leaves that share or touch it to a file, placed part by placed
-  /// part: border points, then points in contact.
-  void span_borders() {
-    std::vector<size_t> first;  // for each instance
-    size_t count = 0;
-    for (const uint32_t borders : placed_.border_counts) {
-      first.push_back(count);
-      count += borders;
-    }
-    std::vector<size_t> own_first;  // for each placed part
-    for (const PlacedPart& placed : placed_.placed) {
-      own_first.push_back(count);
-      count += parts_.parts[placed.part].contacts.size();
-    }
-    if (count == 0) return;
-    std::vector<LeafSpan> spans(count);  // by instance, by number; then by placed part, by contact point
-    const std::vector<uint32_t> places = leaf_places(objects_, nodes_, placed_.placed.size());
-    constexpr float unlimited = std::numeric_limits<float>::infinity();
-    const auto each_held = [&](uint32_t member, const auto& take) {
-      const PlacedPart& placed = placed_.placed[member];
-      const PartInfo& part = parts_.parts[placed.part];
-      if (part.borders > 0) {
-        for (const BorderPoint& border : load_borders(work_.parts(), part))
-          take(border.point, spans[first[placed.instance] + border.number], unlimited);
-      }
-      for (size_t i = 0; i < part.contacts.size(); ++i)
-        take(part.contacts[i], spans[own_first[member] + i], 0);
-    };
-    for (uint32_t member = 0; member < places.size(); ++member) {
-      each_held(member, [&](uint32_t point, LeafSpan& span, float reach) {
-        span.extend({places[member], places[member], reach});
-        const auto found =
-            std::lower_bound(placed_.contacts.begin(), placed_.contacts.end(), std::pair(member, point),
-                             [](const Contact& a, const std::pair<uint32_t, uint32_t>& key) {
-                               return std::pair(a.placed, a.point) < key;
-                             });
-        if (found != placed_.contacts.end() && found->placed == member && found->point == point)
-          span.extend(found->span);
-      });
-    }
-    std::vector<LeafSpan> own;
-    for (uint32_t member = 0; member < places.size(); ++member) {
-      own.clear();
-      each_held(member, [&](uint32_t, const LeafSpan& span, float) { own.push_back(span); });
-      spans_.push_back(own.empty() ? 0 : span_file_.append(std::as_bytes(std::span(own))).offset);
-    }
-  }
-
-  /// Loads the spans of a placed part's held points.
-  std::vector<LeafSpan> load_spans(uint32_t member) const {
-    const PartInfo& part = parts_.parts[placed_.placed[member].part];
-    const size_t count = part.borders + part.contacts.size();
-    if (count == 0) return {};
-    const std::vector<std::byte> bytes = span_file_.read({spans_[member], count * sizeof(LeafSpan)});
-    return ByteReader(bytes, span_file_.path().string()).read_all<LeafSpan>(count);
-  }
-
   void make_leaf(size_t node) {
     NodeContent& content = contents[node];
     const auto& members = objects_.members[nodes_[node].object];
@@ -224,7 +168,9 @@ class NodeDrawables {
     LatticeBox box = placed_.boxes[member];
     box.lo -= margin;
     box.hi += margin;
-    return box;
+    // Where nothing turns it, levels stay in the box of all that is placed (SimplifyLimits::cover_within).
+    if (placed_.placed[member].transform != 0) return box;
+    return {glm::max(box.lo, whole_.lo), glm::min(box.hi, whole_.hi)};
   }
 
   /// A leaf that stands for a sub-hierarchy: it draws the sub-hierarchy's own drawables.
@@ -277,7 +223,7 @@ class NodeDrawables {
         std::max(children.error, lattice_.step * leave_out_covered(children, early / lattice_.step));
     const TriangleObjects objects(children);
     const HlodLimits limits{.triangles = options_.hlod_triangles,
-                            .simplify = options_.simplify_limits(),
+                            .simplify = simplify_limits(),
                             .in_pieces = options_.in_pieces(),
                             .gaps = gaps_of_children(node),
                             .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all};
@@ -294,6 +240,12 @@ class NodeDrawables {
     result.geometry.push_back(record_bytes(hlod.coarsest));
     result.figures = record_bytes(figures);
     return result;
+  }
+
+  SimplifyLimits simplify_limits() const {
+    SimplifyLimits limits = options_.simplify_limits();
+    limits.cover_within = whole_;
+    return limits;
   }
 
   std::vector<ErrorGap> gaps_of_children(uint32_t node) const {
@@ -344,7 +296,7 @@ class NodeDrawables {
       const auto part =
           load<Part>(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
       std::vector<LeafSpan> spans(part.surface.points.size());
-      const std::vector<LeafSpan> known = load_spans(members[i]);
+      const std::vector<LeafSpan> known = held_.load(members[i]);
       for (const BorderPoint& border : part.borders) spans[border.point] = known[border.number];
       std::vector<SourceObjectId> objects;
       if (parts_.has_objects) objects.assign(part.surface.triangles.size(), placed_.objects[placed.instance]);
@@ -398,8 +350,8 @@ class NodeDrawables {
   const BuildOptions& options_;
   BuildWork& work_;
   std::vector<Coarsest> coarsest_;
-  SpoolFile span_file_;
-  std::vector<uint64_t> spans_;  ///< for each placed part where the spans of its border points begin
+  HeldSpans held_;
+  LatticeBox whole_;  ///< of all leaves
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ class BandResolver {
   }
 
  private:
-  RecentColors& recent(size_t plane) { return recent_[shared_ ? 0 : plane]; }
+  KeptShades& recent(size_t plane) { return recent_[shared_ ? 0 : plane]; }
   Rgba* row(size_t plane) { return rows_.data() + plane * width_; }
 
   /// Once a pixel and triangle.
@@ -75,7 +75,7 @@ class BandResolver {
   const SamplePlanes& planes_;
   size_t width_;
   bool shared_;
-  std::deque<RecentColors> recent_;
+  std::deque<KeptShades> recent_;
   std::vector<Rgba> rows_;  ///< of each plane one
   std::vector<uint16_t> sums_;
   std::optional<EdgeRule> rule_;

@@ -6,7 +6,7 @@ namespace {
 
 /// The pixels of a row whose colours vary over their triangle.
 [[gnu::noinline]] void shade_varying(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
-                                     int32_t y, RecentColors& recent, Rgba* row) {
+                                     int32_t y, KeptShades& recent, Rgba* row) {
   for (size_t x = 0; x < depths.size(); ++x) {
     if (depths[x] != 0 && recent.varies(slots[x])) row[x] = recent.of(slots[x], static_cast<int32_t>(x), y);
   }
@@ -17,7 +17,7 @@ namespace {
 [[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
   const TriangleShader shader(view);
   buffer.for_each_band(true, [&](int32_t first, int32_t last) {
-    RecentColors colors(buffer, shader);
+    KeptShades colors(buffer, shader);
     for (int32_t y = first; y <= last; ++y) {
       Rgba* const row = picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width());
       shade_row(buffer.depths(y), buffer.slots(y), colors, row);

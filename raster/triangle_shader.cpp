@@ -77,13 +77,13 @@ float TriangleShader::light_on(const SlotTable::Triangle& shown) const {
          head_light * std::abs(normal.z * scale);
 }
 
-RecentColors::RecentColors(const VisibilityBuffer& buffer, const TriangleShader& shader)
+KeptShades::KeptShades(const VisibilityBuffer& buffer, const TriangleShader& shader)
     : buffer_(buffer), shader_(shader) {
   // No slot that is looked for in an entry has this number.
   for (uint32_t i = 0; i < count; ++i) entries_[i].slot = i + 1;
 }
 
-Rgba RecentColors::of(uint32_t slot, int32_t x, int32_t y) {
+Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
@@ -94,7 +94,7 @@ Rgba RecentColors::of(uint32_t slot, int32_t x, int32_t y) {
   return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
 }
 
-const RecentColors::Entry& RecentColors::entry(uint32_t slot) {
+const KeptShades::Entry& KeptShades::entry(uint32_t slot) {
   Entry& entry = entries_[slot % count];
   if (entry.slot != slot) {
     const SlotTable::Triangle shown = buffer_.find(slot);
@@ -106,13 +106,13 @@ const RecentColors::Entry& RecentColors::entry(uint32_t slot) {
 }
 
 [[gnu::noinline]] void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
-                                 RecentColors& recent, Rgba* row) {
+                                 KeptShades& recent, Rgba* row) {
   recent.begin_row();
   if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
     const SlotColors colors{.background = std::bit_cast<uint32_t>(background_bytes),
                             .context = &recent,
                             .of_slot = [](void* context, uint32_t slot) {
-                              return std::bit_cast<uint32_t>(static_cast<RecentColors*>(context)->of(slot));
+                              return std::bit_cast<uint32_t>(static_cast<KeptShades*>(context)->of(slot));
                             }};
     kernels->color_row(colors, depths.data(), slots.data(), static_cast<int32_t>(depths.size()), row);
   } else {

@@ -34,10 +34,10 @@ class TriangleShader {
 };
 
 /// The colours of triangles that were shaded a short while ago: most show in the row above, too.
-class RecentColors {
+class KeptShades {
  public:
   /// Slots are the buffer's.
-  RecentColors(const VisibilityBuffer& buffer, const TriangleShader& shader);
+  KeptShades(const VisibilityBuffer& buffer, const TriangleShader& shader);
 
   /// Of a triangle whose colours vary no colour, and any_varies() is true from then on.
   Rgba of(uint32_t slot) { return entry(slot).color; }
@@ -71,7 +71,7 @@ class RecentColors {
 
 /// The colours of a row's pixels, background where nothing is. Those whose colours vary get none: recent says
 /// whether there are any.
-void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots, RecentColors& recent,
+void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots, KeptShades& recent,
                Rgba* row);
 
 }  // namespace triptych

@@ -7,6 +7,7 @@
 #include "scene/pack_objects.hpp"
 #include "scene/pack_skeleton.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace triptych {
@@ -149,7 +150,12 @@ Chunk Pack::read_chunk(uint32_t chunk) const {
     fail(place, "byte {}: the checksum does not match: the pack is damaged, build it again",
          geometry_offset_ + info.offset);
   }
-  return decode_chunk(bytes, info, skeleton_.pieces_of(chunk), skeleton_.palette.size(), place);
+  Chunk decoded = decode_chunk(bytes, info, skeleton_.pieces_of(chunk), skeleton_.palette.size(), place);
+  const bool in_layers =
+      std::ranges::any_of(decoded.vertices, [](const ChunkVertex& vertex) { return vertex.layer > 0; });
+  if (in_layers && !has_layers(skeleton_.effects))
+    fail(place, "has layers, which the effects of section SKEL do not name");
+  return decoded;
 }
 
 }  // namespace triptych

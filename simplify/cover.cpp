@@ -219,7 +219,7 @@ glm::dvec3 CoverKeeper::middle_of(const Piece& level, std::span<const uint32_t> 
   return middle / covered;
 }
 
-double CoverKeeper::restore(Piece& level, double bound) {
+double CoverKeeper::restore(Piece& level, double bound, const LatticeBox& within) {
   Surface& surface = level.surface;
   const ComponentCovers of_level(surface);
   const std::vector<double> wanted = goals(level, of_level, bound);
@@ -243,7 +243,9 @@ double CoverKeeper::restore(Piece& level, double bound) {
     distances[i] =
         enlarge(growth, level, of_level.covers[i], points.of(i), triangles.of(i), wanted[i], bound);
   }
-  const auto grown = [&](uint32_t i) { return growth.rounded(i, distances[component_of[i]]); };
+  const auto grown = [&](uint32_t i) {
+    return glm::clamp(growth.rounded(i, distances[component_of[i]]), within.lo, within.hi);
+  };
   for (const Triangle& triangle : surface.triangles) {  // rounding must leave each an area
     const auto& [a, b, c] = triangle.vertices;
     if (degenerate(grown(a), grown(b), grown(c))) distances[component_of[a]] = 0;

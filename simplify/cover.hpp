@@ -25,9 +25,9 @@ class CoverKeeper {
   /// about their middles, or, where they are long, across; and where components have vanished, small ones of
   /// the same material take over theirs (Cook, Halstead, Planck and Ryu, Stochastic simplification of
   /// aggregate detail, 2007). Locked points stay, and so do components that are thick against the level's
-  /// bound, which lose little. No point moves further than half of the bound. Returns how far the furthest
-  /// did, lattice steps.
-  double restore(Piece& level, double bound);
+  /// bound, which lose little. No point moves further than half of the bound, or out of `within`. Returns how
+  /// far the furthest did, lattice steps.
+  double restore(Piece& level, double bound, const LatticeBox& within = everywhere());
 
  private:
   class Growth;

@@ -216,7 +216,7 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
     if (cover) {
       const std::vector<glm::ivec3> before = level->piece.surface.points;
       const double bound = level->bound;
-      level->moved = cover->restore(level->piece, bound);
+      level->moved = cover->restore(level->piece, bound, limits.cover_within);
       if (level->moved > 0)
         level->bound = moved_bound(bound, level->moved, level->piece.surface, before, maker.errors());
       if (level->bound > bound * (1 + much) && surface.triangles.size() <= quickly_measured &&

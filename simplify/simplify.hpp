@@ -37,6 +37,8 @@ struct SimplifyLimits {
   /// Whether components are enlarged where they would cover less than in the input (simplify/cover.hpp);
   /// points of such levels are not points of the input.
   bool keep_cover = false;
+  /// Where enlarged components end at the latest: a model does not get larger.
+  LatticeBox cover_within = everywhere();
 };
 
 struct Level {

@@ -24,7 +24,7 @@ struct Trial {
   bool slivers = false;       ///< has triangles whose depth leaves their box, and with it the picture
   bool thin = false;          ///< backs have the depth of the fronts before them somewhere, to a float
   bool no_blue =
-      false;  ///< at no pixel error up to 4 may a pixel show blue: what is blue lies under something
+      false;  ///< up to a pixel error of 1 no pixel may show blue: what is blue lies under something
   bool closed = false;  ///< at no pixel error may a view show the background where full detail does not
   size_t left_out = 0;  ///< placements that the build has to count as left out
   size_t max_drawables = ~size_t{0};  ///< that the build may come to

@@ -1,5 +1,6 @@
 // Pictures of every frame, in one process: what was culled against what was not.
 #include "nodes/local_pipeline.hpp"
+#include "scene/layers.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/support/pictures.hpp"
 #include "visibility/shading.hpp"
@@ -109,7 +110,9 @@ class PictureTrial {
   /// Backs that are left out change nothing but where they tie with what is before them, as at outlines on
   /// gl, whose depths are interpolated with less care; and nowhere may be seen what is behind.
   void compare_with_backs(const std::vector<uint8_t>& picture, const FrameRequest& request) {
-    if (!trial_.thin && device_kind_ == DeviceKind::cpu) {
+    // A front that something lies on is drawn a little behind, and so may be behind its own edge's back.
+    const bool layered = has_layers(built_.pack().skeleton().effects);
+    if (!trial_.thin && !layered && device_kind_ == DeviceKind::cpu) {
       compare(picture, with_backs_, request, "the picture with the backs of solids");
       return;
     }
@@ -126,10 +129,10 @@ class PictureTrial {
   }
 
   void expect_no_blue(FrameRequest request) {
-    for (const double pixel_error : {0.0, 1.0, 4.0}) {
+    for (const double pixel_error : {0.0, 1.0}) {
       request.state.pixel_error = pixel_error;
-      items_.draw(request);
-      const std::vector<uint8_t> colors = items_.target().read_colors();
+      whole_.draw(request);
+      const std::vector<uint8_t> colors = whole_.target().read_colors();
       size_t blue = 0;
       for (size_t i = 0; i < colors.size(); i += 4) blue += colors[i] == 0 && colors[i + 2] > 0;
       if (blue > 0) say(fmt::format("{} pixels are blue at a pixel error of {}", blue, pixel_error));

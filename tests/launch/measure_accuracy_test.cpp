@@ -173,7 +173,13 @@ TEST_F(MeasureAccuracy,
   write_sphere(model, 8, 48);
   std::ofstream(around) << R"({"triptych_path": 1, "fov_y_degrees": 90, "frames": [)"
                         << R"({"eye": [1, 0, 2], "target": [5, 1, 3], "up": [0, 1, 0]},)"
-                        << R"({"eye": [-2, 1, 1], "target": [-3, 0, 6], "up": [0, 1, 0]}]})";
+                        << R"({"eye": [-2, 1, 1], "target": [-3, 0, 6], "up": [0, 1, 0]},)"
+                        << R"({"eye": [-1, 0.5, 0], "target": [0, 0.5, 0], "up": [0, 1, 0]},)"
+                        << R"({"eye": [-0.7, 0.5, 0.2], "target": [-0.16, 0.67, 1.04], "up": [0, 1, 0]},)"
+                        << R"({"eye": [-0.4, 0.5, 0.4], "target": [-0.82, 0.68, 1.31], "up": [0, 1, 0]},)"
+                        << R"({"eye": [-0.1, 0.5, 0.6], "target": [-1.09, 0.53, 0.74], "up": [0, 1, 0]},)"
+                        << R"({"eye": [0.2, 0.5, 0.8], "target": [-0.45, 0.35, 0.04], "up": [0, 1, 0]},)"
+                        << R"({"eye": [0.5, 0.5, 1], "target": [0.78, 0.31, 0.04], "up": [0, 1, 0]}]})";
   const std::string build = "--part-triangles 300 --leaf-triangles 300 --hlod-triangles 48";
   const std::vector<std::string> common = {"measure", "accuracy", "--model",      model,           "--path",
                                            around,    "-o",       output,         "--json",        json,

@@ -36,7 +36,10 @@ class RayScene {
           points.push_back(rotation *
                            (transform * glm::dvec4(lattice.position(vertex.point), 1) - view.camera.eye));
         }
-        add(id, std::move(points), chunk.indices);
+        std::vector<uint32_t> layers;
+        for (size_t k = 0; k < chunk.indices.size(); k += 3)
+          layers.push_back(chunk.vertices[chunk.indices[k]].layer);
+        add(id, std::move(points), chunk.indices, std::move(layers));
       }
     }
     rtcCommitScene(scene_);
@@ -53,6 +56,7 @@ class RayScene {
     double depth = std::numeric_limits<double>::infinity();
     /// From the ray to the nearest edge of what it hit.
     double edge_pixels = std::numeric_limits<double>::infinity();
+    bool lies_below = false;  ///< something may lie on it in its plane: rays cannot tell which of them shows
   };
 
   /// pixel: window coordinates; a pixel's centre ends in a half.
@@ -64,7 +68,8 @@ class RayScene {
     ray.ray.dir_x = static_cast<float>(direction.x);
     ray.ray.dir_y = static_cast<float>(direction.y);
     ray.ray.dir_z = -1;
-    ray.ray.tnear = static_cast<float>(camera.near);
+    // What lies in the near plane shows.
+    ray.ray.tnear = static_cast<float>(camera.near * (1 - 1e-6));
     ray.ray.tfar = std::numeric_limits<float>::infinity();
     ray.ray.mask = ~0u;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -73,7 +78,9 @@ class RayScene {
     rtcIntersect1(scene_, &context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     const Geometry& geometry = geometries_[ray.hit.geomID];
-    Hit hit{.drawable = geometry.drawable, .depth = static_cast<double>(ray.ray.tfar)};
+    Hit hit{.drawable = geometry.drawable,
+            .depth = static_cast<double>(ray.ray.tfar),
+            .lies_below = geometry.layers[ray.hit.primID] > 1};
     for (uint32_t edge = 0; edge < 3; ++edge) {
       const size_t first = size_t{ray.hit.primID} * 3;
       const glm::dvec3 plane = glm::cross(geometry.points[geometry.indices[first + edge]],
@@ -102,10 +109,11 @@ class RayScene {
   struct Geometry {
     DrawableId drawable;
     std::vector<glm::dvec3> points;
-    std::vector<uint32_t> indices;
+    std::vector<uint32_t> indices, layers;
   };
 
-  void add(DrawableId id, std::vector<glm::dvec3> points, const std::vector<uint32_t>& indices) {
+  void add(DrawableId id, std::vector<glm::dvec3> points, const std::vector<uint32_t>& indices,
+           std::vector<uint32_t> layers) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), points.size()));
@@ -118,7 +126,7 @@ class RayScene {
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(geometries_.size()));
     rtcReleaseGeometry(geometry);
-    geometries_.push_back({id, std::move(points), indices});
+    geometries_.push_back({id, std::move(points), indices, std::move(layers)});
   }
 
   View view_;
@@ -154,6 +162,7 @@ Verdict judge(const std::string& scene_name) {
         if (hit.drawable == no_id) continue;
         ++verdict.hits;
         if (std::binary_search(record.visible.begin(), record.visible.end(), hit.drawable)) continue;
+        if (hit.lies_below) continue;
         if (scene.on_an_edge(pixel, hit)) {
           ++verdict.on_edges;
         } else if (verdict.culled++ == 0) {
