@@ -106,7 +106,7 @@ Problems build_problems(const Trial& trial) {
       one.instances = {instance};
       whole += std::abs(volume(placed_triangles(one, 12'000)));
     }
-    if (!(coarse > whole * 0.6)) {  // positive where outsides are out
+    if (!(coarse > whole * 0.5)) {  // positive where outsides are out
       problems.push_back(fmt::format(
           "a closed model of volume {} is one of {} at the root: parts are turned over", whole, coarse));
     }
