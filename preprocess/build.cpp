@@ -259,8 +259,10 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     describe_tree(stored, file, report);
     report.import = skeleton.import;
     PackOptions said = options.said;
-    const uint64_t crowded = report.contacts.crowded_parts + report.layers.crowded_parts;
-    if (!said.empty() && crowded > 0) said["crowded-parts"] = std::to_string(crowded);
+    for (const auto& [word, crowded] : {std::pair{"crowded-parts", report.contacts.crowded_parts},
+                                        std::pair{"crowded-planes", report.layers.crowded_parts}}) {
+      if (!said.empty() && crowded > 0) said[word] = std::to_string(crowded);
+    }
     work.pack().finish(std::move(stored), objects, said);
   });
   report.pack_bytes = std::filesystem::file_size(file);

@@ -5,7 +5,7 @@
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_rules.hpp"
 #include "preprocess/contacts/contact_report.hpp"
-#include "preprocess/covered/cover_report.hpp"
+#include "preprocess/covered/covered_report.hpp"
 #include "preprocess/layers/layer_report.hpp"
 #include "scene/pack_options.hpp"
 #include "scene/skeleton.hpp"
@@ -55,8 +55,8 @@ struct BuildOptions {
   std::string fingerprint = {};
   BuildRules rules = {};
   /// What the pack says of how it was built (section OPTS), beside what the build adds: "crowded-parts", how
-  /// many parts do not hold all the places where they touch, where there are any. Empty: the pack says
-  /// nothing.
+  /// many parts do not hold all the places where they touch, and "crowded-planes", how many were not compared
+  /// with all that may lie in their planes, where there are any. Empty: the pack says nothing.
   PackOptions said = {};
   SimplifyLimits simplify_limits() const {
     SimplifyLimits limits = simplify;
@@ -86,7 +86,7 @@ struct BuildReport {
   uint32_t levels = 0;  ///< of the hierarchy: the longest path from its root to a leaf
   ContactReport contacts;
   LayerReport layers;
-  CoverReport covered;
+  CoveredReport covered;
   uint64_t resumed_units = 0;  ///< batches of units that an earlier, killed build had completed
   ImportReport import;
 };

@@ -56,14 +56,14 @@ struct PartLevelGeometry {
   double grown = 0;  ///< PartLevel::grown
 };
 
-/// The level without the triangles that are covered; false where it has none.
-bool leave_out_covered(Part& level) {
+/// Leaves out the triangles that are covered, if it has any; where all are, a speck stays.
+void leave_out_covered(Part& level) {
   const auto is_covered = [](const Triangle& triangle) { return covered_class(triangle.material) > 0; };
   const auto& triangles = level.surface.triangles;
-  if (std::ranges::none_of(triangles, is_covered)) return false;
+  if (std::ranges::none_of(triangles, is_covered)) return;
   if (std::ranges::all_of(triangles, is_covered)) {
     level = {speck(level.surface), {}};
-    return true;
+    return;
   }
   std::vector<uint32_t> own(level.surface.points.size());
   std::iota(own.begin(), own.end(), 0u);
@@ -77,7 +77,6 @@ bool leave_out_covered(Part& level) {
       borders.push_back({numbers[border.point], border.number});
   }
   level = {std::move(left.surface), std::move(borders)};
-  return true;
 }
 
 /// Raises bounds beyond the part's gaps, and leaves out what is covered from there on; where no level is off

@@ -177,12 +177,9 @@ class NodeDrawables {
   void make_instance(size_t node) {
     const PlannedSubHierarchy& placed = placed_.sub_hierarchies[stands_for(node)];
     const HierarchyRoot& root = roots_[placed.hierarchy];
-    const Box local = lattice_of(placed).box(root.box);
-    Box box;
-    for (int corner = 0; corner < 8; ++corner)
-      box.extend(placed_.transforms[placed.transform] * glm::dvec4(local.corner(corner), 1));
     LatticeBox& enclosing = contents[node].box;
-    enclosing = lattice_.enclosing(box);
+    enclosing = lattice_.enclosing(
+        placed_box(placed_.transforms[placed.transform], lattice_of(placed).box(root.box)));
     enclosing.lo -= 1;  // rounding in the transform
     enclosing.hi += 1;
     coarsest_[node] = {root.error * placed_.stretches[placed.transform], root.triangles, {}, root.baked};

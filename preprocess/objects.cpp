@@ -110,8 +110,7 @@ void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> befo
     ObjectExtent extent;
     for (const ObjectExtent& inner : before[placed.hierarchy].extents) {
       extent.triangles += inner.triangles;
-      for (int corner = 0; corner < 8; ++corner)
-        extent.box.extend(parts.transforms[placed.transform] * glm::dvec4(inner.box.corner(corner), 1));
+      extent.box.extend(placed_box(parts.transforms[placed.transform], inner.box));
     }
     if (extent.triangles == 0) continue;
     objects.sub_hierarchies.push_back(i);

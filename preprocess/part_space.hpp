@@ -29,11 +29,7 @@ struct PartSpace {
     return own;
   }
   /// The other way about.
-  Box out(const Box& box) const {
-    Box placed;
-    for (int corner = 0; corner < 8; ++corner) placed.extend(out(box.corner(corner)));
-    return placed;
-  }
+  Box out(const Box& box) const { return placed_box(transform, box); }
   /// Of a plane with this normal; length 1.
   glm::dvec3 normal_out(const glm::dvec3& normal) const {
     return glm::normalize(glm::transpose(inverse) * normal);

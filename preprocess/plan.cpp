@@ -27,10 +27,6 @@ bool finite(const Box& box) {
   return std::max({furthest.x, furthest.y, furthest.z}) < max_coordinate;
 }
 
-void extend(Box& box, const Affine& transform, const Box& placed) {
-  for (int corner = 0; corner < 8; ++corner) box.extend(transform * glm::dvec4(placed.corner(corner), 1));
-}
-
 /// Of the positions that triangles use, transformed.
 Box box_of(const Mesh& mesh, const Affine& transform) {
   Box box;
@@ -156,7 +152,7 @@ void make_lattices(BuildPlan& plan) {
     for (const uint32_t index : mesh.instances) {
       const PlannedInstance& instance = plan.instances[index];
       PlannedHierarchy& hierarchy = plan.hierarchies[instance.hierarchy];
-      extend(hierarchy.box, hierarchy.transforms[instance.transform], mesh.box);
+      hierarchy.box.extend(placed_box(hierarchy.transforms[instance.transform], mesh.box));
     }
     if (mesh.baked) continue;
     mesh.lattice = static_cast<uint32_t>(plan.lattices.size());
@@ -165,7 +161,7 @@ void make_lattices(BuildPlan& plan) {
   for (PlannedHierarchy& hierarchy : plan.hierarchies) {
     for (const PlannedSubHierarchy& inner : hierarchy.sub_hierarchies) {
       const Box& box = plan.hierarchies[inner.hierarchy].box;
-      if (!box.empty()) extend(hierarchy.box, hierarchy.transforms[inner.transform], box);
+      if (!box.empty()) hierarchy.box.extend(placed_box(hierarchy.transforms[inner.transform], box));
     }
     if (&hierarchy == &plan.hierarchies.back()) {
       plan.lattices[0] = make_lattice(hierarchy.box, hierarchy_bits);

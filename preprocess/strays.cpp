@@ -89,10 +89,8 @@ std::optional<std::string> stray_warning(const Model& model, const BuildPlan& pl
   const auto add = [&](const Box& box, uint32_t transform, double triangles, uint32_t mesh) {
     if (box.empty()) return;
     constexpr double most = 0x1p62;
-    ObjectExtent object{.box = {}, .triangles = static_cast<uint64_t>(std::min(triangles, most))};
-    for (int corner = 0; corner < 8; ++corner)
-      object.box.extend(hierarchy.transforms[transform] * glm::dvec4(box.corner(corner), 1));
-    objects.push_back(object);
+    objects.push_back({.box = placed_box(hierarchy.transforms[transform], box),
+                       .triangles = static_cast<uint64_t>(std::min(triangles, most))});
     meshes.push_back(mesh);
   };
   for (const PlannedInstance& instance : plan.instances) {

@@ -9,6 +9,10 @@
 
 namespace triptych {
 
+/// A surface that turns by more than 30 degrees from one triangle to the next is folded there: their normals'
+/// cosine is less.
+inline constexpr double fold_cosine = 0.866;
+
 /// The triangles beside each triangle, by its edges from corner k to the next; no_id where there is none. Of
 /// edges with more than two triangles, only those that were found first.
 class TriangleNeighbors {

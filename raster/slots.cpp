@@ -42,8 +42,8 @@ SlotTable::Triangle SlotTable::find(uint32_t slot) const {
 bool SlotTable::precedes(uint32_t slot, uint32_t other) const {
   const auto key = [&](uint32_t of) {
     const Triangle found = find(of);
-    return std::tuple(found.range->chunk ? found.range->chunk->layer(found.triangle) : 0, found.range->rank,
-                      found.range->part, found.triangle);
+    return std::tuple(found.range->chunk->layer(found.triangle), found.range->rank, found.range->part,
+                      found.triangle);
   };
   return key(slot) < key(other);
 }

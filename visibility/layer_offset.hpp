@@ -28,7 +28,7 @@ struct DepthDrop {
 struct LayerOffset {
   static constexpr double share_of_distance = 0x1p-21;
   /// Rounding of depths themselves.
-  static constexpr float share_of_depth = 0x1p-20f;
+  static constexpr float depth_rounding = 0x1p-20f;  ///< as a share of the depth
 
   /// snapping: what vertices may move by across the screen before depths are computed, pixels.
   explicit LayerOffset(const FrameView& view, double snapping = 0);
@@ -47,8 +47,8 @@ struct LayerOffset {
     const float normal = std::sqrt((along_x * along_x + along_y * along_y) + ahead * ahead);
     const float moved = step * normal, sheared = snapped * normal;
     const auto count = static_cast<float>(layers);
-    if (parallel > 0) return {1 - count * share_of_depth, count * (moved + sheared)};
-    return {std::max(1 - count * (moved + share_of_depth), 0.5f), count * sheared};
+    if (parallel > 0) return {1 - count * depth_rounding, count * (moved + sheared)};
+    return {std::max(1 - count * (moved + depth_rounding), 0.5f), count * sheared};
   }
 };
 

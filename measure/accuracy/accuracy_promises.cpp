@@ -15,9 +15,9 @@ double a_million(const PatchPromise& promise, const AccuracyRow& row) {
 
 bool keeps(const AccuracyRow& row, const char* word) { return has_word(row.build, "keep", word); }
 
-/// Parts of the pack that the build said it could not hold together.
-std::string crowded_parts(const AccuracyRow& row) {
-  const auto found = row.build.find("crowded-parts");
+/// Parts that the build said were among so many others that it did not look at all of those.
+std::string crowded_parts(const PatchPromise& promise, const AccuracyRow& row) {
+  const auto found = row.build.find(promise.crowded);
   return found == row.build.end() ? "" : found->second;
 }
 
@@ -25,8 +25,14 @@ std::string crowded_parts(const AccuracyRow& row) {
 
 std::span<const PatchPromise> patch_promises() {
   static const std::array promises = {
-      PatchPromise{"holes", {"touching"}, 0, &PictureTally::hole_pixels, &PictureTally::hole},
-      PatchPromise{"swaps", {"order", "planes"}, 20, &PictureTally::swap_pixels, &PictureTally::swap}};
+      PatchPromise{
+          "holes", {"touching"}, "crowded-parts", 0, &PictureTally::hole_pixels, &PictureTally::hole},
+      PatchPromise{"swaps",
+                   {"order", "planes"},
+                   "crowded-planes",
+                   20,
+                   &PictureTally::swap_pixels,
+                   &PictureTally::swap}};
   return promises;
 }
 
@@ -38,7 +44,7 @@ std::string PatchPromise::in_words() const {
 }
 
 bool is_promised(const PatchPromise& promise, const AccuracyRow& row) {
-  return row.may_miss.empty() && crowded_parts(row).empty() &&
+  return row.may_miss.empty() && crowded_parts(promise, row).empty() &&
          std::all_of(promise.words.begin(), promise.words.end(),
                      [&](const char* word) { return keeps(row, word); });
 }
@@ -49,7 +55,8 @@ std::string why_not_promised(const PatchPromise& promise, const AccuracyRow& row
   for (const char* word : promise.words) {
     if (!keeps(row, word)) return "built without " + promise.keep();
   }
-  return fmt::format("the build could not hold all places where {} parts touch", crowded_parts(row));
+  return fmt::format("the build did not look at all that {} parts touch or overlap",
+                     crowded_parts(promise, row));
 }
 
 bool is_broken(const PatchPromise& promise, const AccuracyRow& row) {

@@ -15,6 +15,7 @@ namespace triptych {
 struct PatchPromise {
   const char* what;                ///< "holes"
   std::vector<const char*> words;  ///< of --keep: the promise is given where the build kept all of them
+  const char* crowded;             ///< what the build says where it could not look at everything
   double limit;                    ///< pixels a million of surface: fewer than that; 0: none
   uint64_t PictureTally::*pixels;
   WorstPatch PictureTally::*worst;

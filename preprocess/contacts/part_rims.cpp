@@ -1,5 +1,6 @@
 #include "preprocess/contacts/part_rims.hpp"
 
+#include "preprocess/triangle_neighbors.hpp"
 #include "simplify/key_hash.hpp"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 namespace triptych {
 
 namespace {
-
-constexpr double fold_cosine = 0.866;  ///< of 30 degrees
 
 std::vector<glm::dvec3> positions(const Surface& surface, const Lattice& lattice) {
   std::vector<glm::dvec3> points;

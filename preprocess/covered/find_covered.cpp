@@ -70,9 +70,9 @@ struct Placed : PartSpace {
   std::shared_ptr<const PartRegions> regions;
 };
 
-class CoverFinder {
+class CoveredFinder {
  public:
-  CoverFinder(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache)
+  CoveredFinder(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache)
       : parts_(parts),
         hierarchy_(hierarchy),
         cache_(cache),
@@ -305,7 +305,7 @@ class CoverFinder {
 
 std::vector<CoveredRegion> find_covered(const Parts& parts, const PlacedParts& hierarchy,
                                         PartCache<PartRegions>& regions) {
-  return CoverFinder(parts, hierarchy, regions).run();
+  return CoveredFinder(parts, hierarchy, regions).run();
 }
 
 }  // namespace triptych

@@ -26,9 +26,9 @@ class RoomMaker {
   RoomMaker(Parts& parts, const SpoolFile& geometry, uint64_t memory)
       : parts_(parts), cache_(parts, geometry, memory) {}
 
-  CoverReport run() {
+  CoveredReport run() {
     for (PlacedParts& hierarchy : parts_.hierarchies) look_into(hierarchy);
-    CoverReport report;
+    CoveredReport report;
     for (const PartInfo& part : parts_.parts) {
       report.triangles += part.covered.size();
       report.parts += !part.gaps.empty();
@@ -177,7 +177,7 @@ bool leaves_out_some(const Surface& surface, double distance) {
 
 }  // namespace
 
-CoverReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory) {
+CoveredReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory) {
   return RoomMaker(parts, geometry, memory).run();
 }
 

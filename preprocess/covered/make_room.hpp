@@ -2,7 +2,7 @@
 // and beyond it what nobody sees is left out.
 #pragma once
 
-#include "preprocess/covered/cover_report.hpp"
+#include "preprocess/covered/covered_report.hpp"
 #include "preprocess/hlod.hpp"
 #include "preprocess/parts.hpp"
 
@@ -13,7 +13,7 @@ namespace triptych {
 /// Finds what is covered in all hierarchies, and tells the parts: which of their triangles, and which errors
 /// their levels may not have, as those of what covers them. `memory`: bytes that geometry may take at a time,
 /// roughly.
-CoverReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory);
+CoveredReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory);
 
 /// Without the covered triangles whose distance from the others (that of their class) is at most `distance`,
 /// lattice steps. Nothing where none would be left out, or all.

@@ -8,8 +8,6 @@ namespace triptych {
 
 namespace {
 
-constexpr double sharp_cosine = 0.866;  ///< of 30 degrees
-
 glm::dvec3 normal_of(const Surface& surface, const Triangle& triangle) {
   const auto at = [&](size_t k) { return glm::dvec3(surface.points[triangle.vertices[k]]); };
   const glm::dvec3 doubled = glm::cross(at(1) - at(0), at(2) - at(0));
@@ -46,7 +44,7 @@ PartRegions::PartRegions(const Part& part, const Lattice& lattice) : tree({}) {
         region.box.extend(points[corner]);
       }
       for (const uint32_t next : neighbors.of(triangle)) {
-        if (next == no_id || taken[next] || glm::dot(normals[triangle], normals[next]) < sharp_cosine ||
+        if (next == no_id || taken[next] || glm::dot(normals[triangle], normals[next]) < fold_cosine ||
             surface.triangles[next].material != surface.triangles[seed].material)
           continue;
         taken[next] = 1;

@@ -177,7 +177,6 @@ class LayerFinder {
   double span_of(const Placed& own, const Facet& facet) const {
     constexpr size_t many = 64;
     const std::vector<uint32_t>& members = members_[own.instance];
-    if (members.size() == 1) return own.facets->area_in_plane(facet);
     if (members.size() > many) return std::numeric_limits<double>::infinity();
     const glm::dvec3 point = own.out(facet.point), normal = own.normal_out(facet.normal);
     double span = 0;

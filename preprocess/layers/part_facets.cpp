@@ -106,18 +106,7 @@ BoxTree tree_of(const std::vector<Facet>& facets) {
 
 }  // namespace
 
-double PartFacets::area_in_plane(const Facet& facet) const {
-  double area = 0;
-  for (const Facet& other : facets) {
-    if (std::abs(glm::dot(other.normal, facet.normal)) > 0.999 &&
-        std::abs(glm::dot(other.point - facet.point, facet.normal)) <= tolerance)
-      area += other.area;
-  }
-  return area;
-}
-
-PartFacets::PartFacets(const Part& part, const Lattice& lattice)
-    : tree({}), tolerance(flat_steps * lattice.step) {
+PartFacets::PartFacets(const Part& part, const Lattice& lattice) : tree({}) {
   FacetMaker(part, lattice, *this).run();
   tree = tree_of(facets);
 }

@@ -33,10 +33,6 @@ struct PartFacets {
   std::vector<uint32_t> numbers;                   ///< of each of them, in the part
   std::vector<Facet> facets;                       ///< the one with the largest triangle first
   BoxTree tree;                                    ///< of the facets' boxes
-  double tolerance;                                ///< of planes
-
-  /// Of all facets in the plane of this one.
-  double area_in_plane(const Facet& facet) const;
 
   /// Of all of this in memory, roughly; bytes.
   size_t size() const { return points.size() * 24 + triangles.size() * 16 + facets.size() * 260; }

@@ -1,5 +1,6 @@
 #include "render/gl/shaders.hpp"
 
+#include "visibility/layer_offset.hpp"
 #include "visibility/shading.hpp"
 
 #include <fmt/core.h>
@@ -38,7 +39,8 @@ void bound_fragment() {
 
 // Fragments of what others lie on are moved behind those (LayerOffset). Before anything is discarded, since
 // derivatives need the whole quad.
-const std::string layered = R"(
+const std::string layered =
+    fmt::format("const float depth_rounding = {};\n", LayerOffset::depth_rounding) + R"(
 flat in uint layers;
 uniform vec4 layer_view;  // focal lengths, axis
 uniform vec3 layer_step;  // LayerOffset::step, snapped, parallel
@@ -50,7 +52,7 @@ void place_fragment() {
   float normal = sqrt(dot(along, along) + ahead * ahead);
   float moved = float(layers) * layer_step.x * normal;
   float sheared = float(layers) * layer_step.y * normal;
-  float rounded = float(layers) * 9.5e-7;
+  float rounded = float(layers) * depth_rounding;
   float below = layer_step.z > 0.0 ? z * (1.0 - rounded) - (moved + sheared)
                                    : z * max(1.0 - (moved + rounded), 0.5) - sheared;
   gl_FragDepth = layers > 0u ? max(below, z * 0.5) : z;

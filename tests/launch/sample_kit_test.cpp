@@ -69,8 +69,7 @@ TEST(SampleKitCommand, builds_of_all_formats_have_one_box_the_same_triangles_and
     EXPECT_EQ(own["placed_triangles"], report["triangles"]);
     for (const char* side : {"min", "max"}) {
       for (size_t axis = 0; axis < 3; ++axis)
-        EXPECT_NEAR(double(own["box"][side][axis]), double(first["box"][side][axis]), 1e-3)
-            << side << axis;  // levels may be a little larger
+        EXPECT_NEAR(double(own["box"][side][axis]), double(first["box"][side][axis]), 1e-4) << side << axis;
     }
     if (format == "stl") {
       EXPECT_GT(different(found, expected), 0.05) << "it has no colours";

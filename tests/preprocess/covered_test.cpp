@@ -20,7 +20,7 @@ struct CoverScene : test::PartsScene {
     info.outside = outside_of(awkward::surface_of(mesh));
     return placed;
   }
-  CoverReport make() { return make_room(parts, file, 1 << 20); }
+  CoveredReport make() { return make_room(parts, file, 1 << 20); }
   size_t covered(uint32_t placed) const {
     return parts.parts[parts.hierarchies[0].placed[placed].part].covered.size();
   }
@@ -46,7 +46,7 @@ TEST(Covered, a_ball_in_a_shell_is_covered_and_both_keep_their_distance) {
       return turned ? inside_out(ball) : ball;
     };
     const uint32_t shell = scene.add_body(made(8)), ball = scene.add_body(made(7.9));
-    const CoverReport report = scene.make();
+    const CoveredReport report = scene.make();
     EXPECT_EQ(scene.covered(shell), 0u);
     EXPECT_EQ(scene.covered(ball), scene.parts.parts[ball].triangles) << "all of it";
     EXPECT_EQ(report.triangles, scene.covered(ball));

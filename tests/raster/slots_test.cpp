@@ -6,9 +6,19 @@
 namespace triptych {
 namespace {
 
+/// Without geometry: none of its triangles is in a layer.
+const RasterChunk& no_layers() {
+  static const RasterChunk chunk{Chunk()};
+  return chunk;
+}
+
 DrawnRange range(uint64_t distance, DrawableId id, uint32_t triangles, uint32_t part = 0,
                  uint32_t first = 0) {
-  return {.rank = {distance, id}, .part = part, .first_triangle = first, .triangle_count = triangles};
+  return {.rank = {distance, id},
+          .part = part,
+          .first_triangle = first,
+          .triangle_count = triangles,
+          .chunk = &no_layers()};
 }
 
 TEST(SlotTable, names_what_was_numbered) {
@@ -32,6 +42,22 @@ TEST(SlotTable, at_equal_depth_the_nearer_then_the_lower_id_part_and_triangle_wi
   EXPECT_TRUE(slots.precedes(lower, lower + 1));
   EXPECT_TRUE(slots.precedes(lower + 1, second_part));
   EXPECT_FALSE(slots.precedes(lower, lower));
+}
+
+TEST(SlotTable, at_equal_depth_the_higher_layer_wins_over_what_is_nearer) {
+  const auto in_layer = [](uint32_t layer) {
+    Chunk chunk{.vertices = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, .indices = {0, 1, 2}};
+    for (ChunkVertex& vertex : chunk.vertices) vertex.layer = layer & max_layer;
+    return RasterChunk(chunk);
+  };
+  const RasterChunk upper = in_layer(1), lower = in_layer(2);
+  SlotTable slots(10);
+  DrawnRange near = range(3, 1, 1), far = range(5, 2, 1);
+  near.chunk = &lower;
+  far.chunk = &upper;
+  const uint32_t below = slots.add(near), above = slots.add(far);
+  EXPECT_TRUE(slots.precedes(above, below));
+  EXPECT_FALSE(slots.precedes(below, above));
 }
 
 TEST(SlotTable, compaction_keeps_what_pixels_name_and_makes_room) {
