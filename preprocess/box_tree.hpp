@@ -3,6 +3,8 @@
 
 #include "scene/box.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +14,31 @@ inline bool overlap(const Box& a, const Box& b) {
   return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
          b.lo.z <= a.hi.z;
 }
+
+/// Points from + t * direction with least <= t <= most.
+struct RaySpan {
+  RaySpan(const glm::dvec3& start, const glm::dvec3& way, double first, double last)
+      : from(start), per_step(1.0 / way), least(first), most(last) {}
+
+  /// Whether it shares a point with the box, up to rounding.
+  bool meets(const Box& box) const {
+    double enter = least, leave = most;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::isinf(per_step[axis])) {  // along the box's sides
+        if (from[axis] < box.lo[axis] || from[axis] > box.hi[axis]) return false;
+        continue;
+      }
+      const double a = (box.lo[axis] - from[axis]) * per_step[axis];
+      const double b = (box.hi[axis] - from[axis]) * per_step[axis];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+  }
+
+  glm::dvec3 from, per_step;
+  double least, most;
+};
 
 /// The box with a margin all round.
 inline Box grown(Box box, double margin) {
@@ -33,6 +60,21 @@ class BoxTree {
       visit(index);
       return true;
     });
+  }
+  /// The same for boxes that the ray meets; visit() may shorten the ray, by its `most`. margin: of boxes.
+  template <typename Visit>
+  void visit(const RaySpan& ray, double margin, const Visit& visit) const {
+    uint32_t node = nodes_.empty() ? end : 0;
+    while (node != end) {
+      const Node& here = nodes_[node];
+      const bool inside = ray.meets(grown(here.box, margin));
+      if (inside) {
+        for (uint32_t i = here.first; i < here.first + here.count; ++i) {
+          if (ray.meets(grown(boxes_[order_[i]], margin))) visit(order_[i]);
+        }
+      }
+      node = inside && here.count == 0 ? node + 1 : here.behind;
+    }
   }
   /// The same for those of a lower rank, until visit(index) returns false.
   template <typename Visit>

@@ -22,7 +22,7 @@ namespace triptych {
 /// What levels of detail keep beside distances, at the price of triangles.
 struct Kept {
   bool touching = true;  ///< surfaces that touch show no gap at any mix of levels
-  bool order = false;    ///< what lies right beneath a surface does not come out of it; only if asked for
+  bool order = true;     ///< what lies right beneath a surface does not come out of it
   bool planes = true;    ///< of surfaces in one plane the same one shows from everywhere
   bool cover = true;     ///< small things cover as much of the screen as in full detail
 };

@@ -2,6 +2,7 @@
 
 #include "base/threads.hpp"
 #include "preprocess/contacts/find_contacts.hpp"
+#include "preprocess/covered/relative_place.hpp"
 #include "preprocess/part_space.hpp"
 
 #include <algorithm>
@@ -20,7 +21,8 @@ struct Hit {
   bool leaves = false;  ///< it passes the triangle from its back to its front
 };
 
-/// Moeller and Trumbore, Fast, minimum storage ray/triangle intersection, 1997. direction: of length 1.
+/// Moeller and Trumbore, Fast, minimum storage ray/triangle intersection, 1997. Hit::along: in lengths of the
+/// direction.
 std::optional<Hit> meet(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
                         const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
@@ -120,98 +122,100 @@ class CoveredFinder {
     return *other.placed;
   }
 
-  /// What a placement may be covered by: in an order and with a key that are the same for placements among
-  /// the same others.
+  /// What a placement may be covered by, by how it stands to it.
   struct Neighborhood {
-    std::vector<uint32_t> placed;
-    std::vector<int64_t> key;
+    std::vector<std::pair<RelativePlace, uint32_t>> placed;  // ascending
+
+    std::optional<uint32_t> at(const RelativePlace& place) const {
+      const auto found =
+          std::ranges::lower_bound(placed, place, {}, &std::pair<RelativePlace, uint32_t>::first);
+      if (found == placed.end() || found->first != place) return std::nullopt;
+      return found->second;
+    }
   };
   Neighborhood neighborhood(uint32_t number) const {
     const Box box = grown(boxes_[number], diagonal(boxes_[number]) / 16 + tolerance_);
     const PartSpace own(hierarchy_, number);
-    std::vector<std::pair<std::array<int64_t, 13>, uint32_t>> entries;
-    tree_.visit(box, [&](uint32_t other) {
-      const Affine& transform = hierarchy_.transforms[hierarchy_.placed[other].transform];
-      std::array<int64_t, 13> entry{part_of(other)};
-      // Axes to a millionth, places to a quarter of the tolerance.
-      for (int column = 0; column < 4; ++column) {
-        const glm::dvec3 relative = column < 3 ? own.inverse * transform[column] : own.in(transform[3]);
-        const double unit = column < 3 ? 1e-6 : tolerance_ / 4;
-        for (int row = 0; row < 3; ++row)
-          entry[static_cast<size_t>(1 + 3 * column + row)] = std::llround(relative[row] / unit);
-      }
-      entries.push_back({entry, other});
-    });
-    std::sort(entries.begin(), entries.end());
     Neighborhood result;
-    for (const auto& [entry, other] : entries) {
-      result.placed.push_back(other);
-      result.key.insert(result.key.end(), entry.begin(), entry.end());
-    }
+    tree_.visit(box, [&](uint32_t other) {
+      result.placed.push_back({relative_place(own, hierarchy_, other, tolerance_), other});
+    });
+    std::sort(result.placed.begin(), result.placed.end());
     return result;
+  }
+
+  /// What was found to cover a region in one placement; it does so wherever all of it stands around.
+  struct Proof {
+    std::vector<std::pair<RelativePlace, double>> covers;  // with clearances
+  };
+  static std::optional<Covers> covers_by(const Proof& proof, const Neighborhood& around) {
+    Covers covers;
+    for (const auto& [place, clearance] : proof.covers) {
+      const auto placed = around.at(place);
+      if (!placed) return std::nullopt;
+      covers.push_back({*placed, clearance});
+    }
+    std::ranges::sort(covers, {}, &CoveredRegion::Cover::placed);
+    return covers;
   }
 
   /// All placements of one part.
   std::vector<CoveredRegion> look_at(const std::vector<uint32_t>& placements) const {
-    struct Looked {
-      Neighborhood around;
-      uint32_t like = 0;           ///< the first placement with this neighborhood
-      std::vector<Covers> covers;  ///< by region that is left; empty where another one is alike
-    };
-    std::vector<Looked> looked;
-    std::map<std::vector<int64_t>, uint32_t> known;  // by key, index of the first placement
-    std::vector<uint32_t> left;
-    for (uint32_t k = 0; k < placements.size(); ++k) {
-      Looked& here = looked.emplace_back(Looked{neighborhood(placements[k]), k, {}});
-      const auto [first, is_new] = known.try_emplace(here.around.key, k);
-      here.like = first->second;
-      if (!is_new) continue;
-      Others others;
-      for (const uint32_t other : here.around.placed)
-        others.push_back({other, grown(boxes_[other], tolerance_)});
-      const Placed own(parts_, hierarchy_, placements[k], cache_);
-      if (k == 0) {
-        left.resize(own.regions->regions.size());
-        std::iota(left.begin(), left.end(), 0u);
-      }
-      std::vector<size_t> kept;
-      for (size_t i = 0; i < left.size(); ++i) {
-        auto found = covers_of(own, left[i], others);
-        if (!found) continue;
-        kept.push_back(i);
-        here.covers.push_back(std::move(*found));
-      }
-      if (kept.size() < left.size()) {
-        for (uint32_t before = 0; before < k; ++before) {
-          if (looked[before].like == before) looked[before].covers = only(looked[before].covers, kept);
-        }
-        left = only(left, kept);
-      }
-      if (left.empty()) return {};
+    const auto regions = cache_.get(part_of(placements.front()));
+    std::vector<uint32_t> left(regions->regions.size());
+    std::iota(left.begin(), left.end(), 0u);
+    std::vector<std::vector<Proof>> proofs(left.size());
+    std::vector<std::vector<Covers>> covers(placements.size());  // by region
+    for (size_t k = 0; k < placements.size() && !left.empty(); ++k) {
+      Looker looker(*this, placements[k]);
+      covers[k].resize(proofs.size());
+      std::erase_if(left, [&](uint32_t region) {
+        auto found = looker.covers_of(region, proofs[region]);
+        if (found) covers[k][region] = std::move(*found);
+        return !found;
+      });
     }
     std::vector<CoveredRegion> result;
-    for (uint32_t k = 0; k < placements.size(); ++k) {
-      const Looked& like = looked[looked[k].like];
-      for (size_t i = 0; i < left.size(); ++i) {
-        Covers covers = like.covers[i];
-        for (CoveredRegion::Cover& cover : covers) {  // the same ones around this placement
-          const auto& around = like.around.placed;
-          const auto at = std::find(around.begin(), around.end(), cover.placed) - around.begin();
-          cover.placed = looked[k].around.placed.at(static_cast<size_t>(at));
-        }
-        std::ranges::sort(covers, {}, &CoveredRegion::Cover::placed);
-        result.push_back({placements[k], placements[looked[k].like], left[i], std::move(covers)});
-      }
+    for (size_t k = 0; k < placements.size() && !left.empty(); ++k) {
+      for (const uint32_t region : left)
+        result.push_back({placements[k], region, std::move(covers[k][region])});
     }
     return result;
   }
 
-  template <typename Value>
-  static std::vector<Value> only(std::vector<Value>& values, const std::vector<size_t>& kept) {
-    std::vector<Value> result;
-    for (const size_t index : kept) result.push_back(std::move(values[index]));
-    return result;
-  }
+  /// A placement among what stands around it, which is loaded where it is needed.
+  struct Looker {
+    Looker(const CoveredFinder& of, uint32_t placed)
+        : finder(of), number(placed), around(of.neighborhood(placed)) {}
+
+    /// Nothing where the region is not covered all over. New ways in which it is go to the proofs.
+    std::optional<Covers> covers_of(uint32_t region, std::vector<Proof>& proofs) {
+      for (const Proof& proof : proofs) {
+        if (auto covers = covers_by(proof, around)) return covers;
+      }
+      if (!own) {
+        for (const auto& [place, other] : around.placed)
+          others.push_back({other, grown(finder.boxes_[other], finder.tolerance_)});
+        own.emplace(finder.parts_, finder.hierarchy_, number, finder.cache_);
+      }
+      auto covers = finder.covers_of(*own, region, others);
+      constexpr size_t most_proofs = 16;
+      if (covers && proofs.size() < most_proofs) {
+        Proof& proof = proofs.emplace_back();
+        for (const CoveredRegion::Cover& cover : *covers) {
+          proof.covers.push_back(
+              {relative_place(*own, finder.hierarchy_, cover.placed, finder.tolerance_), cover.clearance});
+        }
+      }
+      return covers;
+    }
+
+    const CoveredFinder& finder;
+    uint32_t number;
+    Neighborhood around;
+    Others others = {};
+    std::optional<Placed> own = {};
+  };
 
   /// Nothing where the region is not covered all over.
   std::optional<Covers> covers_of(const Placed& own, uint32_t index, Others& others) const {
@@ -255,28 +259,34 @@ class CoveredFinder {
       bool leaves;
     };
     std::optional<First> first;
-    const auto look = [&](Other& other, const Box& way, double reach) {
+    const auto look = [&](Other& other, double reach) {
       const uint32_t number = other.number;
       const Placed& placed = loaded(other);
-      placed.regions->tree.visit(grown(placed.in(way), tolerance_ * placed.shrink), [&](uint32_t triangle) {
-        if (number == own.number && placed.regions->region_of[triangle] == region) return;
-        const auto corners = placed.corners(triangle);
-        const auto hit = meet(from, normal, corners[0], corners[1], corners[2]);
+      const PartRegions& regions = *placed.regions;
+      // In the other's own space, where lengths along the ray are the same.
+      const glm::dvec3 start = placed.in(from), way = placed.inverse * normal;
+      RaySpan ray(start, way, -tolerance_, reach);
+      regions.tree.visit(ray, tolerance_ * placed.shrink, [&](uint32_t triangle) {
+        if (number == own.number && regions.region_of[triangle] == region) return;
+        const auto& [a, b, c] = regions.triangles[triangle];
+        const auto hit = meet(start, way, regions.points[a], regions.points[b], regions.points[c]);
         if (!hit || hit->along < -tolerance_ || hit->along > reach) return;
         if (first && hit->along >= first->along) return;
-        const bool leaves = hit->leaves != placed.turns_over;
+        // A transform that mirrors turns triangles over, and the ray with them.
+        const bool leaves = hit->leaves != (placed.outside == Outside::back);
         // What faces the same way in the same plane lies beside it, not over it.
-        if (!leaves || hit->along > tolerance_) first = First{hit->along, number, leaves};
+        if (leaves && hit->along <= tolerance_) return;
+        first = First{hit->along, number, leaves};
+        ray.most = hit->along;
       });
     };
     const double near = whole / 16;
     Box way{from, from};
     way.extend(from + normal * near);
     for (Other& other : others) {
-      if (overlap(other.box, way)) look(other, way, near);
+      if (overlap(other.box, way)) look(other, near);
     }
     if (first) return CoveredRegion::Cover{first->placed, std::max(first->along, 0.0)};
-    way.extend(from + normal * whole);
     std::optional<CoveredRegion::Cover> inside;
     for (Other& other : others) {
       const PartInfo& info = parts_.parts[part_of(other.number)];
@@ -284,7 +294,7 @@ class CoveredFinder {
           !overlap(other.box, {from, from}))
         continue;
       first.reset();
-      look(other, way, whole);
+      look(other, whole);
       if (first && first->leaves) {
         inside = {other.number, first->along};
         break;

@@ -13,7 +13,6 @@ namespace triptych {
 /// A region of a placed part that is covered.
 struct CoveredRegion {
   uint32_t placed = 0;  ///< index into PlacedParts::placed
-  uint32_t like = 0;    ///< the first placement of its part that stands among the same others
   uint32_t region = 0;  ///< index into its PartRegions::regions
   /// What lies over it: placed parts, ascending, and how near they come.
   struct Cover {

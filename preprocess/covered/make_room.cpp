@@ -3,6 +3,7 @@
 #include "base/threads.hpp"
 #include "preprocess/contacts/find_contacts.hpp"
 #include "preprocess/covered/find_covered.hpp"
+#include "preprocess/covered/relative_place.hpp"
 #include "preprocess/part_space.hpp"
 #include "simplify/one_sided.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 
 /// For each placed part with covered regions those, and what covers them.
 struct CoveredPart {
-  uint32_t like = 0;  ///< CoveredRegion::like
   std::vector<uint32_t> regions;
   std::map<uint32_t, double> covers;  ///< by placed part, the least clearance
 };
@@ -46,7 +46,6 @@ class RoomMaker {
     std::map<uint32_t, CoveredPart> covered;  // by placed part
     for (const CoveredRegion& region : find_covered(parts_, hierarchy, cache_)) {
       CoveredPart& own = covered[region.placed];
-      own.like = region.like;
       own.regions.push_back(region.region);
       for (const CoveredRegion::Cover& cover : region.covers) {
         const auto [known, inserted] = own.covers.try_emplace(cover.placed, cover.clearance);
@@ -63,16 +62,24 @@ class RoomMaker {
       of_part.resize(cache_.get(part)->regions.size());
       for (const uint32_t region : own.regions) of_part[region] = true;
     }
-    std::vector<std::pair<uint32_t, const CoveredPart*>> list;
+    // One of those that stand alike to what covers them.
+    std::map<std::vector<RelativePlace>, uint32_t> alike;
     for (const auto& [placed, own] : covered) {
-      if (own.like == placed) list.push_back({placed, &own});
+      const PartSpace space(hierarchy, placed);
+      std::vector<RelativePlace> places;
+      for (const uint32_t member : with_covers(placed, covered))
+        places.push_back(relative_place(space, hierarchy, member, contact_tolerance(hierarchy)));
+      std::ranges::sort(places);
+      alike.try_emplace(std::move(places), placed);
     }
+    std::vector<uint32_t> list;
+    for (const auto& [places, placed] : alike) list.push_back(placed);
     std::vector<double> distances(list.size());  // lattice steps
     parallel_for(list.size(),
-                 [&](size_t i) { distances[i] = distance_of(list[i].first, hierarchy, covered, gone); });
+                 [&](size_t i) { distances[i] = distance_of(list[i], hierarchy, covered, gone); });
     std::map<uint32_t, double> furthest;  // by part
     for (size_t i = 0; i < list.size(); ++i) {
-      double& distance = furthest[hierarchy.placed[list[i].first].part];
+      double& distance = furthest[hierarchy.placed[list[i]].part];
       distance = std::max(distance, distances[i]);
     }
     const Lattice& lattice = parts_.lattices[hierarchy.lattice];
@@ -104,11 +111,12 @@ class RoomMaker {
 
   static constexpr double no_distance = 1e300;
 
-  /// A bound of the distance of a placed part's covered triangles from what is not covered: of itself, of
-  /// what covers it, and of what covers that. Lattice steps.
-  double distance_of(uint32_t placed, const PlacedParts& hierarchy,
-                     const std::map<uint32_t, CoveredPart>& covered,
-                     const std::map<uint32_t, std::vector<bool>>& gone) const {
+  double contact_tolerance(const PlacedParts& hierarchy) const {
+    return contact_steps * parts_.lattices[hierarchy.lattice].step;
+  }
+
+  /// A placed part, what covers it, and what covers that.
+  static std::set<uint32_t> with_covers(uint32_t placed, const std::map<uint32_t, CoveredPart>& covered) {
     std::set<uint32_t> near = {placed};
     for (int step = 0; step < 2; ++step) {
       const std::set<uint32_t> before = near;
@@ -118,6 +126,15 @@ class RoomMaker {
         for (const auto& [cover, clearance] : found->second.covers) near.insert(cover);
       }
     }
+    return near;
+  }
+
+  /// A bound of the distance of a placed part's covered triangles from what is not covered: of itself, of
+  /// what covers it, and of what covers that. Lattice steps.
+  double distance_of(uint32_t placed, const PlacedParts& hierarchy,
+                     const std::map<uint32_t, CoveredPart>& covered,
+                     const std::map<uint32_t, std::vector<bool>>& gone) const {
+    const std::set<uint32_t> near = with_covers(placed, covered);
     const Lattice& lattice = parts_.lattices[hierarchy.lattice];
     const Box box = lattice.box(hierarchy.boxes[placed]);
     const double most = thin * diagonal(box);
