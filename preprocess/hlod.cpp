@@ -1,7 +1,7 @@
 #include "preprocess/hlod.hpp"
 
 #include "preprocess/contacts/small_contacts.hpp"
-#include "preprocess/covered/make_room.hpp"
+#include "preprocess/covered/leave_out.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,17 @@
 #include "preprocess/leaf.hpp"
 
 #include "base/progress.hpp"
-#include "preprocess/covered/make_room.hpp"
+#include "preprocess/covered/error_gaps.hpp"
+#include "preprocess/covered/leave_out.hpp"
 #include "preprocess/pieces.hpp"
 #include "simplify/simplify.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace triptych {
 
@@ -56,18 +59,19 @@ struct PartLevelGeometry {
   double grown = 0;  ///< PartLevel::grown
 };
 
-/// Leaves out the triangles that are covered, if it has any; where all are, a speck stays.
-void leave_out_covered(Part& level) {
-  const auto is_covered = [](const Triangle& triangle) { return covered_class(triangle.material) > 0; };
+/// Leaves out the triangles that are covered by no more than so many steps, if it has any; where all are, a
+/// speck stays.
+void leave_out_covered(Part& level, double distance) {
   const auto& triangles = level.surface.triangles;
-  if (std::ranges::none_of(triangles, is_covered)) return;
-  if (std::ranges::all_of(triangles, is_covered)) {
+  const auto goes = [&](const Triangle& triangle) { return is_left_out(triangle, distance); };
+  if (std::ranges::none_of(triangles, goes)) return;
+  if (std::ranges::all_of(triangles, goes)) {
     level = {speck(level.surface), {}};
     return;
   }
   std::vector<uint32_t> own(level.surface.points.size());
   std::iota(own.begin(), own.end(), 0u);
-  Piece left = *without_covered({std::move(level.surface), std::move(own)}, distance_of_class(255));
+  Piece left = *without_covered({std::move(level.surface), std::move(own)}, distance);
   std::vector<uint32_t> numbers(left.sources.empty() ? 0 : *std::ranges::max_element(left.sources) + 1,
                                 no_id);
   std::vector<BorderPoint> borders;
@@ -79,23 +83,40 @@ void leave_out_covered(Part& level) {
   level = {std::move(left.surface), std::move(borders)};
 }
 
-/// Raises bounds beyond the part's gaps, and leaves out what is covered from there on; where no level is off
-/// by as much, one more does.
+/// How many triangles of a level are covered, by class.
+std::map<uint32_t, size_t> covered_by_class(const Surface& surface) {
+  std::map<uint32_t, size_t> counts;
+  for (const Triangle& triangle : surface.triangles) {
+    if (covered_class(triangle.material) > 0) ++counts[covered_class(triangle.material)];
+  }
+  return counts;
+}
+
+/// Raises bounds beyond the part's gaps, and leaves out what is covered from there on. Where no level is off
+/// by as much, further ones leave out what is worth it.
 void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) {
   if (info.gaps.empty()) return;
   std::vector<PartLevelGeometry> kept = {std::move(levels.front())};
-  const double from = beyond_gaps(info.covered_from, info.gaps);
   const auto add = [&](PartLevelGeometry level) {
     level.bound = beyond_gaps(level.bound, info.gaps);
-    if (!info.covered.empty() && level.bound >= info.covered_from) leave_out_covered(level.level);
+    if (!info.covered.empty()) leave_out_covered(level.level, level.bound / info.covered_step);
     // Of levels with one bound the coarsest is enough.
     if (kept.size() > 1 && kept.back().bound >= level.bound) kept.pop_back();
     kept.push_back(std::move(level));
   };
   for (size_t i = 1; i < levels.size(); ++i) add(std::move(levels[i]));
-  if (!info.covered.empty() && kept.back().bound < from) {
-    PartLevelGeometry last{kept.back().level, from, kept.back().grown};
-    add(std::move(last));
+  if (!info.covered.empty()) {
+    const PartLevelGeometry last = kept.back();
+    size_t left = last.level.surface.triangles.size(), goes = 0;
+    const auto counts = covered_by_class(last.level.surface);
+    for (const auto& [of_class, count] : counts) {
+      goes += count;
+      const bool pays = static_cast<double>(left - goes) <= worth_it * static_cast<double>(left);
+      if (!pays && of_class != counts.rbegin()->first) continue;
+      const double from = distance_of_class(of_class) * info.covered_step * (1 + 1e-9);
+      add({last.level, std::max(from, last.bound), last.grown});
+      left -= std::exchange(goes, 0);
+    }
   }
   levels = std::move(kept);
 }
@@ -105,9 +126,9 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
 UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice,
                        const std::optional<LatticeBox>& cover, const BuildOptions& options,
                        size_t kept_triangles) {
-  for (const uint32_t triangle : info.covered) {
-    uint32_t& material = part.surface.triangles[triangle].material;
-    material = material_covered(material, info.covered_class);
+  for (const CoveredTriangle& covered : info.covered) {
+    uint32_t& material = part.surface.triangles[covered.triangle].material;
+    material = material_covered(material, covered.of_class);
   }
   for (const LayeredTriangle& layered : info.layers) {
     uint32_t& material = part.surface.triangles[layered.triangle].material;

@@ -3,7 +3,7 @@
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "preprocess/contacts/stitch.hpp"
-#include "preprocess/covered/make_room.hpp"
+#include "preprocess/covered/leave_out.hpp"
 #include "preprocess/held_spans.hpp"
 #include "preprocess/hlod.hpp"
 #include "preprocess/triangle_objects.hpp"

@@ -22,6 +22,12 @@ struct LayeredTriangle {
   uint32_t triangle = 0, layer = 0;
 };
 
+/// A triangle that levels leave out if they are off by its class's distance or more: within that distance of
+/// what is not covered. Steps of the hierarchy's lattice.
+struct CoveredTriangle {
+  uint32_t triangle = 0, of_class = 0;
+};
+
 /// What is known of a part without its geometry.
 struct PartInfo {
   SpoolPlace place;
@@ -41,11 +47,10 @@ struct PartInfo {
   /// Of its mesh; none where that is not known.
   Outside outside = Outside::none;
   /// Triangles that lie right beneath other surfaces in all placements (preprocess/covered/).
-  std::vector<uint32_t> covered = {};
-  /// Their class: within that distance of what is not covered, in steps of the hierarchy's lattice.
-  uint32_t covered_class = 0;
-  /// Levels that are off by this or more leave them out; in the units of its lattice's space.
-  double covered_from = 0;
+  std::vector<CoveredTriangle> covered = {};
+  /// The step in which their classes count, in the units of its lattice's space: the longest of its
+  /// placements' ones.
+  double covered_step = 0;
   /// What its levels may not be off, in the same units.
   std::vector<ErrorGap> gaps = {};
   /// The same part with another chain of levels, whose finest one they share; no_id: none.

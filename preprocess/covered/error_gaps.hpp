@@ -42,16 +42,22 @@ inline void add_gaps(const std::vector<ErrorGap>& added, double factor, std::vec
   gaps.resize(kept);
 }
 
-/// Classes of distances, two an octave: the first that is no less than so many lattice steps, at least 1 and
-/// at most 255; and the distance of a class.
+/// Classes of distances, eight an octave: the first that is no less than so many lattice steps, at least 1
+/// and at most 255; and the distance of a class.
 inline double distance_of_class(uint32_t of_class) {
-  constexpr double root = 1.4142135623730951;
-  const double power = of_class % 2 == 0 ? 1 : root;
-  return power * static_cast<double>(uint64_t{1} << std::min(of_class / 2, 62u));
+  constexpr double eighths[] = {1,
+                                1.0905077326652577,
+                                1.189207115002721,
+                                1.2968395546510096,
+                                1.4142135623730951,
+                                1.5422108254079407,
+                                1.681792830507429,
+                                1.8340080864093424};
+  return eighths[of_class % 8] * static_cast<double>(uint64_t{1} << of_class / 8);
 }
 inline uint32_t class_of_distance(double steps) {
   uint32_t of_class = 1;
-  while (of_class < 120 && distance_of_class(of_class) < steps) ++of_class;
+  while (of_class < 255 && distance_of_class(of_class) < steps) ++of_class;
   return of_class;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -220,9 +221,14 @@ class CoveredFinder {
   /// Nothing where the region is not covered all over.
   std::optional<Covers> covers_of(const Placed& own, uint32_t index, Others& others) const {
     const SmoothRegion& region = own.regions->regions[index];
-    const double whole = diagonal(own.out(region.box));
-    if (whole < 8 * tolerance_) return std::nullopt;
-    const double apart = whole / 12;  // wider triangles have more samples
+    const double size = diagonal(own.out(region.box));
+    if (size < 8 * tolerance_) return std::nullopt;
+    // How large the surface is of which a border cut off a corner is not known: it may lie deeper than the
+    // corner alone might, where it is hidden from the sides, too.
+    const double least = region.is_cut ? own.regions->diagonal / own.shrink / 4 : 0;
+    const bool is_corner = size < least;
+    const double whole = std::max(size, least);
+    const double apart = size / 12;  // wider triangles have more samples
     std::map<uint32_t, double> nearest;
     for (uint32_t i = region.first; i < region.first + region.count; ++i) {
       const auto corners = own.corners(i);
@@ -233,20 +239,35 @@ class CoveredFinder {
       double longest = 0;
       for (size_t k = 0; k < 3; ++k)
         longest = std::max(longest, glm::distance(corners[k], corners[(k + 1) % 3]));
-      const int least = region.count < 64 ? 2 : 1;
-      const int n = std::clamp(static_cast<int>(std::ceil(longest / apart)), least, 8);
+      const int n = std::clamp(static_cast<int>(std::ceil(longest / apart)), 2, 8);
       const bool all = each_sample(corners, n, [&](const glm::dvec3& at) {
         const auto over = first_over(own, index, at, normal, whole, others);
         if (!over) return false;
         const auto [entry, inserted] = nearest.try_emplace(over->placed, over->clearance);
         if (!inserted) entry->second = std::min(entry->second, over->clearance);
-        return true;
+        return !is_corner || hidden_from_sides(own, index, at, normal, whole, others);
       });
       if (!all) return std::nullopt;
     }
     Covers covers;
     for (const auto& [placed, clearance] : nearest) covers.push_back({placed, clearance});
     return covers;
+  }
+
+  /// Whether rays that rise by a quarter of their length meet something, too.
+  bool hidden_from_sides(const Placed& own, uint32_t region, const glm::dvec3& from, const glm::dvec3& normal,
+                         double whole, Others& others) const {
+    const glm::dvec3 other = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
+    constexpr int ways = 8;
+    constexpr double rise = 0.25;
+    const double along = std::sqrt(1 - rise * rise);
+    for (int i = 0; i < ways; ++i) {
+      const double angle = 2 * std::numbers::pi * i / ways;
+      const glm::dvec3 way = rise * normal + along * (std::cos(angle) * u + std::sin(angle) * v);
+      if (!first_over(own, region, from, way, 4 * whole, others)) return false;
+    }
+    return true;
   }
 
   /// What covers the place, if anything does: something near, or a body that it lies in.

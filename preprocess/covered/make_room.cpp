@@ -10,16 +10,15 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace triptych {
 
 namespace {
 
-/// For each placed part with covered regions those, and what covers them.
-struct CoveredPart {
-  std::vector<uint32_t> regions;
-  std::map<uint32_t, double> covers;  ///< by placed part, the least clearance
-};
+/// The covered regions of a placed part, and what covers each.
+using CoveredPart = std::map<uint32_t, std::vector<CoveredRegion::Cover>>;
+using CoveredParts = std::map<uint32_t, CoveredPart>;  // by placed part
 
 class RoomMaker {
  public:
@@ -42,71 +41,83 @@ class RoomMaker {
   /// Where surfaces touch, levels that are off by less than this share of the distance are as good as exact.
   static constexpr double least_room = 1.0 / 32;
 
+  /// Of the clearance between a covered surface and what covers it, what each of them may be off by. The one
+  /// that shows gets more of it.
+  static constexpr double covered_share = 0.45, cover_share = 0.45;
+
   void look_into(PlacedParts& hierarchy) {
-    std::map<uint32_t, CoveredPart> covered;  // by placed part
-    for (const CoveredRegion& region : find_covered(parts_, hierarchy, cache_)) {
-      CoveredPart& own = covered[region.placed];
-      own.regions.push_back(region.region);
-      for (const CoveredRegion::Cover& cover : region.covers) {
-        const auto [known, inserted] = own.covers.try_emplace(cover.placed, cover.clearance);
-        if (!inserted) known->second = std::min(known->second, cover.clearance);
+    CoveredParts covered;
+    for (CoveredRegion& region : find_covered(parts_, hierarchy, cache_))
+      covered[region.placed][region.region] = std::move(region.covers);
+    if (covered.empty()) return;
+    const std::map<uint32_t, RegionClasses> classes = classes_of(hierarchy, covered);
+    for (const auto& [part, of_regions] : classes) {
+      const auto regions = cache_.get(part);
+      for (uint32_t i = 0; i < regions->triangles.size(); ++i) {
+        const auto found = of_regions.find(regions->region_of[i]);
+        if (found != of_regions.end())
+          parts_.parts[part].covered.push_back({regions->numbers[i], found->second});
       }
     }
-    if (covered.empty()) return;
-    // What is covered in one placement is so in all.
-    std::map<uint32_t, std::vector<bool>> gone;  // by part, by region
+    const double step = parts_.lattices[hierarchy.lattice].step;
     for (const auto& [placed, own] : covered) {
-      const uint32_t part = hierarchy.placed[placed].part;
-      if (gone.count(part) > 0) continue;
-      std::vector<bool>& of_part = gone[part];
-      of_part.resize(cache_.get(part)->regions.size());
-      for (const uint32_t region : own.regions) of_part[region] = true;
+      const PlacedPart& of = hierarchy.placed[placed];
+      PartInfo& info = parts_.parts[of.part];
+      if (info.covered.empty()) continue;
+      info.covered_step = std::max(info.covered_step, step / hierarchy.stretches[of.transform]);
+      for (const auto& [region, of_class] : classes.at(of.part))
+        keep_apart(hierarchy, placed, own.at(region), distance_of_class(of_class) * step);
     }
+  }
+
+  /// Tells the parts that a covered region and what covers it may not be off by more than there is room,
+  /// before the region is left out. distance: from which on that is so.
+  void keep_apart(const PlacedParts& hierarchy, uint32_t placed,
+                  const std::vector<CoveredRegion::Cover>& covers, double distance) {
+    for (const CoveredRegion::Cover& cover : covers) {
+      for (const auto& [side, share] :
+           {std::pair(placed, covered_share), std::pair(cover.placed, cover_share)}) {
+        const double low = std::min(std::max(share * cover.clearance, least_room * distance), distance);
+        const PlacedPart& of = hierarchy.placed[side];
+        add_gaps({{low, distance}}, 1 / hierarchy.stretches[of.transform], parts_.parts[of.part].gaps);
+      }
+    }
+  }
+
+  /// The classes of the covered regions of each part, by region; of those that levels leave out.
+  using RegionClasses = std::map<uint32_t, uint32_t>;
+  std::map<uint32_t, RegionClasses> classes_of(const PlacedParts& hierarchy, const CoveredParts& covered) {
     // One of those that stand alike to what covers them.
     std::map<std::vector<RelativePlace>, uint32_t> alike;
     for (const auto& [placed, own] : covered) {
       const PartSpace space(hierarchy, placed);
+      const auto place_of = [&](uint32_t other) {
+        return relative_place(space, hierarchy, other, contact_tolerance(hierarchy));
+      };
       std::vector<RelativePlace> places;
-      for (const uint32_t member : with_covers(placed, covered))
-        places.push_back(relative_place(space, hierarchy, member, contact_tolerance(hierarchy)));
+      for (const uint32_t member : with_covers(placed, covered)) places.push_back(place_of(member));
       std::ranges::sort(places);
+      places.push_back(place_of(placed));
       alike.try_emplace(std::move(places), placed);
     }
     std::vector<uint32_t> list;
     for (const auto& [places, placed] : alike) list.push_back(placed);
-    std::vector<double> distances(list.size());  // lattice steps
-    parallel_for(list.size(),
-                 [&](size_t i) { distances[i] = distance_of(list[i], hierarchy, covered, gone); });
-    std::map<uint32_t, double> furthest;  // by part
+    std::vector<std::map<uint32_t, double>> distances(list.size());
+    parallel_for(list.size(), [&](size_t i) { distances[i] = distances_of(list[i], hierarchy, covered); });
+    std::map<uint32_t, std::map<uint32_t, double>> furthest;
     for (size_t i = 0; i < list.size(); ++i) {
-      double& distance = furthest[hierarchy.placed[list[i]].part];
-      distance = std::max(distance, distances[i]);
-    }
-    const Lattice& lattice = parts_.lattices[hierarchy.lattice];
-    for (const auto& [part, distance] : furthest) {
-      if (!(distance < no_distance)) continue;
-      PartInfo& info = parts_.parts[part];
-      const auto regions = cache_.get(part);
-      for (uint32_t i = 0; i < regions->triangles.size(); ++i) {
-        if (gone[part][regions->region_of[i]]) info.covered.push_back(regions->numbers[i]);
+      for (const auto& [region, distance] : distances[i]) {
+        double& of_region = furthest[hierarchy.placed[list[i]].part][region];
+        of_region = std::max(of_region, distance);
       }
-      info.covered_class = class_of_distance(distance);
     }
-    for (const auto& [placed, own] : covered) {
-      const PartInfo& info = parts_.parts[hierarchy.placed[placed].part];
-      if (info.covered.empty()) continue;
-      const double high = distance_of_class(info.covered_class) * lattice.step;
-      for (const auto& [cover, clearance] : own.covers) {
-        const ErrorGap gap{std::min(std::max(0.45 * clearance, least_room * high), high), high};
-        for (const uint32_t side : {placed, cover}) {
-          const PlacedPart& of = hierarchy.placed[side];
-          add_gaps({gap}, 1 / hierarchy.stretches[of.transform], parts_.parts[of.part].gaps);
-        }
+    std::map<uint32_t, RegionClasses> classes;
+    for (const auto& [part, of_regions] : furthest) {
+      for (const auto& [region, distance] : of_regions) {
+        if (distance < no_distance) classes[part][region] = class_of_distance(distance);
       }
-      const PlacedPart& of = hierarchy.placed[placed];
-      double& from = parts_.parts[of.part].covered_from;
-      from = std::max(from, high / hierarchy.stretches[of.transform]);
     }
+    return classes;
   }
 
   static constexpr double no_distance = 1e300;
@@ -116,37 +127,38 @@ class RoomMaker {
   }
 
   /// A placed part, what covers it, and what covers that.
-  static std::set<uint32_t> with_covers(uint32_t placed, const std::map<uint32_t, CoveredPart>& covered) {
+  static std::set<uint32_t> with_covers(uint32_t placed, const CoveredParts& covered) {
     std::set<uint32_t> near = {placed};
     for (int step = 0; step < 2; ++step) {
       const std::set<uint32_t> before = near;
       for (const uint32_t part : before) {
         const auto found = covered.find(part);
         if (found == covered.end()) continue;
-        for (const auto& [cover, clearance] : found->second.covers) near.insert(cover);
+        for (const auto& [region, covers] : found->second) {
+          for (const CoveredRegion::Cover& cover : covers) near.insert(cover.placed);
+        }
       }
     }
     return near;
   }
 
-  /// A bound of the distance of a placed part's covered triangles from what is not covered: of itself, of
-  /// what covers it, and of what covers that. Lattice steps.
-  double distance_of(uint32_t placed, const PlacedParts& hierarchy,
-                     const std::map<uint32_t, CoveredPart>& covered,
-                     const std::map<uint32_t, std::vector<bool>>& gone) const {
-    const std::set<uint32_t> near = with_covers(placed, covered);
+  /// For each covered region of a placed part a bound of its distance from what is not covered: of the part
+  /// itself, of what covers it, and of what covers that. Lattice steps; no_distance where that is far.
+  std::map<uint32_t, double> distances_of(uint32_t placed, const PlacedParts& hierarchy,
+                                          const CoveredParts& covered) const {
     const Lattice& lattice = parts_.lattices[hierarchy.lattice];
     const Box box = lattice.box(hierarchy.boxes[placed]);
-    const double most = thin * diagonal(box);
-    std::vector<Corners> left_out, stays;
-    for (const uint32_t member : near) {
-      const uint32_t part = hierarchy.placed[member].part;
-      const auto regions = cache_.get(part);
-      const auto found = gone.find(part);
+    const double most = thin * diagonal(box) / lattice.step;
+    std::map<uint32_t, std::vector<Corners>> left_out;
+    std::vector<Corners> stays;
+    for (const uint32_t member : with_covers(placed, covered)) {
+      const auto regions = cache_.get(hierarchy.placed[member].part);
+      const auto found = covered.find(member);
       const PartSpace space(hierarchy, member);
       for (uint32_t i = 0; i < regions->triangles.size(); ++i) {
-        const bool is_gone = found != gone.end() && found->second[regions->region_of[i]];
-        if (is_gone && member != placed) continue;
+        const uint32_t region = regions->region_of[i];
+        const bool is_covered = found != covered.end() && found->second.count(region) > 0;
+        if (is_covered && member != placed) continue;
         Corners corners;
         Box around;
         for (size_t k = 0; k < 3; ++k) {
@@ -154,99 +166,44 @@ class RoomMaker {
           around.extend(corners[k]);
           corners[k] /= lattice.step;
         }
-        if (is_gone) {
-          left_out.push_back(corners);
-        } else if (overlap(around, grown(box, most))) {
+        if (is_covered) {
+          left_out[region].push_back(corners);
+        } else if (overlap(around, grown(box, most * lattice.step))) {
           stays.push_back(corners);
         }
       }
     }
-    if (stays.empty()) return no_distance;
-    constexpr double tightness = 1.5;
-    constexpr size_t cuts_per_triangle = 6, cuts_beyond = 2000;
+    std::map<uint32_t, double> distances;
+    for (const auto& [region, triangles] : left_out) distances[region] = no_distance;
+    if (stays.empty()) return distances;
     const TriangleTree tree(std::move(stays));
+    for (const auto& [region, triangles] : left_out) distances[region] = distance(triangles, tree, most);
+    return distances;
+  }
+
+  /// A bound of the triangles' distance from those of the tree; no_distance above `most`.
+  static double distance(const std::vector<Corners>& triangles, const TriangleTree& tree, double most) {
+    constexpr double tightness = 1.25;
+    constexpr size_t cuts_per_triangle = 4, cuts_beyond = 60;
     OneSided side(tree, 0, tightness);
-    for (const Corners& corners : left_out) {
+    for (const Corners& corners : triangles) {
       for (const glm::dvec3& corner : corners) side.reach(corner);
-      if (side.lower() * lattice.step > most) return no_distance;
+      if (side.lower() > most) return no_distance;
     }
-    for (const Corners& corners : left_out) side.add(corners, no_distance);
-    const double distance = side.finish(cuts_per_triangle * left_out.size() + cuts_beyond, no_distance);
+    for (const Corners& corners : triangles) side.add(corners, no_distance);
+    const double found = side.finish(cuts_per_triangle * triangles.size() + cuts_beyond, no_distance);
     // Placements that stand among the same others do so to within the tolerance of contacts.
-    return distance * lattice.step < most ? distance + contact_steps : no_distance;
+    return found < most ? found + contact_steps : no_distance;
   }
 
   Parts& parts_;
   mutable PartCache<PartRegions> cache_;
 };
 
-bool is_left_out(const Triangle& triangle, double distance) {
-  const uint32_t of_class = covered_class(triangle.material);
-  return of_class > 0 && distance_of_class(of_class) <= distance;
-}
-
-/// How many of the triangles are left out, and whether that is some of them.
-bool leaves_out_some(const Surface& surface, double distance) {
-  const auto count = std::ranges::count_if(
-      surface.triangles, [&](const Triangle& triangle) { return is_left_out(triangle, distance); });
-  return count > 0 && static_cast<size_t>(count) < surface.triangles.size();
-}
-
 }  // namespace
 
 CoveredReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory) {
   return RoomMaker(parts, geometry, memory).run();
-}
-
-std::optional<Piece> without_covered(const Piece& piece, double distance) {
-  if (!leaves_out_some(piece.surface, distance)) return std::nullopt;
-  std::vector<Triangle> triangles;
-  std::vector<CornerColors> colors;
-  for (size_t i = 0; i < piece.surface.triangles.size(); ++i) {
-    if (is_left_out(piece.surface.triangles[i], distance)) continue;
-    triangles.push_back(piece.surface.triangles[i]);
-    if (!piece.surface.colors.empty()) colors.push_back(piece.surface.colors[i]);
-  }
-  Piece left = extract(piece.surface.points, triangles, colors);
-  for (uint32_t& source : left.sources) source = piece.sources[source];
-  return left;
-}
-
-double leave_out_covered(Baked& baked, double distance) {
-  if (!leaves_out_some(baked.surface, distance)) return 0;
-  double furthest = 0;
-  for (const Triangle& triangle : baked.surface.triangles) {
-    if (is_left_out(triangle, distance))
-      furthest = std::max(furthest, distance_of_class(covered_class(triangle.material)));
-  }
-  Piece all{std::move(baked.surface), {}};
-  for (uint32_t i = 0; i < all.surface.points.size(); ++i) all.sources.push_back(i);
-  std::vector<SourceObjectId> objects;
-  for (size_t i = 0; i < baked.objects.size(); ++i) {
-    if (!is_left_out(all.surface.triangles[i], distance)) objects.push_back(baked.objects[i]);
-  }
-  Piece left = *without_covered(all, distance);
-  std::vector<LeafSpan> spans;
-  for (const uint32_t source : left.sources) spans.push_back(baked.spans[source]);
-  baked.surface = std::move(left.surface);
-  baked.spans = std::move(spans);
-  baked.objects = std::move(objects);
-  return furthest;
-}
-
-Surface speck(const Surface& surface) {
-  const Triangle& first = surface.triangles.front();
-  const glm::ivec3 at = surface.points[first.vertices[0]];
-  // Along two axes in which it extends, so that it stays in the surface's box.
-  const LatticeBox box = surface.box();
-  Surface speck{.points = {at}, .triangles = {{{0, 1, 2}, first.material}}};
-  for (int axis = 0; axis < 3 && speck.points.size() < 3; ++axis) {
-    if (box.lo[axis] == box.hi[axis]) continue;
-    speck.points.push_back(at);
-    speck.points.back()[axis] += at[axis] < box.hi[axis] ? 1 : -1;
-  }
-  if (!surface.colors.empty()) speck.colors = {surface.colors.front()};
-  return speck;
 }
 
 }  // namespace triptych

@@ -23,6 +23,11 @@ PartRegions::PartRegions(const Part& part, const Lattice& lattice) : tree({}) {
   const TriangleNeighbors neighbors(surface.triangles);
   std::vector<glm::dvec3> normals;
   for (const Triangle& triangle : surface.triangles) normals.push_back(normal_of(surface, triangle));
+  std::vector<uint8_t> at_border(points.size(), 0);
+  for (const BorderPoint& border : part.borders) at_border[border.point] = 1;
+  Box whole;
+  for (const glm::dvec3& point : points) whole.extend(point);
+  diagonal = triptych::diagonal(whole);
   std::vector<uint8_t> taken(surface.triangles.size(), 0);
   std::vector<uint32_t> front;
   std::vector<Box> boxes;
@@ -42,6 +47,7 @@ PartRegions::PartRegions(const Part& part, const Lattice& lattice) : tree({}) {
       for (const uint32_t corner : surface.triangles[triangle].vertices) {
         box.extend(points[corner]);
         region.box.extend(points[corner]);
+        region.is_cut |= at_border[corner] != 0;
       }
       for (const uint32_t next : neighbors.of(triangle)) {
         if (next == no_id || taken[next] || glm::dot(normals[triangle], normals[next]) < fold_cosine ||

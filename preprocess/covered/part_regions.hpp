@@ -15,6 +15,7 @@ namespace triptych {
 struct SmoothRegion {
   Box box;
   uint32_t first = 0, count = 0;  ///< in PartRegions::triangles
+  bool is_cut = false;            ///< it reaches the part's border, and may go on beyond it
 };
 
 /// All in the space of the part's lattice.
@@ -26,7 +27,8 @@ struct PartRegions {
   std::vector<uint32_t> numbers;                   ///< of each of them, in the part
   std::vector<uint32_t> region_of;                 ///< of each of them
   std::vector<SmoothRegion> regions;
-  BoxTree tree;  ///< of the triangles' boxes
+  BoxTree tree;         ///< of the triangles' boxes
+  double diagonal = 0;  ///< of the part's box
 
   /// Of all of this in memory, roughly; bytes.
   size_t size() const { return points.size() * 24 + triangles.size() * 150 + regions.size() * 60; }
