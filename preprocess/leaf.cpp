@@ -98,8 +98,9 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
   if (info.gaps.empty()) return;
   std::vector<PartLevelGeometry> kept = {std::move(levels.front())};
   const auto add = [&](PartLevelGeometry level) {
+    constexpr double rounding = 1 + 1e-9;
     level.bound = beyond_gaps(level.bound, info.gaps);
-    if (!info.covered.empty()) leave_out_covered(level.level, level.bound / info.covered_step);
+    if (!info.covered.empty()) leave_out_covered(level.level, rounding * level.bound / info.covered_step);
     // Of levels with one bound the coarsest is enough.
     if (kept.size() > 1 && kept.back().bound >= level.bound) kept.pop_back();
     kept.push_back(std::move(level));
@@ -113,8 +114,8 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
       goes += count;
       const bool pays = static_cast<double>(left - goes) <= worth_it * static_cast<double>(left);
       if (!pays && of_class != counts.rbegin()->first) continue;
-      const double from = distance_of_class(of_class) * info.covered_step * (1 + 1e-9);
-      add({last.level, std::max(from, last.bound), last.grown});
+      const double from = distance_of_class(of_class) * info.covered_step;
+      if (from > kept.back().bound) add({last.level, from, last.grown});
       left -= std::exchange(goes, 0);
     }
   }
@@ -147,7 +148,7 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice,
   }
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify_limits();
-  if (!info.covered.empty() || !cover) limits.keep_cover = false;  // what is covered has none to keep
+  if (!cover) limits.keep_cover = false;
   if (cover) limits.cover_within = *cover;
   limits.triangles = coarsest_triangles;
   limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
