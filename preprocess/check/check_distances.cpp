@@ -86,6 +86,8 @@ double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t p
   for (uint32_t i = 0; i < drawable.placement_count; ++i) own[i] = drawable.first_placement + i;
   double largest = 0;
   HeldTrees held;
+  // Lines in 26 directions come as near to what is `error` away as this.
+  const double reach = 1.15 * drawable.error;
   uint64_t visited = 0;
   // Beyond rounding, of files, too, so that a point does not hide itself.
   const double start = std::max(1e-3 * drawable.error, 16 * surfaces.skeleton().lattice().step);
@@ -102,7 +104,7 @@ double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t p
                    const double distance = surfaces.distance_to_drawable(id, point, largest, &held);
                    // What nobody sees may be left out.
                    if (distance > std::max(largest, drawable.error) &&
-                       surfaces.is_enclosed(drawable.scene_node, point, start))
+                       surfaces.is_enclosed(drawable.scene_node, point, start, reach))
                      return;
                    largest = std::max(largest, distance);
                  });

@@ -119,37 +119,77 @@ std::optional<PackSurfaces::Hit> PackSurfaces::first_hit(DrawableId id, const gl
   return first;
 }
 
+void PackSurfaces::open_children(SceneNodeId id, const glm::dvec3& origin, const glm::dvec3& direction,
+                                 std::vector<SceneNodeId>& open) const {
+  const SceneNode& node = skeleton().scene_nodes[id];
+  const auto first = static_cast<std::ptrdiff_t>(open.size());
+  for (uint32_t i = 0; i < node.child_count; ++i) {
+    if (may_meet(node_boxes_[node.first_child + i], origin, direction)) open.push_back(node.first_child + i);
+  }
+  std::sort(open.begin() + first, open.end(),  // the nearest is looked at first
+            [&](SceneNodeId a, SceneNodeId b) {
+              return distance_to_box(origin, node_boxes_[a]) > distance_to_box(origin, node_boxes_[b]);
+            });
+}
+
 bool PackSurfaces::meets_source(const glm::dvec3& origin, const glm::dvec3& direction, double from) const {
   std::vector<SceneNodeId> open = {0};
   while (!open.empty()) {
-    const SceneNode& node = skeleton().scene_nodes[open.back()];
+    const SceneNodeId id = open.back();
+    const SceneNode& node = skeleton().scene_nodes[id];
     open.pop_back();
-    if (node.child_count == 0) {
-      if (first_hit(node.first_drawable, origin, direction, from)) return true;
-      continue;
+    if (node.child_count > 0) {
+      open_children(id, origin, direction, open);
+    } else if (first_hit(node.first_drawable, origin, direction, from)) {
+      return true;
     }
-    const size_t first = open.size();
-    for (uint32_t i = 0; i < node.child_count; ++i) {
-      if (may_meet(node_boxes_[node.first_child + i], origin, direction))
-        open.push_back(node.first_child + i);
-    }
-    std::sort(open.begin() + static_cast<std::ptrdiff_t>(first),
-              open.end(),  // the nearest is looked at first
-              [&](SceneNodeId a, SceneNodeId b) {
-                return distance_to_box(origin, node_boxes_[a]) > distance_to_box(origin, node_boxes_[b]);
-              });
   }
   return false;
 }
 
-bool PackSurfaces::is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, double from) const {
-  int escape = 0;
-  for (int i = 0; i < 27 && escape < 2; ++i) {
-    // A little beside the axes, along which faces lie as a rule.
-    const glm::dvec3 direction(i % 3 - 1 + 0.013, i / 3 % 3 - 1 + 0.029, i / 9 - 1 - 0.017);
-    if (i != 13) escape += !meets_source(point, glm::normalize(direction), from);
+bool PackSurfaces::meets_another(SceneNodeId scene_node, const glm::dvec3& origin,
+                                 const glm::dvec3& direction, double from, double reach) const {
+  std::vector<SceneNodeId> open = {0};
+  double nearest = reach;
+  SceneNodeId leaf = no_id;
+  while (!open.empty()) {
+    const SceneNodeId id = open.back();
+    const SceneNode& node = skeleton().scene_nodes[id];
+    open.pop_back();
+    if (distance_to_box(origin, node_boxes_[id]) > nearest) continue;
+    if (node.child_count > 0) {
+      open_children(id, origin, direction, open);
+      continue;
+    }
+    const auto hit = first_hit(node.first_drawable, origin, direction, from);
+    if (!hit || hit->along > nearest) continue;
+    nearest = hit->along;
+    leaf = id;
   }
-  return escape < 2 || nearest_source(0, point, from, nullptr, scene_node).distance <= from;
+  if (leaf == no_id) return false;
+  while (leaf > scene_node) leaf = skeleton().scene_nodes[leaf].parent;  // a parent's id is smaller
+  return leaf != scene_node;
+}
+
+bool PackSurfaces::is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, double from,
+                               double reach) const {
+  // A little beside the axes, along which faces lie as a rule.
+  const auto each_way = [](const auto& take) {
+    for (int i = 0; i < 27; ++i) {
+      if (i != 13 &&
+          !take(glm::normalize(glm::dvec3(i % 3 - 1 + 0.013, i / 3 % 3 - 1 + 0.029, i / 9 - 1 - 0.017))))
+        return false;
+    }
+    return true;
+  };
+  int escape = 0;
+  return each_way([&](const glm::dvec3& way) {
+           escape += !meets_source(point, way, from);
+           return escape < 2;
+         }) ||
+         nearest_source(0, point, from, nullptr, scene_node).distance <= from ||
+         !each_way(
+             [&](const glm::dvec3& way) { return !meets_another(scene_node, point, way, from, reach); });
 }
 
 PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node, const glm::dvec3& point,

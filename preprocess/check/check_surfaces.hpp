@@ -62,10 +62,11 @@ class PackSurfaces {
   std::optional<Hit> first_hit(DrawableId drawable, const glm::dvec3& origin, const glm::dvec3& direction,
                                double from) const;
 
-  /// Whether nobody outside sees the point, or sees something else there: by the finest leaf drawables of the
-  /// whole model, of lines in 26 directions all but one at most meet something further than `from` from it,
-  /// model units; or what is not below the scene node lies as near.
-  bool is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, double from) const;
+  /// Whether nobody outside sees the point, or sees something else about there: by the finest leaf drawables
+  /// of the whole model, of lines in 26 directions all but one at most meet something further than `from`
+  /// from it, model units; or one of them comes within `reach` to what is not below the scene node before it
+  /// meets anything else, or that lies as near as `from`.
+  bool is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, double from, double reach) const;
 
   /// The placements of the finest leaf drawables below a scene node.
   std::vector<uint32_t> source_placements(SceneNodeId scene_node) const;
@@ -74,7 +75,13 @@ class PackSurfaces {
   const Placing& placing(uint32_t transform) const { return placings_[transform]; }
 
  private:
+  /// Adds the children of a scene node that a line may meet, the nearest last.
+  void open_children(SceneNodeId id, const glm::dvec3& origin, const glm::dvec3& direction,
+                     std::vector<SceneNodeId>& open) const;
   bool meets_source(const glm::dvec3& origin, const glm::dvec3& direction, double from) const;
+  /// Whether what a line meets first, up to `reach`, is not below the scene node.
+  bool meets_another(SceneNodeId scene_node, const glm::dvec3& origin, const glm::dvec3& direction,
+                     double from, double reach) const;
   double nearest_placement(const Drawable& drawable, const glm::dvec3& point, double best, double floor,
                            HeldTrees* held) const;
 
