@@ -17,7 +17,7 @@ namespace triptych {
 namespace {
 
 /// The covered regions of a placed part, and what covers each.
-using CoveredPart = std::map<uint32_t, std::vector<CoveredRegion::Cover>>;
+using CoveredPart = std::map<uint32_t, std::vector<RegionCover>>;
 using CoveredParts = std::map<uint32_t, CoveredPart>;  // by placed part
 
 class RoomMaker {
@@ -72,9 +72,9 @@ class RoomMaker {
 
   /// Tells the parts that a covered region and what covers it may not be off by more than there is room,
   /// before the region is left out. distance: from which on that is so.
-  void keep_apart(const PlacedParts& hierarchy, uint32_t placed,
-                  const std::vector<CoveredRegion::Cover>& covers, double distance) {
-    for (const CoveredRegion::Cover& cover : covers) {
+  void keep_apart(const PlacedParts& hierarchy, uint32_t placed, const std::vector<RegionCover>& covers,
+                  double distance) {
+    for (const RegionCover& cover : covers) {
       for (const auto& [side, share] :
            {std::pair(placed, covered_share), std::pair(cover.placed, cover_share)}) {
         const double low = std::min(std::max(share * cover.clearance, least_room * distance), distance);
@@ -135,7 +135,7 @@ class RoomMaker {
         const auto found = covered.find(part);
         if (found == covered.end()) continue;
         for (const auto& [region, covers] : found->second) {
-          for (const CoveredRegion::Cover& cover : covers) near.insert(cover.placed);
+          for (const RegionCover& cover : covers) near.insert(cover.placed);
         }
       }
     }

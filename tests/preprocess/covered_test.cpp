@@ -1,10 +1,13 @@
 // What lies right beneath other surfaces: what is found, and what levels of detail make of it.
+#include "preprocess/contacts/find_contacts.hpp"
 #include "preprocess/covered/closed_surface.hpp"
 #include "preprocess/covered/leave_out.hpp"
 #include "preprocess/covered/make_room.hpp"
+#include "preprocess/covered/surroundings.hpp"
 #include "tests/preprocess/parts_scene.hpp"
 
 #include <gtest/gtest.h>
+#include <map>
 
 namespace triptych {
 namespace {
@@ -22,12 +25,11 @@ struct CoverScene : test::PartsScene {
     return placed;
   }
   CoveredReport make() { return make_room(parts, file, 1 << 20); }
-  size_t covered(uint32_t placed) const {
-    return parts.parts[parts.hierarchies[0].placed[placed].part].covered.size();
+  const PartInfo& part(uint32_t placed) const {
+    return parts.parts[parts.hierarchies[0].placed[placed].part];
   }
-  const std::vector<ErrorGap>& gaps(uint32_t placed) const {
-    return parts.parts[parts.hierarchies[0].placed[placed].part].gaps;
-  }
+  size_t covered(uint32_t placed) const { return part(placed).covered.size(); }
+  const std::vector<ErrorGap>& gaps(uint32_t placed) const { return part(placed).gaps; }
 };
 
 TEST(Covered, closed_surfaces_look_out_on_one_side) {
@@ -83,6 +85,46 @@ TEST(Covered, layers_of_a_wall_are_covered_where_they_touch) {
   scene.add_body(awkward::box({0, 0.5, 0}, {16, 0.5625, 4}));
   scene.make();
   EXPECT_EQ(scene.covered(middle), 4u) << "its two large faces";
+}
+
+TEST(Covered, each_face_has_a_distance_of_its_own) {
+  CoverScene scene;
+  scene.add_body(awkward::box({0, 0, 0}, {16, 0.0625, 16}));
+  const uint32_t middle = scene.add_body(awkward::box({0, 0.0625, 0}, {16, 1, 16}));
+  scene.add_body(awkward::box({0, 1, 0}, {16, 1.5, 16}));
+  scene.make();
+  std::map<uint32_t, int> faces;
+  for (const CoveredTriangle& covered : scene.part(middle).covered) ++faces[covered.of_class];
+  ASSERT_EQ(faces.size(), 2u) << "beneath 1/16 and beneath 1/2";
+  const double near = distance_of_class(faces.begin()->first), far = distance_of_class(faces.rbegin()->first);
+  EXPECT_NEAR(near * test::step, 0.0625 + contact_steps * test::step, 0.01);
+  EXPECT_NEAR(far * test::step, 0.5 + contact_steps * test::step, 0.06);
+  EXPECT_EQ(faces.begin()->second, 2);
+  EXPECT_EQ(faces.rbegin()->second, 2);
+  // Between the two, levels may have errors.
+  ASSERT_EQ(scene.gaps(middle).size(), 1u) << "surfaces that touch keep apart by a share of the distance";
+}
+
+TEST(Surroundings, hide_from_the_sides_what_lies_deep_beneath_a_wide_cover_alone) {
+  for (const double half : {2.0, 8.0}) {
+    CoverScene scene;
+    const uint32_t block = scene.add_body(awkward::box({-1, -1, -1}, {1, 1, 0}));
+    const uint32_t cover = scene.add_body(awkward::box({-half, -half, 1}, {half, half, 1.5}));
+    PartCache<PartRegions> cache(scene.parts, scene.file, 1 << 20);
+    const auto box = [&](uint32_t placed) {
+      return scene.parts.lattices[0].box(scene.hierarchy().boxes[placed]);
+    };
+    Surroundings surroundings(scene.parts, scene.hierarchy(), cache, block,
+                              {{block, box(block)}, {cover, box(cover)}}, contact_steps * test::step);
+    const glm::dvec3 from(0.25, 0.25, 0), up(0, 0, 1);
+    constexpr uint32_t top = no_id;  // no region of the block: all of it counts
+    const auto over = surroundings.over(top, from, up, 20);
+    ASSERT_TRUE(over);
+    EXPECT_EQ(over->placed, cover);
+    EXPECT_NEAR(over->clearance, 1, 1e-9);
+    EXPECT_FALSE(surroundings.over(top, from, up, 15)) << "further than a sixteenth";
+    EXPECT_EQ(surroundings.hidden_from_sides(top, from, up, 20), half == 8);
+  }
 }
 
 TEST(Covered, a_part_that_is_covered_in_one_placement_alone_is_not) {

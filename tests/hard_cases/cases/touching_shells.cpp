@@ -22,7 +22,6 @@ const InGallery touching_shells(
        for (size_t i = 0; i < trial.model.meshes.size(); ++i) {
          for (Triangle& triangle : trial.model.meshes[i].triangles) triangle.material = i % 2;
        }
-       trial.build.keep.order = true;
        trial.no_blue = true;
        for (int i = 0; i < 8; ++i) trial.views.push_back(look({4.5 + i, -4.0 - 3 * i, 2}, {4.5, 0, 0}));
        return trial;

@@ -1,0 +1,107 @@
+#include "preprocess/covered/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace triptych {
+
+namespace {
+
+/// Where a ray meets a triangle.
+struct Hit {
+  double along = 0;
+  bool leaves = false;  ///< it passes the triangle from its back to its front
+};
+
+/// Moeller and Trumbore, Fast, minimum storage ray/triangle intersection, 1997. Hit::along: in lengths of the
+/// direction.
+std::optional<Hit> meet(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
+                        const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
+  const double determinant = glm::dot(ab, p);
+  if (determinant == 0) return std::nullopt;
+  const glm::dvec3 to = from - a;
+  const double u = glm::dot(to, p) / determinant;
+  const glm::dvec3 q = glm::cross(to, ab);
+  const double v = glm::dot(direction, q) / determinant;
+  constexpr double edge = 1e-9;  // no ray passes between two triangles
+  if (u < -edge || v < -edge || u + v > 1 + edge) return std::nullopt;
+  return Hit{glm::dot(ac, q) / determinant, determinant < 0};
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache,
+                           uint32_t placed, const std::vector<std::pair<uint32_t, Box>>& others,
+                           double tolerance)
+    : parts_(parts),
+      hierarchy_(hierarchy),
+      cache_(cache),
+      tolerance_(tolerance),
+      own_(parts, hierarchy, placed, cache) {
+  for (const auto& [number, box] : others) {
+    const PartInfo& info = parts.parts[hierarchy.placed[number].part];
+    const bool is_body = number != placed && info.outside != Outside::none && info.borders == 0;
+    others_.push_back({number, grown(box, tolerance), is_body});
+  }
+}
+
+void Surroundings::look(Other& other, uint32_t region, const glm::dvec3& from, const glm::dvec3& way,
+                        double reach, std::optional<First>& first) {
+  if (!other.placed) other.placed.emplace(parts_, hierarchy_, other.number, cache_);
+  const PlacedRegions& placed = *other.placed;
+  const PartRegions& regions = *placed.regions;
+  // In the other's own space, where lengths along the ray are the same.
+  const glm::dvec3 start = placed.in(from), direction = placed.inverse * way;
+  RaySpan ray(start, direction, -tolerance_, reach);
+  regions.tree.visit(ray, tolerance_ * placed.shrink, [&](uint32_t triangle) {
+    if (other.number == own_.number && regions.region_of[triangle] == region) return;
+    const auto& [a, b, c] = regions.triangles[triangle];
+    const auto hit = meet(start, direction, regions.points[a], regions.points[b], regions.points[c]);
+    if (!hit || hit->along < -tolerance_ || hit->along > reach) return;
+    if (first && hit->along >= first->along) return;
+    // A transform that mirrors turns triangles over, and the ray with them.
+    const bool leaves = hit->leaves != (placed.outside == Outside::back);
+    // What faces the same way in the same plane lies beside it, not over it.
+    if (leaves && hit->along <= tolerance_) return;
+    first = First{hit->along, other.number, leaves};
+    ray.most = hit->along;
+  });
+}
+
+std::optional<RegionCover> Surroundings::over(uint32_t region, const glm::dvec3& from, const glm::dvec3& way,
+                                              double whole) {
+  const double near = whole / 16;
+  Box around{from, from};
+  around.extend(from + way * near);
+  std::optional<First> first;
+  for (Other& other : others_) {
+    if (overlap(other.box, around)) look(other, region, from, way, near, first);
+  }
+  if (first) return RegionCover{first->placed, std::max(first->along, 0.0)};
+  for (Other& other : others_) {
+    if (!other.is_body || !overlap(other.box, {from, from})) continue;
+    first.reset();
+    look(other, region, from, way, whole, first);
+    if (first && first->leaves) return RegionCover{other.number, first->along};
+  }
+  return std::nullopt;
+}
+
+bool Surroundings::hidden_from_sides(uint32_t region, const glm::dvec3& from, const glm::dvec3& normal,
+                                     double whole) {
+  const glm::dvec3 other = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
+  constexpr int ways = 8;
+  constexpr double rise = 0.25;
+  const double along = std::sqrt(1 - rise * rise);
+  for (int i = 0; i < ways; ++i) {
+    const double angle = 2 * std::numbers::pi * i / ways;
+    const glm::dvec3 way = rise * normal + along * (std::cos(angle) * u + std::sin(angle) * v);
+    if (!over(region, from, way, 4 * whole)) return false;
+  }
+  return true;
+}
+
+}  // namespace triptych
