@@ -43,6 +43,9 @@ constexpr std::array measures = {
             "Of the pixels that things of at most 8 pixels cover, averaged over shifts of the camera."},
     Measure{"/popping", "popping, of 255", 0, 1,
             "Change from frame to frame beyond the reference's own change; the mean over pixels."},
+    Measure{"/shade/p99", "shade inside surfaces, 99th percentile of 255", 0, 1,
+            "How much lighter or darker smooth surfaces are, where the same colour shows: facets of coarse "
+            "levels."},
     Measure{"/rmse", "colour error (RMSE), of 255", 0, 1,
             "The root of the mean squared difference of colours."},
     Measure{"/ssim", "structural dissimilarity (1 - SSIM)", 1, -1, "0 where the pictures are alike."},
@@ -152,10 +155,10 @@ constexpr const char* legend =
 
 std::string table(const json& report) {
   const json& rows = report["rows"];
-  HtmlTable table{
-      {"setting", "px", "ms", "p95", "triangles", "build s", "pack MB", "wrong %", "deviation max", "p99",
-       "holes /M", "swaps /M", "cover %", "left out %", "popping", "RMSE", "SSIM", "butteraugli"},
-      {}};
+  HtmlTable table{{"setting", "px", "ms", "p95", "triangles", "build s", "pack MB", "wrong %",
+                   "deviation max", "p99", "holes /M", "swaps /M", "cover %", "left out %", "popping",
+                   "shade p99", "RMSE", "SSIM", "butteraugli"},
+                  {}};
   for (const json& row : rows) {
     table.rows.push_back({escape_html(series_name(row, rows)), cell(row, "/pixel_error", 1, 2),
                           cell(row, "/frame_ms/p50", 1, 2), cell(row, "/frame_ms/p95", 1, 2),
@@ -164,7 +167,8 @@ std::string table(const json& report) {
                           cell(row, "/deviation_px/max", 1, 3), cell(row, "/deviation_px/p99", 1, 3),
                           cell(row, "/hole_share", 1e6, 0), cell(row, "/swap_share", 1e6, 0),
                           cell(row, "/cover_kept", 100, 1), cell(row, "/missed_triangle_share", 100, 1),
-                          cell(row, "/popping", 1, 3), cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
+                          cell(row, "/popping", 1, 3), cell(row, "/shade/p99", 1, 0),
+                          cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
                           cell(row, "/butteraugli", 1, 2)});
   }
   std::string html =

@@ -86,6 +86,7 @@ json row_json(const AccuracyRow& row) {
   object["cover_grown"] = or_null(pictures.cover_grown());
   object["popping"] = or_null(pictures.popping());
   object["flicker_share"] = or_null(pictures.flicker_share());
+  object["shade"] = {{"mean", pictures.shades.mean()}, {"p99", pictures.shades.p99()}};
   object["rmse"] = pictures.rmse();
   object["ssim"] = pictures.ssim();
   object["butteraugli"] = or_null(pictures.butteraugli());

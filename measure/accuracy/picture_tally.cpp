@@ -54,6 +54,8 @@ PictureMeasures measure_picture(const PackSurfaces& surfaces, const FrameView& v
   measures.wrong_pixels = difference.wrong_pixels;
   measures.squared_error = difference.squared_error;
   measures.ssim = difference.ssim;
+  measures.shades =
+      shade_differences(reference.surface, reference.colors, shown.surface, shown.colors, width, height);
   PixelMask holes = find_holes(reference.surface, shown.surface, width, height, radius);
   measures.slit_pixels = take_out_slits(surfaces, view, shown.surface, holes);
   measures.holes = find_patches(std::move(holes));
@@ -83,6 +85,7 @@ void PictureTally::add(const PictureMeasures& measures, const std::vector<uint8_
   swap_pixels += measures.swaps.pixels;
   squared_error_ += measures.squared_error;
   ssim_ += measures.ssim;
+  shades.add(measures.shades);
   keep_worst(hole, measures.holes, measures.hole_at, measures, reference, shown);
   keep_worst(swap, measures.swaps, measures.swap_at, measures, reference, shown);
   for (const PointDeviation& point : measures.deviations) {

@@ -4,6 +4,7 @@
 #include "measure/accuracy/cover.hpp"
 #include "measure/accuracy/patches.hpp"
 #include "measure/accuracy/pixel_deviation.hpp"
+#include "measure/accuracy/shade_difference.hpp"
 #include "measure/accuracy/surface_pixels.hpp"
 
 #include <cstdint>
@@ -55,6 +56,7 @@ struct PictureMeasures {
   uint64_t wrong_pixels = 0, untraced_pixels = 0;
   uint64_t slit_pixels = 0;  ///< of take_out_slits()
   double squared_error = 0, ssim = 1;
+  ShadeDifferences shades{};
   Patches holes{}, swaps{};
   PointDeviation hole_at{}, swap_at{};  ///< WorstPatch::at of the largest ones
   std::vector<PointDeviation> deviations{};
@@ -90,6 +92,7 @@ class PictureTally {
   std::vector<float> deviations;  ///< pixels
   WorstDeviation worst_deviation;
   WorstPatch deviation_patch;  ///< around the worst one
+  ShadeDifferences shades;
   double rmse() const;
   double ssim() const { return mean(ssim_, frames_).value_or(1); }
   /// Nullopt where nothing was measured.

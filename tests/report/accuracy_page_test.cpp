@@ -28,6 +28,7 @@ nlohmann::json row(const std::string& strategy, double pixel_error, double ms, d
           {"cover_kept", 0.9},
           {"cover_pixels", 100},
           {"popping", nullptr},
+          {"shade", {{"mean", 0.5}, {"p99", 4}}},
           {"rmse", 1.0},
           {"ssim", 0.99},
           {"butteraugli", nullptr},

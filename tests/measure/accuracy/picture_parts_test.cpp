@@ -4,6 +4,7 @@
 #include "measure/accuracy/motion.hpp"
 #include "measure/accuracy/picture_difference.hpp"
 #include "measure/accuracy/pixel_deviation.hpp"
+#include "measure/accuracy/shade_difference.hpp"
 #include "measure/accuracy/surface_pixels.hpp"
 
 #include <cmath>
@@ -54,6 +55,31 @@ TEST(Patches, the_largest_is_found_with_its_box_and_corners_connect) {
   EXPECT_EQ(found.bottom, 3);
   EXPECT_EQ(found.top, 5);
   EXPECT_EQ(find_patches(PixelMask(width, height)).largest, 0u);
+}
+
+TEST(Shades, are_compared_inside_smooth_surfaces_of_one_colour) {
+  constexpr uint64_t inner = (width - 2) * (height - 2);  // the border has no neighbours
+  const std::vector<SurfacePixel> surface = all_of(1);
+  const auto differences = [&](const std::vector<uint8_t>& reference, const std::vector<uint8_t>& shown) {
+    return shade_differences(surface, reference, surface, shown, width, height);
+  };
+  std::vector<uint8_t> lighter = grey(100);
+  paint(lighter, at(4, 4), 130);
+  EXPECT_EQ(differences(grey(100), grey(100)).mean(), 0);
+  EXPECT_EQ(differences(grey(100), grey(100)).pixels(), inner);
+  EXPECT_NEAR(differences(grey(100), lighter).mean(), 30.0 / inner, 1e-12);
+  EXPECT_EQ(differences(grey(100), lighter).p99(), 0) << "one pixel of " << inner;
+  paint(lighter, at(8, 8), 110);
+  EXPECT_EQ(differences(grey(100), lighter).p99(), 10) << "a second one";
+  // A fold of the reference is not smooth: neither it nor its four neighbours count.
+  EXPECT_EQ(differences(lighter, lighter).pixels(), inner - 10);
+  // Another colour is a swap, and no shade.
+  std::vector<SurfacePixel> other = surface;
+  other[at(4, 4)].color = {0, 0, 200, 255};
+  EXPECT_EQ(shade_differences(surface, grey(100), other, lighter, width, height).pixels(), inner - 1);
+  EXPECT_EQ(shade_differences(other, grey(100), surface, lighter, width, height).pixels(), inner - 5);
+  other[at(4, 4)] = {};
+  EXPECT_EQ(shade_differences(surface, grey(100), other, lighter, width, height).pixels(), inner - 1);
 }
 
 TEST(Holes, background_counts_where_the_reference_shows_surfaces_all_round) {
