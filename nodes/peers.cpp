@@ -33,7 +33,7 @@ void Peers::search(milliseconds pause) {
   try {
     search_ = std::async(std::launch::async, [this, pause] { return find(pause); });
   } catch (const std::system_error& error) {  // take_up_search() tries again
-    notice("render node: no thread to look for switch nodes: {}", error.what());
+    notice_once(fmt::format("render node: no thread to look for switch nodes: {}", error.what()));
     since_ = Clock::now();
   }
 }

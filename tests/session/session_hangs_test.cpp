@@ -1,6 +1,9 @@
 // What a switch node does, or leaves undone, never ends a session.
 #include "tests/session/recovery_rig.hpp"
 
+#include <optional>
+#include <sys/resource.h>
+
 namespace triptych::test {
 namespace {
 
@@ -142,6 +145,47 @@ TEST_F(SessionHangs, what_a_killed_session_leaves_behind_the_next_one_removes) {
   }
   EXPECT_EQ(entries(), 1);
   before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1);
+}
+
+/// Lowers a limit of this process, for programs that it starts, while it lives.
+class Limit {
+ public:
+  Limit(decltype(RLIMIT_AS) resource, rlim_t value) : resource_(resource) {
+    ::getrlimit(resource_, &before_);
+    const rlimit low{value, before_.rlim_max};
+    ::setrlimit(resource_, &low);
+  }
+  ~Limit() { ::setrlimit(resource_, &before_); }
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+
+ private:
+  decltype(RLIMIT_AS) resource_;
+  rlimit before_{};
+};
+
+TEST_F(SessionHangs, low_limits_end_in_one_line_or_in_pictures) {
+  const auto expect_an_end = [&](decltype(RLIMIT_AS) resource, rlim_t value) {
+    SCOPED_TRACE(std::to_string(value));
+    std::optional<Program> program;
+    {
+      const Limit limit(resource, value);
+      program.emplace(session({"--frames", "2", "--gather", "0.5"}));
+    }
+    const int code = program->wait(std::chrono::seconds(60));
+    constexpr int not_loaded = 127;  // by the system: not even the program's libraries fit
+    if (code == 0 || code == not_loaded) return code;
+    EXPECT_EQ(code, 1) << program->errors();
+    EXPECT_EQ(program->complaints().size(), 1u) << program->errors();
+    EXPECT_EQ(program->errors().find("terminate called"), std::string::npos) << program->errors();
+    EXPECT_FALSE(program->anybody_left());
+    return code;
+  };
+  int failed = 0;
+  for (const rlim_t descriptors : {6, 8, 10, 12, 14})
+    failed += expect_an_end(RLIMIT_NOFILE, descriptors) == 1;
+  for (rlim_t mib = 76; mib < 116; mib += 4) failed += expect_an_end(RLIMIT_AS, mib << 20) == 1;
+  EXPECT_GE(failed, 2) << "no limit was low enough";
 }
 
 TEST_F(SessionHangs, another_key_is_named_at_once_on_both_ends) {

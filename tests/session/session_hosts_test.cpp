@@ -37,8 +37,8 @@ TEST_F(SessionHosts, names_with_spaces_and_quotes_reach_the_other_machines_whole
   std::ofstream(key) << std::string(64, 'k');
   std::filesystem::permissions(key, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   const std::string hosts = write_hosts_file(folder.file("hosts.toml"), {.key_file = key});
-  Program program({"session", odd, "--path", path, "--size", "160x120", "--hosts", hosts, "--hash", "--json",
-                   json, "--timeout", "60000"});
+  Program program({"session", odd, "--path", path, "--size", "160x120", "--gather", "60", "--hosts", hosts,
+                   "--hash", "--json", json, "--timeout", "60000"});
   ASSERT_EQ(program.wait(), 0) << program.errors();
   EXPECT_FALSE(program.anybody_left());
   const nlohmann::json report = json_of(json);
