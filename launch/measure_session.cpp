@@ -94,14 +94,17 @@ void print_latency_and_traffic(const nlohmann::json& report) {
 
 int run(SessionOptions options) {
   options.hash = true;
+  // Opened before the sessions, as they do: pictures are compared with this one, whatever becomes of the
+  // file.
+  const Pack pack(options.run.pack);
+  std::vector<FrameRequest> requests = played(load_frames(options.run, pack.skeleton()), options.loop);
   std::vector<SessionOutcome> outcomes = run_sessions(options);
   nlohmann::json batches = nlohmann::json::array();
   for (size_t i = 0; i < outcomes.size(); ++i)
     batches.push_back(batch_json(options.batches[i], outcomes[i].records));
   SessionOutcome outcome = std::move(outcomes.front());
   outcomes.clear();
-  const Pack pack(options.run.pack);
-  SessionMeasurement measurement{.requests = played(load_frames(options.run, pack.skeleton()), options.loop),
+  SessionMeasurement measurement{.requests = std::move(requests),
                                  .roles = std::move(outcome.records),
                                  .session = {},
                                  .fallback = {},

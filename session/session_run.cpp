@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <optional>
 #include <random>
 
@@ -137,8 +138,7 @@ bool Supervisor::may_restart(Role role, const ChildProcesses::Ended& ended) {
 
 bool Supervisor::take_end(Role role, const ChildProcesses::Ended& ended) {
   if (role != Role::render) {
-    // Without an error it ends where the session does.
-    if (ended.signal != 0 || ended.exit_code != 0) lose_switch_node(role, ended);
+    lose_switch_node(role, ended);
     return false;
   }
   remove_partial_pictures(options_.output, ended.pid);
@@ -161,17 +161,23 @@ void Supervisor::lose_switch_node(Role role, const ChildProcesses::Ended& ended)
   using std::chrono::milliseconds;
   constexpr milliseconds first_pause(500), longest_pause(30'000);
   constexpr double settled_s = 60;
-  // The command that starts a role on another machine ends like this where that cannot be reached: such tries
-  // cost nothing, and it may come back in an hour.
-  constexpr int not_reached = 255;
-  const bool unreached = setup_.hosts && ended.exit_code == not_reached;
-  if (!unreached && !may_restart(role, ended)) {
+  Life& own = life(role);
+  if (ended.signal == 0 && ended.exit_code == 0) {
+    // It ends like this where the session does; then the render node is writing its last pictures.
+    own.due = Clock::now() + std::chrono::seconds(10);
+    return;
+  }
+  // Another machine that cannot be reached, or does not start the role, may do so in an hour: such tries cost
+  // nothing. The command that starts a role there ends with 128 and more where that is killed, and with 255
+  // where the machine is not reached.
+  const bool killed = ended.exit_code > 128 && ended.exit_code < 255;
+  const bool counts = !setup_.hosts || killed;
+  if (counts && !may_restart(role, ended)) {
     notice("session: {}: {}, after {} restarts; goes on without it", ended.place, ended.reason,
            options_.restarts);
     return;
   }
-  if (unreached) outcome_.restarted.push_back({ended.name, ended.pid, ended.reason});
-  Life& own = life(role);
+  if (!counts) outcome_.restarted.push_back({ended.name, ended.pid, ended.reason});
   if (ended.signal != 0) {
     notice("session: {} {}; starts it again", ended.place, ended.reason);
     own.pause = milliseconds(0);
