@@ -21,4 +21,8 @@ void notice(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   say(one_line(fmt::format(format, std::forward<Arguments>(arguments)...)) + "\n");
 }
 
+/// The same where the line was not printed before: for what strangers can cause again and again. After a
+/// hundred different lines it is silent.
+void notice_once(const std::string& line);
+
 }  // namespace triptych

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace triptych {
@@ -9,6 +10,7 @@ namespace triptych {
 namespace {
 
 volatile std::sig_atomic_t stop_signal = 0;
+std::atomic<bool> stop_without_signal{false};
 void note_signal(int signal) { stop_signal = signal; }
 
 bool install_handlers() {
@@ -27,8 +29,12 @@ bool install_handlers() {
 
 bool stop_requested() {
   static const bool installed = install_handlers();
-  return installed && stop_signal != 0;
+  return installed && (stop_signal != 0 || stop_without_signal);
 }
+
+void request_stop() { stop_without_signal = true; }
+
+int interrupted_exit_code() { return stop_signal == 0 ? 0 : 128 + stop_signal; }
 
 void end_if_asked(const std::string& place) {
   if (stop_requested()) fail(place, "was told to end");

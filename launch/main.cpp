@@ -31,6 +31,16 @@ int end_with(const std::string& line) {
   return 1;
 }
 
+/// What went wrong, where a library says less than a user needs.
+std::string explained(const std::exception& error) {
+  // The standard library and TBB pass on what the system said.
+  const std::string text = error.what();
+  if (text.ends_with(std::strerror(EAGAIN)))
+    return "threads: no more can be started: processes (ulimit -u) or address space (ulimit -v) are too "
+           "limited";
+  return text;
+}
+
 /// The program and the subcommands of the command line, as typed.
 std::string command_name(const CLI::App& app) {
   std::string name = "triptych";
@@ -100,6 +110,6 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return end_with("memory: there is not enough");
   } catch (const std::exception& error) {
-    return end_with(error.what());
+    return end_with(explained(error));
   }
 }

@@ -94,14 +94,17 @@ void print_latency_and_traffic(const nlohmann::json& report) {
 
 int run(SessionOptions options) {
   options.hash = true;
+  // Opened before the sessions, as they do: pictures are compared with this one, whatever becomes of the
+  // file.
+  const Pack pack(options.run.pack);
+  std::vector<FrameRequest> requests = played(load_frames(options.run, pack.skeleton()), options.loop);
   std::vector<SessionOutcome> outcomes = run_sessions(options);
   nlohmann::json batches = nlohmann::json::array();
   for (size_t i = 0; i < outcomes.size(); ++i)
     batches.push_back(batch_json(options.batches[i], outcomes[i].records));
   SessionOutcome outcome = std::move(outcomes.front());
   outcomes.clear();
-  const Pack pack(options.run.pack);
-  SessionMeasurement measurement{.requests = played(load_frames(options.run, pack.skeleton()), options.loop),
+  SessionMeasurement measurement{.requests = std::move(requests),
                                  .roles = std::move(outcome.records),
                                  .session = {},
                                  .fallback = {},
@@ -148,6 +151,7 @@ void add_measure_session(CLI::App& measure, Action& action) {
   CLI::App* session = measure.add_subcommand(
       "session", "A session measured, every frame compared with the un-culled picture of the same cut");
   session->footer("Example: triptych measure session scene.tpk --path walk.json --json session.json");
+  options->gather_s = 20;  // what is measured is all three of them
   add_session_flags(*session, *options);
   take_list(session->get_option("--batch"));
   session->callback([options, &action] { action = [options] { return run(*options); }; });

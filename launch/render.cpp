@@ -8,6 +8,7 @@
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
 #include "measure/timeline_trace.hpp"
+#include "nodes/frame_watch.hpp"
 #include "nodes/local_steering.hpp"
 #include "render/png_file.hpp"
 #include "scene/pack.hpp"
@@ -43,12 +44,15 @@ int run(const RenderCommand& command) {
   std::vector<FrameRecord> records;
   {
     Progress progress("render", frames.size());
+    FrameWatch watch("render");
     for (FrameRequest& frame : frames) {
+      watch.begin(frame.number);
       if (command.full_detail) frame.state.pixel_error = 0;
       records.push_back(steering ? steering->draw(frame) : pipeline.draw(frame));
       const FrameTarget& target = pipeline.target();
       write_png(command.output / picture_name(frame.number), width, height,
                 command.item_buffer ? item_colors(target.read_items()) : target.read_colors());
+      watch.end();
       progress.advance();
     }
   }

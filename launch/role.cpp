@@ -1,5 +1,6 @@
 #include "launch/command.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/session_flags.hpp"
 #include "session/role_command.hpp"
 
 namespace triptych {
@@ -24,15 +25,14 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
   role.add_flag(
       "--tell-record", command.tell_record,
       "Print the JSON on standard error, for the session that started this role from another machine");
-  role.add_flag("--keep-trying", command.keep_trying,
-                "Go on searching for peers that do not come in time; the render node draws alone meanwhile");
   role.add_flag("--insecure", command.insecure,
                 "Allow other machines without a key: nothing is encrypted, anybody may take a role");
   role.add_option("--session", command.session, "A number that the roles of one session share")
       ->check(whole_number(0));
-  role.add_option("--connect-timeout", command.connect_timeout_s, "Seconds until all roles must have met")
-      ->check(number_between(0.001, max_seconds))
-      ->capture_default_str();
+  role.add_option("--pack-hash", command.pack_hash,
+                  "What the content of the pack must be, as the session has it")
+      ->check(whole_number(0));
+  add_connect_timeout_flag(role, command.connect_timeout_s);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void add_role(CLI::App& app, Action& action) {
   role->require_subcommand(1);
   role->footer(
       "Example, three terminals:\n"
-      "  triptych role render scene.tpk --path walk.json --listen 127.0.0.1:7000 -o pictures\n"
+      "  triptych role render scene.tpk --path walk.json --listen 127.0.0.1:7000 --gather 60 -o pictures\n"
       "  triptych role switch scene.tpk --index 0 --listen 127.0.0.1:7001 --render 127.0.0.1:7000\n"
       "  triptych role switch scene.tpk --index 1 --render 127.0.0.1:7000 --switch-0 127.0.0.1:7001");
 
@@ -61,6 +61,8 @@ void add_role(CLI::App& app, Action& action) {
       ->type_name("HOST:PORT");
   switch_node->add_option("--switch-0", switch_command->switch_0_address, "Switch node 0, for switch node 1")
       ->type_name("HOST:PORT");
+  switch_node->add_flag("--keep-trying", switch_command->keep_trying,
+                        "Go on searching where the others do not come in time at the beginning, too");
   add_batch_flag(*switch_node, switch_command->cull.packet_ids);
   switch_node->callback([switch_command, index, &action] {
     RoleCommand& command = *switch_command;
@@ -82,17 +84,14 @@ void add_role(CLI::App& app, Action& action) {
       ->check(whole_number(1, max_frames));
   render->add_option("--rate", render_command->rate, "Cameras released per second")
       ->check(number_between(min_rate, max_rate));
-  render
-      ->add_option("--timeout", render_command->timeout_ms,
-                   "Milliseconds to wait for a frame's visible set before drawing by itself")
-      ->check(number_between(1, 1000 * max_seconds))
-      ->capture_default_str();
+  add_waiting_flags(*render, render_command->timeout_ms, render_command->gather_s);
   render->add_option("--journal", render_command->journal, "Append each frame's record here, not to the JSON")
       ->type_name("FILE");
   render
       ->add_option("--begin", render_command->begin,
                    "First frame: an earlier render node drew those before it")
       ->check(whole_number(0, max_frames));
+  add_until_told_flag(*render, render_command->until_told);
   add_window_flag(*render, render_command->window);
   render->add_flag("--hash", render_command->hash, "Record each picture's hash and visible set");
   render->callback([render_command, &action] {

@@ -66,7 +66,7 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
     fmt::print("{}", summary);
   }
   write_json(json, report);
-  return 0;
+  return outcome.exit_code;
 }
 
 }  // namespace
@@ -79,6 +79,7 @@ void add_session(CLI::App& app, Action& action) {
   add_target_flag(*sub, options->run);
   sub->add_option("-o,--output", options->output, "Folder for the PNG files")->type_name("DIR");
   sub->add_flag("--hash", options->hash, "Put each picture's hash into the JSON");
+  add_until_told_flag(*sub, options->until_told);
   add_window_flag(*sub, options->window);
   sub->callback([options, &action] {
     require_path(options->run, options->window);

@@ -4,6 +4,40 @@
 
 namespace triptych {
 
+void add_waiting_flags(CLI::App& command, double& timeout_ms, double& gather_s) {
+  command
+      .add_option("--timeout", timeout_ms,
+                  "Milliseconds to wait for a frame's visible set before the render node draws by itself, or "
+                  "four times what frames take")
+      ->check(number_between(1, 1000 * max_seconds))
+      ->capture_default_str();
+  command
+      .add_option("--gather", gather_s,
+                  "Seconds that the first frame may wait for both switch nodes; at 0 the render node begins "
+                  "alone, and they join it")
+      ->check(number_between(0, max_seconds))
+      ->take_last()
+      ->capture_default_str();
+}
+
+void add_connect_timeout_flag(CLI::App& command, double& connect_timeout_s) {
+  command
+      .add_option(
+          "--connect-timeout", connect_timeout_s,
+          "Seconds that a search for the other roles takes; then it says who is missing, and the next "
+          "one begins")
+      ->check(number_between(0.001, max_seconds))
+      ->capture_default_str();
+}
+
+void add_until_told_flag(CLI::App& command, bool& until_told) {
+  command
+      .add_flag(
+          "--until-told", until_told,
+          "Play the path over and over until a signal comes, which is the regular end then: exit code 0")
+      ->excludes("--loop");
+}
+
 void add_session_flags(CLI::App& command, SessionOptions& options) {
   add_run_flags(command, options.run);
   add_picture_flags(command, options.run);
@@ -19,11 +53,8 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
       ->excludes("--hosts");
   command.add_flag("--insecure", options.insecure,
                    "Allow other machines without a key: nothing is encrypted, anybody may take a role");
-  command
-      .add_option("--timeout", options.timeout_ms,
-                  "Milliseconds to wait for a frame's visible set before the render node draws by itself")
-      ->check(number_between(1, 1000 * max_seconds))
-      ->capture_default_str();
+  add_waiting_flags(command, options.timeout_ms, options.gather_s);
+  add_connect_timeout_flag(command, options.connect_timeout_s);
   command.add_option("--restarts", options.restarts, "How often a role that is killed is started again")
       ->check(whole_number(0, max_frames))
       ->capture_default_str();

@@ -6,7 +6,17 @@
 
 namespace triptych {
 
-/// --loop, --rate, --port, --batch, --timeout, --restarts, --hosts, --key-file, --insecure, --record,
+/// --timeout and --gather of a render node.
+void add_waiting_flags(CLI::App& command, double& timeout_ms, double& gather_s);
+/// --connect-timeout of all roles.
+void add_connect_timeout_flag(CLI::App& command, double& connect_timeout_s);
+
+/// --until-told, for commands that have --loop.
+void add_until_told_flag(CLI::App& command, bool& until_told);
+
+/// --loop, --rate, --port, --batch, --timeout, --gather, --connect-timeout, --restarts, --hosts, --key-file,
+/// --insecure,
+/// --record,
 /// --timeline, the run flags and the picture flags.
 void add_session_flags(CLI::App& command, SessionOptions& options);
 

@@ -71,7 +71,7 @@ int run(const ViewCommand& command) {
              report["frame_ms"]["p50"].get<double>());
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   write_json(command.run.json, report);
-  return 0;
+  return interrupted_exit_code();
 }
 
 }  // namespace

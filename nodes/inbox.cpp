@@ -35,8 +35,19 @@ std::optional<Ending> Inbox::receive(Role from) {
     late.too_late = true;
     return late;
   }
-  if (auto* lost = std::get_if<PeerLost>(&*delivery)) return ending_of(std::move(*lost));
-  auto& received = std::get<Received>(*delivery);
+  return take(std::move(*delivery));
+}
+
+std::optional<Ending> Inbox::tend() {
+  while (auto delivery = mailbox_.receive(std::chrono::milliseconds(0))) {
+    if (auto ending = take(std::move(*delivery))) return ending;
+  }
+  return std::nullopt;
+}
+
+std::optional<Ending> Inbox::take(Delivery delivery) {
+  if (auto* lost = std::get_if<PeerLost>(&delivery)) return ending_of(std::move(*lost));
+  auto& received = std::get<Received>(delivery);
   if (const auto* request = std::get_if<FullSetRequest>(&received.message); request && sets_)
     return answer(received.peer, request->frame);
   if (const auto* asked = std::get_if<ClockRequest>(&received.message))

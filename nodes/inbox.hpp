@@ -56,6 +56,8 @@ class Inbox {
   std::optional<SwitchReport> report(uint32_t frame);
   /// Answers requests until something ends.
   Ending wait_for_end();
+  /// Takes what has come, without waiting: a role that has nothing to wait for notices so who is lost.
+  std::optional<Ending> tend();
 
   /// Sends to a peer; returns the ending if the peer is gone.
   [[nodiscard]] std::optional<Ending> send(Role peer, Channel channel, const Message& message);
@@ -66,6 +68,7 @@ class Inbox {
   Awaited<Message> wait(Role from, const std::function<bool(const Message&)>& wanted);
   /// Receives one message, or none within a short time.
   std::optional<Ending> receive(Role from);
+  std::optional<Ending> take(Delivery delivery);
   std::optional<Ending> answer(Role asking, uint32_t frame);
   std::optional<Ending> keep(Received received);
   /// Counts a kept message as used or dropped.

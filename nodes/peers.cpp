@@ -1,9 +1,10 @@
 #include "nodes/peers.hpp"
 
-#include "base/error.hpp"
 #include "base/notice.hpp"
+#include "base/thread_name.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <thread>
 
 namespace triptych {
@@ -14,7 +15,8 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 /// Uploading a large model's geometry may take long; meanwhile the render node draws by itself.
-constexpr auto warm_up_limit = std::chrono::seconds(60);
+constexpr milliseconds least_warm_up_limit(60'000);
+constexpr int warm_up_frames = 8;
 constexpr auto short_epoch = std::chrono::seconds(10);
 constexpr milliseconds first_pause(500), max_pause(1000), max_pause_for_late(10'000);
 
@@ -28,12 +30,28 @@ Peers::Peers(Connect connect, FrameSink& sink, std::function<bool()> stop)
 Peers::~Peers() { leaving_ = true; }  // the future's destructor waits for its thread
 
 void Peers::search(milliseconds pause) {
-  search_ = std::async(std::launch::async, [this, pause]() -> std::unique_ptr<Mailbox> {
-    const auto stopped = [this] { return leaving_.load(); };
+  try {
+    search_ = std::async(std::launch::async, [this, pause] { return find(pause); });
+  } catch (const std::system_error& error) {  // take_up_search() tries again
+    notice_once(fmt::format("render node: no thread to look for switch nodes: {}", error.what()));
+    since_ = Clock::now();
+  }
+}
+
+std::unique_ptr<Mailbox> Peers::find(milliseconds pause) const {
+  name_thread("find-peers");
+  const auto stopped = [this] { return leaving_.load(); };
+  for (std::string told;; pause = first_pause) {
     for (const auto until = Clock::now() + pause; Clock::now() < until && !stopped();)
       std::this_thread::sleep_for(milliseconds(20));
-    return stopped() ? nullptr : connect_(stopped);
-  });
+    if (stopped()) return nullptr;
+    try {
+      if (auto mailbox = connect_(stopped)) return mailbox;
+    } catch (const std::exception& error) {
+      if (told != error.what()) notice("{}; the render node draws alone until they come", error.what());
+      told = error.what();
+    }
+  }
 }
 
 Awaited<bool> Peers::look(const FrameRequest& next) {
@@ -61,35 +79,13 @@ Awaited<bool> Peers::look(const FrameRequest& next) {
 }
 
 std::optional<Ending> Peers::take_up_search(const FrameRequest& next) {
-  if (!search_.valid() || search_.wait_for(milliseconds(0)) != std::future_status::ready) return std::nullopt;
-  try {
-    mailbox_ = search_.get();
-  } catch (const Error& error) {
-    if (!patient_) throw;
-    search_failure_ = error.what();
-    notice("{}; goes on waiting", search_failure_);
-    search(first_pause);
+  if (!search_.valid()) {
+    if (Clock::now() - since_ > max_pause) search(milliseconds(0));
     return std::nullopt;
   }
+  if (search_.wait_for(milliseconds(0)) != std::future_status::ready) return std::nullopt;
+  mailbox_ = search_.get();
   return mailbox_ ? warm_up(next) : std::nullopt;
-}
-
-std::optional<Ending> Peers::wait(const FrameRequest& first, bool patient) {
-  patient_ = patient;
-  std::optional<Ending> failure;
-  for (;;) {
-    const Awaited<bool> found = look(first);
-    if (!found) failure = found.ending();
-    if (!found || *found) break;
-    if (!search_failure_.empty()) {
-      failure = Ending{.cause = Ending::Cause::peer_lost, .reason = search_failure_};
-      break;
-    }
-    if (stop_()) return Ending{.cause = Ending::Cause::stopped};
-    std::this_thread::sleep_for(milliseconds(2));
-  }
-  patient_ = true;
-  return failure;
 }
 
 std::optional<Ending> Peers::warm_up(const FrameRequest& frame) {
@@ -111,9 +107,11 @@ Awaited<bool> Peers::both_ready() {
     if (std::holds_alternative<Ready>(received.message)) ready_.insert(received.peer);
   }
   if (ready_.size() == 2) return true;
-  if (Clock::now() - since_ > warm_up_limit) {
+  if (const auto limit = std::max(least_warm_up_limit, warm_up_frames * frame_limit_);
+      Clock::now() - since_ > limit) {
     const Role missing = ready_.count(Role::switch_0) ? Role::switch_1 : Role::switch_0;
-    return ending_of_lost(missing, fmt::format("not ready after {} s", warm_up_limit.count()));
+    return ending_of_lost(
+        missing, fmt::format("not ready after {:.0f} s", std::chrono::duration<double>(limit).count()));
   }
   return false;
 }
@@ -158,12 +156,7 @@ void Peers::lose(const std::string& reason, bool too_late) {
 
 void Peers::leave(const std::string& reason) {
   leaving_ = true;
-  if (!mailbox_ && search_.valid()) {
-    try {
-      mailbox_ = search_.get();
-    } catch (const Error&) {  // peers that were not found need not be told
-    }
-  }
+  if (!mailbox_ && search_.valid()) mailbox_ = search_.get();
   close(reason);
 }
 

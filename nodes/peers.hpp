@@ -16,12 +16,13 @@ namespace triptych {
 
 /// An epoch is a stretch of frames that all three roles draw together. Before it both switch nodes are
 /// connected, in a thread of its own, and warm up with the current frame; the render node draws by itself
-/// meanwhile. A failure of either of them ends the epoch for both, and the search begins anew. For one
-/// thread.
+/// meanwhile, for as long as that takes. A failure of either of them ends the epoch for both, and the search
+/// begins anew. Nothing that a switch node does or leaves undone is an error here. For one thread.
 class Peers {
  public:
   /// Connects both switch nodes; returns nothing once `stop`, asked several times a second, says so. Called
-  /// in another thread.
+  /// in another thread, again and again where it returns nothing before that, or throws: the reason is said
+  /// on standard error, once for as long as it stays the same.
   using Connect = std::function<std::unique_ptr<Mailbox>(const std::function<bool()>& stop)>;
 
   /// sink: is told of clocks and of the end of each epoch. stop: whether this process is to end.
@@ -34,10 +35,8 @@ class Peers {
   /// it; then inbox() is not null, and nothing of the epoch has been sent yet. Where the warm-up fails: why;
   /// the search has begun anew then.
   Awaited<bool> look(const FrameRequest& next);
-  /// Waits until the first epoch may begin; otherwise says why it will not begin soon: its warm-up failed,
-  /// or, if `patient`, Connect did, and the search has begun anew; or this process is to end. If not patient,
-  /// throws what Connect throws.
-  [[nodiscard]] std::optional<Ending> wait(const FrameRequest& first, bool patient);
+  /// How long a frame may take; warm-ups, which draw several and read their geometry, may take far longer.
+  void expect_frames_of(std::chrono::milliseconds limit) { frame_limit_ = limit; }
 
   /// The peers' messages, during an epoch; otherwise null.
   Inbox* inbox() { return inbox_ ? &*inbox_ : nullptr; }
@@ -52,6 +51,8 @@ class Peers {
 
  private:
   void search(std::chrono::milliseconds pause);
+  /// What the thread does: the mailbox, or nothing once this role leaves.
+  std::unique_ptr<Mailbox> find(std::chrono::milliseconds pause) const;
   std::optional<Ending> take_up_search(const FrameRequest& next);
   std::optional<Ending> warm_up(const FrameRequest& frame);
   /// Receives their messages; true when both are ready.
@@ -67,8 +68,7 @@ class Peers {
   std::unique_ptr<Mailbox> mailbox_;
   std::optional<Inbox> inbox_;
   std::set<Role> ready_;
-  bool patient_ = true;                          ///< whether another attempt to find the peers makes sense
-  std::string search_failure_;                   ///< why the last search failed, if one has
+  std::chrono::milliseconds frame_limit_{0};
   std::chrono::steady_clock::time_point since_;  ///< of the warm-up, or of the epoch
   uint32_t short_epochs_ = 0;                    ///< in a row
   uint64_t epochs_ = 0;

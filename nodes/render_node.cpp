@@ -4,7 +4,9 @@
 #include "base/notice.hpp"
 #include "base/timeline.hpp"
 #include "nodes/frame_intake.hpp"
+#include "nodes/frame_patience.hpp"
 #include "nodes/frame_steering.hpp"
+#include "nodes/frame_watch.hpp"
 #include "nodes/local_pipeline.hpp"
 
 #include <algorithm>
@@ -42,20 +44,17 @@ class RenderNode {
                        .device = options.device,
                        .rules = options.frame_rules}),
         cost_measure_(measure_of(stages_.device().names())),
+        patience_(options.timeout),
         peers_(options.connect, sink, options.stop) {}
 
   /// Runs until the last frame, or until this process is to end.
   void run() {
     first_ = source_.next(numbers_.first);
     if (options_.target_ms > 0) calibrate(*first_);
-    if (options_.begin_alone) {
-      lost_ = "the render node before this one ended";
-    } else if (const auto failure = peers_.wait(*first_, options_.patient)) {
-      if (failure->cause == Ending::Cause::stopped) return;
-      go_on_alone(first_->number, failure->reason);
-    } else {
-      notice("render node: both switch nodes are here");
-    }
+    shown_ = *first_;
+    lost_ = options_.successor ? "the render node before this one ended"
+                               : "the switch nodes were not both there at the beginning";
+    if (!options_.successor) gather();
     clock_.restart();
     while (next_release_ < numbers_.count || !released_.empty()) {
       while (released_.size() < in_flight && next_release_ < numbers_.count && ready()) {
@@ -64,7 +63,11 @@ class RenderNode {
       }
       if (options_.stop()) return;
       if (released_.empty() && source_.finished()) return;
-      if (released_.empty()) continue;
+      if (released_.empty()) {
+        idle_ = true;
+        tend();
+        continue;
+      }
       if (!draw(released_.front())) return;
       released_.pop_front();
     }
@@ -81,8 +84,9 @@ class RenderNode {
 
   struct Released {
     FrameRequest request;
-    double at_ms;    ///< of the run's clock
-    double sent_ms;  ///< how much later it was sent to the switch nodes
+    double at_ms;     ///< of the run's clock
+    double sent_ms;   ///< how much later it was sent to the switch nodes
+    bool after_idle;  ///< nothing was to be drawn before it
   };
 
   void calibrate(FrameRequest& first) {
@@ -97,6 +101,31 @@ class RenderNode {
 
   bool ready() { return first_ || source_.ready(released_.empty()); }
 
+  /// Waits for the switch nodes, for as long as that is wanted.
+  void gather() {
+    const Stopwatch waiting;
+    while (waiting.milliseconds() < static_cast<double>(options_.gather.count()) && !options_.stop() &&
+           !source_.finished()) {
+      tend();
+      if (peers_.inbox()) return;
+      source_.ready(false);  // a window stays alive
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    notice("render node: begins alone, the switch nodes join it when they come");
+  }
+
+  /// Looks after the switch nodes while there is nothing to draw: an epoch begins, or is over.
+  void tend() {
+    const uint32_t number = released_.empty() ? next_release_ : released_.front().request.number;
+    if (Inbox* inbox = peers_.inbox()) {
+      if (const auto ending = inbox->tend()) lose(number, *ending);
+      return;
+    }
+    const Awaited<bool> found = peers_.look(released_.empty() ? shown_ : released_.front().request);
+    if (found && *found) begin_epoch(number);
+    if (!found && found.ending().cause != Ending::Cause::stopped) go_on_alone(number, found.ending().reason);
+  }
+
   /// The first frame was requested before its release, for the warm-up.
   FrameRequest next_frame(uint32_t number) {
     if (first_) return *std::exchange(first_, std::nullopt);
@@ -106,13 +135,14 @@ class RenderNode {
   }
 
   /// Waits until the next camera is to be released; false if this process is to end before that.
-  [[nodiscard]] bool wait_until_due() const {
+  [[nodiscard]] bool wait_until_due() {
     if (options_.rate <= 0) return !options_.stop();
     const double due_ms = static_cast<double>(next_release_ - numbers_.first) * 1000 / options_.rate;
     for (;;) {
       if (options_.stop()) return false;
       const double left_ms = due_ms - clock_.milliseconds();
       if (left_ms <= 0) return true;
+      tend();
       std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(std::min(50.0, left_ms)));
     }
   }
@@ -120,10 +150,10 @@ class RenderNode {
   /// The next camera is due: sends it to the switch nodes.
   void release() {
     const uint32_t number = next_release_++;
-    released_.push_back({next_frame(number), 0, 0});
+    released_.push_back({next_frame(number), 0, 0, std::exchange(idle_, false)});
     released_.back().at_ms = clock_.milliseconds();
     if (!peers_.inbox()) return;
-    if (const auto ending = send(released_.back())) lose(number, ending->reason, false);
+    if (const auto ending = send(released_.back())) lose(number, *ending);
   }
 
   [[nodiscard]] std::optional<Ending> send(Released& released) {
@@ -141,20 +171,26 @@ class RenderNode {
     if (lost_.empty()) lost_ = reason;
   }
 
-  void lose(uint32_t frame, const std::string& reason, bool too_late) {
+  void lose(uint32_t frame, const Ending& ending) {
+    if (ending.cause == Ending::Cause::stopped) return;  // this process ends
+    const bool left = ending.cause == Ending::Cause::session_over;
+    const std::string reason = left ? "a switch node left" : ending.reason;
     go_on_alone(frame, reason);
-    peers_.lose(reason, too_late);
+    peers_.lose(reason, ending.too_late);
   }
 
   /// False if this process is to end before the picture is drawn.
   [[nodiscard]] bool draw(const Released& frame) {
     const VisibleSet before = visible_;
+    shown_ = frame.request;
+    watch_.begin(frame.request.number);
     std::optional<FrameRecord> drawn = draw_somehow(frame);
+    watch_.end();
     if (!drawn) return false;
     FrameRecord& record = *drawn;
     record.number = frame.request.number;
     record.lost = std::exchange(lost_, {});
-    record.frame_ms = done_ms_ - (summary_.frames == 0 ? frame.at_ms : last_done_ms_);
+    record.frame_ms = done_ms_ - (summary_.frames == 0 || frame.after_idle ? frame.at_ms : last_done_ms_);
     record.camera_to_image_ms = done_ms_ - frame.at_ms;
     last_done_ms_ = done_ms_;
     record.visible_count = record.visible.size();
@@ -182,44 +218,46 @@ class RenderNode {
   /// Together with the switch nodes where they are connected, otherwise by itself; nothing if this process is
   /// to end.
   std::optional<FrameRecord> draw_somehow(const Released& frame) {
-    const uint32_t number = frame.request.number;
     const View& view = frame.request.state.view;
     if (const FrameTarget& target = stages_.target();
         target.width() != view.width || target.height() != view.height)
       stages_.resize(view.width, view.height);
-    if (!peers_.inbox()) {
-      const Awaited<bool> found = peers_.look(frame.request);
-      if (found && *found) begin_epoch(number);
-      if (!found && found.ending().cause != Ending::Cause::stopped)
-        go_on_alone(number, found.ending().reason);
-    }
+    if (!peers_.inbox()) tend();
     if (options_.stop()) return std::nullopt;
     if (peers_.inbox()) {
       Awaited<FrameRecord> record = draw_together(frame);
       if (record) return std::move(*record);
-      const Ending& ending = record.ending();
+      Ending ending = record.ending();
       if (ending.cause == Ending::Cause::stopped) return std::nullopt;
-      const bool left = ending.cause == Ending::Cause::session_over;
-      lose(number, left ? "a switch node left" : ending.reason, ending.too_late);
+      if (ending.too_late) ending.reason += fmt::format(" ({})", patience_.reason());
+      lose(frame.request.number, ending);
     }
     return draw_fallback(frame.request);
   }
 
   /// The cameras that were released already are this epoch's first.
   void begin_epoch(uint32_t number) {
-    if (summary_.fallback_frames > 0) notice("render node: frame {}: both switch nodes are back", number);
+    if (summary_.frames == 0 && !options_.successor) lost_.clear();  // nothing was drawn alone
+    notice("render node: frame {}: both switch nodes are {}", number, peers_.epochs() > 1 ? "back" : "here");
     visible_.clear();
     for (Released& released : released_) {
-      const auto ending = send(released);
-      if (ending) return lose(number, ending->reason, ending->too_late);
+      if (const auto ending = send(released)) return lose(number, *ending);
     }
+  }
+
+  /// The slowest role took so long for a frame.
+  void worked(double milliseconds) {
+    patience_.worked(milliseconds);
+    peers_.expect_frames_of(patience_.limit());
   }
 
   FrameRecord draw_fallback(const FrameRequest& frame) {
     stages_.resume(visible_);
     const StageWatch watch;
     FrameRecord record = stages_.draw(frame);
-    cost_ms_ = cost_of(watch.spent(), cost_measure_);
+    const SpentTime spent = watch.spent();
+    cost_ms_ = cost_of(spent, cost_measure_);
+    worked(spent.wall_ms);
     record.fallback = true;
     done_ms_ = clock_.milliseconds();
     return record;
@@ -243,7 +281,7 @@ class RenderNode {
     Inbox& inbox = *peers_.inbox();
     const FrameView view(pack_.skeleton(), frame.state, options_.frame_rules);
     picture.begin(view, frame.number);
-    inbox.limit_waiting(options_.timeout);
+    inbox.limit_waiting(patience_.limit());
     Awaited<IntakeResult> taken = take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_,
                                              draw_more, options_.session_rules);
     if (!taken) return taken.ending();
@@ -262,13 +300,16 @@ class RenderNode {
     FrameRecord record;
     const StageTimes& times = intake.sentinel.times;
     const bool by_wall = cost_measure_ == CostMeasure::wall;
+    double culling_ms = times.hardware_cull_ms;
     double culling_cost_ms = by_wall ? times.hardware_cull_ms : times.hardware_cull_cpu_ms;
     if (const auto report = frame.number > 0 ? inbox.report(frame.number - 1) : std::nullopt) {
       record.occlusion_representation_ms = report->occlusion_representation_ms;
+      culling_ms += report->occlusion_representation_ms;
       culling_cost_ms +=
           by_wall ? report->occlusion_representation_ms : report->occlusion_representation_cpu_ms;
       record_latency(record, released, *report, intake);
     }
+    worked(std::max(culling_ms, drawing.wall_ms));
     // Switch nodes and render node work side by side.
     cost_ms_ = std::max(culling_cost_ms, cost_of(drawing, cost_measure_));
     record.render_ms = drawing.wall_ms;
@@ -311,11 +352,15 @@ class RenderNode {
   const RenderNodeOptions& options_;
   LocalPipeline stages_;
   CostMeasure cost_measure_;
+  FramePatience patience_;
+  FrameWatch watch_{"render node"};
   Peers peers_;
   Stopwatch clock_;
   uint32_t next_release_ = numbers_.first;
   std::deque<Released> released_;      ///< cameras that were released, whose pictures are not drawn yet
   std::optional<FrameRequest> first_;  ///< until it is released
+  FrameRequest shown_;                 ///< the last that was drawn, or the first
+  bool idle_ = false;                  ///< nothing was to be drawn since the last release
   double done_ms_ = 0, last_done_ms_ = 0;
   double cost_ms_ = 0;  ///< of the last frame, in cost_measure_: what its busiest role took
   std::string lost_;    ///< why the epoch ended, for the next record

@@ -14,16 +14,18 @@ namespace triptych {
 struct RenderNodeOptions {
   /// Cameras released per second; 0: as fast as frames come.
   double rate = 0;
-  /// A visible set that takes longer ends the epoch.
+  /// A visible set that takes longer ends the epoch, unless frames take so long: FramePatience says how much
+  /// longer it may be then.
   std::chrono::milliseconds timeout{500};
+  /// How long the first frame may wait for both switch nodes, so that it is drawn together. Without, the
+  /// render node begins alone, and they join it.
+  std::chrono::milliseconds gather{0};
   DeviceOptions device = {};
   FrameRules frame_rules = injected_frame_rules();
   CullOptions cull = {};
   Peers::Connect connect = {};
-  /// Begin without waiting for switch nodes: another render node did so before this one.
-  bool begin_alone = false;
-  /// Begin alone, too, where Connect throws before the first epoch, and try again.
-  bool patient = false;
+  /// Another render node drew the frames before: this one does not gather.
+  bool successor = false;
   SessionRules session_rules = {};
   /// Milliseconds that the busiest role may take for a frame: pixel errors are raised to keep them. 0: none.
   double target_ms = 0;
@@ -42,9 +44,9 @@ struct RenderNodeSummary {
 /// Draws every frame of the source, in order, and hands each to the sink. At most two are in flight: camera
 /// i+2 is sent when picture i is drawn. Where the visible set of a frame does not arrive in time, or a switch
 /// node is lost, this and the following frames are drawn by the local pipeline in the same context, from the
-/// same cut, until both switch nodes are back; those records say so. A context must be current. Returns after
-/// the last frame, or earlier, after a whole frame, where `stop` says so. Error if Connect throws
-/// before the first epoch and the options are not patient.
+/// same cut, until both switch nodes are there; those records say so. Between frames it looks after the
+/// switch nodes, too. A context must be current. Returns after the last frame, or earlier, after a whole
+/// frame, where `stop` says so. Nothing that a switch node does makes it end.
 RenderNodeSummary run_render_node(const Pack& pack, FrameSource& source, FrameSink& sink,
                                   const RenderNodeOptions& options);
 

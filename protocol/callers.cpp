@@ -26,15 +26,17 @@ void Callers::greet(const std::shared_ptr<Link>& caller) {
   caller->open([this, caller](const std::string& problem) {
     if (problem.empty()) return hear(caller);
     forget(caller);
-    caller->close();
+    heard_(caller, nullptr, problem);
   });
 }
 
 void Callers::hear(const std::shared_ptr<Link>& caller) {
   caller->read(hello_body_limit, [this, caller](Link::Outcome outcome) {
     forget(caller);
-    const auto* arrived = std::get_if<Link::Arrived>(&outcome);
-    heard_(caller, arrived == nullptr ? nullptr : std::get_if<Hello>(&arrived->message));
+    if (const auto* broken = std::get_if<Link::Broken>(&outcome))
+      return heard_(caller, nullptr, broken->reason);
+    heard_(caller, std::get_if<Hello>(&std::get<Link::Arrived>(outcome).message),
+           caller->place() + ": a connection starts with a hello");
   });
 }
 

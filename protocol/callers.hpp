@@ -15,8 +15,9 @@ namespace triptych {
 /// dropped where there are too many. For one thread.
 class Callers {
  public:
-  /// Called within the io_context, with a caller and its Hello; null if it sent something else, or nothing.
-  using Heard = std::function<void(const std::shared_ptr<Link>&, const Hello*)>;
+  /// Called within the io_context, with a caller and its Hello; null and why if there is none: it does not
+  /// know the key, sent something else, or left.
+  using Heard = std::function<void(const std::shared_ptr<Link>&, const Hello*, const std::string& problem)>;
 
   Callers(Endpoint& endpoint, Heard heard) : endpoint_(endpoint), heard_(std::move(heard)) {}
 

@@ -5,12 +5,13 @@
 namespace triptych {
 
 Calls::Calls(asio::io_context& context, Endpoint& endpoint, Introduce introduce, Answered answered,
-             Hopeless hopeless, std::map<Role, std::string>& last_failure)
+             Hopeless hopeless, Unheard unheard, std::map<Role, std::string>& last_failure)
     : context_(context),
       endpoint_(endpoint),
       introduce_(std::move(introduce)),
       answered_(std::move(answered)),
       hopeless_(std::move(hopeless)),
+      unheard_(std::move(unheard)),
       last_failure_(last_failure) {}
 
 void Calls::dial(Role role, Channel channel) {
@@ -23,9 +24,15 @@ void Calls::dial(Role role, Channel channel) {
       if (problem.empty()) return introduce(link, role, channel);
       waiting_.erase(role);
       link->close();
-      redial(role, channel, problem);
+      hung_up(role, channel, problem);
     });
   });
+}
+
+void Calls::hung_up(Role role, Channel channel, const std::string& failure) {
+  constexpr int too_often = 3;  // a role that ends hangs up, too
+  if (++hung_up_[role] == too_often) unheard_(role, failure);
+  redial(role, channel, failure);
 }
 
 void Calls::redial(Role role, Channel channel, const std::string& failure) {
@@ -46,10 +53,13 @@ void Calls::introduce(const std::shared_ptr<Link>& link, Role role, Channel chan
   }
   link->read(hello_body_limit, [=, this](Link::Outcome outcome) {
     waiting_.erase(role);
-    const auto* broken = std::get_if<Link::Broken>(&outcome);
-    const std::string failure =
-        broken ? broken->reason : answered_(link, role, std::get<Link::Arrived>(outcome).message);
-    if (!failure.empty()) {
+    if (const auto* broken = std::get_if<Link::Broken>(&outcome)) {
+      link->close();
+      return hung_up(role, channel, broken->reason);
+    }
+    hung_up_.erase(role);
+    if (const std::string failure = answered_(link, role, std::get<Link::Arrived>(outcome).message);
+        !failure.empty()) {
       link->close();
       redial(role, channel, failure);
     } else if (channel == Channel::camera) {

@@ -25,12 +25,14 @@ class Calls {
   /// Called within the io_context, with the first message of a callee. Returns why to try again, or an empty
   /// text if the link was taken over.
   using Answered = std::function<std::string(const std::shared_ptr<Link>&, Role, const Message&)>;
+  /// Called within the io_context: the role was reached, but hung up, a few times in a row.
+  using Unheard = std::function<void(Role, const std::string& why)>;
   /// Called within the io_context or call(): it is useless to try this role again.
   using Hopeless = std::function<void(Role, const std::string& why)>;
 
   /// last_failure: receives why each role could not be reached.
   Calls(asio::io_context& context, Endpoint& endpoint, Introduce introduce, Answered answered,
-        Hopeless hopeless, std::map<Role, std::string>& last_failure);
+        Hopeless hopeless, Unheard unheard, std::map<Role, std::string>& last_failure);
 
   void call(Role role) { dial(role, Channel::camera); }
   /// Closes the connections that have not been answered yet.
@@ -39,6 +41,8 @@ class Calls {
  private:
   void dial(Role role, Channel channel);
   void redial(Role role, Channel channel, const std::string& failure);
+  /// After the role was reached.
+  void hung_up(Role role, Channel channel, const std::string& failure);
   void introduce(const std::shared_ptr<Link>& link, Role role, Channel channel);
 
   asio::io_context& context_;
@@ -46,6 +50,8 @@ class Calls {
   Introduce introduce_;
   Answered answered_;
   Hopeless hopeless_;
+  Unheard unheard_;
+  std::map<Role, int> hung_up_;  ///< how often in a row
   std::map<Role, std::string>& last_failure_;
   std::map<Role, std::shared_ptr<Link>> waiting_;  ///< called, no answer yet
 };

@@ -1,6 +1,7 @@
 #include "protocol/connect.hpp"
 
 #include "base/error.hpp"
+#include "base/notice.hpp"
 #include "protocol/callers.hpp"
 #include "protocol/calls.hpp"
 #include "protocol/hello_difference.hpp"
@@ -16,11 +17,18 @@ using Clock = std::chrono::steady_clock;
 using Kind = ConnectOutcome::Kind;
 using std::chrono::milliseconds;
 
+/// A link's problem without the place that it begins with.
+std::string without_place(const std::string& problem) {
+  const size_t end = problem.find(": ");
+  return end == std::string::npos ? problem : problem.substr(end + 2);
+}
+
 /// What the attempts of one search have in common.
 struct Search {
   milliseconds timeout;                           ///< for error messages
   std::map<Role, std::string> last_failure = {};  ///< why a role could not be reached, now or earlier
   std::set<Role> met = {};                        ///< roles that were connected at some time
+  std::string stranger = {};                      ///< what was wrong with the last caller that was no role
 };
 
 /// One attempt of a role to meet both peers.
@@ -33,12 +41,17 @@ class Gathering {
  private:
   void look_after_links();
   /// The first message of a caller, and that of a callee.
-  void heard(const std::shared_ptr<Link>& caller, const Hello* hello);
+  void heard(const std::shared_ptr<Link>& caller, const Hello* hello, const std::string& problem);
+  void note_hung_up(Role role, const std::string& problem);
+  void turn_away_stranger(const std::shared_ptr<Link>& caller, const std::string& problem);
   std::string answered(const std::shared_ptr<Link>& callee, Role role, const Message& message);
   static void refuse(const std::shared_ptr<Link>& caller, const std::string& reason);
 
   Hello hello_for(Role peer, Channel channel) const;
   void join(const std::shared_ptr<Link>& link, const Hello& hello);
+  /// What a Bye without a reason means depends on who says it: a switch node cannot end the session of the
+  /// render node.
+  bool is_over(const std::string& reason) const { return reason.empty() && own_.role != Role::render; }
   /// Only the first end counts. Returns a text for Calls, which no longer matters.
   std::string end(Kind kind, const std::string& place, const std::string& what);
   bool complete();
@@ -62,8 +75,8 @@ Gathering::Gathering(const Hello& own, const MakeEndpoint& endpoint, Search& sea
     : own_(own),
       search_(search),
       endpoint_(endpoint(mailbox_->context())),
-      callers_(*endpoint_,
-               [this](const std::shared_ptr<Link>& caller, const Hello* hello) { heard(caller, hello); }),
+      callers_(*endpoint_, [this](const std::shared_ptr<Link>& caller, const Hello* hello,
+                                  const std::string& problem) { heard(caller, hello, problem); }),
       calls_(
           mailbox_->context(), *endpoint_,
           [this](Role peer, Channel channel) { return hello_for(peer, channel); },
@@ -73,18 +86,20 @@ Gathering::Gathering(const Hello& own, const MakeEndpoint& endpoint, Search& sea
           [this](Role role, const std::string& why) {
             end(Kind::no_such_host, endpoint_->address_of(role), why);
           },
-          search.last_failure) {}
+          [this](Role role, const std::string& why) { note_hung_up(role, why); }, search.last_failure) {}
 
 std::optional<ConnectOutcome> Gathering::run(Clock::time_point deadline, const std::function<bool()>& stop) {
   if (own_.role != all_roles.back()) callers_.accept();
   for (const Role role : all_roles) {
     if (role < own_.role) calls_.call(role);
   }
+  bool stopped = false;
   while (!complete() && !end_ && !peer_went_) {
     mailbox_->context().run_one_until(std::min(deadline, Clock::now() + milliseconds(50)));
     look_after_links();
     if (end_ || peer_went_) break;
     if (stop && stop()) {
+      stopped = true;
       end(Kind::session_over, "", "");
     } else if (Clock::now() >= deadline) {
       end_ = missing();
@@ -92,7 +107,11 @@ std::optional<ConnectOutcome> Gathering::run(Clock::time_point deadline, const s
   }
   if (end_) {
     // A role that ends the session says so; one that waited in vain says for which roles.
-    leave(end_->kind == Kind::session_over ? "" : end_->place + ": " + end_->what);
+    if (stopped && own_.role != Role::render) {
+      leave("told to end");
+    } else {
+      leave(end_->kind == Kind::session_over ? "" : end_->place + ": " + end_->what);
+    }
     return std::move(end_);
   }
   endpoint_->close();
@@ -124,16 +143,34 @@ void Gathering::look_after_links() {
   }
   const auto first = mailbox_->first_end();
   if (!first) return;
-  if (first->said_bye && first->reason.empty()) {
+  if (first->said_bye && is_over(first->reason)) {
     end(Kind::session_over, "", "");
     return;
   }
-  search_.last_failure[first->peer] = first->reason;
+  search_.last_failure[first->peer] = first->reason.empty() ? "left" : first->reason;
   peer_went_ = true;
 }
 
-void Gathering::heard(const std::shared_ptr<Link>& caller, const Hello* said) {
-  if (said == nullptr) return refuse(caller, "a connection starts with a hello");
+void Gathering::note_hung_up(Role role, const std::string& problem) {
+  const std::string place = fmt::format("the {} at {}", role_name(role), endpoint_->address_of(role));
+  const std::string what = without_place(problem);
+  notice_once(fmt::format("{}: {}: {}", role_name(own_.role), place, what));
+  if (what.starts_with(handshake_failed)) end(Kind::keys_differ, place, what);
+}
+
+void Gathering::turn_away_stranger(const std::shared_ptr<Link>& caller, const std::string& problem) {
+  // Each call comes from another port, and who only hangs up has done nothing wrong.
+  const std::string host = caller->place().substr(0, caller->place().rfind(':'));
+  const std::string what = without_place(problem);
+  if (!what.starts_with(closed_by_peer)) {
+    search_.stranger = fmt::format("a caller from {}: {}", host, what);
+    notice_once(fmt::format("{}: {}", role_name(own_.role), search_.stranger));
+  }
+  refuse(caller, "a connection starts with a hello");
+}
+
+void Gathering::heard(const std::shared_ptr<Link>& caller, const Hello* said, const std::string& complaint) {
+  if (said == nullptr) return turn_away_stranger(caller, complaint);
   const Hello& hello = *said;
   const bool meant = hello.role > own_.role && hello.called == own_.role;
   const std::string problem = meant ? difference_between(own_, hello) : "this is the " + role_name(own_.role);
@@ -158,7 +195,7 @@ void Gathering::heard(const std::shared_ptr<Link>& caller, const Hello* said) {
 
 std::string Gathering::answered(const std::shared_ptr<Link>& callee, Role role, const Message& message) {
   if (const auto* bye = std::get_if<Bye>(&message)) {
-    return bye->reason.empty() ? end(Kind::session_over, "", "") : bye->reason;
+    return is_over(bye->reason) ? end(Kind::session_over, "", "") : bye->reason;
   }
   const auto* hello = std::get_if<Hello>(&message);
   std::string place = callee->place(), problem;
@@ -228,6 +265,7 @@ ConnectOutcome Gathering::missing() const {
     const auto failure = search_.last_failure.find(role);
     if (failure != search_.last_failure.end()) text += " (" + failure->second + ")";
   }
+  if (!search_.stranger.empty()) text += "; " + search_.stranger;
   outcome.what = fmt::format("after {} ms still without {}", search_.timeout.count(), text);
   return outcome;
 }

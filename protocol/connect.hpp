@@ -18,14 +18,15 @@ namespace triptych {
 struct ConnectOutcome {
   enum class Kind {
     connected,
-    session_over,   ///< a peer said so, or `stop` did
+    session_over,   ///< the render node said so, or `stop` did
     peer_differs,   ///< another protocol version, session or pack, or another role listens at the address
     peers_missing,  ///< they did not come in time
     no_such_host,   ///< an address that cannot be resolved
+    keys_differ,    ///< a role was reached that has another key, or none
   };
   Kind kind = Kind::session_over;
   std::unique_ptr<Mailbox> mailbox = {};  ///< of a role that is connected
-  std::string place = {}, what = {};      ///< for the last three kinds: place and text of an Error
+  std::string place = {}, what = {};      ///< for the last four kinds: place and text of an Error
   std::vector<Role> missing = {};         ///< for peers_missing: which
   std::set<Role> met = {};  ///< for peers_missing: which were connected meanwhile, for however short
 };
@@ -38,8 +39,10 @@ std::unique_ptr<Mailbox> mailbox_or_error(ConnectOutcome outcome);
 /// their OpenGLs agree.
 ///
 /// `own` describes this role; its channel is ignored. Dialling is repeated until the timeout, also where a
-/// peer leaves before all have met. Callers that do not belong to the session are turned away and do no harm:
-/// those that do not speak the protocol, differ, are connected already, or stay silent. `stop` is asked
+/// peer leaves before all have met. Only the render node ends a session: to its peers a switch node that is
+/// stopped leaves. Callers that do not belong to the session are turned away and do no harm:
+/// those that do not speak the protocol, differ, are connected already, or stay silent. What is wrong with
+/// callers, and with roles that hang up, is said on standard error at once, and once. `stop` is asked
 /// several times a second.
 ConnectOutcome connect_session(const Hello& own, const MakeEndpoint& endpoint,
                                std::chrono::milliseconds timeout, const std::function<bool()>& stop = {});

@@ -52,6 +52,8 @@ class Connection {
 };
 
 /// The problem of a read after the last byte.
+/// Begins the problem of a handshake in which the two ends do not agree.
+inline const std::string handshake_failed = "TLS: the handshake failed";
 inline const std::string closed_by_peer = "closed by the peer";
 /// The problem of a write that timed out.
 std::string not_taken(std::chrono::milliseconds timeout);

@@ -1,9 +1,11 @@
 #include "protocol/tcp_endpoint.hpp"
 
 #include "base/error.hpp"
+#include "base/notice.hpp"
 #include "protocol/tcp_connection.hpp"
 
 #include <asio/connect.hpp>
+#include <asio/steady_timer.hpp>
 #include <fcntl.h>
 #include <optional>
 
@@ -35,7 +37,14 @@ class TcpEndpoint : public Endpoint {
       asio::error_code gone;
       if (!error) socket.remote_endpoint(gone);
       if (!error && !gone) accepted(connection(std::move(socket), TlsSide::callee));
-      if (!open.expired()) accept(accepted);
+      if (open.expired()) return;
+      if (!error) return accept(accepted);
+      // There are no descriptors left, say: the caller stays in the queue.
+      notice_once(fmt::format("{}: cannot accept a caller: {}", own_address(), error.message()));
+      const auto pause = std::make_shared<asio::steady_timer>(context_, std::chrono::milliseconds(100));
+      pause->async_wait([this, open, pause, accepted](const asio::error_code&) {
+        if (!open.expired()) accept(accepted);
+      });
     });
   }
 

@@ -110,11 +110,13 @@ class TlsConnection : public Connection, public std::enable_shared_from_this<Tls
 
   std::string problem_of(const asio::error_code& error, bool in_handshake) const {
     if (!error) return {};
-    const std::string& problem = stream_.next_layer().problem();
+    std::string problem = stream_.next_layer().problem();
+    const bool ended = error == asio::error::eof || error == asio::ssl::error::stream_truncated;
+    if (problem.empty() && ended) problem = closed_by_peer;
+    if (in_handshake && !problem.empty()) return problem + " in the TLS handshake; is the key the same?";
     if (!problem.empty()) return problem;
-    if (error == asio::error::eof || error == asio::ssl::error::stream_truncated) return closed_by_peer;
     if (!in_handshake) return "TLS: bytes that the peer did not encrypt";
-    return fmt::format("TLS: the handshake failed ({}); is the key the same?", error.message());
+    return fmt::format("{} ({}); is the key the same?", handshake_failed, error.message());
   }
 
   SharedKey key_;

@@ -25,15 +25,15 @@ pid_t ChildProcesses::start(const std::string& name, const std::vector<std::stri
                             Output output) {
   std::vector<std::string> words = {"triptych"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return launch(name, "/proc/self/exe", std::move(words), output, false);
+  return launch(name, "/proc/self/exe", std::move(words), output, false, "");
 }
 
-pid_t ChildProcesses::start_line(const std::string& name, const std::string& line) {
-  return launch(name, "/bin/sh", {"sh", "-c", line}, Output::as_error, true);
+pid_t ChildProcesses::start_line(const std::string& name, const std::string& line, const std::string& host) {
+  return launch(name, "/bin/sh", {"sh", "-c", line}, Output::as_error, true, host);
 }
 
 pid_t ChildProcesses::launch(const std::string& name, const char* file, std::vector<std::string> words,
-                             Output output, bool own_input) {
+                             Output output, bool own_input, const std::string& host) {
   Pipe errors = open_pipe(name), input;
   Program program{.file = file,
                   .words = std::move(words),
@@ -56,8 +56,7 @@ pid_t ChildProcesses::launch(const std::string& name, const char* file, std::vec
                        .errors = std::move(errors.read),
                        .input = std::move(input.write),
                        .by_line = own_input,
-                       .line = {},
-                       .complaint = {}});
+                       .host = host});
   return pid;
 }
 
@@ -83,7 +82,11 @@ void ChildProcesses::take_lines(Child& child, const char* characters, size_t cou
       child.record = line.substr(record_prefix.size());
     } else {
       if (child.by_line && !line.empty()) child.said_last = line;
-      notice("{}", line);
+      if (child.by_line) {
+        notice("{} on {}: {}", child.name, child.host, line);
+      } else {
+        notice("{}", line);
+      }
     }
   }
 }
@@ -167,23 +170,26 @@ void ChildProcesses::read_the_rest(const Child& child) {
   while (child.errors.is_open() && stopwatch.milliseconds() < limit_ms) read_errors(5);
 }
 
-std::optional<ChildProcesses::Ended> ChildProcesses::wait_for_one(bool (*stop)()) {
-  while (!stop()) {
-    reap();
-    for (Child& child : children_) {
-      if (child.running || child.told) continue;
-      child.told = true;
-      read_the_rest(child);
-      const bool killed = WIFSIGNALED(child.status);
-      return Ended{.name = child.name,
-                   .pid = child.pid,
-                   .signal = killed ? WTERMSIG(child.status) : 0,
-                   .exit_code = killed ? 0 : WEXITSTATUS(child.status),
-                   .seconds = child.alive.seconds(),
-                   .reason = failure(child)};
-    }
-    read_errors(slice_ms);
+std::string ChildProcesses::place_of(const Child& child) {
+  return fmt::format("{}{} (process {})", child.name, child.by_line ? " on " + child.host : "", child.pid);
+}
+
+std::optional<ChildProcesses::Ended> ChildProcesses::wait_for_one() {
+  reap();
+  for (Child& child : children_) {
+    if (child.running || child.told) continue;
+    child.told = true;
+    read_the_rest(child);
+    const bool killed = WIFSIGNALED(child.status);
+    return Ended{.name = child.name,
+                 .place = place_of(child),
+                 .pid = child.pid,
+                 .signal = killed ? WTERMSIG(child.status) : 0,
+                 .exit_code = killed ? 0 : WEXITSTATUS(child.status),
+                 .seconds = child.alive.seconds(),
+                 .reason = failure(child)};
   }
+  read_errors(slice_ms);
   return std::nullopt;
 }
 
@@ -208,7 +214,7 @@ bool ChildProcesses::wait(bool (*stop)()) {
     for (const Child& child : children_) {
       if (WIFSIGNALED(child.status) && WTERMSIG(child.status) != SIGTERM) failed = &child;
     }
-    fail(fmt::format("{} (process {})", failed->name, failed->pid), "{}", failure(*failed));
+    fail(place_of(*failed), "{}", failure(*failed));
   }
   return true;
 }

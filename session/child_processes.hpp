@@ -33,11 +33,13 @@ class ChildProcesses {
 
   /// Starts a line of /bin/sh instead. Its standard input stays open until the children are told to end, so
   /// that it reaches programs on other machines.
-  pid_t start_line(const std::string& name, const std::string& line);
+  /// host: begins the lines that it prints.
+  pid_t start_line(const std::string& name, const std::string& line, const std::string& host);
 
   /// How a child ended.
   struct Ended {
     std::string name;
+    std::string place;  ///< for messages: "switch 0 on b (process 123)"
     pid_t pid = -1;
     int signal = 0;      ///< the one that killed it; 0 for none
     int exit_code = 0;   ///< if no signal killed it
@@ -46,9 +48,8 @@ class ChildProcesses {
   };
   /// The lines that children of this name printed after "triptych-record: ".
   std::vector<std::string> records(const std::string& name) const;
-  /// Waits until any child ends; each is reported once. Nullopt once `stop`, asked a few times a second, is
-  /// true.
-  std::optional<Ended> wait_for_one(bool (*stop)());
+  /// Waits, a tenth of a second at most, until any child ends; each is reported once.
+  std::optional<Ended> wait_for_one();
   /// SIGTERM, and SIGKILL for those that do not go within the grace. What they print until then is passed on.
   void end_all(std::chrono::milliseconds grace);
 
@@ -64,8 +65,9 @@ class ChildProcesses {
     Descriptor errors;  ///< read end of its standard error
     Descriptor input;   ///< write end of its standard input, if it is a pipe of ours
     bool by_line = false;
-    std::string line;
-    std::string complaint, record{};
+    std::string host;  ///< where it runs, of a line of /bin/sh
+    std::string line{};
+    std::string complaint{}, record{};
     std::string said_last{};  ///< of a line of /bin/sh: ssh's error messages have no prefix
     Stopwatch alive{};
     bool running = true;
@@ -73,7 +75,7 @@ class ChildProcesses {
     int status = 0;
   };
   pid_t launch(const std::string& name, const char* file, std::vector<std::string> words, Output output,
-               bool own_input);
+               bool own_input, const std::string& host);
   void close_inputs();
   void read_errors(int timeout_ms);
   void take_lines(Child& child, const char* characters, size_t count);
@@ -84,6 +86,7 @@ class ChildProcesses {
   /// Reads what an ended child printed last.
   void read_the_rest(const Child& child);
   static std::string failure(const Child& child);
+  static std::string place_of(const Child& child);
 
   std::vector<Child> children_;
 };

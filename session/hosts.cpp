@@ -10,7 +10,9 @@ namespace triptych {
 
 namespace {
 
-constexpr const char* default_launch = "ssh -o BatchMode=yes {host} {remote}";
+/// ssh ends, and is started again, where the other machine is not heard of for a minute.
+constexpr const char* default_launch =
+    "ssh -o BatchMode=yes -o ConnectTimeout=20 -o ServerAliveInterval=20 {host} {remote}";
 
 /// A table's texts, read by their keys; keys that were never read are an error.
 class Texts {

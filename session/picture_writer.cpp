@@ -1,10 +1,12 @@
 #include "session/picture_writer.hpp"
 
+#include "base/notice.hpp"
+#include "base/thread_name.hpp"
 #include "render/png_file.hpp"
 
 namespace triptych {
 
-PictureWriter::PictureWriter() : thread_([this] { work(); }) {}
+PictureWriter::PictureWriter(OnFailure on_failure) : on_failure_(on_failure), thread_([this] { work(); }) {}
 
 PictureWriter::~PictureWriter() {
   {
@@ -35,7 +37,18 @@ void PictureWriter::finish() {
   rethrow();
 }
 
+void PictureWriter::write(const Picture& picture) const {
+  try {
+    write_png(picture.file, picture.width, picture.height, picture.rgba);
+  } catch (const std::exception& error) {
+    if (on_failure_ == OnFailure::stop) throw;
+    notice_once(fmt::format("{}; the walk goes on without that picture", error.what()));
+  }
+  if (picture.written) picture.written();
+}
+
 void PictureWriter::work() {
+  name_thread("write-pictures");
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [&] { return !queue_.empty() || ending_; });
@@ -46,8 +59,7 @@ void PictureWriter::work() {
     lock.unlock();
     std::exception_ptr failure;
     try {
-      write_png(picture.file, picture.width, picture.height, picture.rgba);
-      if (picture.written) picture.written();
+      write(picture);
     } catch (...) {
       failure = std::current_exception();
     }

@@ -9,7 +9,11 @@ namespace triptych {
 
 RenderSink::RenderSink(const RoleCommand& command, const SessionConnector& connector, WindowSource* window,
                        FrameSource::Numbers numbers)
-    : command_(command), connector_(connector), window_(window) {
+    : command_(command),
+      connector_(connector),
+      window_(window),
+      // A person's walk does not end because a disk is full.
+      writer_(window ? PictureWriter::OnFailure::say : PictureWriter::OnFailure::stop) {
   if (!command.journal.empty()) journal_.emplace(command.journal);
   if (numbers.first < numbers.count) progress_.emplace("session", window ? 0 : numbers.count - numbers.first);
 }

@@ -18,8 +18,15 @@ std::string unmistakable(const std::string& name) { return name.starts_with('-')
 
 Words shared_arguments(const SessionOptions& options, const SessionSetup& setup, const std::string& pack,
                        const std::string& key_file) {
-  Words words = {unmistakable(pack), "--session", std::to_string(setup.session),
-                 "--keep-trying",    "--device",  device_name(options.run.device.kind)};
+  Words words = {unmistakable(pack),
+                 "--session",
+                 std::to_string(setup.session),
+                 "--pack-hash",
+                 std::to_string(setup.pack_hash),
+                 "--connect-timeout",
+                 fmt::format("{}", options.connect_timeout_s),
+                 "--device",
+                 device_name(options.run.device.kind)};
   if (options.run.device.kind != DeviceKind::cpu) {
     append(words, {"--context", options.run.device.context == ContextKind::egl ? "egl" : "osmesa", "--test",
                    options.run.device.test == TestKind::storage ? "storage" : "queries"});
@@ -45,13 +52,18 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
          {"--journal", setup.journal.string(), "--begin", std::to_string(mend_frame_journal(setup.journal)),
           "--size", fmt::format("{}x{}", run.size.width, run.size.height), "--pixel-error",
           fmt::format("{}", run.pixel_error()), "--samples", std::to_string(run.samples),
-          "--listen-descriptor", std::to_string(setup.render_listener->descriptor()), "--loop",
-          std::to_string(options.loop), "--timeout", fmt::format("{}", options.timeout_ms)});
+          "--listen-descriptor", std::to_string(setup.render_listener->descriptor()), "--timeout",
+          fmt::format("{}", options.timeout_ms), "--gather", fmt::format("{}", options.gather_s)});
+  if (options.until_told) {
+    append(words, {"--until-told"});
+  } else {
+    append(words, {"--loop", std::to_string(options.loop)});
+  }
   if (run.frames > 0) append(words, {"--frames", std::to_string(run.frames)});
   if (run.target_ms > 0) append(words, {"--target-ms", fmt::format("{}", run.target_ms)});
   if (options.rate > 0) append(words, {"--rate", fmt::format("{}", options.rate)});
   if (!options.output.empty()) append(words, {"-o", options.output.string()});
-  if (!run.path.empty()) append(words, {"--path", run.path.string()});
+  if (!setup.path.empty()) append(words, {"--path", setup.path.string()});
   if (options.window) append(words, {"--window"});
   if (options.hash) append(words, {"--hash"});
   if (run.edges) append(words, {"--edges"});
@@ -64,8 +76,9 @@ Words switch_arguments(const SessionOptions& options, const SessionSetup& setup,
   Words words = {"role", "switch"};
   append(words, shared_arguments(options, setup, host ? host->pack : options.run.pack.string(),
                                  host ? host->key_file : options.key_file.string()));
-  append(words, {"--index", first ? "0" : "1", "--batch", std::to_string(options.batches.front()), "--render",
-                 to_text(setup.render_listener->address())});
+  append(words,
+         {"--keep-trying", "--index", first ? "0" : "1", "--batch", std::to_string(options.batches.front()),
+          "--render", to_text(setup.render_listener->address())});
   if (host) {
     append(words, {"--end-with-stdin", "--tell-record", first ? "--listen" : "--switch-0",
                    to_text(setup.hosts->switch_0)});

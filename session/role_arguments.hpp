@@ -13,6 +13,8 @@ namespace triptych {
 /// What the roles of one session have in common, besides its options.
 struct SessionSetup {
   uint64_t session = 0;        ///< the number that they share
+  uint64_t pack_hash = 0;      ///< of the content of their packs
+  std::filesystem::path path;  ///< the session's own copy of its path; empty: none
   std::optional<Hosts> hosts;  ///< of a session over several machines
   const Listener* render_listener = nullptr;
   const Listener* switch_listener = nullptr;  ///< used by a session on this machine alone

@@ -5,6 +5,7 @@
 #include "session/run_options.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace triptych {
@@ -16,10 +17,11 @@ struct RoleCommand {
   std::string listen, render_address, switch_0_address;
   std::filesystem::path key_file;
   bool insecure = false, end_with_stdin = false, tell_record = false;
-  bool keep_trying = false;  ///< also where peers do not come in time
+  bool keep_trying = false;  ///< of a switch node: also where nobody comes in time
   int listen_descriptor = -1;
   CullOptions cull;
   uint64_t session = 0;
+  std::optional<uint64_t> pack_hash;  ///< what the pack's content must be
   double connect_timeout_s = 20;
   bool timeline = false, window = false;
   std::filesystem::path record;  ///< folder for the recording; none where empty
@@ -28,14 +30,18 @@ struct RoleCommand {
   size_t loop = 1;
   double rate = 0;
   double timeout_ms = 500;
+  double gather_s = 0;  ///< the first frame waits so long for switch nodes
   uint32_t begin = 0;
   bool hash = false;
+  bool until_told = false;  ///< the path is played until a signal comes, which is no interruption then
 };
 
-/// Runs a switch node until the session is over, and writes its record. Error where it cannot go on.
+/// Runs a switch node until the session is over, and writes its record. Returns the exit code: that of an
+/// interruption where a signal ended it. Error where it cannot go on.
 int run_switch(const RoleCommand& command);
 
-/// Runs the render node until the last frame, and writes its record. Error where it cannot go on.
+/// Runs the render node until the last frame, and writes its record. Returns the exit code: that of an
+/// interruption where a signal came before the last frame. Error where it cannot go on.
 int run_render(const RoleCommand& command);
 
 }  // namespace triptych

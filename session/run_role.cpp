@@ -2,6 +2,7 @@
 #include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "base/signals.hpp"
+#include "base/thread_name.hpp"
 #include "base/timeline.hpp"
 #include "measure/json.hpp"
 #include "measure/session_records.hpp"
@@ -12,8 +13,8 @@
 #include "session/session_connector.hpp"
 #include "session/window_source.hpp"
 
+#include <algorithm>
 #include <array>
-#include <csignal>
 #include <thread>
 #include <unistd.h>
 
@@ -28,8 +29,20 @@ void end_with_stdin() {
     std::array<char, 256> ignored{};
     while (::read(STDIN_FILENO, ignored.data(), ignored.size()) > 0) {
     }
-    ::kill(::getpid(), SIGTERM);
+    request_stop();
   }).detach();
+}
+
+/// The role's pack. Error where it is not the one that the session began with.
+Pack open_pack(const RoleCommand& command) {
+  Pack pack(command.run.pack);
+  if (command.pack_hash && *command.pack_hash != pack.content_hash()) {
+    fail(pack.name(),
+         "is not the pack that the session began with (its content is {:016x}, not {:016x}): start the "
+         "session again to see this one",
+         pack.content_hash(), *command.pack_hash);
+  }
+  return pack;
 }
 
 /// The faults of --inject in this role's part of the session.
@@ -61,8 +74,9 @@ class SwitchSink : public EpochSink {
 
 int run_switch(const RoleCommand& command) {
   stop_requested();  // from here on a signal ends the role properly
+  name_thread(command.self == Role::switch_0 ? "triptych-sw-0" : "triptych-sw-1");
   if (command.end_with_stdin) end_with_stdin();
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command);
   const ChosenDevice device = choose_device(command.run.device);
   const SessionConnector connector(command, pack, device.names);
   RoleRecord record;
@@ -84,22 +98,26 @@ int run_switch(const RoleCommand& command) {
   record.timeline = own_timeline(role_name(command.self));
   write_json(command.run.json, to_json(record));
   if (command.tell_record) notice("triptych-record: {}", json_text(to_json(record)));
-  return 0;
+  return interrupted_exit_code();
 }
 
 int run_render(const RoleCommand& command) {
   stop_requested();
-  const Pack pack(command.run.pack);
+  name_thread("triptych-render");
+  const Pack pack = open_pack(command);
   std::unique_ptr<WindowSource> window;
   std::unique_ptr<FrameSource> path;
   ChosenDevice device;
   if (command.window) {
-    window = std::make_unique<WindowSource>(pack, viewer_options(command.run), command.begin);
+    ViewerOptions options = viewer_options(command.run);
+    if (!command.output.empty()) options.pictures = command.output;
+    window = std::make_unique<WindowSource>(pack, options, command.begin);
     device = choose_device(command.run.device, window->names());
   } else {
     device = choose_device(command.run.device);
-    path =
-        std::make_unique<PathSource>(load_frames(command.run, pack.skeleton()), command.begin, command.loop);
+    std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+    const size_t loop = command.until_told ? max_frames / frames.size() : command.loop;
+    path = std::make_unique<PathSource>(std::move(frames), command.begin, loop);
   }
   FrameSource& source = window ? *window : *path;
   if (!command.output.empty()) make_folder(command.output);
@@ -111,11 +129,11 @@ int run_render(const RoleCommand& command) {
         pack, source, sink,
         {.rate = command.rate,
          .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
+         .gather = std::chrono::milliseconds(static_cast<int64_t>(1000 * command.gather_s)),
          .device = device.options,
          .cull = command.cull,
-         .connect = [&](const std::function<bool()>& stop) { return connector.connect(stop); },
-         .begin_alone = command.begin > 0,
-         .patient = command.keep_trying,
+         .connect = [&](const std::function<bool()>& stop) { return connector.connect_again(stop); },
+         .successor = command.begin > 0,
          .session_rules = injected_rules(Role::render),
          .target_ms = command.run.target_ms});
   }
@@ -127,7 +145,9 @@ int run_render(const RoleCommand& command) {
   record.cost_coefficients = done.cost_coefficients;
   record.timeline = own_timeline(role_name(Role::render));
   write_json(command.run.json, to_json(record));
-  return 0;
+  const FrameSource::Numbers numbers = source.numbers();
+  const bool complete = done.frames == numbers.count - std::min(numbers.first, numbers.count);
+  return complete || command.until_told ? 0 : interrupted_exit_code();
 }
 
 }  // namespace triptych

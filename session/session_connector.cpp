@@ -95,15 +95,16 @@ void SessionConnector::record_fallback(const FrameRequest& frame) const {
 
 std::unique_ptr<Mailbox> SessionConnector::connect_again(const std::function<bool()>& stop) const {
   using Kind = ConnectOutcome::Kind;
-  for (;;) {
+  for (uint32_t search = 1;; ++search) {
     ConnectOutcome outcome = attempt(stop);
-    // Between two searches of its own the render node cannot be reached for a moment.
-    const bool again = outcome.kind == Kind::no_such_host ||
-                       (outcome.kind == Kind::peers_missing && outcome.met.count(Role::render) != 0);
+    const bool missing = outcome.kind == Kind::peers_missing;
+    const bool again = missing || outcome.kind == Kind::no_such_host || outcome.kind == Kind::keys_differ;
     if (!again) return equip(mailbox_or_error(std::move(outcome)));
     if (stop && stop()) return nullptr;
-    if (outcome.kind == Kind::no_such_host)
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the network may come back
+    // Of an hour's searches the first, the second, the fourth and so on are enough to say.
+    const bool power_of_two = (search & (search - 1)) == 0;
+    if (power_of_two) notice("{}: {}; goes on looking", outcome.place, outcome.what);
+    if (!missing) std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it may come back
   }
 }
 

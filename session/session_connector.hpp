@@ -24,12 +24,12 @@ class SessionConnector {
   /// that cannot be used.
   SessionConnector(const RoleCommand& command, const Pack& pack, const DeviceNames& device);
 
-  /// Connects for the first epoch, or for the one after a regular end. Null where `stop` or a peer ends the
-  /// session. Error if the peers are not found.
+  /// Connects for the first epoch. Null where `stop` or the render node ends the session. Error if the peers
+  /// are not found in time.
   std::unique_ptr<Mailbox> connect(const std::function<bool()>& stop) const;
 
-  /// Tries again as long as the render node can be reached: after a loss, or where the command keeps trying.
-  /// Error if a peer differs.
+  /// Tries for as long as it takes: after a loss, or where the command keeps trying. Why peers are missing is
+  /// said on standard error. Error if a peer differs.
   std::unique_ptr<Mailbox> connect_again(const std::function<bool()>& stop) const;
 
   /// Records a frame that the render node drew by itself, as a camera that it sent to itself.

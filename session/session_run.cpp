@@ -1,5 +1,6 @@
 #include "session/session_run.hpp"
 
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
 #include "base/signals.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <optional>
 #include <random>
 
@@ -34,15 +36,29 @@ void remove_partial_pictures(const std::filesystem::path& folder, pid_t pid) {
 /// Starts each role, again where it is killed, and gathers what all of its processes recorded.
 class Supervisor {
  public:
-  explicit Supervisor(const SessionOptions& options);
+  Supervisor(const SessionOptions& options, uint64_t pack_hash);
   SessionOutcome run();
 
  private:
   static constexpr size_t count = all_roles.size();
 
+  using Clock = std::chrono::steady_clock;
+  /// What became of a role's processes.
+  struct Life {
+    std::vector<std::filesystem::path> files;  ///< one a process
+    size_t restarts = 0;
+    std::chrono::milliseconds pause{0};      ///< before the next start after an error
+    std::optional<Clock::time_point> due{};  ///< of the next start
+  };
+  Life& life(Role role) { return lives_[static_cast<size_t>(role)]; }
+  const Life& life(Role role) const { return lives_[static_cast<size_t>(role)]; }
+
   void start(Role role);
-  /// Starts a role again that was killed; Error where that happened too often to the render node.
-  void replace(Role role, const ChildProcesses::Ended& ended);
+  /// True where the session is over. Error where it cannot go on: without a render node.
+  bool take_end(Role role, const ChildProcesses::Ended& ended);
+  void lose_switch_node(Role role, const ChildProcesses::Ended& ended);
+  bool may_restart(Role role, const ChildProcesses::Ended& ended);
+  void start_those_that_are_due();
   RoleRecord record_of(Role role) const;
   void write_timeline() const;
 
@@ -50,7 +66,7 @@ class Supervisor {
   SessionSetup setup_;
   Listener render_listener_, switch_listener_;  ///< the second for a session on this machine alone
   TemporaryFolder folder_;
-  std::array<std::vector<std::filesystem::path>, count> files_;  ///< of each role, one a process
+  std::array<Life, count> lives_;
   SessionOutcome outcome_;
   ChildProcesses children_;
 };
@@ -75,7 +91,7 @@ SessionSetup setup_of(const SessionOptions& options) {
   return setup;
 }
 
-Supervisor::Supervisor(const SessionOptions& options)
+Supervisor::Supervisor(const SessionOptions& options, uint64_t pack_hash)
     : options_(options),
       setup_(setup_of(options)),
       render_listener_(setup_.hosts ? setup_.hosts->render : Address{"127.0.0.1", options.port}),
@@ -83,11 +99,19 @@ Supervisor::Supervisor(const SessionOptions& options)
   setup_.session = std::random_device()() | 1u;
   setup_.render_listener = &render_listener_;
   setup_.switch_listener = &switch_listener_;
+  setup_.pack_hash = pack_hash;
   setup_.journal = folder_.path() / "frames";
+  if (options.run.path.empty()) return;
+  // A render node that is started again plays what the first one played, whatever became of the file.
+  setup_.path = folder_.path() / "path.json";
+  std::error_code error;
+  std::filesystem::copy_file(options.run.path, setup_.path, error);
+  if (error)
+    fail(setup_.path.string(), "cannot be copied from {}: {}", options.run.path.string(), error.message());
 }
 
 void Supervisor::start(Role role) {
-  std::vector<std::filesystem::path>& files = files_[static_cast<size_t>(role)];
+  std::vector<std::filesystem::path>& files = life(role).files;
   const bool elsewhere = setup_.hosts && role != Role::render;
   files.push_back(folder_.path() / fmt::format("{}-{}.json", short_name(role), files.size()));
   std::vector<std::string> arguments =
@@ -96,36 +120,101 @@ void Supervisor::start(Role role) {
   render_listener_.set_inherited(role == Role::render);
   switch_listener_.set_inherited(role == Role::switch_0);
   const Host* host = elsewhere ? &setup_.hosts->switch_nodes[role == Role::switch_0 ? 0 : 1] : nullptr;
-  const pid_t pid = host
-                        ? children_.start_line(short_name(role), launch_line(*setup_.hosts, *host, arguments))
-                        : children_.start(short_name(role), arguments);
+  const pid_t pid =
+      host ? children_.start_line(short_name(role), launch_line(*setup_.hosts, *host, arguments), host->name)
+           : children_.start(short_name(role), arguments);
   render_listener_.set_inherited(false);
   switch_listener_.set_inherited(false);
   outcome_.roles.emplace_back(short_name(role), pid);
   notice("role {} is process {}{}", short_name(role), pid, host ? ", on " + host->name : "");
 }
 
-void Supervisor::replace(Role role, const ChildProcesses::Ended& ended) {
+bool Supervisor::may_restart(Role role, const ChildProcesses::Ended& ended) {
+  if (life(role).restarts == options_.restarts) return false;
+  ++life(role).restarts;
+  outcome_.restarted.push_back({ended.name, ended.pid, ended.reason});
+  return true;
+}
+
+bool Supervisor::take_end(Role role, const ChildProcesses::Ended& ended) {
+  if (role != Role::render) {
+    lose_switch_node(role, ended);
+    return false;
+  }
   remove_partial_pictures(options_.output, ended.pid);
-  if (files_[static_cast<size_t>(role)].size() > options_.restarts) {
-    const std::string place = fmt::format("{} (process {})", ended.name, ended.pid);
-    if (role == Role::render) fail(place, "{}, after {} restarts", ended.reason, options_.restarts);
-    notice("session: {}: {}, after {} restarts; goes on without it", place, ended.reason, options_.restarts);
+  constexpr int by_signal = 128;
+  if (ended.signal == 0 && ended.exit_code > by_signal) {
+    notice("session: {} was told to end", ended.place);
+    outcome_.exit_code = ended.exit_code;
+    outcome_.stopped = true;
+    return true;
+  }
+  if (ended.signal == 0 && ended.exit_code == 0) return true;
+  if (ended.signal == 0) fail(ended.place, "{}", ended.reason);
+  if (!may_restart(role, ended)) fail(ended.place, "{}, after {} restarts", ended.reason, options_.restarts);
+  notice("session: {} {}; starts it again", ended.place, ended.reason);
+  start(role);
+  return false;
+}
+
+void Supervisor::lose_switch_node(Role role, const ChildProcesses::Ended& ended) {
+  using std::chrono::milliseconds;
+  constexpr milliseconds first_pause(500), longest_pause(30'000);
+  constexpr double settled_s = 60;
+  Life& own = life(role);
+  if (ended.signal == 0 && ended.exit_code == 0) {
+    // It ends like this where the session does; then the render node is writing its last pictures.
+    own.due = Clock::now() + std::chrono::seconds(10);
     return;
   }
-  outcome_.restarted.push_back({ended.name, ended.pid, ended.reason});
-  notice("session: {} (process {}) {}; starts it again", ended.name, ended.pid, ended.reason);
-  start(role);
+  // Another machine that cannot be reached, or does not start the role, may do so in an hour: such tries cost
+  // nothing. The command that starts a role there ends with 128 and more where that is killed, and with 255
+  // where the machine is not reached.
+  const bool killed = ended.exit_code > 128 && ended.exit_code < 255;
+  const bool counts = !setup_.hosts || killed;
+  if (counts && !may_restart(role, ended)) {
+    notice("session: {}: {}, after {} restarts; goes on without it", ended.place, ended.reason,
+           options_.restarts);
+    return;
+  }
+  if (!counts) outcome_.restarted.push_back({ended.name, ended.pid, ended.reason});
+  if (ended.signal != 0) {
+    notice("session: {} {}; starts it again", ended.place, ended.reason);
+    own.pause = milliseconds(0);
+  } else {
+    const bool anew = own.pause == milliseconds(0) || ended.seconds > settled_s;
+    own.pause = anew ? first_pause : std::min(2 * own.pause, longest_pause);
+    notice("session: {}: {}; goes on without it, and starts it again in {:.3g} s", ended.place, ended.reason,
+           std::chrono::duration<double>(own.pause).count());
+  }
+  own.due = Clock::now() + own.pause;
+}
+
+void Supervisor::start_those_that_are_due() {
+  for (const Role role : all_roles) {
+    if (!life(role).due || Clock::now() < *life(role).due) continue;
+    life(role).due.reset();
+    try {
+      start(role);
+    } catch (const Error& error) {  // there may be too many processes, or descriptors, just now
+      notice("session: {}; goes on without it", error.what());
+      life(role).due = Clock::now() + std::chrono::seconds(1);
+    }
+  }
 }
 
 RoleRecord Supervisor::record_of(Role role) const {
   RoleRecord sum;
-  for (const std::filesystem::path& file : files_[static_cast<size_t>(role)]) {
+  for (const std::filesystem::path& file : life(role).files) {
     if (!std::filesystem::exists(file)) continue;  // of a process that was killed
     add_record(sum, parse_record(read_text_file(file), file.string()));
   }
   for (const std::string& line : children_.records(short_name(role))) {
-    add_record(sum, parse_record(line, short_name(role)));
+    try {
+      add_record(sum, parse_record(line, short_name(role)));
+    } catch (const Error& error) {  // of a role on another machine, which ends no session
+      notice("session: the record is left out: {}", error.what());
+    }
   }
   if (role == Role::render) sum.frames = read_frame_journal(setup_.journal);
   return sum;
@@ -141,25 +230,19 @@ void Supervisor::write_timeline() const {
 SessionOutcome Supervisor::run() {
   for (const Role role : all_roles) start(role);
   constexpr std::chrono::milliseconds grace(1000);
-  for (;;) {
-    const auto ended = children_.wait_for_one(stop_requested);
-    outcome_.stopped = !ended;
-    if (!ended) break;
-    const auto role = std::find_if(all_roles.begin(), all_roles.end(),
-                                   [&](Role candidate) { return short_name(candidate) == ended->name; });
-    // The command that started a role on another machine ends like this when the role is killed or the
-    // network fails.
-    constexpr double settled_s = 5;
-    const bool lost_elsewhere =
-        setup_.hosts && *role != Role::render && ended->exit_code >= 128 && ended->seconds > settled_s;
-    if (ended->signal != 0 || lost_elsewhere) {
-      replace(*role, *ended);
-    } else if (ended->exit_code != 0) {
-      children_.end_all(grace);
-      fail(fmt::format("{} (process {})", ended->name, ended->pid), "{}", ended->reason);
-    } else if (*role == Role::render) {
+  for (bool over = false; !over;) {
+    if (stop_requested()) {
+      outcome_.stopped = true;
+      if (!options_.until_told) outcome_.exit_code = interrupted_exit_code();
       break;
     }
+    start_those_that_are_due();
+    const auto ended = children_.wait_for_one();
+    // A terminal's Ctrl-C reaches this process and its roles together.
+    if (!ended || stop_requested()) continue;
+    const auto role = std::find_if(all_roles.begin(), all_roles.end(),
+                                   [&](Role candidate) { return short_name(candidate) == ended->name; });
+    over = take_end(*role, *ended);
   }
   children_.end_all(grace);
   mend_frame_journal(setup_.journal);
@@ -172,17 +255,19 @@ SessionOutcome Supervisor::run() {
 
 SessionOutcome run_session(const SessionOptions& options) {
   stop_requested();  // from here on a signal ends the session properly
+  // Errors of the input are reported once, here, before any role is started.
+  uint64_t pack_hash = 0;
   {
-    // Errors of the input are reported once, here, before any role is started.
     const Pack pack(options.run.pack);
+    pack_hash = pack.content_hash();
     if (!options.run.path.empty()) load_frames(options.run, pack.skeleton());
-    if (!options.output.empty()) make_folder(options.output);
-    for (const Role role : all_roles) {
-      if (options.record.empty() || recordings_of(role, options.record).empty()) continue;
-      fail(options.record.string(), "holds the recording of a session already");
-    }
   }
-  return Supervisor(options).run();
+  if (!options.output.empty()) make_folder(options.output);
+  for (const Role role : all_roles) {
+    if (options.record.empty() || recordings_of(role, options.record).empty()) continue;
+    fail(options.record.string(), "holds the recording of a session already");
+  }
+  return Supervisor(options, pack_hash).run();
 }
 
 }  // namespace triptych

@@ -18,13 +18,16 @@ struct SessionOptions {
   size_t loop = 1;
   double rate = 0;
   double timeout_ms = 500;         ///< after which the render node draws by itself
+  double gather_s = 0;             ///< the first frame waits so long for switch nodes
+  double connect_timeout_s = 20;   ///< of a search; then roles say who is missing, and go on searching
   size_t restarts = 10;            ///< how often each role is started again after it was killed
   std::filesystem::path hosts;     ///< the hosts file; empty: all roles run on this machine
   std::filesystem::path key_file;  ///< of a session on this machine; empty: no encryption
   bool insecure = false;
   uint16_t port = 0;  ///< the render node's; switch node 0 takes the next one. 0: any free ones
   bool hash = false;
-  bool window = false;  ///< a person at the render node moves the camera
+  bool window = false;      ///< a person at the render node moves the camera
+  bool until_told = false;  ///< the path is played until a signal comes
 };
 
 /// A process that was killed and has a successor.
@@ -39,11 +42,14 @@ struct SessionOutcome {
   std::vector<RoleRecord> records;                   ///< render node, switch node 0, switch node 1
   std::vector<RestartedRole> restarted;
   bool stopped = false;  ///< ended properly by a signal
+  int exit_code = 0;     ///< 128 and the signal, where that came before the session was done
 };
 
-/// Starts the roles and supervises them: one that is killed by a signal is started again, a render node at
-/// the first frame that has no record and no picture yet. Error that names the role which failed and why; no
-/// process is left running.
+/// Starts the roles and supervises them. A render node that is killed by a signal is started again at the
+/// first frame that has no record and no picture yet; Error where it fails or is killed too often. A switch
+/// node is started again however it ends, after a pause where that was an error; whatever becomes of it, the
+/// session goes on. All of them open the pack that the session began with, and play the path as it was then.
+/// No process is left running.
 SessionOutcome run_session(const SessionOptions& options);
 
 }  // namespace triptych

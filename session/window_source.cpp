@@ -43,6 +43,7 @@ void WindowSource::show(const FrameRequest& frame, const FrameRecord& record, Lo
   FrameRecord uncut = record;
   const FrameView frame_view(stages.hierarchy().skeleton(), frame.state, stages.rules());
   uncut.visible = select_cut(frame_view).drawables;
+  uncut.cut_drawables = uncut.visible.size();
   whole_cut_->begin(frame_view, frame.number);
   whole_cut_->draw(uncut.visible);
   whole_cut_->finish();

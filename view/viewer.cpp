@@ -117,27 +117,33 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
     shown = &birds_eye_->draw(FrameView(pack_.skeleton(), frame.state), record.visible);
   }
   const std::vector<uint8_t> colors = window_.show(*shown, picture_wanted_);
-  if (picture_wanted_) save(colors);
+  const std::string saved = picture_wanted_ ? save(colors) : "";
+  picture_wanted_ = false;
   // What was asked for may have been raised, to keep a target of time.
   const double pixel_error = frame.state.pixel_error;
   const std::string asked =
       pixel_error > options_.pixel_error ? fmt::format(" (asked for {:g})", options_.pixel_error) : "";
-  window_.set_title(fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:.3g} px{}, culling {}",
+  window_.set_title(fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:.3g} px{}, culling {}{}",
                                 options_.window.title, record.frame_ms, record.visible.size(),
                                 record.cut_drawables, record.drawn_triangles, pixel_error, asked,
-                                options_.culling ? "on" : "off"));
+                                options_.culling ? "on" : "off", saved));
 }
 
-void Viewer::save(const std::vector<uint8_t>& colors) {
-  picture_wanted_ = false;
-  make_folder(options_.pictures);
-  std::filesystem::path file;
-  int number = 0;
-  do {
-    file = options_.pictures / fmt::format("picture-{:03}.png", number++);
-  } while (std::filesystem::exists(file));
-  write_png(file, window_.width(), window_.height(), colors);
-  notice("wrote {}", file.string());
+std::string Viewer::save(const std::vector<uint8_t>& colors) const {
+  try {
+    make_folder(options_.pictures);
+    std::filesystem::path file;
+    int number = 0;
+    do {
+      file = options_.pictures / fmt::format("picture-{:03}.png", number++);
+    } while (std::filesystem::exists(file));
+    write_png(file, window_.width(), window_.height(), colors);
+    notice("wrote {}", file.string());
+    return fmt::format(", saved {}", file.filename().string());
+  } catch (const std::exception& error) {
+    notice("the picture is not saved: {}", error.what());
+    return ", picture NOT saved";
+  }
 }
 
 }  // namespace triptych

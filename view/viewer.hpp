@@ -24,7 +24,8 @@ struct ViewerOptions {
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
   bool culling = true;
-  std::filesystem::path pictures = ".";  ///< where F2 saves what the window shows
+  std::filesystem::path pictures =
+      ".";  ///< where F2 saves what the window shows; if it can: no key ends a walk
 };
 
 /// What the keys do, one line each.
@@ -55,7 +56,8 @@ class Viewer {
   void take(const Input& input);
   void take(Command command);
   View view() const;
-  void save(const std::vector<uint8_t>& colors);
+  /// Returns what the title says of it.
+  std::string save(const std::vector<uint8_t>& colors) const;
 
   const Pack& pack_;
   const double near_;  ///< the near plane where the path names none

@@ -125,5 +125,66 @@ TEST_F(LostRoles, a_render_node_that_fails_is_replaced_where_it_was) {
   EXPECT_LT(summary.fallback_frames, summary.frames);
 }
 
+TEST_F(LostRoles, the_first_picture_waits_for_nobody) {
+  right();
+  slowly();
+  gather = 0ms;
+  auto render = start_render(160);
+  std::this_thread::sleep_for(100ms);
+  auto switch_0 = start_switch(Role::switch_0), switch_1 = start_switch(Role::switch_1);
+  const RenderNodeSummary summary = render.get();
+  over = true;
+  switch_0.get();
+  switch_1.get();
+  expect_right_pictures(160);
+  EXPECT_GE(summary.epochs, 1u);
+  EXPECT_TRUE(pictures.records.front().fallback);
+  EXPECT_NE(pictures.records.front().lost, "");
+  EXPECT_FALSE(pictures.records.back().fallback) << "they never joined";
+}
+
+TEST_F(LostRoles, gathering_ends_and_the_render_node_begins_alone) {
+  right();
+  gather = 50ms;
+  const RenderNodeSummary summary = start_render(6).get();
+  expect_right_pictures(6);
+  EXPECT_EQ(summary.fallback_frames, 6u);
+}
+
+TEST_F(LostRoles, a_search_that_fails_is_made_again) {
+  searches_that_fail = 2;
+  const RenderNodeSummary summary = run_all(24);
+  expect_right_pictures(24);
+  EXPECT_LT(searches_that_fail, 0);
+  EXPECT_EQ(summary.fallback_frames, 0u);
+}
+
+TEST_F(LostRoles, a_switch_node_that_changes_while_nothing_is_drawn_is_there_for_the_next_frame) {
+  right();
+  constexpr uint32_t rest_at = 10;
+  std::promise<void> resting;
+  std::atomic<bool> over_with_it{false};
+  pictures.after = [&](uint32_t number) {
+    if (number + 1 == rest_at) resting.set_value();
+  };
+  rests = [&](uint32_t next) { return next == rest_at && !over_with_it; };
+  auto render = start_render(40);
+  auto switch_0 = start_switch(Role::switch_0), switch_1 = start_switch(Role::switch_1);
+  resting.get_future().wait();
+  stopped(Role::switch_1) = true;
+  switch_1.get();
+  auto successor = start_switch(Role::switch_1);
+  std::this_thread::sleep_for(1500ms);  // until all three have met and are ready
+  over_with_it = true;
+  const RenderNodeSummary summary = render.get();
+  over = true;
+  switch_0.get();
+  successor.get();
+  expect_right_pictures(40);
+  EXPECT_EQ(summary.fallback_frames, 0u) << first_loss();
+  EXPECT_EQ(summary.epochs, 2u);
+  EXPECT_LT(pictures.records[rest_at].frame_ms, 1000) << "a rest is no frame time";
+}
+
 }  // namespace
 }  // namespace triptych::test

@@ -111,13 +111,22 @@ class Frames : public FrameSource {
   Numbers numbers() const override { return numbers_; }
   FrameRequest next(uint32_t number) override {
     state_.view = views_[number % views_.size()];
+    next_ = number + 1;
     return {number, state_};
+  }
+  /// Whether there is nothing to draw before this frame just now; asked again and again.
+  std::function<bool(uint32_t next)> rests;
+  bool ready(bool may_wait) override {
+    if (!rests || !rests(next_)) return true;
+    if (may_wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return false;
   }
 
  private:
   const std::vector<View>& views_;
   Numbers numbers_;
   FrameState state_;
+  uint32_t next_ = 0;
 };
 
 /// What the render node drew.
@@ -216,14 +225,17 @@ class Roles : public testing::Test {
     return thread(Role::render).run([this, count, first] {
       const auto stop = [this] { return stopped(Role::render).load(); };
       Frames frames(views(), first, count, like);
+      frames.rests = rests;
       RenderNodeOptions options;
       options.timeout = timeout;
       options.device = wanted_device();
       options.cull.packet_ids = 4;
       options.connect = [&](const std::function<bool()>& give_up) {
+        if (searches_that_fail-- > 0) fail("the network", "is down");
         return connect(hello(Role::render), give_up);
       };
-      options.begin_alone = first > 0;
+      options.gather = gather;
+      options.successor = first > 0;
       options.session_rules = rules[0];
       options.stop = stop;
       return run_render_node(pack(), frames, pictures, options);
@@ -267,9 +279,12 @@ class Roles : public testing::Test {
 
   MemoryNetwork::Wrapper spoil;               ///< what becomes of a caller's end
   std::function<void(Role, Mailbox&)> equip;  ///< what becomes of a mailbox
+  std::function<bool(uint32_t next)> rests;   ///< whether there is nothing to draw before a frame
   FrameState like;                            ///< how frames are drawn, but for their views
   std::array<SessionRules, 3> rules;
   std::chrono::milliseconds timeout = patience;  ///< the render node's, for a frame
+  std::chrono::milliseconds gather = patience;   ///< and before the first one
+  std::atomic<int> searches_that_fail{0};        ///< of the render node
   std::atomic<bool> over{false};
   Pictures pictures;
   std::array<SwitchNodeSummary, 2> switches;

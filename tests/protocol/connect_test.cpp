@@ -163,7 +163,8 @@ TEST_F(KeyedSession, strangers_and_other_keys_do_not_disturb) {
   say(without_key, sample_hello(Role::switch_0));
   std::vector<tcp::socket> crowd;
   for (int i = 0; i < 40; ++i) crowd.push_back(stranger());
-  EXPECT_NE(wrong_key.get().error.find("still without"), std::string::npos);
+  const std::string error = wrong_key.get().error;
+  EXPECT_NE(error.find("is the key the same?"), std::string::npos) << error;
   key = right;
   auto switch_0 = start(Role::switch_0), switch_1 = start(Role::switch_1);
   expect_all(render, switch_0, switch_1);
@@ -262,6 +263,28 @@ TEST_F(Session, a_session_that_is_over_ends_the_waiting_of_those_who_had_come) {
   const Connected end = switch_1.get();
   EXPECT_EQ(end.error, "");
   EXPECT_EQ(end.mailbox, nullptr);
+}
+
+TEST_F(Session, a_switch_node_that_is_told_to_end_does_not_end_the_session_of_the_others) {
+  for (const Role other : {Role::render, Role::switch_0}) {
+    SCOPED_TRACE(role_name(other));
+    std::atomic<bool> stop{false};
+    auto first = start(other);
+    auto leaving = std::async(std::launch::async, [&] {
+      return connect_session(sample_hello(Role::switch_1), nullptr, addresses, 60s,
+                             [&] { return stop.load(); });
+    });
+    std::this_thread::sleep_for(300ms);  // they have met
+    stop = true;
+    EXPECT_EQ(leaving.get().kind, ConnectOutcome::Kind::session_over);
+    auto second = start(other == Role::render ? Role::switch_0 : Role::render),
+         switch_1 = start(Role::switch_1);
+    const std::array connected = {first.get(), second.get(), switch_1.get()};
+    for (const Connected& role : connected) {
+      EXPECT_EQ(role.error, "");
+      EXPECT_NE(role.mailbox, nullptr) << "for this one the session is over";
+    }
+  }
 }
 
 TEST_F(Session, another_opengl_is_only_reported) {

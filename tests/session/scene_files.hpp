@@ -27,8 +27,9 @@ class SceneFiles : public testing::Test {
         {"measure", "session", pack, "--path", path, "--size", size, "--json", json, "--timeout", "60000"},
         std::move(more));
   }
+  /// session, at a small size, with all three roles from the first frame on.
   std::vector<std::string> session(std::vector<std::string> more = {}) const {
-    return with({"session", pack, "--path", path, "--size", "160x120"}, std::move(more));
+    return with({"session", pack, "--path", path, "--size", "160x120", "--gather", "60"}, std::move(more));
   }
   static std::vector<std::string> with(std::vector<std::string> arguments, std::vector<std::string> more) {
     arguments.insert(arguments.end(), more.begin(), more.end());

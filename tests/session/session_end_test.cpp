@@ -84,7 +84,7 @@ TEST_F(SessionEnd, a_signal_ends_every_role_in_good_order) {
     wait_for_pictures(program);
     const auto start = std::chrono::steady_clock::now();
     ::kill(to_all ? -program.pid() : program.pid(), signal);
-    EXPECT_EQ(program.wait(std::chrono::seconds(30)), 0) << program.errors();
+    EXPECT_EQ(program.wait(std::chrono::seconds(30)), 128 + signal) << program.errors();
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
     EXPECT_FALSE(program.anybody_left());
     EXPECT_TRUE(program.complaints().empty()) << program.errors();
@@ -118,7 +118,24 @@ TEST_F(SessionEnd, a_session_that_ignores_hangups_goes_on) {
   EXPECT_EQ(program.errors().find("told to end"), std::string::npos) << program.errors();
   EXPECT_EQ(program.errors().find("by itself"), std::string::npos) << "it has ended: " << program.errors();
   program.signal(SIGTERM);
+  EXPECT_EQ(program.wait(std::chrono::seconds(30)), 128 + SIGTERM) << program.errors();
+}
+
+TEST_F(SessionEnd, one_that_plays_until_it_is_told_has_done_what_it_should) {
+  Program program(session({"--until-told", "-o", folder.file("pictures"), "--json", json}));
+  wait_for_pictures(program);
+  program.signal(SIGINT);
   EXPECT_EQ(program.wait(std::chrono::seconds(30)), 0) << program.errors();
+  EXPECT_GE(json_of(json)["frames"], 4);
+}
+
+TEST_F(SessionEnd, a_render_node_that_is_told_to_end_ends_the_session_with_what_was_done) {
+  Program program(endless({"-o", folder.file("pictures"), "--json", json}));
+  wait_for_pictures(program);
+  ::kill(program.role("render"), SIGTERM);
+  EXPECT_EQ(program.wait(std::chrono::seconds(30)), 128 + SIGTERM) << program.errors();
+  EXPECT_FALSE(program.anybody_left());
+  EXPECT_GE(json_of(json)["frames"], 4);
 }
 
 TEST_F(SessionEnd, a_starter_that_is_killed_takes_its_roles_along) {
@@ -143,9 +160,13 @@ TEST_F(SessionEnd, a_role_that_was_started_from_elsewhere_ends_with_its_standard
 
 TEST_F(SessionEnd, a_role_that_nobody_meets) {
   const std::string address = "127.0.0.1:" + std::to_string(12000 + 2 * (::getpid() % 8000));
-  const std::string line =
-      failure({"role", "render", pack, "--path", path, "--listen", address, "--connect-timeout", "0.3"});
-  EXPECT_FALSE(line.empty());
+  const std::string line = failure({"role", "switch", pack, "--index", "0", "--listen", address, "--render",
+                                    "127.0.0.1:9", "--connect-timeout", "0.3"});
+  EXPECT_NE(line.find("still without the render node"), std::string::npos) << line;
+  // A render node needs nobody.
+  Program render_node({"role", "render", pack, "--path", path, "--listen", address, "--json", json});
+  EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
+  EXPECT_EQ(json_of(json)["frames"].size(), frame_count);
 }
 
 TEST_F(SessionEnd, roles_with_different_packs_do_not_play_together) {
@@ -154,12 +175,14 @@ TEST_F(SessionEnd, roles_with_different_packs_do_not_play_together) {
   const int port = 12000 + 2 * (::getpid() % 8000);
   const std::string render = "127.0.0.1:" + std::to_string(port),
                     other = "127.0.0.1:" + std::to_string(port + 1);
-  Program render_node({"role", "render", pack, "--path", path, "--listen", render, "--connect-timeout", "4"});
+  Program render_node({"role", "render", pack, "--path", path, "--listen", render, "--connect-timeout", "2",
+                       "--gather", "4"});
   Program switch_0({"role", "switch", other_pack, "--index", "0", "--listen", other, "--render", render,
                     "--connect-timeout", "4"});
   Program switch_1({"role", "switch", pack, "--index", "1", "--render", render, "--switch-0", other,
                     "--connect-timeout", "4"});
-  EXPECT_EQ(render_node.wait(), 1) << render_node.errors();
+  EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
+  EXPECT_NE(render_node.errors().find("pack differs"), std::string::npos) << render_node.errors();
   EXPECT_EQ(switch_0.wait(), 1) << switch_0.errors();
   EXPECT_EQ(switch_1.wait(), 1) << switch_1.errors();
   EXPECT_EQ(switch_0.complaints().size(), 1u);

@@ -29,7 +29,7 @@ class SessionPictures : public SceneFiles {
     ::unsetenv("GLIBC_TUNABLES");
     Program switch_0({"role", "switch", pack, "--index", "0", "--listen", other, "--render", render});
     Program render_node({"role", "render", pack, "--path", path, "--size", "160x120", "--frames", "6",
-                         "--listen", render, "-o", folder.file("roles")});
+                         "--listen", render, "--gather", "60", "-o", folder.file("roles")});
     EXPECT_EQ(render_node.wait(), 0) << render_node.errors();
     EXPECT_EQ(switch_0.wait(), 0) << switch_0.errors();
     EXPECT_EQ(switch_1.wait(), 0) << switch_1.errors();

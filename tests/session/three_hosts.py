@@ -114,6 +114,50 @@ def session(pack, path, name, timeout_ms=5000, more=()):
     return json.loads(report.read_text())
 
 
+def unplugged(pack, path):
+    """A session whose switch node 1 has its cable out for many searches, and from the beginning: the render node draws alone,
+    every picture is right, and the switch node is taken in once the cable is back. Prints what was drawn."""
+    one = [program, "session", str(pack), "--path", str(path), "--size", "256x256", "--frames", "60", "--hash", "--json"]
+    right, report = folder / "right.json", folder / "unplugged.json"
+    run(*one, str(right))
+    report.unlink(missing_ok=True)
+    cable = (bridge, "ip", "link", "set", f"t{own[3:]}f3")
+    inside(*cable, "down")
+    log = open(folder / "unplugged.log", "w+")
+    process = subprocess.Popen(
+        ["ip", "netns", "exec", hosts["render"], *one, str(report), "--hosts", str(folder / "hosts.toml"), "--until-told", "--rate",
+         "60", "--connect-timeout", "0.5"], stdout=log, stderr=log, stdin=subprocess.DEVNULL)
+
+    def wait_for(words, seconds=60):
+        give_up = time.monotonic() + seconds
+        while words not in (said := (folder / "unplugged.log").read_text()):
+            assert process.poll() is None, f"unplugged: the session ended with {process.returncode}\n{said}"
+            assert time.monotonic() < give_up, f"unplugged: never said: {words}\n{said}"
+            time.sleep(0.05)
+
+    try:
+        wait_for("begins alone")
+        time.sleep(4)
+        inside(*cable, "up")
+        wait_for("both switch nodes are here")
+        time.sleep(1)
+        inside(*cable, "down")
+        wait_for("goes on alone")
+        time.sleep(6)
+        inside(*cable, "up")
+        wait_for("both switch nodes are back")
+        time.sleep(1)
+    finally:
+        process.send_signal(signal.SIGTERM)
+        code = process.wait(30)
+    said = (folder / "unplugged.log").read_text()
+    assert code == 0, f"unplugged: exit {code}\n{said}"
+    expected, shown = json.loads(right.read_text())["pictures"], json.loads(report.read_text())
+    wrong = sum(picture != expected[number % len(expected)] for number, picture in enumerate(shown["pictures"]))
+    assert wrong == 0 and shown["digest_mismatches"] == 0, f"unplugged: {wrong} pictures differ\n{said}"
+    print(f"unplugged: {shown['frames']} frames, {shown['fallback_frames']} of them by the render node alone, none wrong", flush=True)
+
+
 def main():
     if os.geteuid() != 0:
         skip("only root may make network namespaces")
@@ -146,6 +190,9 @@ def main():
               f"{sum(report['bytes_per_frame'].values()):.0f} bytes a frame, latency {latency:.1f} ms, round trip "
               f"{round_trip:.2f} ms by the kernel, {again:.0f} segments sent again", flush=True)
         assert share <= 0.45, f"{name}: {delta['body_bytes_per_id']} body bytes an id"
+        if name == "lan":
+            with network:
+                unplugged(pack, folder / "scene/walk.json")
         if name == "relay":
             assert round_trip >= 0.2, f"a round trip of {round_trip} ms: the relay is not used"
         if name == "delay":

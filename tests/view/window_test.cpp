@@ -168,13 +168,13 @@ TEST_F(ViewWindow, looks_at_the_model_from_outside_where_there_is_no_path) {
   find_window();
   EXPECT_GT(colors_in(look()), 2u);
   program.signal(SIGTERM);
-  EXPECT_EQ(program.wait(std::chrono::seconds(10)), 0) << program.errors();
+  EXPECT_EQ(program.wait(std::chrono::seconds(10)), 128 + SIGTERM) << program.errors();
   EXPECT_TRUE(program.complaints().empty()) << program.errors();
 }
 
 TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_cameras) {
   Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
-                   "--record", folder.file("recording")});
+                   "--record", folder.file("recording"), "--gather", "60"});
   walk_and_resize();
   xdotool("key c sleep 0.3");
   EXPECT_NE(title().find("culling off"), std::string::npos) << title();
@@ -195,11 +195,85 @@ TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_ca
 TEST_F(ViewWindow, of_a_session_shows_what_switch_nodes_on_other_machines_make_of_it) {
   const std::string hosts =
       write_hosts_file(folder.file("hosts.toml"), {.launch = "env MACHINE={host} {command}"});
-  Program program(
-      {"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json, "--hosts", hosts});
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--hosts", hosts, "--gather", "60"});
   walk_and_resize();
   xdotool("key Escape");
   whole_session(program);
+}
+
+TEST_F(ViewWindow, goes_on_where_a_picture_cannot_be_saved) {
+  const std::string pictures = folder.file("pictures");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"view"}, std::vector<std::string>{"session", "--window"}}) {
+    SCOPED_TRACE(command.front());
+    std::filesystem::remove_all(pictures);
+    Program program(
+        with(command, {pack, "--path", path, "--size", "320x240", "-o", pictures, "--json", json}));
+    find_window();
+    xdotool("key F2 sleep 0.3");
+    EXPECT_TRUE(std::filesystem::exists(pictures + "/picture-000.png")) << "-o is not where F2 saves";
+    EXPECT_NE(title().find("saved picture-000.png"), std::string::npos) << title();
+    std::filesystem::remove_all(pictures);
+    std::ofstream(pictures) << "no folder";
+    xdotool("key F2 sleep 0.5");
+    EXPECT_NE(title().find("picture NOT saved"), std::string::npos) << title();
+    const std::string before = title();
+    xdotool("keydown w sleep 0.4 keyup w sleep 0.3");
+    EXPECT_NE(title(), before) << "the walk has ended";
+    xdotool("key Escape");
+    EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+    EXPECT_NE(program.errors().find("the picture is not saved: " + pictures), std::string::npos)
+        << program.errors();
+    std::filesystem::remove(pictures);
+  }
+}
+
+TEST_F(ViewWindow, of_a_session_shows_its_first_picture_without_switch_nodes) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json});
+  ::kill(program.role("switch 0"), SIGSTOP);
+  ::kill(program.role("switch 1"), SIGSTOP);
+  find_window();
+  EXPECT_NE(title().find("culling on"), std::string::npos) << title();
+  xdotool("keydown w sleep 0.3 keyup w");
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(20)), 0) << program.errors();
+  EXPECT_FALSE(program.anybody_left());
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["fallback_frames"], report["frames"]);
+}
+
+TEST_F(ViewWindow, of_a_session_waits_for_a_person_while_switch_nodes_hang) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--connect-timeout", "0.3", "--gather", "60"});
+  find_window();
+  const auto said = [&](const char* words) {
+    for (int tries = 0; tries < 3000 && program.errors().find(words) == std::string::npos; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return program.errors().find(words) != std::string::npos;
+  };
+  ASSERT_TRUE(said("both switch nodes are here")) << program.errors();
+  // Nothing is drawn meanwhile, and nobody moves.
+  ::kill(program.role("switch 1"), SIGKILL);
+  EXPECT_TRUE(said("both switch nodes are back")) << program.errors();
+  const pid_t hung = program.role("switch 0");
+  ::kill(hung, SIGSTOP);
+  xdotool("keydown w sleep 0.3 keyup w");
+  EXPECT_TRUE(said("switch node 0 lost: no progress")) << program.errors();
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  ::kill(hung, SIGCONT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  xdotool("key c sleep 0.5");
+  double milliseconds = 0;
+  size_t drawn = 0, cut = 1;
+  ASSERT_EQ(
+      std::sscanf(title().c_str(), "room.tpk: %lf ms, %zu of %zu drawables", &milliseconds, &drawn, &cut), 3)
+      << title();
+  EXPECT_LT(milliseconds, 2000) << "a rest is no frame time";
+  EXPECT_EQ(drawn, cut) << "culling is off: the whole cut is drawn";
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(20)), 0) << program.errors();
+  EXPECT_FALSE(program.anybody_left());
 }
 
 TEST_F(ViewWindow, of_a_session_needs_a_display_too) {
