@@ -5,7 +5,6 @@
 namespace triptych {
 
 void add_session_flags(CLI::App& command, SessionOptions& options) {
-  add_run_flags(command, options.run);
   add_picture_flags(command, options.run);
   command.add_option("--loop", options.loop, "How often the path is played")
       ->check(whole_number(1, max_frames));

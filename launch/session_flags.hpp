@@ -7,7 +7,7 @@
 namespace triptych {
 
 /// --loop, --rate, --port, --batch, --timeout, --restarts, --hosts, --key-file, --insecure, --record,
-/// --timeline, the run flags and the picture flags.
+/// --timeline and the picture flags, beside add_run_flags().
 void add_session_flags(CLI::App& command, SessionOptions& options);
 
 }  // namespace triptych
