@@ -70,7 +70,7 @@ void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
 /// The words of a command that was parsed, as a shell takes them: for reports that name the command that
 /// printed them.
 std::string command_line(const CLI::App& command);
-/// The same without flags that do not decide what pictures and recordings show: --json, --timeline,
+/// The same without flags that do not decide what pictures show: --json, --timeline,
 /// --threads. Two runs with equal words make the same (launch/output_folder.hpp).
 std::string run_line(const CLI::App& command);
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* mark_name = ".triptych-run";
 
+/// Whether a run gives it its name: "000017.png" (session/pictures.hpp).
 bool is_picture(const std::filesystem::path& file) {
   const std::string number = file.stem().string();
   constexpr size_t digits = 6;
@@ -27,24 +28,38 @@ bool is_picture(const std::filesystem::path& file) {
                      [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
-bool is_one_of(Written written, const std::filesystem::path& file) {
-  return (written != Written::recordings && is_picture(file)) ||
-         (written != Written::pictures && file.extension() == ".recording");
-}
-
 }  // namespace
 
-OutputFolder::OutputFolder(std::filesystem::path folder, Written written, const std::string& command)
+OutputFolder::OutputFolder(std::filesystem::path folder, const std::string& command)
     : folder_(std::move(folder)) {
   made_ = !std::filesystem::exists(folder_);
   make_folder(folder_);
-  clear(written, claim(command) == command);
+  const bool same_command = claim(command) == command;
+  const std::vector<std::filesystem::path> old = pictures();
+  if (same_command) {
+    for (const auto& file : old) old_[file] = std::filesystem::last_write_time(file);
+  } else if (!old.empty()) {
+    move_aside(old);
+  }
 }
 
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
-  const auto entries = std::filesystem::directory_iterator(folder_, ignored);
-  if (!made_ || std::distance(begin(entries), end(entries)) != 1) return;
+  const auto is_old = [&](const std::filesystem::path& file) {
+    const auto found = old_.find(file);
+    return found != old_.end() && found->second == std::filesystem::last_write_time(file, ignored);
+  };
+  try {
+    const std::vector<std::filesystem::path> now = pictures();
+    if (std::all_of(now.begin(), now.end(), is_old) && !now.empty()) return;  // the run came to nothing
+    for (const auto& file : now) {
+      if (is_old(file)) std::filesystem::remove(file, ignored);
+    }
+    const auto entries = std::filesystem::directory_iterator(folder_, ignored);
+    if (!made_ || std::distance(begin(entries), end(entries)) != 1) return;
+  } catch (const std::filesystem::filesystem_error&) {
+    return;  // the folder is gone
+  }
   std::filesystem::remove(folder_ / mark_name, ignored);
   std::filesystem::remove(folder_, ignored);
 }
@@ -64,22 +79,21 @@ std::string OutputFolder::claim(const std::string& command) {
   return {reinterpret_cast<const char*>(before.data()), before.size()};
 }
 
-void OutputFolder::clear(Written written, bool same_command) const {
-  std::vector<std::filesystem::path> old;
+std::vector<std::filesystem::path> OutputFolder::pictures() const {
+  std::vector<std::filesystem::path> found;
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-    if (entry.is_regular_file() && is_one_of(written, entry.path())) old.push_back(entry.path());
+    if (entry.is_regular_file() && is_picture(entry.path())) found.push_back(entry.path());
   }
-  if (old.empty()) return;
+  return found;
+}
+
+void OutputFolder::move_aside(const std::vector<std::filesystem::path>& old) const {
   std::filesystem::path aside;
   for (int i = 1; aside.empty() || std::filesystem::exists(aside); ++i)
     aside = folder_ / ("earlier-" + std::to_string(i));
-  if (!same_command) {
-    make_folder(aside);
-    notice("{}: {} files of an earlier run are now in {}", folder_.string(), old.size(), aside.string());
-  }
-  for (const auto& file : old)
-    same_command ? static_cast<void>(std::filesystem::remove(file))
-                 : std::filesystem::rename(file, aside / file.filename());
+  make_folder(aside);
+  for (const auto& file : old) std::filesystem::rename(file, aside / file.filename());
+  notice("{}: {} pictures of an earlier run are now in {}", folder_.string(), old.size(), aside.string());
 }
 
 }  // namespace triptych

@@ -32,8 +32,8 @@ int run(const RenderCommand& command) {
   if (!command.timeline.empty()) start_timeline();
   const Pack pack(command.run.pack);
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
-  const OutputFolder claimed(command.output, Written::pictures, run_line(*command.words));
   const ChosenDevice device = choose_device(command.run.device);
+  const OutputFolder claimed(command.output, run_line(*command.words));
   const auto [width, height] = command.run.size;
   LocalPipeline pipeline(pack, {.width = width,
                                 .height = height,

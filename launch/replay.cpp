@@ -116,7 +116,7 @@ int run(const ReplayCommand& command) {
     check_is_none_of(output, {header.pack}, "the pack of the recording");
   }
   std::optional<OutputFolder> claimed;
-  if (!command.frame) claimed.emplace(command.output, Written::pictures, run_line(*command.words));
+  if (!command.frame) claimed.emplace(command.output, run_line(*command.words));
   const ChosenDevice device = choose_device(command.device);
   if (device.names.renderer != header.own.device.renderer ||
       device.names.version != header.own.device.version) {

@@ -1,5 +1,4 @@
 #include "base/notice.hpp"
-#include "launch/named_files.hpp"
 #include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
 #include "measure/json.hpp"
@@ -9,29 +8,16 @@
 
 #include <algorithm>
 #include <fmt/core.h>
-#include <memory>
-#include <vector>
+#include <optional>
 
 namespace triptych {
 
 namespace {
 
-/// The folders that it writes into; one, where pictures and recordings go to the same.
-std::vector<std::unique_ptr<OutputFolder>> claim_folders(const SessionOptions& options,
-                                                         const std::string& line) {
-  std::vector<std::unique_ptr<OutputFolder>> claimed;
-  const auto claim = [&](const std::filesystem::path& folder, Written written) {
-    if (!folder.empty()) claimed.push_back(std::make_unique<OutputFolder>(folder, written, line));
-  };
-  const bool one = is_same_file(options.output, options.record);
-  claim(options.output, one ? Written::both : Written::pictures);
-  if (!one) claim(options.record, Written::recordings);
-  return claimed;
-}
-
 int run(const SessionOptions& options, const std::string& line) {
   const std::filesystem::path& json = options.run.json;
-  const auto claimed = claim_folders(options, line);
+  std::optional<OutputFolder> claimed;
+  if (!options.output.empty()) claimed.emplace(options.output, line);
   const SessionOutcome outcome = run_session(options);
   nlohmann::json roles = nlohmann::json::array();
   for (const auto& [role, pid] : outcome.roles) roles.push_back({{"role", role}, {"pid", pid}});

@@ -18,35 +18,40 @@ TEST_F(OutputFolders, what_another_run_left_is_moved_aside_and_what_is_no_run_s_
   const std::string where = folder.file("pictures");
   std::filesystem::create_directories(where);
   fill(where);
-  { const OutputFolder claimed(where, Written::pictures, "a run"); }
+  { const OutputFolder claimed(where, "a run"); }
   EXPECT_FALSE(std::filesystem::exists(where + "/000007.png"));
   EXPECT_EQ(text_of(where + "/earlier-1/000007.png"), "old");
   EXPECT_EQ(text_of(where + "/mine.png"), "old");
   EXPECT_EQ(text_of(where + "/render.recording"), "old");
   fill(where);
-  { const OutputFolder claimed(where, Written::both, "another run"); }
-  EXPECT_EQ(text_of(where + "/earlier-2/render.recording"), "old");
+  { const OutputFolder claimed(where, "another run"); }
+  EXPECT_EQ(text_of(where + "/earlier-2/000000.png"), "old");
 }
 
 TEST_F(OutputFolders, the_same_command_makes_its_files_anew) {
   const std::string where = folder.file("pictures");
-  {
-    const OutputFolder claimed(where, Written::pictures, "a run"),
-        other(folder.file("x"), Written::pictures, "");
-  }
+  { const OutputFolder claimed(where, "a run"), other(folder.file("x"), ""); }
   EXPECT_FALSE(std::filesystem::exists(where)) << "nothing was put into it";
   std::filesystem::create_directories(where);
-  { const OutputFolder claimed(where, Written::pictures, "a run"); }
+  { const OutputFolder claimed(where, "a run"); }
   fill(where);
-  { const OutputFolder claimed(where, Written::pictures, "a run"); }
+  { const OutputFolder came_to_nothing(where, "a run"); }
+  EXPECT_EQ(text_of(where + "/000007.png"), "old");
+  {
+    const OutputFolder claimed(where, "a run");
+    std::filesystem::remove(where + "/000000.png");
+    std::ofstream(where + "/000001.png") << "new";
+  }
+  EXPECT_EQ(text_of(where + "/000001.png"), "new");
   EXPECT_FALSE(std::filesystem::exists(where + "/000007.png"));
   EXPECT_FALSE(std::filesystem::exists(where + "/earlier-1"));
+  EXPECT_EQ(text_of(where + "/mine.png"), "old");
 }
 
 TEST_F(OutputFolders, two_runs_at_once_are_refused) {
-  const OutputFolder first(folder.file("pictures"), Written::pictures, "a run");
+  const OutputFolder first(folder.file("pictures"), "a run");
   try {
-    const OutputFolder second(folder.file("pictures"), Written::pictures, "a run");
+    const OutputFolder second(folder.file("pictures"), "a run");
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("pictures: another run writes into it (a run)"),
@@ -67,7 +72,7 @@ TEST_F(OutputFolders, pictures_of_two_renders_do_not_mix) {
   render({});
   const std::string both = picture("p");
   EXPECT_EQ(render({"--json", folder.file("j")}).find("earlier run"), std::string::npos);
-  EXPECT_NE(render({"--frames", "1"}).find("2 files of an earlier run are now in "), std::string::npos);
+  EXPECT_NE(render({"--frames", "1"}).find("2 pictures of an earlier run are now in "), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder.file("p/000001.png")));
   EXPECT_EQ(picture("p/earlier-1"), both);
 }
