@@ -82,9 +82,11 @@ std::optional<int> parse(CLI::App& app, std::vector<std::string> words) {
     return usage;
   }
   triptych::Defaults defaults;
-  // A role is told all by its session, and --help tells what is so without the files.
+  // A role is told all by its session, what is hidden is for scripts, and --help tells what is so without the
+  // files.
   const bool complete = line.command->get_parent() && line.command->get_require_subcommand_min() == 0;
-  if (complete && words.front() != "role" && line.given.count(line.command->get_help_ptr()) == 0) {
+  const bool hidden = line.command->get_group().empty();
+  if (complete && !hidden && words.front() != "role" && line.given.count(line.command->get_help_ptr()) == 0) {
     try {
       defaults = triptych::read_defaults(app, line, triptych::default_files());
     } catch (const triptych::Error& error) {
