@@ -17,8 +17,8 @@ find_package(tomlplusplus REQUIRED)
 find_package(OpenCASCADE REQUIRED)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
-pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
-pkg_check_modules(OSMESA REQUIRED osmesa)  # its header: context_osmesa.cpp loads the library itself
+pkg_check_modules(EGL REQUIRED egl)        # of both the headers: the libraries are loaded where there are any
+pkg_check_modules(OSMESA REQUIRED osmesa)
 pkg_check_modules(EXPAT REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(DRACO REQUIRED IMPORTED_TARGET draco)
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)

@@ -33,7 +33,6 @@ set(triptych_packages_view glfw3 X11)
 set(triptych_packages_session tomlplusplus)
 set(triptych_modules_base XXHASH=libxxhash)
 set(triptych_modules_model DRACO=draco EXPAT=expat MINIZIP=minizip ZLIB=zlib)
-set(triptych_modules_render EGL=egl)
 set(triptych_modules_samples MINIZIP=minizip JPEG=libjpeg)
 
 set(triptych_open ${triptych_FIND_COMPONENTS})

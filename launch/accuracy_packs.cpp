@@ -11,29 +11,6 @@
 
 namespace triptych {
 
-namespace {
-
-/// The flags of `build` in such words. A usage error where they are none.
-BuildFlags build_flags_of(const std::string& words, const std::vector<std::filesystem::path>& models) {
-  BuildFlags flags;
-  CLI::App build;
-  build.set_help_flag();
-  add_build_flags(build, flags);
-  add_hierarchy_flag(build, flags);
-  build.get_option("input")->required(false);
-  try {
-    build.parse(words);
-  } catch (const CLI::ParseError& error) {
-    throw CLI::ValidationError("--build", fmt::format("\"{}\": {}", words, error.what()));
-  }
-  if (!flags.inputs.empty())
-    throw CLI::ValidationError("--build", fmt::format("\"{}\" names a file: --model does", words));
-  flags.inputs = models;
-  return flags;
-}
-
-}  // namespace
-
 void add_pack_flags(CLI::App& command, AccuracyPacks& packs) {
   take_list(command.add_option("--with", packs.others, "Further packs of the same model, built otherwise"))
       ->type_name("FILE.tpk,...");
@@ -56,7 +33,7 @@ void check_packs(const AccuracyPacks& packs, const std::filesystem::path& first)
   if (packs.models.empty() != packs.builds.empty())
     throw CLI::ValidationError(packs.models.empty() ? "--build needs --model" : "--model needs --build");
   for (const std::string& words : packs.builds) {
-    build_flags_of(words, packs.models);
+    parse_build_flags(words, packs.models);
     if (std::count(packs.builds.begin(), packs.builds.end(), words) > 1)
       throw CLI::ValidationError("--build", fmt::format("\"{}\" is given twice", words));
   }
@@ -72,7 +49,7 @@ std::vector<NamedPack> named_packs(const AccuracyPacks& packs, const std::filesy
   for (size_t i = 0; i < files.size(); ++i) named.push_back({files[i], labels[i]});
   for (const std::string& words : packs.builds) {
     const std::filesystem::path file = folder / fmt::format("build-{}.tpk", named.size());
-    const nlohmann::json built = run_build(build_flags_of(words, packs.models), file);
+    const nlohmann::json built = run_build(parse_build_flags(words, packs.models), file);
     named.push_back(
         {file, "build " + (words.empty() ? "by default" : words), built["seconds"].get<double>()});
   }

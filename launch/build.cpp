@@ -56,8 +56,10 @@ void print(const BuildReport& report, const std::filesystem::path& output) {
   }
 }
 
-nlohmann::json report_json(const BuildReport& report, const BuildOptions& options, double seconds) {
-  nlohmann::json stages = nlohmann::json::array();
+nlohmann::json report_json(const BuildReport& report, const BuildOptions& options,
+                           const std::vector<std::filesystem::path>& files, double seconds) {
+  nlohmann::json stages = nlohmann::json::array(), names = stages;
+  for (const auto& file : files) names.push_back(file.string());
   for (const BuildStage& stage : report.stages)
     stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
   return {{"source_triangles", report.source_triangles},
@@ -80,10 +82,12 @@ nlohmann::json report_json(const BuildReport& report, const BuildOptions& option
           {"resumed_units", report.resumed_units},
           {"seconds", seconds},
           {"stages", stages},
+          {"files", names},
           {"import", to_json(report.import)}};
 }
 
 int run(const BuildCommand& command) {
+  check_are_no_packs(command.flags.inputs);
   check_is_no_model_file({command.output, command.json}, command.flags.inputs);
   const Stopwatch stopwatch;
   ImportOptions import = command.flags.import;
@@ -97,6 +101,7 @@ int run(const BuildCommand& command) {
   BuildOptions options = command.flags.options();
   options.said = build_words(command.flags);
   options.fingerprint = build_fingerprint(command.flags, model.files);
+  const std::vector<std::filesystem::path> files = model.files;
   BuildReport report = build_pack(std::move(model), options, command.output);
   report.stages.insert(report.stages.begin(), {"import", import_seconds});
   const uint64_t peak = peak_resident_bytes();
@@ -105,7 +110,7 @@ int run(const BuildCommand& command) {
         fmt::format("the build took {} MiB, more than --memory's {}", peak >> 20, options.memory >> 20));
   }
   print(report, command.output);
-  write_json(command.json, report_json(report, options, stopwatch.seconds()));
+  write_json(command.json, report_json(report, options, files, stopwatch.seconds()));
   return 0;
 }
 

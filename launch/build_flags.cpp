@@ -7,9 +7,11 @@
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
 #include "preprocess/injected_rules.hpp"
+#include "scene/pack_format.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
+#include <fstream>
 #include <map>
 
 namespace triptych {
@@ -90,6 +92,13 @@ std::string identity(const std::filesystem::path& file) {
   return fmt::format("{}\n{} bytes, {}\n", path.string(), size, changed.time_since_epoch().count());
 }
 
+/// Whether the file begins as packs do.
+bool is_pack(const std::filesystem::path& file) {
+  std::array<char, pack_magic.size()> beginning{};
+  std::ifstream(file, std::ios::binary).read(beginning.data(), beginning.size());
+  return beginning == pack_magic;
+}
+
 }  // namespace
 
 std::string name_of(Simplifier simplifier) { return name_in(simplifiers(), simplifier); }
@@ -157,6 +166,35 @@ void add_hierarchy_flag(CLI::App& command, BuildFlags& flags) {
   add_choice_flag(command, "--hierarchy", flags.defaults.hierarchy, hierarchies(),
                   "Partition, cluster, partition (pcp), or the original objects split at medians")
       ->default_str(name_of(flags.defaults.hierarchy));
+}
+
+BuildFlags parse_build_flags(const std::string& words, const std::vector<std::filesystem::path>& models) {
+  BuildFlags flags;
+  CLI::App build;
+  build.set_help_flag();
+  add_build_flags(build, flags);
+  add_hierarchy_flag(build, flags);
+  build.get_option("input")->required(false);
+  try {
+    build.parse(words);
+  } catch (const CLI::ParseError& error) {
+    throw CLI::ValidationError("--build", fmt::format("\"{}\": {}", words, error.what()));
+  }
+  if (!flags.inputs.empty())
+    throw CLI::ValidationError("--build",
+                               fmt::format("\"{}\" names a file: it takes flags of `build` alone", words));
+  flags.inputs = models;
+  return flags;
+}
+
+void check_are_no_packs(const std::vector<std::filesystem::path>& inputs) {
+  for (const auto& input : inputs) {
+    if (is_pack(input))
+      fail(input.string(),
+           "is a pack already: `triptych view` shows it and `triptych info` says what it was built of; "
+           "`build` "
+           "takes model files");
+  }
 }
 
 void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,

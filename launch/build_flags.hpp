@@ -30,6 +30,13 @@ void add_build_flags(CLI::App& command, BuildFlags& flags);
 /// --hierarchy.
 void add_hierarchy_flag(CLI::App& command, BuildFlags& flags);
 
+/// The flags of `build` in one text, as --build takes them, for these models. A usage error (--build) where
+/// the text is none, or names a file.
+BuildFlags parse_build_flags(const std::string& words, const std::vector<std::filesystem::path>& models);
+
+/// Error (file) if one of the inputs is a pack, which says what to do with it.
+void check_are_no_packs(const std::vector<std::filesystem::path>& inputs);
+
 /// Error (output) if it is a file of a model that is to be read, including files that the model refers to.
 void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
                             const std::vector<std::filesystem::path>& models);

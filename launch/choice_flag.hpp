@@ -1,7 +1,10 @@
 // Flags whose value is one of a few words.
 #pragma once
 
+#include "launch/near_words.hpp"
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,7 +13,12 @@ namespace triptych {
 
 /// A check that accepts only these words; the error lists them, the help text does not.
 inline CLI::Validator one_of(const std::vector<std::string>& words) {
-  return CLI::Validator(CLI::IsMember(words)).description("");
+  return CLI::Validator(
+      [words](const std::string& word) {
+        if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
+        return "\"" + word + "\" is none of " + CLI::detail::join(words, ", ") + did_you_mean(word, words);
+      },
+      "");
 }
 
 /// A flag that sets `target` to what the word on the command line names; any other word is a usage error that

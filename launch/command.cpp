@@ -49,7 +49,9 @@ void force_simd(const std::string& word) {
 
 }  // namespace
 
-std::string command_line(const CLI::App& command) {
+namespace {
+
+std::string line_without(const CLI::App& command, const std::vector<std::string>& left_out) {
   std::string line;
   for (const CLI::App* at = &command; at->get_parent() != nullptr; at = at->get_parent())
     line = " " + at->get_name() + line;
@@ -68,6 +70,7 @@ std::string command_line(const CLI::App& command) {
   };
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0) continue;
+    if (std::find(left_out.begin(), left_out.end(), option->get_name()) != left_out.end()) continue;
     const bool flag = option->get_expected_max() == 0;
     if (!option->get_positional()) append(option->get_name());
     if (!flag) append(CLI::detail::join(option->results(), ","));
@@ -75,8 +78,21 @@ std::string command_line(const CLI::App& command) {
   return line;
 }
 
+}  // namespace
+
+std::string command_line(const CLI::App& command) { return line_without(command, {}); }
+
+std::string run_line(const CLI::App& command) {
+  return line_without(command, {"--json", "--timeline", "--threads"});
+}
+
 void add_common_flags(CLI::App& command, std::filesystem::path& json) {
-  command.add_option("--json", json, "Write what was found as one JSON object")->type_name("FILE");
+  command
+      .add_option("--json", json,
+                  "Write what was found as one JSON object; - is standard output, and what is for people "
+                  "then goes to "
+                  "standard error")
+      ->type_name("FILE");
   command
       .add_option_function<std::vector<std::string>>(
           "--inject",
@@ -170,8 +186,12 @@ void add_device_and_test_flags(CLI::App& command, DeviceOptions& device) {
       ->default_str("storage");
 }
 
-void add_drawing_flags(CLI::App& command, RunOptions& options) {
+void add_pack(CLI::App& command, RunOptions& options) {
   command.add_option("pack", options.pack, "The pack to draw")->required()->type_name("FILE.tpk");
+}
+
+void add_drawing_flags(CLI::App& command, RunOptions& options) {
+  add_pack(command, options);
   add_device_and_test_flags(command, options.device);
 }
 
@@ -236,6 +256,13 @@ void add_target_flag(CLI::App& command, RunOptions& options) {
 void add_run_flags(CLI::App& command, RunOptions& options) {
   add_common_flags(command, options.json);
   add_drawing_flags(command, options);
+  add_path_flags(command, options);
+}
+
+void add_shown_run_flags(CLI::App& command, RunOptions& options, ShownModel& model) {
+  add_common_flags(command, options.json);
+  add_shown_model(command, model);
+  add_device_and_test_flags(command, options.device);
   add_path_flags(command, options);
 }
 

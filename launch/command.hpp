@@ -2,6 +2,7 @@
 // subcommand.
 #pragma once
 
+#include "launch/shown_model.hpp"
 #include "session/run_options.hpp"
 #include "visibility/strategies.hpp"
 
@@ -32,7 +33,9 @@ void require_path(const RunOptions& options, bool window);
 void add_timeline_flag(CLI::App& command, std::filesystem::path& file);
 /// The same and --test.
 void add_device_and_test_flags(CLI::App& command, DeviceOptions& device);
-/// The pack and add_device_and_test_flags: what every process that draws needs.
+/// The positional "pack", a file that must be one.
+void add_pack(CLI::App& command, RunOptions& options);
+/// add_pack() and add_device_and_test_flags(): what every process that draws needs.
 void add_drawing_flags(CLI::App& command, RunOptions& options);
 /// --path, --size, --pixel-error, --frames. The last --size and the last --frames count.
 void add_path_flags(CLI::App& command, RunOptions& options);
@@ -48,6 +51,8 @@ void add_every_flag(CLI::App& command, RunOptions& options);
 void add_target_flag(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
+/// The same for a command that also takes model files (launch/shown_model.hpp), without the pack.
+void add_shown_run_flags(CLI::App& command, RunOptions& options, ShownModel& model);
 
 /// --cull and --min-pixels. A --min-pixels beside a strategy that does not count is a usage error.
 struct CullChoice {
@@ -65,6 +70,9 @@ void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
 /// The words of a command that was parsed, as a shell takes them: for reports that name the command that
 /// printed them.
 std::string command_line(const CLI::App& command);
+/// The same without flags that do not decide what pictures show: --json, --timeline,
+/// --threads. Two runs with equal words make the same (launch/output_folder.hpp).
+std::string run_line(const CLI::App& command);
 
 void add_sample(CLI::App& app, Action& action);
 void add_build(CLI::App& app, Action& action);
@@ -79,5 +87,7 @@ void add_role(CLI::App& app, Action& action);
 void add_measure(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_selftest(CLI::App& app, Action& action);
+/// Hidden: prints the man page and what shells complete. The app must outlive it.
+void add_describe(CLI::App& app, Action& action);
 
 }  // namespace triptych

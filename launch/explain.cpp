@@ -18,6 +18,7 @@ namespace {
 
 struct ExplainCommand {
   RunOptions run;
+  ShownModel model;
   uint32_t frame = 0;
   std::vector<int> pixel;  ///< x, y; empty: none was given
   std::optional<DrawableId> drawable;
@@ -161,6 +162,9 @@ int run(const ExplainCommand& command) {
   if (command.frame >= frames.size()) {
     fail(command.run.path.string(), "has no frame {}: it has {}", command.frame, frames.size());
   }
+  if (command.drawable && *command.drawable >= pack.skeleton().drawables.size())
+    fail(fmt::format("--drawable {}", *command.drawable), "the pack has {} drawables, counted from 0",
+         pack.skeleton().drawables.size());
   const ChosenDevice device = choose_device(command.run.device);
   Explainer explainer(pack, command.run.size.width, command.run.size.height, device.options);
   {
@@ -205,7 +209,7 @@ void add_explain(CLI::App& app, Action& action) {
   CLI::App* sub =
       app.add_subcommand("explain", "Explain why a pixel shows what it shows, and why something is missing");
   sub->footer("Example: triptych explain scene.tpk --path walk.json --frame 17 --pixel 250,300");
-  add_run_flags(*sub, command->run);
+  add_shown_run_flags(*sub, command->run, command->model);
   sub->add_option("--frame", command->frame, "The frame of the path")
       ->required()
       ->check(whole_number(0, max_frames));
@@ -220,7 +224,16 @@ void add_explain(CLI::App& app, Action& action) {
     if (sub->count("--pixel") + sub->count("--drawable") == 0) {
       throw CLI::RequiredError("--pixel or --drawable");
     }
-    action = [command] { return run(*command); };
+    check_shown_model(*sub, command->model);
+    const auto& [width, height] = command->run.size;
+    if (!command->pixel.empty() && (command->pixel[0] >= width || command->pixel[1] >= height))
+      throw CLI::ValidationError(
+          "--pixel", fmt::format("{},{} lies outside of a picture of {}x{}: from 0,0 to {},{}",
+                                 command->pixel[0], command->pixel[1], width, height, width - 1, height - 1));
+    action = [command] {
+      command->run.pack = pack_of(command->model, {command->run.json});
+      return run(*command);
+    };
   });
 }
 

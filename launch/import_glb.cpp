@@ -86,10 +86,11 @@ json material_of(const aiMaterial& material, ConversionNotes& notes) {
   json factor = json::array();
   for (const float value : {color.r, color.g, color.b, color.a})
     factor.push_back(std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 1.0f);
-  if (color.a < 1) ++notes["transparent materials are drawn opaque"];
   if (names_texture(material, aiTextureType_DIFFUSE) || names_texture(material, aiTextureType_BASE_COLOR))
     ++notes["materials with textures, which are not drawn yet"];
-  return {{"pbrMetallicRoughness", {{"baseColorFactor", factor}}}};
+  json result = {{"pbrMetallicRoughness", {{"baseColorFactor", factor}}}};
+  if (factor[3] < 1) result["alphaMode"] = "BLEND";
+  return result;
 }
 
 /// The meshes with triangles and where their bytes go: positions, vertex colours if there are any, indices.

@@ -7,6 +7,7 @@
 #include "launch/reader_limits.hpp"
 #include "launch/x3d_text.hpp"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
@@ -22,6 +23,7 @@
 #include <locale>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <unistd.h>
 
@@ -53,6 +55,23 @@ class Warnings : public Assimp::LogStream {
 
  private:
   static constexpr size_t most = 20;
+  std::set<std::string> known_;
+};
+
+/// Says which files are opened beside the model: "reads: FILE".
+class SaidFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit SaidFiles(std::string model) : model_(std::move(model)) {}
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
+    const std::string name(file);
+    if (stream && name != model_ && name == one_line(name) && known_.insert(name).second)
+      fmt::print(stderr, "reads: {}\n", name);
+    return stream;
+  }
+
+ private:
+  std::string model_;
   std::set<std::string> known_;
 };
 
@@ -131,6 +150,7 @@ void convert(const std::string& file, const std::string& unpacked_extension) {
   Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
   Assimp::DefaultLogger::get()->attachStream(new Warnings, Assimp::Logger::Warn | Assimp::Logger::Err);
   Assimp::Importer importer;
+  importer.SetIOHandler(new SaidFiles(file));
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // else nodes have their ids
   const std::string extension = lower_case(
       unpacked_extension.empty() ? std::filesystem::path(file).extension().string() : unpacked_extension);
@@ -142,7 +162,8 @@ void convert(const std::string& file, const std::string& unpacked_extension) {
   if (!scene) {
     const std::string why = importer.GetErrorString();
     if (why.find("bad_alloc") != std::string::npos) end_out_of_memory();
-    fail("Assimp", "{}", Warnings::short_line(why));
+    throw std::runtime_error(fmt::format("is damaged, cut, or no {} file that Assimp can read; it says: {}",
+                                         extension, Warnings::short_line(why)));
   }
   const glm::dmat3 to_model = extension == ".fbx" ? fbx_to_model(*scene) : glm::dmat3(1);
   ConversionNotes notes;

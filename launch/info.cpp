@@ -92,7 +92,8 @@ std::string in_words(const nlohmann::json& value) {
 }
 
 struct InfoCommand {
-  std::filesystem::path file, json;
+  ShownModel model;
+  std::filesystem::path json;
   bool objects = false;
   std::string find;
 };
@@ -111,7 +112,7 @@ void list_objects(const Pack& pack, const std::string& find, nlohmann::json& des
 }
 
 int run(const InfoCommand& command) {
-  const Pack pack(command.file);
+  const Pack pack(pack_of(command.model, {command.json}));
   nlohmann::json description = describe(pack);
   if (command.objects) {
     list_objects(pack, command.find, description);
@@ -134,7 +135,7 @@ void add_info(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("info", "Print what is in a pack");
   sub->footer("Example: triptych info scene.tpk");
   add_common_flags(*sub, command->json);
-  sub->add_option("pack", command->file, "The pack")->required()->type_name("FILE.tpk");
+  add_shown_model(*sub, command->model);
   CLI::Option* objects = sub->add_flag("--objects", command->objects,
                                        "The objects of the model's files: names, kinds, layers, storeys, "
                                        "GUIDs, and how many scene nodes show them");
@@ -142,7 +143,10 @@ void add_info(CLI::App& app, Action& action) {
                   "Only objects that have this text in one of these, or in the value of a property")
       ->needs(objects)
       ->type_name("TEXT");
-  sub->callback([=, &action] { action = [=] { return run(*command); }; });
+  sub->callback([=, &action] {
+    check_shown_model(*sub, command->model);
+    action = [=] { return run(*command); };
+  });
 }
 
 }  // namespace triptych

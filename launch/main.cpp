@@ -1,17 +1,24 @@
 // The program `triptych`: one file per subcommand; errors are printed here, on one line.
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
 #include "launch/command.hpp"
+#include "launch/defaults.hpp"
 #include "launch/named_files.hpp"
+#include "launch/usage.hpp"
+#include "launch/version.hpp"
+#include "measure/json.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <locale>
 #include <new>
+#include <optional>
 #include <unistd.h>
 
 namespace {
@@ -41,41 +48,22 @@ std::string explained(const std::exception& error) {
   return text;
 }
 
-/// The program and the subcommands of the command line, as typed.
-std::string command_name(const CLI::App& app) {
-  std::string name = "triptych";
-  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
-    at = at->get_subcommands().front();
-    name += " " + at->get_name();
+/// Whether the parsed command's JSON goes to standard output.
+bool prints_json(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->results()) {
+      if (triptych::is_standard_output(*option, name)) return true;
+    }
   }
-  return name;
+  const auto chosen = app.get_subcommands();
+  return std::any_of(chosen.begin(), chosen.end(), [](const CLI::App* sub) { return prints_json(*sub); });
 }
 
-/// The first word that should be a subcommand but is not one; null if there is none.
-const char* unknown_subcommand(CLI::App& app, int argc, char** argv) {
-  CLI::App* at = &app;
-  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
-    const auto all = at->get_subcommands([](CLI::App*) { return true; });
-    const auto named =
-        std::find_if(all.begin(), all.end(), [&](CLI::App* sub) { return sub->check_name(argv[i]); });
-    if (named == all.end()) return all.empty() ? nullptr : argv[i];
-    at = *named;
-  }
-  return nullptr;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  open_standard_streams();
-  triptych::remove_partial_files_on_signals();
-  std::signal(SIGXFSZ,
-              SIG_IGN);  // a file beyond the size limit gives a write error instead
-  // Numbers have a decimal point, whatever libraries have set before.
-  std::locale::global(std::locale::classic());
-  CLI::App app{"Triptych: walk through models that are too big to draw"};
+void add_commands(CLI::App& app, triptych::Action& action) {
   app.require_subcommand(1);
-  triptych::Action action;
+  app.set_version_flag("--version", triptych::version_text,
+                       "Print version, commit, how it was built and what it draws with, and exit");
+  app.footer("Defaults of flags: triptych.toml, here or in ~/.config/triptych");
   triptych::add_sample(app, action);
   triptych::add_build(app, action);
   triptych::add_info(app, action);
@@ -89,19 +77,69 @@ int main(int argc, char** argv) {
   triptych::add_measure(app, action);
   triptych::add_report(app, action);
   triptych::add_selftest(app, action);
-  constexpr int usage = 2;
-  if (const char* word = unknown_subcommand(app, argc, argv)) {
-    triptych::notice("triptych: there is no subcommand \"{}\"; --help lists them", word);
+  triptych::add_describe(app, action);
+}
+
+constexpr int usage = 2;
+
+/// Parses the words behind the program's name, with what triptych.toml says where they do not. The exit code
+/// where that is the end.
+std::optional<int> parse(CLI::App& app, std::vector<std::string> words) {
+  const triptych::WordsRead line = triptych::read_words(app, words);
+  const std::string name = triptych::command_name(*line.command);
+  if (!line.complaint.empty()) {
+    triptych::notice("{0}: {1}; {0} --help lists them", name, line.complaint);
     return usage;
   }
+  triptych::Defaults defaults;
+  // A role is told all by its session, what is hidden is for scripts, and --help tells what is so without the
+  // files.
+  const bool complete = line.command->get_parent() && line.command->get_require_subcommand_min() == 0;
+  const bool hidden = line.command->get_group().empty();
+  if (complete && !hidden && words.front() != "role" && line.given.count(line.command->get_help_ptr()) == 0) {
+    try {
+      defaults = triptych::read_defaults(app, line, triptych::default_files());
+    } catch (const triptych::Error& error) {
+      triptych::notice("triptych: {}", error.what());
+      return usage;
+    }
+  }
+  words.insert(words.begin() + static_cast<std::ptrdiff_t>(line.after_command), defaults.words.begin(),
+               defaults.words.end());
+  // The processes that this one starts are given all flags by it.
+  ::setenv("TRIPTYCH_CONFIG", "", 1);
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end());
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help
-    triptych::notice("{0}: {1}; {0} --help says more", command_name(app), error.what());
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    const std::string said = triptych::in_our_words(error);
+    for (const auto& [flag, place] : defaults.places) {
+      if (!said.starts_with(flag)) continue;
+      triptych::notice("triptych: {}: {}", place, said);
+      return usage;
+    }
+    triptych::notice("{0}: {1}; {0} --help says more", name, said);
     return usage;
   }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  open_standard_streams();
+  triptych::remove_partial_files_on_signals();
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file beyond the size limit gives a write error instead
+  // Numbers have a decimal point, whatever libraries have set before.
+  std::locale::global(std::locale::classic());
+  CLI::App app{"Triptych: walk through models that are too big to draw"};
+  triptych::Action action;
+  add_commands(app, action);
+  if (const auto code = parse(app, {argv + std::min(argc, 1), argv + argc})) return *code;
   try {
+    if (prints_json(app)) triptych::give_standard_output_to_json();
     triptych::check_files_differ(app);
     triptych::check_files_can_be_used(app);
     const int code = action();

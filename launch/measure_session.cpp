@@ -152,6 +152,7 @@ void add_measure_session(CLI::App& measure, Action& action) {
       "session", "A session measured, every frame compared with the un-culled picture of the same cut");
   session->footer("Example: triptych measure session scene.tpk --path walk.json --json session.json");
   options->gather_s = 20;  // what is measured is all three of them
+  add_run_flags(*session, options->run);
   add_session_flags(*session, *options);
   take_list(session->get_option("--batch"));
   session->callback([options, &action] { action = [options] { return run(*options); }; });

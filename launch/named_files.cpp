@@ -32,6 +32,7 @@ void collect(const CLI::App& app, std::vector<NamedFile>& files) {
     if (!names_files(*option)) continue;
     const bool written = is_written(*option), folder = is_folder(app, *option);
     for (const std::string& name : option->results()) {
+      if (is_standard_output(*option, name)) continue;
       files.push_back({option->get_name(), name, written, folder, {}});
       if (written && folder) files.back().puts = names_written_into(*option, app.get_name());
     }
@@ -102,6 +103,10 @@ void check_is_none_of(const std::filesystem::path& output, const std::vector<std
   }
 }
 
+bool is_standard_output(const CLI::Option& option, const std::string& name) {
+  return option.get_name() == "--json" && name == "-";
+}
+
 bool is_written(const CLI::Option& option) {
   constexpr std::array<std::string_view, 6> flags = {"--json",      "--output", "--timeline",
                                                      "--keep-pack", "--record", "--journal"};
@@ -117,10 +122,11 @@ bool names_files(const CLI::Option& option) {
 
 std::vector<std::string> names_written_into(const CLI::Option& folder, const std::string& command) {
   if (folder.get_name() == "--record") return {"*.recording"};
-  if (command == "report") return {"report.html", "report.json"};
-  constexpr std::array<std::string_view, 4> samples = {"building", "plant", "isosurface", "statue"};
+  if (command == "report") return {"report.html", "report.json", "report-pictures"};
+  constexpr std::array<std::string_view, 5> samples = {"building", "plant", "services", "isosurface",
+                                                       "statue"};
   if (std::count(samples.begin(), samples.end(), command) > 0)
-    return {"scene.*", "walk.json", "fly.json", "spin.json", "jump.json", "ATTRIBUTION.txt"};
+    return {"scene.*", "walk.json", "fly.json", "spin.json", "jump.json", "orbit.json", "ATTRIBUTION.txt"};
   if (command == "kit") return {"kit.*", "walk.json"};
   return {"[0-9]*.png"};
 }

@@ -15,6 +15,8 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 void check_is_none_of(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
                       const std::string& what_they_are);
 
+/// Whether this value of the option is no file, but standard output: --json -.
+bool is_standard_output(const CLI::Option& option, const std::string& name);
 /// Whether the flag's file or folder is written; the same in every command.
 bool is_written(const CLI::Option& option);
 /// Whether the option names a file or a folder; by the type of its value in the help text.

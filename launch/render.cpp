@@ -1,9 +1,9 @@
-#include "base/file.hpp"
 #include "base/memory.hpp"
 #include "base/progress.hpp"
 #include "base/timeline.hpp"
 #include "launch/command.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/output_folder.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
@@ -22,8 +22,10 @@ namespace {
 
 struct RenderCommand {
   RunOptions run;
+  ShownModel model;
   std::filesystem::path output, timeline;
   CullChoice cull;
+  const CLI::App* words = nullptr;  ///< what was parsed
   bool full_detail = false, item_buffer = false;
 };
 
@@ -31,8 +33,8 @@ int run(const RenderCommand& command) {
   if (!command.timeline.empty()) start_timeline();
   const Pack pack(command.run.pack);
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
-  make_folder(command.output);
   const ChosenDevice device = choose_device(command.run.device);
+  const OutputFolder claimed(command.output, run_line(*command.words));
   const auto [width, height] = command.run.size;
   LocalPipeline pipeline(pack, {.width = width,
                                 .height = height,
@@ -88,8 +90,9 @@ int run(const RenderCommand& command) {
 void add_render(CLI::App& app, Action& action) {
   auto command = std::make_shared<RenderCommand>();
   CLI::App* sub = app.add_subcommand("render", "Draw a path in one process, without a display");
+  command->words = sub;
   sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
-  add_run_flags(*sub, command->run);
+  add_shown_run_flags(*sub, command->run, command->model);
   add_picture_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
@@ -101,7 +104,11 @@ void add_render(CLI::App& app, Action& action) {
   add_every_flag(*sub, command->run);
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
-    action = [command] { return run(*command); };
+    check_shown_model(*sub, command->model);
+    action = [command] {
+      command->run.pack = pack_of(command->model, {command->run.json, command->timeline});
+      return run(*command);
+    };
   });
 }
 

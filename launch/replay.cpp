@@ -1,12 +1,12 @@
 #include "nodes/replay.hpp"
 
-#include "base/file.hpp"
 #include "base/hashing.hpp"
 #include "base/notice.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/command.hpp"
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/output_folder.hpp"
 #include "measure/json.hpp"
 #include "nodes/injected_rules.hpp"
 #include "nodes/pack_device.hpp"
@@ -27,6 +27,7 @@ struct ReplayCommand {
   DeviceOptions device{.kind = DeviceKind::automatic};
   std::optional<uint32_t> frame;  ///< nullopt: all of them
   bool partial = false;
+  const CLI::App* words = nullptr;  ///< what was parsed
 };
 
 /// Draws replayed frames; keeps state from one to the next.
@@ -114,7 +115,8 @@ int run(const ReplayCommand& command) {
       check_is_none_of(output, recordings_of(role, command.folder), "a part of the recording");
     check_is_none_of(output, {header.pack}, "the pack of the recording");
   }
-  if (!command.frame) make_folder(command.output);
+  std::optional<OutputFolder> claimed;
+  if (!command.frame) claimed.emplace(command.output, run_line(*command.words));
   const ChosenDevice device = choose_device(command.device);
   if (device.names.renderer != header.own.device.renderer ||
       device.names.version != header.own.device.version) {
@@ -154,6 +156,7 @@ int run(const ReplayCommand& command) {
 void add_replay(CLI::App& app, Action& action) {
   auto command = std::make_shared<ReplayCommand>();
   CLI::App* sub = app.add_subcommand("replay", "Show frames of a recorded session again, in one process");
+  command->words = sub;
   sub->footer("Example: triptych replay recording --frame 17 -o frame-17.png");
   add_common_flags(*sub, command->json);
   sub->add_option("folder", command->folder, "The folder that session --record wrote")

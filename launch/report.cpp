@@ -1,6 +1,7 @@
 #include "base/file.hpp"
 #include "launch/command.hpp"
 #include "launch/named_files.hpp"
+#include "launch/version.hpp"
 #include "measure/json.hpp"
 #include "report/goals.hpp"
 #include "report/report_page.hpp"
@@ -16,18 +17,20 @@ struct ReportCommand {
 };
 
 int run(const ReportCommand& command) {
-  const Report report = load_report(command.manifest);
+  Report report = load_report(command.manifest);
+  report.origin = {.date = date_now(), .version = version_and_commit(), .machine = this_machine()};
+  name_pictures_beside_page(report);
   // Everything is made before anything is written: if a figure is missing, no page is left.
   const std::string page = report_page(report);
   const nlohmann::json merged = report_json(report);
   std::vector<std::filesystem::path> sources = {command.manifest};
   for (const ReportEntry& entry : report.entries) sources.push_back(entry.file);
-  for (const ReportPicture& picture : report.pictures)
-    sources.push_back(command.manifest.parent_path() / picture.file);
+  for (const ReportPicture& picture : report.pictures) sources.push_back(picture.source);
   for (const char* name : {"report.html", "report.json"})
     check_is_none_of(command.output / name, sources, "what the report is made from");
   check_is_none_of(command.json, sources, "what the report is made from");
   make_folder(command.output);
+  copy_pictures(report, command.output);
   write_file(command.output / "report.html", page);
   write_json(command.output / "report.json", merged);
   write_json(command.json, merged);

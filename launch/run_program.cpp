@@ -3,23 +3,22 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/inject.hpp"
-#include "base/signals.hpp"
 #include "base/threads.hpp"
 #include "session/child_processes.hpp"
 
 namespace triptych {
 
 nlohmann::json run_program(const std::string& name, std::vector<std::string> arguments,
-                           const std::filesystem::path& folder) {
+                           const std::filesystem::path& folder, bool (*stop)()) {
   const std::filesystem::path json = folder / (name + ".json");
   arguments.insert(arguments.end(), {"--json", json.string()});
   if (const unsigned threads = thread_count_limit())
     arguments.insert(arguments.end(), {"--threads", std::to_string(threads)});
   for (const std::string& fault : injected_names()) arguments.insert(arguments.end(), {"--inject", fault});
-  stop_requested();  // installs the handlers: from here on a signal ends the child first
+  stop();  // may install handlers: from here on a signal ends the child first
   ChildProcesses child;
   child.start(name, arguments, ChildProcesses::Output::as_error);
-  if (!child.wait(stop_requested)) fail(name, "was told to end");
+  if (!child.wait(stop)) fail(name, "was told to end");
   try {
     return nlohmann::json::parse(read_text_file(json));
   } catch (const nlohmann::json::exception& error) {
@@ -27,11 +26,11 @@ nlohmann::json run_program(const std::string& name, std::vector<std::string> arg
   }
 }
 
-nlohmann::json run_build(const BuildFlags& flags, const std::filesystem::path& pack) {
+nlohmann::json run_build(const BuildFlags& flags, const std::filesystem::path& pack, bool (*stop)()) {
   std::vector<std::string> arguments = {"build"};
   for (const std::string& argument : build_arguments(flags)) arguments.push_back(argument);
   arguments.insert(arguments.end(), {"-o", pack.string()});
-  return run_program("build", arguments, pack.parent_path());
+  return run_program("build", arguments, pack.parent_path(), stop);
 }
 
 }  // namespace triptych

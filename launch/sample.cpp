@@ -1,7 +1,9 @@
 #include "base/signals.hpp"
 #include "base/threads.hpp"
 #include "launch/command.hpp"
+#include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/sample_folder.hpp"
 #include "measure/json.hpp"
 #include "samples/building/building.hpp"
 #include "samples/kit/kit.hpp"
@@ -23,6 +25,7 @@ struct SampleCommand {
   SurfaceOptions surface;
   int furniture = 0, repeat_storeys = 0;
   std::filesystem::path output, json;
+  bool force = false;
 };
 
 int run_building(SampleCommand command) {
@@ -141,6 +144,17 @@ void add_sample(CLI::App& app, Action& action) {
   sample->require_subcommand(1);
   sample->footer("Example: triptych sample building -o building --floors 2");
   auto command = std::make_shared<SampleCommand>();
+  const auto runs = [command, &action](CLI::App& sub, const std::function<int(const SampleCommand&)>& run) {
+    sub.add_flag("--force", command->force, "Overwrite files in the folder that no sample has made");
+    sub.callback([=, &sub, &action] {
+      action = [=, &sub] {
+        if (!command->force)
+          check_holds_only_samples(command->output,
+                                   names_written_into(*sub.get_option("--output"), sub.get_name()));
+        return run(*command);
+      };
+    });
+  };
   CLI::App* building =
       sample->add_subcommand("building", "An office building, furnished with Debian's sweethome3d-furniture");
   building->footer("Example: triptych sample building -o building --floors 2 --seed 7");
@@ -160,7 +174,7 @@ void add_sample(CLI::App& app, Action& action) {
   building->add_option("--seed", command->building.seed, "Decides everything that is random")
       ->check(whole_number(0))
       ->capture_default_str();
-  building->callback([command, &action] { action = [command] { return run_building(*command); }; });
+  runs(*building, run_building);
 
   CLI::App* kit = sample->add_subcommand(
       "kit", "A small building in every format that a library here can write, the same in each");
@@ -169,13 +183,13 @@ void add_sample(CLI::App& app, Action& action) {
   kit->add_option("-o,--output", command->output, "Folder for kit.gltf, kit.obj and so on, and the path")
       ->required()
       ->type_name("DIR");
-  kit->callback([command, &action] { action = [command] { return run_kit(*command); }; });
+  runs(*kit, run_kit);
 
   CLI::App* plant = sample->add_subcommand(
       "plant", "A coal-fired power plant: some 1,200 objects, among them one network of pipes");
   plant->footer("Example: triptych sample plant -o plant --triangles 1000000");
   add_sample_flags(*plant, *command, command->plant, min_plant_triangles, max_plant_triangles);
-  plant->callback([command, &action] { action = [command] { return run_plant(*command); }; });
+  runs(*plant, run_plant);
 
   CLI::App* services = sample->add_subcommand(
       "services", "A hospital full of ducts and pipes: some 30,000 small objects of shared meshes");
@@ -190,13 +204,13 @@ void add_sample(CLI::App& app, Action& action) {
   services->add_option("--seed", command->services.seed, "Decides everything that is random")
       ->check(whole_number(0))
       ->capture_default_str();
-  services->callback([command, &action] { action = [command] { return run_services(*command); }; });
+  runs(*services, run_services);
 
   const auto add_surface = [&](const char* name, const char* does, MakeSurface make) {
     CLI::App* surface = sample->add_subcommand(name, does);
     surface->footer(fmt::format("Example: triptych sample {} -o {} --triangles 1000000", name, name));
     add_sample_flags(*surface, *command, command->surface, min_surface_triangles, max_surface_triangles);
-    surface->callback([command, make, &action] { action = [=] { return run_surface(*command, make); }; });
+    runs(*surface, [make](const SampleCommand& chosen) { return run_surface(chosen, make); });
   };
   add_surface("isosurface", "The surface between two gases that mix, with holes and depth", make_isosurface);
   add_surface("statue", "A robed figure: one closed, finely folded surface", make_statue);

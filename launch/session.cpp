@@ -1,4 +1,5 @@
 #include "base/notice.hpp"
+#include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/session_faults.hpp"
@@ -7,12 +8,16 @@
 
 #include <algorithm>
 #include <fmt/core.h>
+#include <optional>
 
 namespace triptych {
 
 namespace {
 
-int run(const SessionOptions& options, const std::filesystem::path& json) {
+int run(const SessionOptions& options, const std::string& line) {
+  const std::filesystem::path& json = options.run.json;
+  std::optional<OutputFolder> claimed;
+  if (!options.output.empty()) claimed.emplace(options.output, line);
   const SessionOutcome outcome = run_session(options);
   nlohmann::json roles = nlohmann::json::array();
   for (const auto& [role, pid] : outcome.roles) roles.push_back({{"role", role}, {"pid", pid}});
@@ -73,17 +78,23 @@ int run(const SessionOptions& options, const std::filesystem::path& json) {
 
 void add_session(CLI::App& app, Action& action) {
   auto options = std::make_shared<SessionOptions>();
+  auto model = std::make_shared<ShownModel>();
   CLI::App* sub = app.add_subcommand("session", "Three processes on this machine, one picture");
   sub->footer("Example: triptych session scene.tpk --path walk.json -o pictures");
+  add_shown_run_flags(*sub, options->run, *model);
   add_session_flags(*sub, *options);
   add_target_flag(*sub, options->run);
   sub->add_option("-o,--output", options->output, "Folder for the PNG files")->type_name("DIR");
   sub->add_flag("--hash", options->hash, "Put each picture's hash into the JSON");
   add_until_told_flag(*sub, options->until_told);
   add_window_flag(*sub, options->window);
-  sub->callback([options, &action] {
+  sub->callback([=, &action] {
     require_path(options->run, options->window);
-    action = [options] { return run(*options, options->run.json); };
+    check_shown_model(*sub, *model);
+    action = [=] {
+      options->run.pack = pack_of(*model, {options->run.json, options->timeline});
+      return run(*options, run_line(*sub));
+    };
   });
 }
 

@@ -39,7 +39,6 @@ void add_until_told_flag(CLI::App& command, bool& until_told) {
 }
 
 void add_session_flags(CLI::App& command, SessionOptions& options) {
-  add_run_flags(command, options.run);
   add_picture_flags(command, options.run);
   command.add_option("--loop", options.loop, "How often the path is played")
       ->check(whole_number(1, max_frames));

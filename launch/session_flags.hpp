@@ -15,9 +15,7 @@ void add_connect_timeout_flag(CLI::App& command, double& connect_timeout_s);
 void add_until_told_flag(CLI::App& command, bool& until_told);
 
 /// --loop, --rate, --port, --batch, --timeout, --gather, --connect-timeout, --restarts, --hosts, --key-file,
-/// --insecure,
-/// --record,
-/// --timeline, the run flags and the picture flags.
+/// --insecure, --record, --timeline and the picture flags, beside add_run_flags().
 void add_session_flags(CLI::App& command, SessionOptions& options);
 
 }  // namespace triptych

@@ -17,6 +17,7 @@ namespace {
 
 struct ViewCommand {
   RunOptions run;
+  ShownModel model;
   CullChoice cull;
   std::optional<ContextKind> context;  ///< nullopt: the display's own
   bool play = false;
@@ -80,7 +81,7 @@ void add_view(CLI::App& app, Action& action) {
   auto command = std::make_shared<ViewCommand>();
   CLI::App* sub = app.add_subcommand("view", "Walk through a pack in a window, in one process");
   sub->footer("Example: triptych view scene.tpk --path walk.json\nKeys:\n" + viewer_help());
-  add_run_flags(*sub, command->run);
+  add_shown_run_flags(*sub, command->run, command->model);
   add_picture_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
@@ -95,8 +96,12 @@ void add_view(CLI::App& app, Action& action) {
       ->capture_default_str();
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
+    check_shown_model(*sub, command->model);
     if (sub->count("--context") > 0) command->context = command->run.device.context;
-    action = [command] { return run(*command); };
+    action = [command] {
+      command->run.pack = pack_of(command->model, {command->run.json});
+      return run(*command);
+    };
   });
 }
 

@@ -1,7 +1,15 @@
 #include "measure/json.hpp"
 
+#include "base/descriptor.hpp"
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "nodes/device_choice.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <span>
+#include <unistd.h>
 
 namespace triptych {
 
@@ -35,8 +43,21 @@ std::string json_text(const nlohmann::json& value, int indent) {
   return value.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+namespace {
+Descriptor json_output;  // the standard output that this process began with
+}
+
+void give_standard_output_to_json() {
+  json_output = Descriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  if (!json_output.is_open() || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+    fail("standard output", "{}", std::strerror(errno));
+}
+
 void write_json(const std::filesystem::path& file, const nlohmann::json& object) {
-  if (!file.empty()) write_file(file, json_text(object, 2) + "\n");
+  if (file.empty()) return;
+  const std::string text = json_text(object, 2) + "\n";
+  if (file != "-" || !json_output.is_open()) return write_file(file, text);
+  write_all(json_output.number(), std::as_bytes(std::span(text)), "standard output");
 }
 
 }  // namespace triptych

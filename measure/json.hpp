@@ -35,7 +35,13 @@ nlohmann::json distribution_json(const std::vector<Record>& records, Value value
 /// there is no indent.
 std::string json_text(const nlohmann::json& value, int indent = -1);
 
-/// Writes one object, atomically. An empty path writes nothing.
+/// From here on what this process prints to standard output goes to standard error, and the object that is
+/// written to
+/// "-" to standard output. Error if that cannot be.
+void give_standard_output_to_json();
+
+/// Writes one object, atomically. An empty path writes nothing; "-" is standard output, as
+/// give_standard_output_to_json() says.
 void write_json(const std::filesystem::path& file, const nlohmann::json& object);
 
 }  // namespace triptych

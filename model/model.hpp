@@ -87,7 +87,7 @@ struct Model {
   std::vector<GroupInstance> group_instances;
   SourceObjects source_objects;  ///< empty for models without names
   /// What was or will be read: the model files, and the buffers and material libraries that they name. What
-  /// triptych-import opens beside a file is not among them.
+  /// triptych-import opened beside a file is among them.
   std::vector<std::filesystem::path> files;
   ImportReport report;
 

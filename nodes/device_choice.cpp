@@ -1,6 +1,7 @@
 #include "nodes/device_choice.hpp"
 
 #include "base/error.hpp"
+#include "base/notice.hpp"
 #include "raster/raster_device.hpp"
 
 #include <algorithm>
@@ -31,8 +32,12 @@ ChosenDevice choose_device(const DeviceOptions& wanted) {
   std::unique_ptr<Context> context;
   try {
     context = make_context(wanted.context);
-  } catch (const Error&) {
-    if (wanted.kind == DeviceKind::gl) throw;
+  } catch (const Error& error) {
+    const char* const osmesa =
+        wanted.context == ContextKind::egl ? ", --context osmesa with Mesa's own library" : "";
+    if (wanted.kind == DeviceKind::gl)
+      throw Error("OpenGL", fmt::format("{}; --device cpu draws without it{}", error.what(), osmesa));
+    notice("no OpenGL ({}): drawing without it, as --device cpu does", error.what());
     return chosen;  // without OpenGL there is no card
   }
   if (wanted.kind == DeviceKind::automatic && !is_graphics_card(context->names())) return chosen;

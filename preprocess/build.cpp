@@ -23,6 +23,9 @@ namespace triptych {
 
 namespace {
 
+/// What Skeleton::effects calls materials that let light through; they are drawn opaque.
+constexpr const char* transparency_effect = "transparent materials";
+
 /// Appends to the arrays of a skeleton or a sub-hierarchy.
 template <typename Hierarchy>
 void add_nodes(Hierarchy& hierarchy, std::span<const HierarchyNode> nodes,
@@ -220,6 +223,9 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     skeleton.effects.push_back(vertex_colors_effect);
   stage("measure", [&] { plan = make_plan(model, options); });
   skeleton.import.dropped_triangles += plan.dropped_triangles;
+  const auto transparent = static_cast<uint64_t>(std::count_if(
+      plan.colors.begin(), plan.colors.end(), [&](uint32_t color) { return plan.palette[color][3] < 255; }));
+  if (transparent > 0) skeleton.effects.push_back(transparency_effect);
   auto& warnings = skeleton.import.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
   if (plan.left_out > 0) {
@@ -259,9 +265,10 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     describe_tree(stored, file, report);
     report.import = skeleton.import;
     PackOptions said = options.said;
-    for (const auto& [word, crowded] : {std::pair{"crowded-parts", report.contacts.crowded_parts},
-                                        std::pair{"crowded-planes", report.layers.crowded_parts}}) {
-      if (!said.empty() && crowded > 0) said[word] = std::to_string(crowded);
+    for (const auto& [word, count] : {std::pair{"crowded-parts", uint64_t{report.contacts.crowded_parts}},
+                                      std::pair{"crowded-planes", uint64_t{report.layers.crowded_parts}},
+                                      std::pair{"transparent-materials", transparent}}) {
+      if (!said.empty() && count > 0) said[word] = std::to_string(count);
     }
     work.pack().finish(std::move(stored), objects, said);
   });

@@ -1,10 +1,10 @@
 #include "render/context_osmesa.hpp"
 
 #include "base/error.hpp"
+#include "render/shared_library.hpp"
 
 #include <GL/osmesa.h>
 #include <array>
-#include <dlfcn.h>
 
 namespace triptych {
 
@@ -20,22 +20,13 @@ struct Library {
   decltype(&::OSMesaDestroyContext) destroy_context;
   decltype(&::OSMesaGetProcAddress) address_of;
 
-  Library() : handle_(::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL)) {
-    if (!handle_) fail(place, "is not there: {}", ::dlerror());
-    find("OSMesaCreateContextAttribs", create_context);
-    find("OSMesaMakeCurrent", make_current);
-    find("OSMesaDestroyContext", destroy_context);
-    find("OSMesaGetProcAddress", address_of);
+  Library() {
+    const SharedLibrary file(place, "libOSMesa.so.8");
+    file.find("OSMesaCreateContextAttribs", create_context);
+    file.find("OSMesaMakeCurrent", make_current);
+    file.find("OSMesaDestroyContext", destroy_context);
+    file.find("OSMesaGetProcAddress", address_of);
   }
-
- private:
-  template <typename Function>
-  void find(const char* name, Function& function) {
-    function = reinterpret_cast<Function>(::dlsym(handle_, name));
-    if (!function) fail(place, "has no {}", name);
-  }
-
-  void* handle_;  ///< never closed: drivers keep pointers into it until the process ends
 };
 
 const Library& library() {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <limits>
 
 namespace triptych {
 
@@ -28,11 +29,23 @@ double axis_step(double value) {
 struct Scale {
   size_t frames = 0;
   double limit = 1;
+  double foot = 0;  ///< the lowest value; above 0 the scale is logarithmic, and both are powers of ten
   double x(size_t frame) const {
     return left +
            plot_width * static_cast<double>(frame) / static_cast<double>(std::max<size_t>(2, frames) - 1);
   }
-  double y(double value) const { return top + plot_height * (1 - std::clamp(value / limit, 0.0, 1.0)); }
+  double share(double value) const {
+    return foot > 0 ? std::log10(std::max(value, foot) / foot) / std::log10(limit / foot) : value / limit;
+  }
+  double y(double value) const { return top + plot_height * (1 - std::clamp(share(value), 0.0, 1.0)); }
+  /// The values at which lines are drawn.
+  std::vector<double> marks() const {
+    std::vector<double> values;
+    const double step = axis_step(limit);
+    for (double value = foot; value <= limit * 1.001; value = foot > 0 ? 10 * value : value + step)
+      values.push_back(value);
+    return values;
+  }
 };
 
 struct Extent {
@@ -41,7 +54,27 @@ struct Extent {
   double highest = 0;
 };
 
+/// Powers of ten around all values above 0.
+Extent magnitudes_of(const LineChart& chart) {
+  Extent extent;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ChartSeries& series : chart.series) {
+    extent.scale.frames = std::max(extent.scale.frames, series.values.size());
+    for (const double value : series.values) {
+      if (!(value > 0)) continue;
+      least = std::min(least, value);
+      extent.highest = std::max(extent.highest, value);
+    }
+  }
+  if (!(extent.highest > 0)) least = extent.highest = 1;
+  extent.scale.foot = std::pow(10, std::floor(std::log10(least)));
+  extent.scale.limit =
+      std::max(10 * extent.scale.foot, std::pow(10, std::ceil(std::log10(extent.highest) - 1e-9)));
+  return extent;
+}
+
 Extent extent_of(const LineChart& chart) {
+  if (chart.logarithmic) return magnitudes_of(chart);
   Extent extent;
   double typical = 0;
   for (const ChartSeries& series : chart.series) {
@@ -62,8 +95,7 @@ Extent extent_of(const LineChart& chart) {
 
 std::string axes(const Scale& scale, const std::string& unit) {
   std::string svg;
-  const double step = axis_step(scale.limit);
-  for (double value = 0; value <= scale.limit * 1.001; value += step) {
+  for (const double value : scale.marks()) {
     svg += fmt::format("<line class=\"grid\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>", left,
                        width - right, scale.y(value), scale.y(value));
     svg += fmt::format("<text class=\"label end\" x=\"{:.0f}\" y=\"{:.1f}\">{:g}</text>", left - 8,

@@ -12,8 +12,10 @@ struct ChartSeries {
 };
 
 struct LineChart {
-  std::string unit;  ///< of the vertical axis, which starts at zero
+  std::string unit;  ///< of the vertical axis, which starts at zero, or at a power of ten
   std::vector<ChartSeries> series;
+  bool logarithmic =
+      false;  ///< the vertical axis, where series differ by magnitudes; values up to 0 lie at its foot
 };
 
 /// The smallest axis limit that is not below value, as at most five steps of 1, 2, 2.5 or 5 × 10ⁿ; 1 for

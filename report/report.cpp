@@ -3,6 +3,9 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "scene/known_keys.hpp"
+#include "scene/path.hpp"
+
+#include <fmt/core.h>
 
 namespace triptych {
 
@@ -35,7 +38,35 @@ json list(const json& object, const char* key, const std::string& place) {
   return items;
 }
 
+/// Where a picture was taken: "eye at 1.50, 1.60, -20.00, looking at 1.50, 1.60, -10.00".
+std::string place_of_eye(const json& item, const std::filesystem::path& folder, const std::string& place) {
+  const json frame = item.value("frame", json());
+  if (!frame.is_number_unsigned()) fail(place, "has no whole number \"frame\"");
+  const std::filesystem::path file = folder / member(item, "path", place);
+  const Path path = load_path(file);
+  if (frame.get<size_t>() >= path.frames.size())
+    fail(file.string(), "has no frame {}: it has {}", frame.get<size_t>(), path.frames.size());
+  const auto& [eye, target] =
+      std::pair(path.frames[frame.get<size_t>()].eye, path.frames[frame.get<size_t>()].target);
+  return fmt::format("frame {} of {}, eye at {:.2f}, {:.2f}, {:.2f}, looking at {:.2f}, {:.2f}, {:.2f}",
+                     frame.get<size_t>(), file.filename().string(), eye.x, eye.y, eye.z, target.x, target.y,
+                     target.z);
+}
+
 }  // namespace
+
+void name_pictures_beside_page(Report& report) {
+  for (size_t i = 0; i < report.pictures.size(); ++i)
+    report.pictures[i].file =
+        fmt::format("report-pictures/{}-{}", i + 1, report.pictures[i].source.filename().string());
+}
+
+void copy_pictures(const Report& report, const std::filesystem::path& folder) {
+  for (const ReportPicture& picture : report.pictures) {
+    make_folder((folder / picture.file).parent_path());
+    write_file(folder / picture.file, read_text_file(picture.source));
+  }
+}
 
 double ReportEntry::figure(const std::string& pointer) const {
   const json::json_pointer key(pointer);
@@ -96,12 +127,16 @@ Report load_report(const std::filesystem::path& manifest) {
   }
   if (report.entries.empty()) fail(place, "names no entries");
   for (const json& item : list(document, "pictures", place)) {
-    report.pictures.push_back(
-        {member(item, "file", place), member(item, "caption", place), member(item, "command", place)});
-    expect_known_keys(item, {"file", "caption", "command"},
-                      place + ": picture " + report.pictures.back().file);
-    const std::filesystem::path picture = folder / report.pictures.back().file;
-    if (!std::filesystem::is_regular_file(picture)) fail(picture.string(), "is not there");
+    const std::string file = member(item, "file", place);
+    report.pictures.push_back({.file = file,
+                               .caption = member(item, "caption", place),
+                               .command = member(item, "command", place),
+                               .source = folder / file});
+    const std::string here = place + ": picture " + file;
+    expect_known_keys(item, {"file", "caption", "command", "path", "frame"}, here);
+    if (!std::filesystem::is_regular_file(folder / file)) fail((folder / file).string(), "is not there");
+    if (item.contains("path") || item.contains("frame"))
+      report.pictures.back().caption += "; " + place_of_eye(item, folder, here);
   }
   return report;
 }

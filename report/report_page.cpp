@@ -76,22 +76,25 @@ std::string time_chart(const Report& report) {
   if (full)
     caption +=
         fmt::format(" The frustum at full detail takes {:.0f} ms (median).", full->figure("/frame_ms/p50"));
-  return chart_figure({"ms per frame",
-                       {{"three processes", walk->numbers("/series/frame_ms")},
-                        {"one process", walk->numbers("/one_process/series/frame_ms")}}},
+  return chart_figure({.unit = "ms per frame",
+                       .series = {{"three processes", walk->numbers("/series/frame_ms")},
+                                  {"one process", walk->numbers("/one_process/series/frame_ms")}}},
                       caption);
 }
 
 std::string visibility_charts(const Report& report) {
   const ReportEntry* const walk = report.find("walk");
   if (!walk) return "";
-  return chart_figure(
-             {"drawables",
-              {{"in the cut", walk->numbers("/series/cut")}, {"drawn", walk->numbers("/series/visible")}}},
-             "Drawables in the view frustum, and those that the culling lets through.") +
-         chart_figure({"ids",
-                       {{"drawn", walk->numbers("/series/visible")},
-                        {"changed, and therefore sent", walk->numbers("/series/changed")}}},
+  return chart_figure({.unit = "drawables",
+                       .series = {{"in the cut", walk->numbers("/series/cut")},
+                                  {"drawn", walk->numbers("/series/visible")}},
+                       .logarithmic = true},
+                      "Drawables in the view frustum, and those that the culling lets through; each line of "
+                      "the grid is ten "
+                      "times the one below.") +
+         chart_figure({.unit = "ids",
+                       .series = {{"drawn", walk->numbers("/series/visible")},
+                                  {"changed, and therefore sent", walk->numbers("/series/changed")}}},
                       "What is drawn, and how much of it changes from one frame to the next.");
 }
 
@@ -172,6 +175,15 @@ std::string device_in_words(const ReportEntry& walk) {
   return walk.text("/gl/renderer") + ", " + walk.text("/gl/version");
 }
 
+/// When, where and by what the report was made.
+std::string origin_in_words(const ReportOrigin& origin) {
+  const Machine& machine = origin.machine;
+  return fmt::format("Made on {} on {}, {} core{}, {:.1f} GiB of memory, by triptych {}", origin.date,
+                     machine.processor.empty() ? "an unnamed processor" : machine.processor, machine.cores,
+                     machine.cores == 1 ? "" : "s", static_cast<double>(machine.memory_bytes) / 0x1p30,
+                     origin.version);
+}
+
 }  // namespace
 
 std::string report_page(const Report& report) {
@@ -185,6 +197,7 @@ std::string report_page(const Report& report) {
         grouped(walk->figure("/frames_compared")), grouped(walk->figure("/identical_frames")));
     body += "<p class=\"quiet\">" + escape_html(device_in_words(*walk)) + "</p>\n";
   }
+  body += "<p class=\"quiet\">" + escape_html(origin_in_words(report.origin)) + "</p>\n";
   if (!report.note.empty()) body += "<p>" + escape_html(report.note) + "</p>\n";
   body += targets_section(report) + pictures_section(report);
   body += section(report, "The model", "", model_table(report), {"sample", "build", "info"});
@@ -230,7 +243,12 @@ nlohmann::json report_json(const Report& report) {
   for (const ReportPicture& picture : report.pictures) {
     pictures.push_back({{"file", picture.file}, {"caption", picture.caption}, {"command", picture.command}});
   }
-  return {{"title", report.title}, {"note", report.note}, {"all_met", all_met},
+  const nlohmann::json origin = {{"date", report.origin.date},
+                                 {"processor", report.origin.machine.processor},
+                                 {"cores", report.origin.machine.cores},
+                                 {"memory_bytes", report.origin.machine.memory_bytes},
+                                 {"version", report.origin.version}};
+  return {{"title", report.title}, {"note", report.note}, {"made", origin},      {"all_met", all_met},
           {"targets", targets},    {"entries", entries},  {"pictures", pictures}};
 }
 

@@ -49,7 +49,9 @@ export class IfcModel {
       CIRCLE_SEGMENTS: 24,
       ALLOW_INCOMPATIBLE_SCHEMA_ALIASES: true,
     });
-    if (this.id < 0) throw new Error([...this.#messages.counts.keys()].at(-1) ?? 'is not an IFC file');
+    if (this.id >= 0) return;
+    const said = [...this.#messages.counts.keys()].at(-1);
+    throw new Error(`is damaged or no IFC file${said ? `; web-ifc says: ${said}` : ''}`);
   }
 
   code(typeName) {

@@ -38,7 +38,9 @@ function outOfMemory(error) {
 
 function complaint(error) {
   if (outOfMemory(error)) return 'needs more memory to read than it is given';
-  return error instanceof WebAssembly.Exception ? 'web-ifc cannot read it; it is damaged or not IFC' : short(error?.message ?? error);
+  if (error instanceof WebAssembly.Exception) return 'web-ifc cannot read it; it is damaged or not IFC';
+  const ours = error?.constructor === Error;  // others are thrown by the language, where web-ifc gives what no IFC file would
+  return ours ? short(error.message) : `is damaged or no IFC file; web-ifc fails with: ${short(error?.message ?? error)}`;
 }
 
 /** The product's kind and what describes its body. */

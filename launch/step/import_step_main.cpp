@@ -98,7 +98,9 @@ int main(int count, char** arguments) {
   } catch (const Standard_OutOfMemory&) {
     end_out_of_memory();
   } catch (const Standard_Failure& failure) {
-    fmt::print(stderr, "triptych: OpenCASCADE: {}\n", short_line(failure.GetMessageString()));
+    const std::string why = failure.GetMessageString();
+    fmt::print(stderr, "triptych: is damaged, or holds what OpenCASCADE cannot read{}\n",
+               why.empty() ? "" : "; it says: " + short_line(why));
   } catch (const std::exception& error) {
     fmt::print(stderr, "triptych: {}\n", short_line(error.what()));
   }

@@ -25,8 +25,9 @@ namespace triptych {
 namespace {
 
 constexpr std::string_view complaint_prefix = "triptych: ", warning_prefix = "warning: ",
-                           progress_prefix = "progress: ";
-constexpr size_t max_line = 4096, max_warnings = 200;  ///< of its output; what is beyond is not kept
+                           progress_prefix = "progress: ", reads_prefix = "reads: ";
+constexpr size_t max_line = 4096, max_warnings = 200,
+                 max_files = 10000;  ///< of its output; what is beyond is not kept
 
 /// A child process that is killed and collected when it goes out of scope.
 class Child {
@@ -122,6 +123,7 @@ class Talk {
   }
 
   std::vector<std::string> warnings;
+  std::vector<std::filesystem::path> also_read;
   std::string complaint;
 
  private:
@@ -130,6 +132,12 @@ class Talk {
     if (line.starts_with(progress_prefix)) return advance(line.substr(progress_prefix.size()));
     if (line.starts_with(warning_prefix) && warnings.size() < max_warnings) {
       warnings.push_back(plain(line.substr(warning_prefix.size())));
+    } else if (line.starts_with(reads_prefix)) {
+      // What a damaged file made it print may be no file.
+      const std::filesystem::path file = line.substr(reads_prefix.size());
+      std::error_code error;
+      if (also_read.size() < max_files && std::filesystem::is_regular_file(file, error))
+        also_read.push_back(file);
     } else if (line.starts_with(complaint_prefix)) {
       complaint = plain(line.substr(complaint_prefix.size()));
     } else if (complaint.empty() && is_of_memory(line)) {
@@ -200,7 +208,8 @@ Converted convert_model(const std::filesystem::path& file, const PackedFile* unp
     fail(place, "its reader ended with exit code {}; the file is damaged, or {} cannot read it",
          WEXITSTATUS(status), converter.library);
   }
-  return {std::make_shared<StreamSource>(place, std::move(output)), std::move(talk.warnings)};
+  return {std::make_shared<StreamSource>(place, std::move(output)), std::move(talk.warnings),
+          std::move(talk.also_read)};
 }
 
 }  // namespace triptych

@@ -71,6 +71,8 @@ Format format_of(const std::filesystem::path& file, const std::filesystem::path&
 
 }  // namespace
 
+bool is_model_name(const std::filesystem::path& file) { return is_packed(file) || is_model(file); }
+
 std::vector<std::string> known_extensions() {
   std::vector<std::string> known;
   for (const Format& format : formats) known.emplace_back(format.extension);

@@ -59,9 +59,12 @@ struct ImportOptions {
 Model import_model(const std::vector<std::filesystem::path>& files, const ImportOptions& options = {});
 
 /// The models' own files: these, and the buffers, material libraries and textures that they name, whether or
-/// not they are read or exist. What triptych-import opens beside a file is not among them. Geometry is not
-/// read. Error for a file that cannot be opened.
+/// not they are read or exist. What triptych-import opens beside a file is not among them: Model::files has
+/// it. Geometry is not read. Error for a file that cannot be opened.
 std::vector<std::filesystem::path> files_of_models(const std::vector<std::filesystem::path>& models);
+
+/// Whether a file of this name is one that import_model reads, by its extension: also .gz and .zip.
+bool is_model_name(const std::filesystem::path& file);
 
 /// The extensions that import_model knows, with their dots: those of our own readers, then those that
 /// triptych-import reads.

@@ -184,6 +184,7 @@ class DocumentParser {
     }
     const std::string alpha = members_.text(entry, "alphaMode");
     material.transparent = !alpha.empty() && alpha != "OPAQUE";
+    if (!material.transparent) material.base_color[3] = 1;  // as glTF says of opaque ones
     return material;
   }
 

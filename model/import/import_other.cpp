@@ -37,6 +37,7 @@ void import_other(FileImport& target) {
   Converted converted =
       convert_model(target.file(), target.unpacked(), target.options(), {"triptych-import", "Assimp", {}});
   for (std::string& warning : converted.warnings) target.remark(std::move(warning));
+  for (const auto& file : converted.also_read) target.also_reads(file);
   import_gltf(target, std::move(converted.output));
 }
 

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <mutex>
 
 namespace triptych {
 
@@ -36,10 +37,16 @@ class Checking {
   template <typename... Arguments>
   void violation(uint64_t& count, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     ++count;
-    if (report_.messages.size() < options_.messages) {
-      report_.messages.push_back(pack_.name() + ": " +
-                                 fmt::format(format, std::forward<Arguments>(arguments)...));
-    }
+    if (report_.messages.size() >= options_.messages) return;
+    report_.messages.push_back(pack_.name() + ": " +
+                               fmt::format(format, std::forward<Arguments>(arguments)...));
+    found(report_.messages.back());
+  }
+
+  /// Tells what was found, unless enough was told. Threads may call it.
+  void found(const std::string& message) {
+    const std::lock_guard lock(telling_);
+    if (options_.found && told_++ < options_.messages) options_.found(message);
   }
 
   void check_nested_boxes() {
@@ -96,6 +103,7 @@ class Checking {
         }
       } catch (const Error& error) {
         damage[i] = error.what();
+        found(damage[i]);
       }
       progress.advance();
     });
@@ -123,6 +131,7 @@ class Checking {
       } catch (const Error& error) {
         ++report_.checksum_errors;
         if (report_.messages.size() < options_.messages) report_.messages.push_back(error.what());
+        found(error.what());
       }
     };
     check([&] { pack_.read_objects(); });
@@ -153,6 +162,8 @@ class Checking {
   const Skeleton& skeleton_;
   const CheckOptions& options_;
   CheckReport report_;
+  std::mutex telling_;
+  size_t told_ = 0;
 };
 
 void Checking::check_distances() {

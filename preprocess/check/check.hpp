@@ -6,6 +6,7 @@
 #include "scene/pack.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct CheckOptions {
   uint64_t points = 60'000'000;
   /// How many violations are put into words.
   size_t messages = 10;
+  /// Told those words as soon as there are any, one call at a time; the order may differ from that of the
+  /// report.
+  std::function<void(const std::string&)> found = {};
 };
 
 struct CheckReport {
@@ -50,5 +54,17 @@ struct CheckReport {
 /// is a lower bound of the true distance, so a bound violation is certain; the reverse is not. Embree (Intel)
 /// finds the candidates, distances are double. Never throws for damage.
 CheckReport check_pack(const Pack& pack, const CheckOptions& options = {});
+
+/// What the bytes of a pack are worth.
+struct BytesReport {
+  uint64_t bytes = 0;                 ///< that have a checksum and were read
+  uint64_t chunks = 0;                ///< of them, so many chunks
+  uint64_t checksum_errors = 0;       ///< chunks and sections that do not verify or cannot be read
+  std::vector<std::string> messages;  ///< the first of those, each with its place
+};
+
+/// Compares each chunk and each section, also of types that are not known, with its checksum; decodes nothing
+/// beyond what opening the pack does. As fast as the file can be read. Never throws for damage.
+BytesReport check_bytes(const Pack& pack, const CheckOptions& options = {});
 
 }  // namespace triptych

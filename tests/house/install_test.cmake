@@ -19,6 +19,13 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
 run(${prefix}/bin/triptych --help)
+foreach(file share/man/man1/triptych.1 share/bash-completion/completions/triptych share/zsh/site-functions/_triptych
+             share/fish/vendor_completions.d/triptych.fish)
+  file(READ ${prefix}/${file} text)
+  if(NOT text MATCHES "pixel.*error")
+    message(FATAL_ERROR "${file} does not tell the flags: ${text}")
+  endif()
+endforeach()
 build_project(consumer)
 run(${BUILD_DIR}/tests/house/consumer/consumer)
 

@@ -32,6 +32,20 @@ TEST(Chart, a_value_that_towers_above_the_others_is_cut_off_and_told) {
   EXPECT_EQ(chart_svg({"ms", {{"session", values}}}).find("above the scale"), std::string::npos);
 }
 
+TEST(Chart, magnitudes_are_evenly_apart_on_a_logarithmic_axis) {
+  const std::string svg =
+      chart_svg({.unit = "drawables", .series = {{"s", {1, 10, 100, 0}}}, .logarithmic = true});
+  for (const char* place : {",216.0 ", ",125.0 ", ",34.0 "})
+    EXPECT_NE(svg.find(place), std::string::npos) << svg;
+  for (const char* mark : {">1<", ">10<", ">100<"}) EXPECT_NE(svg.find(mark), std::string::npos) << svg;
+  EXPECT_EQ(svg.find(">1000<"), std::string::npos);
+  for (const std::vector<double>& values : {std::vector<double>{}, {0}, {7}, {1e-3, 4e5}}) {
+    const std::string other = chart_svg({.unit = "d", .series = {{"s", values}}, .logarithmic = true});
+    EXPECT_EQ(other.find("nan"), std::string::npos) << other;
+    EXPECT_EQ(other.find("inf"), std::string::npos) << other;
+  }
+}
+
 TEST(Chart, no_values_and_a_single_one_are_drawn_without_a_nan) {
   EXPECT_EQ(chart_svg({"ms", {{"nothing", {}}}}).find("nan"), std::string::npos);
   EXPECT_EQ(chart_svg({"ms", {{"one", {3}}}}).find("nan"), std::string::npos);

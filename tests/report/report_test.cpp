@@ -146,6 +146,53 @@ TEST_F(ReportFiles, says_what_drew) {
   EXPECT_NE(report_page(load()).find("by the program itself"), std::string::npos);
 }
 
+TEST_F(ReportFiles, says_when_where_and_by_what_it_was_made) {
+  Report report = load();
+  report.origin = {
+      .date = "2026-03-01 14:05 UTC",
+      .version = "1.2.3, commit abc",
+      .machine = {.processor = "Some <processor>", .cores = 2, .memory_bytes = uint64_t{3} << 30}};
+  EXPECT_TRUE(
+      holds(report_page(report),
+            "Made on 2026-03-01 14:05 UTC on Some &lt;processor&gt;, 2 cores, 3.0 GiB of memory, by triptych "
+            "1.2.3, commit abc"));
+  EXPECT_EQ(report_json(report)["made"]["cores"], 2);
+  EXPECT_GE(this_machine().cores, 1u);
+  EXPECT_GT(this_machine().memory_bytes, uint64_t{1} << 26);
+  EXPECT_EQ(date_now().size(), report.origin.date.size());
+}
+
+TEST_F(ReportFiles, has_copies_of_its_pictures_so_that_its_folder_can_be_moved) {
+  make_folder(folder / "pictures");
+  write_file(folder / "pictures/000000.png", "another picture");
+  manifest["pictures"].push_back({{"file", "pictures/000000.png"}, {"caption", "c"}, {"command", "d"}});
+  Report report = load();
+  name_pictures_beside_page(report);
+  copy_pictures(report, folder / "page");
+  std::filesystem::rename(folder / "page", folder / "moved");
+  std::filesystem::remove_all(folder / "pictures");
+  const std::string page = report_page(report);
+  for (const auto& [name, text] : {std::pair{"report-pictures/1-000000.png", "a picture"},
+                                   {"report-pictures/2-000000.png", "another picture"}}) {
+    EXPECT_TRUE(holds(page, "src=\"" + std::string(name) + "\""));
+    EXPECT_EQ(read_text_file(folder / "moved" / name), text);
+  }
+}
+
+TEST_F(ReportFiles, captions_say_where_the_eye_is) {
+  write_file(
+      folder / "walk_path.json",
+      R"({"triptych_path": 1, "frames": [{"eye": [1.5, 1.6, -20], "target": [0, 1, 0], "up": [0, 1, 0]}]})");
+  manifest["pictures"][0].update({{"path", "walk_path.json"}, {"frame", 0}});
+  EXPECT_TRUE(
+      holds(report_page(load()),
+            "frame 0; frame 0 of walk_path.json, eye at 1.50, 1.60, -20.00, looking at 0.00, 1.00, 0.00"));
+  manifest["pictures"][0]["frame"] = 1;
+  EXPECT_TRUE(holds(complaint(), "walk_path.json: has no frame 1: it has 1")) << complaint();
+  manifest["pictures"][0]["frame"] = -1;
+  EXPECT_TRUE(holds(complaint(), "has no whole number \"frame\"")) << complaint();
+}
+
 TEST_F(ReportFiles, the_page_holds_every_command_and_picture) {
   const std::string page = report_page(load());
   for (const char* name : {"walk", "one_process", "coarse", "full_detail"}) {

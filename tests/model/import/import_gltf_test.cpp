@@ -27,8 +27,12 @@ TEST(ImportGltf, a_mesh_comes_with_its_positions_triangles_and_base_colour) {
   EXPECT_EQ(model.meshes[0].positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
   ASSERT_EQ(model.meshes[0].triangles.size(), 2u);
   EXPECT_EQ(model.meshes[0].triangles[1].vertices, (std::array<uint32_t, 3>{2, 1, 3}));
-  EXPECT_EQ(model.materials[model.meshes[0].triangles[0].material].base_color, glm::vec4(0.5, 0.25, 1, 0.75));
+  EXPECT_EQ(model.materials[model.meshes[0].triangles[0].material].base_color, glm::vec4(0.5, 0.25, 1, 1))
+      << "without an alphaMode it is opaque, whatever its alpha";
   EXPECT_TRUE(model.report.warnings.empty());
+  json document = square();
+  document["materials"][0]["alphaMode"] = "BLEND";
+  EXPECT_EQ(import_json(document).materials.back().base_color, glm::vec4(0.5, 0.25, 1, 0.75));
 }
 
 TEST(ImportGltf, transforms_are_composed_in_double_down_the_tree) {

@@ -1,0 +1,154 @@
+#include "launch/model_cache.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/file_access.hpp"
+#include "base/hashing.hpp"
+#include "base/inject.hpp"
+#include "base/notice.hpp"
+#include "launch/run_program.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <map>
+#include <sys/file.h>
+
+namespace triptych {
+
+namespace {
+
+using nlohmann::json;
+using Files = std::vector<std::filesystem::path>;
+
+/// A variable of the environment that is set and not empty.
+std::filesystem::path variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// The checksum of what is in the file, as text; "missing" where there is none.
+std::string content_of(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return "missing";
+  const Descriptor opened = open_to_read(file);
+  StreamHash hash;
+  read_in_stretches(opened.number(), size_of(opened.number(), file.string()), file.string(),
+                    [&](std::span<const std::byte> bytes) { hash.add(bytes); });
+  return fmt::format("{:016x}", hash.checksum());
+}
+
+/// What decides what the pack is, in words. Files are named as they lie from the first model on.
+std::string key_of(const BuildFlags& flags, const Files& files, const std::filesystem::path& folder) {
+  std::string key = "program " + content_of("/proc/self/exe") + "\n";
+  for (const auto& [flag, value] : build_words(flags)) key += flag + " " + value + "\n";
+  for (const std::string& fault : injected_names()) key += "fault " + fault + "\n";
+  key += fmt::format("{} models\n", flags.inputs.size());
+  for (const auto& file : files)
+    key +=
+        content_of(file) + " " + std::filesystem::absolute(file).lexically_relative(folder).string() + "\n";
+  return key;
+}
+
+/// Held while one process looks at an entry of the cache, and builds it.
+class EntryLock {
+ public:
+  explicit EntryLock(const std::filesystem::path& entry) {
+    const std::string file = (entry / "lock").string();
+    file_ = Descriptor(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666));
+    if (!file_.is_open()) fail(file, "cannot be opened: {}", std::strerror(errno));
+    if (::flock(file_.number(), LOCK_EX | LOCK_NB) == 0) return;
+    notice("{}: another process builds this pack; waiting for it", entry.string());
+    while (::flock(file_.number(), LOCK_EX) != 0) {
+      if (errno != EINTR) fail(file, "cannot be locked: {}", std::strerror(errno));
+    }
+  }
+
+ private:
+  Descriptor file_;
+};
+
+/// One pack of the cache, in a folder of its own: the pack, what the build said, and, written last, its key
+/// and the files that were read beside those of the key, relative to the first model.
+class Entry {
+ public:
+  Entry(const std::filesystem::path& folder, std::string key, std::filesystem::path models,
+        const std::string& name)
+      : folder_(folder), key_(std::move(key)), models_(std::move(models)), pack_(folder / (name + ".tpk")) {}
+
+  const std::filesystem::path& pack() const { return pack_; }
+
+  bool holds() const {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(pack_, error) || !std::filesystem::exists(said(), error))
+      return false;
+    try {
+      const json said_then = json::parse(read_text_file(said()));
+      if (said_then.at("key") != key_) return false;
+      for (const auto& [name, content] : said_then.at("read").items()) {
+        if (content != content_of(models_ / name)) return false;
+      }
+      return true;
+    } catch (const json::exception&) {
+      return false;  // it is built again
+    }
+  }
+
+  void build(const BuildFlags& flags, const Files& known) const {
+    std::error_code error;
+    std::filesystem::remove(said(), error);
+    // A signal ends this process as it would without the build; the child gets its own when this one is gone.
+    const json report = run_build(flags, pack_, [] { return false; });
+    std::map<std::string, std::string> read;
+    for (const std::string name : report.at("files")) {
+      const auto relative = std::filesystem::absolute(name).lexically_relative(models_);
+      const auto is_it = [&](const std::filesystem::path& file) {
+        return std::filesystem::absolute(file).lexically_relative(models_) == relative;
+      };
+      if (std::none_of(known.begin(), known.end(), is_it)) read[relative.string()] = content_of(name);
+    }
+    if (key_of(flags, known, models_) != key_) {
+      std::filesystem::remove(pack_, error);
+      fail(flags.inputs.front().string(), "or a file that it names changed while a pack of it was built");
+    }
+    write_file(said(), json({{"key", key_}, {"read", read}}).dump(2) + "\n");
+  }
+
+ private:
+  std::filesystem::path said() const { return folder_ / "key.json"; }
+
+  std::filesystem::path folder_;
+  std::string key_;
+  std::filesystem::path models_, pack_;
+};
+
+}  // namespace
+
+std::filesystem::path cache_folder() {
+  if (const auto named = variable("TRIPTYCH_CACHE"); !named.empty()) return std::filesystem::absolute(named);
+  if (const auto caches = variable("XDG_CACHE_HOME"); caches.is_absolute()) return caches / "triptych";
+  if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "triptych";
+  fail("cache",
+       "there is no folder for packs of models: set TRIPTYCH_CACHE to one, or build the pack with `build`");
+}
+
+std::filesystem::path cached_pack(const BuildFlags& flags) {
+  const Files files = files_of_models(flags.inputs);
+  const std::filesystem::path models = std::filesystem::absolute(flags.inputs.front()).parent_path();
+  const std::string key = key_of(flags, files, models), name = flags.inputs.front().stem().string();
+  const std::filesystem::path folder =
+      cache_folder() / fmt::format("{}-{:016x}", name, hash_values(std::span<const char>(key)));
+  make_folder(folder);
+  const EntryLock lock(folder);
+  const Entry entry(folder, key, models, name);
+  if (!entry.holds()) {
+    notice("{}{}: building a pack, which is kept as {}", flags.inputs.front().string(),
+           flags.inputs.size() > 1 ? fmt::format(" and {} more", flags.inputs.size() - 1) : "",
+           entry.pack().string());
+    entry.build(flags, files);
+  }
+  return entry.pack();
+}
+
+}  // namespace triptych

@@ -1,0 +1,113 @@
+// Nothing of one run is mixed with what another left, or written over what is not its own.
+#include "launch/output_folder.hpp"
+
+#include "base/error.hpp"
+#include "tests/launch/model_files.hpp"
+
+namespace triptych::test {
+namespace {
+
+using OutputFolders = ModelFiles;
+
+void fill(const std::string& where) {
+  for (const char* name : {"/000000.png", "/000007.png", "/mine.png", "/render.recording"})
+    std::ofstream(where + name) << "old";
+}
+
+TEST_F(OutputFolders, what_another_run_left_is_moved_aside_and_what_is_no_run_s_stays) {
+  const std::string where = folder.file("pictures");
+  std::filesystem::create_directories(where);
+  fill(where);
+  { const OutputFolder claimed(where, "a run"); }
+  EXPECT_FALSE(std::filesystem::exists(where + "/000007.png"));
+  EXPECT_EQ(text_of(where + "/earlier-1/000007.png"), "old");
+  EXPECT_EQ(text_of(where + "/mine.png"), "old");
+  EXPECT_EQ(text_of(where + "/render.recording"), "old");
+  fill(where);
+  { const OutputFolder claimed(where, "another run"); }
+  EXPECT_EQ(text_of(where + "/earlier-2/000000.png"), "old");
+}
+
+TEST_F(OutputFolders, the_same_command_makes_its_files_anew) {
+  const std::string where = folder.file("pictures");
+  { const OutputFolder claimed(where, "a run"), other(folder.file("x"), ""); }
+  EXPECT_FALSE(std::filesystem::exists(where)) << "nothing was put into it";
+  std::filesystem::create_directories(where);
+  { const OutputFolder claimed(where, "a run"); }
+  fill(where);
+  { const OutputFolder came_to_nothing(where, "a run"); }
+  EXPECT_EQ(text_of(where + "/000007.png"), "old");
+  {
+    const OutputFolder claimed(where, "a run");
+    std::filesystem::remove(where + "/000000.png");
+    std::ofstream(where + "/000001.png") << "new";
+  }
+  EXPECT_EQ(text_of(where + "/000001.png"), "new");
+  EXPECT_FALSE(std::filesystem::exists(where + "/000007.png"));
+  EXPECT_FALSE(std::filesystem::exists(where + "/earlier-1"));
+  EXPECT_EQ(text_of(where + "/mine.png"), "old");
+}
+
+TEST_F(OutputFolders, two_runs_at_once_are_refused) {
+  const OutputFolder first(folder.file("pictures"), "a run");
+  try {
+    const OutputFolder second(folder.file("pictures"), "a run");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("pictures: another run writes into it (a run)"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(OutputFolders, pictures_of_two_renders_do_not_mix) {
+  const auto render = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"render", model,      "--path", path, "--size",
+                                      "64x64",  "--device", "cpu",    "-o", folder.file("p")};
+    words.insert(words.end(), more.begin(), more.end());
+    Program program(words);
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    return program.errors();
+  };
+  render({});
+  const std::string both = picture("p");
+  EXPECT_EQ(render({"--json", folder.file("j")}).find("earlier run"), std::string::npos);
+  EXPECT_NE(render({"--frames", "1"}).find("2 pictures of an earlier run are now in "), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("p/000001.png")));
+  EXPECT_EQ(picture("p/earlier-1"), both);
+}
+
+TEST_F(OutputFolders, a_sample_overwrites_samples_and_nothing_else) {
+  const std::string where = folder.file("scene");
+  const std::vector<std::string> sample = {"sample", "statue", "-o", where, "--triangles", "1000"};
+  run(sample);
+  run(sample);
+  std::ofstream(where + "/scene.ply") << "ply\nof the user's own";
+  const std::string said = failure(sample);
+  EXPECT_NE(said.find("was not made by `triptych sample`: take another folder, or --force"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(text_of(where + "/scene.ply"), "ply\nof the user's own");
+  run({"sample", "statue", "-o", where, "--triangles", "1000", "--force"});
+  EXPECT_GT(text_of(where + "/scene.ply").size(), 1000u);
+}
+
+TEST_F(OutputFolders, without_egl_the_program_draws_by_itself_and_says_so) {
+  const Variable device("TRIPTYCH_DEVICE", "");
+  const Variable drivers("__EGL_VENDOR_LIBRARY_FILENAMES", "/none.json");
+  const std::vector<std::string> render = {"render", model,   "--path", path,
+                                           "--size", "64x64", "-o",     folder.file("p")};
+  std::vector<std::string> gl = render;
+  gl.insert(gl.end(), {"--device", "gl"});
+  const std::string said = failure(gl);
+  EXPECT_NE(said.find("--device cpu draws without it, --context osmesa with Mesa's own library"),
+            std::string::npos)
+      << said;
+  Program automatic(render);
+  EXPECT_EQ(automatic.wait(), 0);
+  EXPECT_NE(automatic.errors().find("drawing without it, as --device cpu does"), std::string::npos)
+      << automatic.errors();
+}
+
+}  // namespace
+}  // namespace triptych::test
