@@ -8,12 +8,15 @@
 #include "base/notice.hpp"
 #include "launch/run_program.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <map>
 #include <sys/file.h>
+#include <sys/stat.h>
 
 namespace triptych {
 
@@ -51,23 +54,58 @@ std::string key_of(const BuildFlags& flags, const Files& files, const std::files
   return key;
 }
 
-/// Held while one process looks at an entry of the cache, and builds it.
+constexpr const char* lock_name = "lock";
+
+/// Held while one process looks at an entry of the cache, builds it or removes it. Its file's time says when
+/// the entry was wanted last.
 class EntryLock {
  public:
-  explicit EntryLock(const std::filesystem::path& entry) {
-    const std::string file = (entry / "lock").string();
-    file_ = Descriptor(::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666));
-    if (!file_.is_open()) fail(file, "cannot be opened: {}", std::strerror(errno));
-    if (::flock(file_.number(), LOCK_EX | LOCK_NB) == 0) return;
-    notice("{}: another process builds this pack; waiting for it", entry.string());
-    while (::flock(file_.number(), LOCK_EX) != 0) {
-      if (errno != EINTR) fail(file, "cannot be locked: {}", std::strerror(errno));
-    }
+  explicit EntryLock(const std::filesystem::path& entry) : file_name_((entry / lock_name).string()) {
+    file_ = Descriptor(::open(file_name_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666));
+    if (!file_.is_open()) fail(file_name_, "cannot be opened: {}", std::strerror(errno));
   }
 
+  /// Whether no other process holds it.
+  bool try_now() const { return ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0; }
+  void wait() const {
+    while (::flock(file_.number(), LOCK_EX) != 0) {
+      if (errno != EINTR) fail(file_name_, "cannot be locked: {}", std::strerror(errno));
+    }
+  }
+  void note_use() const { ::futimens(file_.number(), nullptr); }
+
  private:
+  std::string file_name_;
   Descriptor file_;
 };
+
+/// Whether the folder is an entry of the cache: NAME-0123456789abcdef, with a lock.
+bool is_entry(const std::filesystem::path& folder) {
+  constexpr size_t digits = 16;
+  const std::string name = folder.filename().string();
+  std::error_code error;
+  return name.size() > digits && name[name.size() - digits - 1] == '-' &&
+         name.find_first_not_of("0123456789abcdef", name.size() - digits) == std::string::npos &&
+         std::filesystem::is_regular_file(folder / lock_name, error);
+}
+
+/// Removes entries that nobody has wanted for a long time, such as those of earlier versions of the program.
+void remove_unused(const std::filesystem::path& cache) {
+  constexpr std::chrono::hours patience(60 * 24);
+  const auto long_ago = std::filesystem::file_time_type::clock::now() - patience;
+  std::error_code error;
+  std::vector<std::filesystem::path> unused;
+  for (std::filesystem::directory_iterator entry(cache, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (is_entry(entry->path()) &&
+        std::filesystem::last_write_time(entry->path() / lock_name, error) < long_ago)
+      unused.push_back(entry->path());
+  }
+  for (const auto& folder : unused) {
+    const EntryLock lock(folder);
+    if (lock.try_now()) std::filesystem::remove_all(folder, error);
+  }
+}
 
 /// One pack of the cache, in a folder of its own: the pack, what the build said, and, written last, its key
 /// and the files that were read beside those of the key, relative to the first model.
@@ -141,8 +179,14 @@ std::filesystem::path cached_pack(const BuildFlags& flags) {
       cache_folder() / fmt::format("{}-{:016x}", name, hash_values(std::span<const char>(key)));
   make_folder(folder);
   const EntryLock lock(folder);
+  if (!lock.try_now()) {
+    notice("{}: another process builds this pack; waiting for it", folder.string());
+    lock.wait();
+  }
+  lock.note_use();
   const Entry entry(folder, key, models, name);
   if (!entry.holds()) {
+    remove_unused(cache_folder());
     notice("{}{}: building a pack, which is kept as {}", flags.inputs.front().string(),
            flags.inputs.size() > 1 ? fmt::format(" and {} more", flags.inputs.size() - 1) : "",
            entry.pack().string());

@@ -78,6 +78,25 @@ TEST_F(ShownModel, is_all_or_nothing_in_the_cache) {
   EXPECT_TRUE(std::filesystem::exists(entry / "box.tpk"));
 }
 
+TEST_F(ShownModel, that_nobody_has_wanted_for_long_leaves_the_cache) {
+  const auto make_old = [&] {
+    for (const auto& entry : std::filesystem::directory_iterator(folder.file("cache")))
+      std::filesystem::last_write_time(
+          entry.path() / "lock", std::filesystem::file_time_type::clock::now() - std::chrono::hours(24 * 61));
+  };
+  std::filesystem::create_directories(folder.file("cache/not-of-the-cache"));
+  std::ofstream(folder.file("cache/not-of-the-cache/lock")) << "the user's";
+  run({"info", model});
+  make_old();
+  run({"info", model});  // wanted again
+  run({"info", model, "--build", "--keep none"});
+  EXPECT_EQ(cached(), 3u);
+  make_old();
+  run({"info", model, "--build", "--keep cover"});
+  EXPECT_EQ(cached(), 2u);
+  EXPECT_TRUE(std::filesystem::exists(folder.file("cache/not-of-the-cache/lock")));
+}
+
 TEST_F(ShownModel, that_cannot_be_read_gives_the_errors_of_a_build_and_leaves_no_pack) {
   std::ofstream(folder.file("none.obj")) << "# nothing\n";
   EXPECT_NE(failure({"info", folder.file("none.obj")}).find("none.obj"), std::string::npos);
