@@ -5,6 +5,7 @@
 #include "launch/command.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
+#include "nodes/frame_watch.hpp"
 #include "nodes/local_steering.hpp"
 #include "scene/pack.hpp"
 #include "session/window_source.hpp"
@@ -43,6 +44,7 @@ int run(const ViewCommand& command) {
   std::optional<LocalSteering> steering = steer(pipeline, command.run.target_ms, device.names);
   std::vector<FrameRecord> records;
   std::vector<double> window_ms;
+  FrameWatch watch("view");
   while (!viewer.left()) {
     constexpr double patience_s = 1;
     if (!viewer.wait_for_frame(patience_s)) continue;
@@ -52,7 +54,9 @@ int run(const ViewCommand& command) {
       pipeline.resize(frame.state.view.width, frame.state.view.height);
     }
     pipeline.set_strategy(viewer.culling() ? command.cull.kind : StrategyKind::frustum);
+    watch.begin(frame.number);
     const FrameRecord record = steering ? steering->draw(frame) : pipeline.draw(frame);
+    watch.end();
     const Stopwatch stopwatch;
     viewer.show(frame, record, pipeline.target(), pipeline.device());
     window_ms.push_back(stopwatch.milliseconds());

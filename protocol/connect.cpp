@@ -152,10 +152,14 @@ void Gathering::look_after_links() {
 }
 
 void Gathering::note_hung_up(Role role, const std::string& problem) {
-  const std::string place = fmt::format("the {} at {}", role_name(role), endpoint_->address_of(role));
-  const std::string what = without_place(problem);
-  notice_once(fmt::format("{}: {}: {}", role_name(own_.role), place, what));
-  if (what.starts_with(handshake_failed)) end(Kind::keys_differ, place, what);
+  const std::string problem_there = without_place(problem);
+  const std::string what =
+      fmt::format("the {} at {}: {}", role_name(role), endpoint_->address_of(role), problem_there);
+  if (problem_there.starts_with(handshake_failed)) {
+    end(Kind::keys_differ, role_name(own_.role), what);
+  } else {
+    notice_once(fmt::format("{}: {}", role_name(own_.role), what));
+  }
 }
 
 void Gathering::turn_away_stranger(const std::shared_ptr<Link>& caller, const std::string& problem) {

@@ -42,8 +42,8 @@ std::unique_ptr<Mailbox> mailbox_or_error(ConnectOutcome outcome);
 /// peer leaves before all have met. Only the render node ends a session: to its peers a switch node that is
 /// stopped leaves. Callers that do not belong to the session are turned away and do no harm:
 /// those that do not speak the protocol, differ, are connected already, or stay silent. What is wrong with
-/// callers, and with roles that hang up, is said on standard error at once, and once. `stop` is asked
-/// several times a second.
+/// callers, and with roles that hang up without a reason, is said on standard error at once, and once. `stop`
+/// is asked several times a second.
 ConnectOutcome connect_session(const Hello& own, const MakeEndpoint& endpoint,
                                std::chrono::milliseconds timeout, const std::function<bool()>& stop = {});
 

@@ -15,7 +15,8 @@ RenderSink::RenderSink(const RoleCommand& command, const SessionConnector& conne
       // A person's walk does not end because a disk is full.
       writer_(window ? PictureWriter::OnFailure::say : PictureWriter::OnFailure::stop) {
   if (!command.journal.empty()) journal_.emplace(command.journal);
-  if (numbers.first < numbers.count) progress_.emplace("session", window ? 0 : numbers.count - numbers.first);
+  if (numbers.first < numbers.count)
+    progress_.emplace("session", window || command.until_told ? 0 : numbers.count - numbers.first);
 }
 
 void RenderSink::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
