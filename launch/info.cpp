@@ -4,6 +4,7 @@
 #include "launch/text_table.hpp"
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
+#include "scene/finest_boxes.hpp"
 #include "scene/pack.hpp"
 
 #include <fmt/core.h>
@@ -22,7 +23,7 @@ nlohmann::json build_json(const Pack& pack) {
 
 nlohmann::json describe(const Pack& pack) {
   const Skeleton& skeleton = pack.skeleton();
-  const Box box = skeleton.lattice().box(skeleton.scene_nodes[0].box);
+  const Box box = model_box(skeleton);
   return {{"format_version", pack.format_version()},
           {"content_hash", fmt::format("{:016x}", pack.content_hash())},
           {"source_triangles", skeleton.source_triangles},

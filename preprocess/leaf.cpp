@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace triptych {
@@ -123,9 +122,7 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
 }
 
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
-/// cover: what it may be enlarged to (SimplifyLimits::cover_within); nothing where it may not be.
-UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice,
-                       const std::optional<LatticeBox>& cover, const BuildOptions& options,
+UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, const BuildOptions& options,
                        size_t kept_triangles) {
   for (const CoveredTriangle& covered : info.covered) {
     uint32_t& material = part.surface.triangles[covered.triangle].material;
@@ -148,8 +145,6 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice,
   }
   const LatticeBox box = part.surface.box();
   SimplifyLimits limits = options.simplify_limits();
-  if (!cover) limits.keep_cover = false;
-  if (cover) limits.cover_within = *cover;
   limits.triangles = coarsest_triangles;
   limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
@@ -197,41 +192,15 @@ PartLevels take(const StoredUnit& stored, const PartLevel* shared, ImportReport&
   return levels;
 }
 
-/// For each part where its levels may be enlarged to, so that no hierarchy gets larger: parts on its own
-/// lattice within its box, others wherever, but not where one of their placements stands at its rim.
-std::vector<std::optional<LatticeBox>> room_for_cover(const Parts& parts) {
-  std::vector<std::optional<LatticeBox>> room(parts.parts.size(), everywhere());
-  for (const PlacedParts& hierarchy : parts.hierarchies) {
-    LatticeBox whole;
-    for (const LatticeBox& box : hierarchy.boxes) whole.extend(box);
-    for (size_t i = 0; i < hierarchy.placed.size(); ++i) {
-      std::optional<LatticeBox>& own = room[hierarchy.placed[i].part];
-      if (parts.parts[hierarchy.placed[i].part].lattice == hierarchy.lattice) {
-        own = whole;
-        continue;
-      }
-      // Levels are off by a quarter of the diagonal at most, and grow by no more than that.
-      LatticeBox box = hierarchy.boxes[i];
-      const glm::dvec3 size(box.hi - box.lo);
-      const int margin = static_cast<int>(glm::length(size) / 4) + 1;
-      box.lo -= margin;
-      box.hi += margin;
-      if (!whole.contains(box)) own.reset();
-    }
-  }
-  return room;
-}
-
 }  // namespace
 
 std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions& options,
                                          size_t kept_triangles, BuildWork& work, ImportReport& report) {
   Progress progress("simplifying parts", parts.parts.size());
-  const std::vector<std::optional<LatticeBox>> room = room_for_cover(parts);
   const UnitFunction unit = [&](uint32_t part) {
     const PartInfo& info = parts.parts[part];
     return record_bytes(make_levels(load<Part>(work.parts(), info.place), info, parts.lattices[info.lattice],
-                                    room[part], options, kept_triangles));
+                                    options, kept_triangles));
   };
   std::vector<uint32_t> all(parts.parts.size());
   std::iota(all.begin(), all.end(), 0u);

@@ -78,7 +78,6 @@ class NodeDrawables {
         held_(parts, placed, leaf_places(objects, nodes, placed.placed.size()), work) {}
 
   void run(Progress& progress) {
-    for (const LatticeBox& box : placed_.boxes) whole_.extend(box);
     std::vector<size_t> leaves;
     for (size_t i = 0; i < nodes_.size(); ++i) {
       if (nodes_[i].child_count == 0) leaves.push_back(i);
@@ -91,7 +90,6 @@ class NodeDrawables {
       }
     });
     progress.advance(leaves.size());
-    for (const size_t leaf : leaves) whole_.extend(contents[leaf].box);
     // From the deepest level up. Nodes are in breadth-first order: those of one depth are contiguous.
     std::vector<uint32_t> depths(nodes_.size(), 0);
     for (size_t i = 1; i < nodes_.size(); ++i) depths[i] = depths[nodes_[i].parent] + 1;
@@ -168,9 +166,7 @@ class NodeDrawables {
     LatticeBox box = placed_.boxes[member];
     box.lo -= margin;
     box.hi += margin;
-    // Where nothing turns it, levels stay in the box of all that is placed (SimplifyLimits::cover_within).
-    if (placed_.placed[member].transform != 0) return box;
-    return {glm::max(box.lo, whole_.lo), glm::min(box.hi, whole_.hi)};
+    return box;
   }
 
   /// A leaf that stands for a sub-hierarchy: it draws the sub-hierarchy's own drawables.
@@ -220,7 +216,7 @@ class NodeDrawables {
         std::max(children.error, lattice_.step * leave_out_covered(children, early / lattice_.step));
     const TriangleObjects objects(children);
     const HlodLimits limits{.triangles = options_.hlod_triangles,
-                            .simplify = simplify_limits(),
+                            .simplify = options_.simplify_limits(),
                             .in_pieces = options_.in_pieces(),
                             .gaps = gaps_of_children(node),
                             .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all};
@@ -237,12 +233,6 @@ class NodeDrawables {
     result.geometry.push_back(record_bytes(hlod.coarsest));
     result.figures = record_bytes(figures);
     return result;
-  }
-
-  SimplifyLimits simplify_limits() const {
-    SimplifyLimits limits = options_.simplify_limits();
-    limits.cover_within = whole_;
-    return limits;
   }
 
   std::vector<ErrorGap> gaps_of_children(uint32_t node) const {
@@ -348,7 +338,6 @@ class NodeDrawables {
   BuildWork& work_;
   std::vector<Coarsest> coarsest_;
   HeldSpans held_;
-  LatticeBox whole_;  ///< of all leaves
 };
 
 }  // namespace

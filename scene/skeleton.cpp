@@ -1,5 +1,7 @@
 #include "scene/skeleton.hpp"
 
+#include "scene/finest_boxes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/vec4.hpp>
@@ -58,9 +60,10 @@ double least_alone(const Skeleton& skeleton) {
   const auto size_of = [](double length) {
     return length > 0 ? length : std::numeric_limits<double>::infinity();
   };
+  const std::vector<Box> boxes = finest_boxes(skeleton);
   std::vector<double> diagonals(nodes.size()), filled(nodes.size());  // filled: the sum over leaves below
   for (size_t i = nodes.size(); i-- > 0;) {                           // children come after their parents
-    diagonals[i] = diagonal(skeleton.lattice().box(nodes[i].box));
+    diagonals[i] = diagonal(boxes[i]);
     if (nodes[i].child_count == 0) filled[i] = diagonals[i];
     if (nodes[i].parent != no_id) filled[nodes[i].parent] += filled[i];
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <tsl/robin_map.h>
@@ -41,6 +42,51 @@ struct Cell {
   uint32_t best = 0;
 };
 
+/// For each point the number of its cell.
+std::vector<uint32_t> cells_of(const Surface& surface, const glm::dvec3& lo, double cell) {
+  tsl::robin_map<std::array<uint32_t, 3>, uint32_t, KeyHash, KeyEqual> numbers;
+  numbers.reserve(surface.points.size());
+  std::vector<uint32_t> cell_of;
+  cell_of.reserve(surface.points.size());
+  for (const glm::ivec3& point : surface.points) {
+    const glm::uvec3 at((glm::dvec3(point) - lo) / cell);
+    cell_of.push_back(
+        numbers.try_emplace({at.x, at.y, at.z}, static_cast<uint32_t>(numbers.size())).first->second);
+  }
+  return cell_of;
+}
+
+/// For each point the number of its part of a cell, which planes divide in which points of the cell lie.
+std::vector<uint32_t> divided(const Surface& surface, const std::vector<uint32_t>& cell_of, double cell,
+                              const LayeredPlanes& layered) {
+  constexpr double least_size = 2;    // cells that a plane must reach across to be kept
+  constexpr size_t most_planes = 40;  // sides of so many fit a number
+  tsl::robin_map<uint32_t, std::vector<uint32_t>, KeyHash> planes_in;
+  for (uint32_t i = 0; i < surface.points.size(); ++i) {
+    for (const uint32_t plane : layered.planes_of(i)) {
+      if (layered.size_of(plane) <= least_size * cell) continue;
+      std::vector<uint32_t>& planes = planes_in[cell_of[i]];
+      if (planes.size() < most_planes && std::find(planes.begin(), planes.end(), plane) == planes.end())
+        planes.push_back(plane);
+    }
+  }
+  tsl::robin_map<std::array<uint32_t, 3>, uint32_t, KeyHash, KeyEqual> numbers;
+  std::vector<uint32_t> part_of;
+  part_of.reserve(cell_of.size());
+  for (uint32_t i = 0; i < surface.points.size(); ++i) {
+    uint64_t sides = 0;
+    if (const auto found = planes_in.find(cell_of[i]); found != planes_in.end()) {
+      for (const uint32_t plane : found->second) {
+        const bool behind = layered.height(plane, surface.points[i]) < 0;
+        sides = 3 * sides + (layered.is_in(i, plane) ? 0 : behind ? 1 : 2);
+      }
+    }
+    const std::array key = {cell_of[i], static_cast<uint32_t>(sides), static_cast<uint32_t>(sides >> 32)};
+    part_of.push_back(numbers.try_emplace(key, static_cast<uint32_t>(numbers.size())).first->second);
+  }
+  return part_of;
+}
+
 }  // namespace
 
 TrianglePlanes::TrianglePlanes(const Surface& surface) {
@@ -56,18 +102,11 @@ TrianglePlanes::TrianglePlanes(const Surface& surface) {
 }
 
 CellMoves move_to_cells(const Surface& surface, const TrianglePlanes& planes, std::span<const uint8_t> locked,
-                        double cell) {
+                        double cell, const LayeredPlanes& layered) {
   const glm::dvec3 lo(surface.box().lo);
-  tsl::robin_map<std::array<uint32_t, 3>, uint32_t, KeyHash, KeyEqual> numbers;
-  numbers.reserve(surface.points.size());
-  std::vector<uint32_t> cell_of;
-  cell_of.reserve(surface.points.size());
-  for (const glm::ivec3& point : surface.points) {
-    const glm::uvec3 at((glm::dvec3(point) - lo) / cell);
-    cell_of.push_back(
-        numbers.try_emplace({at.x, at.y, at.z}, static_cast<uint32_t>(numbers.size())).first->second);
-  }
-  std::vector<Cell> cells(numbers.size());
+  std::vector<uint32_t> cell_of = cells_of(surface, lo, cell);
+  if (!layered.empty()) cell_of = divided(surface, cell_of, cell, layered);
+  std::vector<Cell> cells(cell_of.empty() ? 0 : *std::max_element(cell_of.begin(), cell_of.end()) + 1);
   for (size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& vertices = surface.triangles[t].vertices;
     const auto& [normal, weight] = planes[t];
@@ -93,6 +132,7 @@ CellMoves move_to_cells(const Surface& surface, const TrianglePlanes& planes, st
     moves.images[i] = !locked.empty() && locked[i] ? i : cells[cell_of[i]].best;
     moves.furthest = std::max(moves.furthest, glm::distance(glm::dvec3(surface.points[i]),
                                                             glm::dvec3(surface.points[moves.images[i]])));
+    moves.planes_left = std::max(moves.planes_left, layered.left(i, moves.images[i]));
   }
   return moves;
 }

@@ -122,7 +122,8 @@ void Collapser::list_choices() {
       const double faded = glm::length(d) * colors_.difference(target);
       squared_distance = std::max(squared_distance, faded * faded);
     }
-    choices_.push_back({squared_distance, target});
+    const double left = planes_.left(collapse_.point, target);
+    choices_.push_back({std::max(squared_distance, left * left), target});
   }
 }
 
@@ -144,9 +145,21 @@ bool Collapser::try_target(ShrinkingMesh& mesh, uint32_t target) {
   }
   collapse_.bound = *std::max_element(collapse_.errors.begin(), collapse_.errors.end());
   for (const auto& [triangle, error] : collapse_.beside) collapse_.bound = std::max(collapse_.bound, error);
+  collapse_.planes_left = planes_left(target);
+  collapse_.bound = std::max(collapse_.bound, collapse_.planes_left);
   collapse_.error_before = *std::max_element(before_.begin(), before_.end());
   collapse_.cost = collapse_.bound + length_weight * length_;
   return true;
+}
+
+double Collapser::planes_left(uint32_t target) const {
+  if (planes_.empty()) return 0;
+  double largest = planes_.left(collapse_.point, target);
+  for (const Spoke& spoke : star_.spokes()) {
+    if (spoke.from != target && spoke.to != target)
+      largest = std::max(largest, planes_.entered(collapse_.point, target, spoke.from, spoke.to));
+  }
+  return largest;
 }
 
 /// The neighbours that both ends share are the third corners of the triangles between them, and no triangle

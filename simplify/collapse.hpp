@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simplify/fan.hpp"
+#include "simplify/layered_planes.hpp"
 #include "simplify/star.hpp"
 #include "simplify/star_colors.hpp"
 
@@ -17,6 +18,7 @@ struct Collapse {
   double error_before = 0;  ///< the largest of the star's triangles
   double bound = 0;         ///< the largest error of the triangles that it changes
   double cost = 0;          ///< to be compared with others'
+  double planes_left = 0;   ///< the size of the largest layered plane that it leaves; the bound is no smaller
   /// For each spoke of the star the error of its triangle afterwards; negative: it is removed.
   std::vector<double> errors;
   /// Triangles beside the star that take over the points of a removed one, and the least error they must then
@@ -32,6 +34,9 @@ struct Collapse {
 /// Where corners have colours, a change of them counts as far as the point moves, if it is distinct, and in
 /// proportion if it is less: features narrower than the bound, or fainter, may vanish. Seams stay, as lines
 /// between materials do.
+///
+/// A point that leaves a layered plane, or lays a triangle into one, counts as far as what lies there is
+/// large.
 class Collapser {
  public:
   static constexpr uint32_t any = 0xffffffffu;
@@ -39,8 +44,9 @@ class Collapser {
   /// (flat regions) the short ones come first, which keeps triangles well shaped.
   static constexpr double length_weight = 1e-4;
 
-  /// For a mesh of this many points.
-  explicit Collapser(size_t points) : marks_(points, 0) {}
+  /// For a mesh of this many points; their planes are kept by reference.
+  explicit Collapser(size_t points, const LayeredPlanes& planes = LayeredPlanes::none())
+      : planes_(planes), marks_(points, 0) {}
 
   /// Of the neighbours that the point may move to, the one nearest to the planes around it; valid until the
   /// next call; null if it must stay. With a target, only that one is considered.
@@ -74,6 +80,7 @@ class Collapser {
   void look_around(const ShrinkingMesh& mesh);
   void list_choices();
   bool try_target(ShrinkingMesh& mesh, uint32_t target);
+  double planes_left(uint32_t target) const;
   bool joins_well(ShrinkingMesh& mesh, uint32_t target);
   bool all_fit(ShrinkingMesh& mesh, uint32_t target, uint32_t neighbour, uint32_t third) const;
   bool map_closed(const Star::Fan& fan, uint32_t target);
@@ -82,6 +89,7 @@ class Collapser {
   bool move_fan(ShrinkingMesh& mesh, const Star::Fan& fan, uint32_t target);
   bool cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, double error);
 
+  const LayeredPlanes& planes_;
   Star star_;
   StarColors colors_;  ///< if the mesh has any
   bool has_colors_ = false;

@@ -50,7 +50,7 @@ ComponentCovers::ComponentCovers(const Surface& surface) {
     cover.middle += (corners[0] + corners[1] + corners[2]) / 3.0 * area;
     if (area > largest[component]) {
       largest[component] = area;
-      cover.material = triangle.material;
+      cover.material = palette_index(triangle.material);
     }
   }
   for (size_t i = 0; i < count; ++i) {

@@ -19,7 +19,7 @@ struct Cover {
   glm::dvec3 middle{0};           ///< of its area
   double radius = 0;              ///< no point is further from the middle
   double thickness = 0;           ///< roughly the radius of its cross sections; that of a ball is its radius
-  uint32_t material = 0;          ///< of its largest triangle
+  uint32_t material = 0;          ///< palette_index() of its largest triangle
   /// Whether it is much longer than thick, as a wire is: then what is across is looked for place by place.
   bool is_long() const;
 };

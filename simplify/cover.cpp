@@ -19,6 +19,8 @@ constexpr double small = 2;
 constexpr double negligible = 0.02;
 /// Nothing is enlarged of a material that lost less than this share altogether.
 constexpr double little = 0.05;
+/// What others could not regain makes a component at most so many times as large.
+constexpr double most_taken_over = 1.5;
 /// At most this far, of the bound; and what is small.
 constexpr double furthest = 0.5, furthest_of_small = 1;
 
@@ -37,6 +39,33 @@ struct Members {
   }
   std::vector<uint32_t> first, members;
 };
+
+/// What components could not regain, as some points of theirs are locked or all would have to go too far,
+/// goes to others of the same material that could.
+std::vector<double> handed_over(const std::vector<double>& wanted, const std::vector<double>& regained,
+                                const std::vector<Cover>& covers) {
+  struct Sums {
+    double missing = 0, able = 0;
+  };
+  const auto is_able = [&](size_t i) { return regained[i] > wanted[i] * (1 - negligible); };
+  std::map<uint32_t, Sums> sums;  // by material
+  for (size_t i = 0; i < wanted.size(); ++i) {
+    if (!(regained[i] > 0)) continue;
+    Sums& own = sums[covers[i].material];
+    if (is_able(i)) {
+      own.able += wanted[i];
+    } else {
+      own.missing += wanted[i] - regained[i];
+    }
+  }
+  std::vector<double> more(wanted.size(), 0);
+  for (size_t i = 0; i < wanted.size(); ++i) {
+    const Sums& own = sums[covers[i].material];
+    if (regained[i] > 0 && is_able(i) && own.missing > 0)
+      more[i] = wanted[i] * std::min(1 + own.missing / own.able, most_taken_over);
+  }
+  return more;
+}
 
 }  // namespace
 
@@ -174,10 +203,10 @@ std::vector<double> CoverKeeper::goals(const Piece& level, const ComponentCovers
   return wanted;
 }
 
-/// Sets the ways of a component's points, and returns how far they should go.
-double CoverKeeper::enlarge(Growth& growth, const Piece& level, const Cover& cover,
-                            std::span<const uint32_t> points, std::span<const uint32_t> triangles,
-                            double goal, double bound) {
+/// Sets the ways of a component's points, and returns how far they may go.
+double CoverKeeper::set_ways(Growth& growth, const Piece& level, const Cover& cover,
+                             std::span<const uint32_t> points, std::span<const uint32_t> triangles,
+                             double goal, double bound) {
   bool movable = true, compact = true;
   for (const uint32_t i : points) {
     movable = movable && !is_locked(level, i);
@@ -186,12 +215,12 @@ double CoverKeeper::enlarge(Growth& growth, const Piece& level, const Cover& cov
   const bool is_small = cover.radius <= small * bound;
   if (movable && compact && is_small && (points.size() == 3 || points.size() == 4)) {
     const double most = growth.spread(points, triangles, middle_of(level, points), goal);
-    return growth.distance_for(triangles, goal, std::min(most, furthest_of_small * bound));
+    return std::min(most, furthest_of_small * bound);
   }
   if (movable && compact && is_small) {
     const double most =
         growth.scale(points, cover.middle, middle_of(level, points), std::sqrt(goal / cover.covered));
-    return growth.distance_for(triangles, goal, std::min(most, furthest_of_small * bound));
+    return std::min(most, furthest_of_small * bound);
   }
   for (const uint32_t i : points) {
     if (is_locked(level, i)) continue;
@@ -204,7 +233,37 @@ double CoverKeeper::enlarge(Growth& growth, const Piece& level, const Cover& cov
       growth.ways[i] = (point - cover.middle) / std::max(cover.radius, 1.0);
     }
   }
-  return growth.distance_for(triangles, goal, (is_small ? furthest_of_small : furthest) * bound);
+  return (is_small ? furthest_of_small : furthest) * bound;
+}
+
+/// What stands on a plane, or hangs from it, stays there: points that lie in a plane in which the component
+/// has some stay in it, and others on their side.
+void CoverKeeper::keep_sides(Growth& growth, const Piece& level, std::span<const uint32_t> points,
+                             double most) const {
+  std::vector<uint32_t> planes;
+  for (const uint32_t i : points) {
+    for (const uint32_t plane : planes_.planes_of(level.sources[i])) {
+      if (std::find(planes.begin(), planes.end(), plane) == planes.end()) planes.push_back(plane);
+    }
+  }
+  for (const uint32_t i : points) {
+    glm::dvec3& way = growth.ways[i];
+    way = planes_.within(level.sources[i], way);
+    for (const uint32_t plane : planes) {
+      const double before = planes_.height(plane, growth.place(i, 0)),
+                   after = planes_.height(plane, growth.place(i, most));
+      if (!planes_.is_in(level.sources[i], plane) && before * after < 0) way = planes_.along(plane, way);
+    }
+  }
+}
+
+/// Sets the ways of a component's points, and returns how far they should go.
+double CoverKeeper::enlarge(Growth& growth, const Piece& level, const Cover& cover,
+                            std::span<const uint32_t> points, std::span<const uint32_t> triangles,
+                            double goal, double bound) {
+  const double most = set_ways(growth, level, cover, points, triangles, goal, bound);
+  if (!planes_.empty()) keep_sides(growth, level, points, most);
+  return growth.distance_for(triangles, goal, most);
 }
 
 /// The middle of what the points are of, in the source.
@@ -219,7 +278,7 @@ glm::dvec3 CoverKeeper::middle_of(const Piece& level, std::span<const uint32_t> 
   return middle / covered;
 }
 
-double CoverKeeper::restore(Piece& level, double bound, const LatticeBox& within) {
+double CoverKeeper::restore(Piece& level, double bound) {
   Surface& surface = level.surface;
   const ComponentCovers of_level(surface);
   const std::vector<double> wanted = goals(level, of_level, bound);
@@ -237,15 +296,19 @@ double CoverKeeper::restore(Piece& level, double bound, const LatticeBox& within
   const Members triangles(count, surface.triangles.size(),
                           [&](uint32_t i) { return component_of[surface.triangles[i].vertices[0]]; });
   const Members points(count, surface.points.size(), [&](uint32_t i) { return component_of[i]; });
-  std::vector<double> distances(count, 0);
-  for (size_t i = 0; i < count; ++i) {
-    if (!grows(i)) continue;
-    distances[i] =
-        enlarge(growth, level, of_level.covers[i], points.of(i), triangles.of(i), wanted[i], bound);
-  }
-  const auto grown = [&](uint32_t i) {
-    return glm::clamp(growth.rounded(i, distances[component_of[i]]), within.lo, within.hi);
+  std::vector<double> distances(count, 0), regained(count, 0);
+  const auto enlarge_to = [&](size_t i, double goal) {
+    distances[i] = enlarge(growth, level, of_level.covers[i], points.of(i), triangles.of(i), goal, bound);
+    regained[i] = growth.covered(triangles.of(i), distances[i]);
   };
+  for (size_t i = 0; i < count; ++i) {
+    if (grows(i)) enlarge_to(i, wanted[i]);
+  }
+  const std::vector<double> more = handed_over(wanted, regained, of_level.covers);
+  for (size_t i = 0; i < count; ++i) {
+    if (more[i] > 0) enlarge_to(i, more[i]);
+  }
+  const auto grown = [&](uint32_t i) { return growth.rounded(i, distances[component_of[i]]); };
   for (const Triangle& triangle : surface.triangles) {  // rounding must leave each an area
     const auto& [a, b, c] = triangle.vertices;
     if (degenerate(grown(a), grown(b), grown(c))) distances[component_of[a]] = 0;

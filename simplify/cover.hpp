@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simplify/component_covers.hpp"
+#include "simplify/layered_planes.hpp"
 #include "simplify/local_middles.hpp"
 #include "simplify/surface.hpp"
 
@@ -14,10 +15,11 @@ namespace triptych {
 
 class CoverKeeper {
  public:
-  /// `locked`: for each point of the source whether it must stay where it is; empty: none. Both are kept by
-  /// reference.
-  CoverKeeper(const Surface& source, std::span<const uint8_t> locked)
-      : locked_(locked), source_(source), middles_(source, source_) {}
+  /// `locked`: for each point of the source whether it must stay where it is; empty: none. `planes`: of the
+  /// source, which its points do not leave. All are kept by reference.
+  CoverKeeper(const Surface& source, std::span<const uint8_t> locked,
+              const LayeredPlanes& planes = LayeredPlanes::none())
+      : locked_(locked), planes_(planes), source_(source), middles_(source, source_) {}
   CoverKeeper(const CoverKeeper&) = delete;
   CoverKeeper& operator=(const CoverKeeper&) = delete;
 
@@ -25,12 +27,15 @@ class CoverKeeper {
   /// about their middles, or, where they are long, across; and where components have vanished, small ones of
   /// the same material take over theirs (Cook, Halstead, Planck and Ryu, Stochastic simplification of
   /// aggregate detail, 2007). Locked points stay, and so do components that are thick against the level's
-  /// bound, which lose little. No point moves further than half of the bound, or out of `within`. Returns how
-  /// far the furthest did, lattice steps.
-  double restore(Piece& level, double bound, const LatticeBox& within = everywhere());
+  /// bound, which lose little. No point moves further than half of the bound, or the whole of it in what is
+  /// small. Returns how far the furthest did, lattice steps.
+  double restore(Piece& level, double bound);
 
  private:
   class Growth;
+  double set_ways(Growth& growth, const Piece& level, const Cover& cover, std::span<const uint32_t> points,
+                  std::span<const uint32_t> triangles, double goal, double bound);
+  void keep_sides(Growth& growth, const Piece& level, std::span<const uint32_t> points, double most) const;
   double enlarge(Growth& growth, const Piece& level, const Cover& cover, std::span<const uint32_t> points,
                  std::span<const uint32_t> triangles, double goal, double bound);
   glm::dvec3 middle_of(const Piece& level, std::span<const uint32_t> points) const;
@@ -43,6 +48,7 @@ class CoverKeeper {
   }
 
   std::span<const uint8_t> locked_;
+  const LayeredPlanes& planes_;
   ComponentCovers source_;
   LocalMiddles middles_;  ///< of the source
 };

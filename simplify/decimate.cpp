@@ -80,6 +80,8 @@ class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
     return !(is_boundary(v0) && is_boundary(v1) && !is_boundary(v0v1) && !is_boundary(v1v0));
   }
 
+  const LayeredPlanes* planes = nullptr;  ///< of the points that vertices come from
+
  private:
   bool is_hub(OpenMesh::VertexHandle vertex) const {
     const auto first = halfedge_handle(vertex);
@@ -140,11 +142,15 @@ class OutlineQuadric : public OpenMesh::Decimater::ModBaseT<MeshT> {
       collapses_along_outline |= side == info.v0v1;
     }
     if (outlines > 0 && !(outlines == 2 && collapses_along_outline)) return Base::ILLEGAL_COLLAPSE;
+    const uint32_t from = mesh.data(info.v0).source, target = mesh.data(info.v1).source;
+    if (mesh.planes->left(from, target) > 0) return Base::ILLEGAL_COLLAPSE;
     for (const auto side : mesh.voh_range(info.v0)) {
       const auto face = mesh.face_handle(side);
       if (!face.is_valid()) continue;
       const auto a = mesh.to_vertex_handle(side), b = mesh.to_vertex_handle(mesh.next_halfedge_handle(side));
       if (a == info.v1 || b == info.v1) continue;
+      if (mesh.planes->entered(from, target, mesh.data(a).source, mesh.data(b).source) > 0)
+        return Base::ILLEGAL_COLLAPSE;
       const Vector before = (mesh.point(a) - info.p0) % (mesh.point(b) - info.p0);
       const Vector after = (mesh.point(a) - info.p1) % (mesh.point(b) - info.p1);
       // At least 0.2 as the cosine: triangles that are turned on edge would look like tears, and triangles
@@ -248,8 +254,9 @@ void silence_open_mesh() {
 }  // namespace
 
 struct Decimation::State {
-  State(const Surface& surface, std::span<const uint8_t> locked)
+  State(const Surface& surface, std::span<const uint8_t> locked, const LayeredPlanes& planes)
       : origin(surface.points[0]), detached(fill(mesh, surface, locked)), decimater(mesh) {
+    mesh.planes = &planes;
     OpenMesh::Decimater::ModHandleT<OutlineQuadric<HalfEdgeMesh>> module;
     decimater.add(module);
     decimater.initialize();
@@ -260,9 +267,9 @@ struct Decimation::State {
   OpenMesh::Decimater::DecimaterT<HalfEdgeMesh> decimater;
 };
 
-Decimation::Decimation(const Surface& surface, std::span<const uint8_t> locked) {
+Decimation::Decimation(const Surface& surface, std::span<const uint8_t> locked, const LayeredPlanes& planes) {
   silence_open_mesh();
-  state_ = std::make_unique<State>(surface, locked);
+  state_ = std::make_unique<State>(surface, locked, planes);
 }
 Decimation::~Decimation() = default;
 

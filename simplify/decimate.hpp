@@ -2,6 +2,7 @@
 // simplification using quadric error metrics, 1997), with OpenMesh's decimater.
 #pragma once
 
+#include "simplify/layered_planes.hpp"
 #include "simplify/surface.hpp"
 
 #include <cstdint>
@@ -15,8 +16,10 @@ namespace triptych {
 /// where colours meet weigh like planes through them, so that shapes and colours keep their outlines.
 class Decimation {
  public:
-  /// `locked`, if not empty, says for each point whether it must stay.
-  Decimation(const Surface& surface, std::span<const uint8_t> locked);
+  /// `locked`, if not empty, says for each point whether it must stay. No point leaves a layered plane; those
+  /// are kept by reference.
+  Decimation(const Surface& surface, std::span<const uint8_t> locked,
+             const LayeredPlanes& planes = LayeredPlanes::none());
   ~Decimation();
   Decimation(const Decimation&) = delete;
   Decimation& operator=(const Decimation&) = delete;

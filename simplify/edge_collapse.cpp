@@ -12,10 +12,11 @@ constexpr float stale = 32;
 
 }  // namespace
 
-EdgeCollapse::EdgeCollapse(const Surface& surface, std::span<const uint8_t> locked)
+EdgeCollapse::EdgeCollapse(const Surface& surface, std::span<const uint8_t> locked,
+                           const LayeredPlanes& planes)
     : mesh_(surface),
       locked_(locked),
-      collapser_(surface.points.size()),
+      collapser_(surface.points.size(), planes),
       targets_(surface.points.size(), Collapser::any),
       costs_(surface.points.size(), -1),
       queued_(surface.points.size(), -1),
@@ -134,6 +135,7 @@ bool EdgeCollapse::reduce_to(size_t triangles, double max_bound) {
       continue;
     }
     bound_ = std::max(bound_, collapse->bound);
+    planes_left_ = std::max(planes_left_, collapse->planes_left);
     const double cost = collapse->cost;
     collapser_.apply(mesh_);
     const auto spokes = collapser_.star().spokes();

@@ -19,12 +19,15 @@ namespace triptych {
 /// Fast and memory efficient polygonal simplification, 1998, since the bound accumulates the error).
 class EdgeCollapse {
  public:
-  EdgeCollapse(const Surface& surface, std::span<const uint8_t> locked);
+  EdgeCollapse(const Surface& surface, std::span<const uint8_t> locked,
+               const LayeredPlanes& planes = LayeredPlanes::none());
 
   size_t triangle_count() const { return mesh_.triangle_count(); }
   /// The bound of the two-sided distance to the original surface, material by material; lattice steps; never
   /// shrinks.
   double bound() const { return bound_; }
+  /// The size of the largest layered plane that a point has left; the bound is no smaller.
+  double planes_left() const { return planes_left_; }
   /// Collapses until at most `triangles` are left, or no collapse is possible, or the next one's bound would
   /// be larger than `max_bound`. Returns false if no collapse is possible.
   bool reduce_to(size_t triangles, double max_bound);
@@ -61,7 +64,7 @@ class EdgeCollapse {
   std::vector<float> queued_;
   std::vector<float> steps_;        ///< for each point how much its own collapse adds to the errors before it
   std::vector<uint8_t> disturbed_;  ///< for each point whether its star changed since that evaluation
-  double bound_ = 0;
+  double bound_ = 0, planes_left_ = 0;
   size_t crowded_triangles_ = 0;
   bool was_looked_at_ = false;
   double longest_ = 0;      ///< the largest addition to a cost for an edge's length

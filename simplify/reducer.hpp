@@ -1,6 +1,7 @@
 // The seam behind which simplifiers differ.
 #pragma once
 
+#include "simplify/layered_planes.hpp"
 #include "simplify/simplify.hpp"
 #include "simplify/surface.hpp"
 
@@ -19,6 +20,8 @@ struct Reduced {
   /// The same for the points of each triangle; empty if the simplifier gives none.
   std::vector<double> errors;
   bool further = false;  ///< whether max_bound alone prevented further reduction
+  /// The size of the largest layered plane that a point has left: the bound may not be smaller.
+  double planes_left = 0;
 };
 
 /// Reduces a surface to fewer and fewer triangles. Points never move; some are removed.
@@ -33,9 +36,12 @@ class Reducer {
 };
 
 /// `locked`, if not empty, says for each point whether it must stay. The surface holds at least one triangle;
-/// both are kept by reference. Surfaces whose corners have colours are always collapsed: the other
-/// simplifiers do not know of them.
+/// all are kept by reference. Surfaces whose corners have colours are always collapsed: the other
+/// simplifiers do not know of them. Of layered planes meshoptimizer does not know either: with it points that
+/// lie in one, and those beside them, stay where they are. OpenMesh keeps them there, however large the
+/// error.
 std::unique_ptr<Reducer> make_reducer(Simplifier simplifier, const Surface& surface,
-                                      std::span<const uint8_t> locked);
+                                      std::span<const uint8_t> locked,
+                                      const LayeredPlanes& planes = LayeredPlanes::none());
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 #include "simplify/simplify.hpp"
 
 #include "simplify/cover.hpp"
+#include "simplify/layered_planes.hpp"
 #include "simplify/reducer.hpp"
 #include "simplify/vertex_clustering.hpp"
 
@@ -58,13 +59,15 @@ struct Stage {
   Piece piece;
   double bound = 0;
   std::vector<double> errors;  ///< Reduced::errors, but to the chain's source; empty if not known
+  double planes_left = 0;      ///< Level::planes_left
 };
 
 /// The last level of the chain, and the reducer that continues from there.
 class ChainMaker {
  public:
-  ChainMaker(const Surface& source, std::span<const uint8_t> locked, const SimplifyLimits& limits)
-      : source_(source), limits_(limits), locked_(locked.begin(), locked.end()) {
+  ChainMaker(const Surface& source, std::span<const uint8_t> locked, const LayeredPlanes& planes,
+             const SimplifyLimits& limits)
+      : source_(source), limits_(limits), locked_(locked.begin(), locked.end()), planes_(planes) {
     current_.piece.surface = source;
     current_.piece.sources.resize(source.points.size());
     std::iota(current_.piece.sources.begin(), current_.piece.sources.end(), 0u);
@@ -114,7 +117,8 @@ class ChainMaker {
   void start() {
     start_ = current_;
     start_locked_ = locked_of(start_.piece);
-    reducer_ = make_reducer(limits_.simplifier, start_.piece.surface, start_locked_);
+    start_planes_ = planes_.of(start_.piece.sources);
+    reducer_ = make_reducer(limits_.simplifier, start_.piece.surface, start_locked_, start_planes_);
   }
 
   /// The reducer's next surface, with its fast bound.
@@ -123,7 +127,8 @@ class ChainMaker {
     const double largest = limits_.max_bound * (is_measured() ? 4 : 1);
     Reduced reduced = reducer_->reduce_to(goal, largest - start_.bound);
     reduced_further_ = reduced.further;
-    Stage level{std::move(reduced.piece), 0, std::move(reduced.errors)};
+    Stage level{std::move(reduced.piece), 0, std::move(reduced.errors),
+                std::max(start_.planes_left, reduced.planes_left)};
     for (double& error : level.errors) error += start_.bound;
     level.bound = reduced.bound ? start_.bound + *reduced.bound
                                 : current_.bound + distance_bound(current_.piece.surface, level.piece.surface,
@@ -141,8 +146,12 @@ class ChainMaker {
   }
 
   Stage cluster(const Stage& from, size_t goal) const {
-    Clustered clustered = cluster_to(from.piece.surface, locked_of(from.piece), goal, limits_.colors);
-    Stage level{std::move(clustered.piece), from.bound + clustered.bound, {}};
+    Clustered clustered = cluster_to(from.piece.surface, locked_of(from.piece), goal, limits_.colors,
+                                     planes_.of(from.piece.sources));
+    Stage level{std::move(clustered.piece),
+                from.bound + clustered.bound,
+                {},
+                std::max(from.planes_left, clustered.planes_left)};
     for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
     return level;
   }
@@ -153,27 +162,30 @@ class ChainMaker {
   /// worth it.
   bool clusters_better(size_t goal, double bound) const {
     const double cell = bound - current_.bound;
-    return clusters_within(current_.piece.surface, locked_of(current_.piece), cell, goal, limits_.colors);
+    return clusters_within(current_.piece.surface, locked_of(current_.piece), cell, goal, limits_.colors,
+                           planes_.of(current_.piece.sources));
   }
 
   /// Distances that are measured do not tell how colours of corners change.
   bool is_measured() const { return limits_.bound == Bound::tight && source_.colors.empty(); }
 
   Level measured() {
-    Level level{current_.piece, current_.bound, 0};
+    Level level{current_.piece, current_.bound, 0, current_.planes_left};
     if (is_measured()) {
       if (!meter_) meter_.emplace(source_, limits_.colors);
       level.bound = meter_->bound(level.piece.surface, {tight, level.bound, current_.errors});
     }
-    level.bound = last_bound_ = std::max(level.bound, last_bound_);
+    level.bound = last_bound_ = std::max({level.bound, level.planes_left, last_bound_});
     return level;
   }
 
   const Surface& source_;
   const SimplifyLimits& limits_;
   std::vector<uint8_t> locked_;  ///< for each point of the source
+  const LayeredPlanes& planes_;  ///< of the source
   Stage start_, current_;        ///< where the reducer began, where it is; sources in the source
   std::vector<uint8_t> start_locked_;
+  LayeredPlanes start_planes_;
   std::unique_ptr<Reducer> reducer_;
   std::optional<DistanceMeter> meter_;
   size_t heap_below_ = 0;  ///< for goals below this, vertices are clustered at once
@@ -205,10 +217,11 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
   const auto locked_points = static_cast<size_t>(std::count(locked.begin(), locked.end(), 1));
   const size_t enough = limits.triangles + 2 * locked_points;
   if (surface.triangles.size() <= enough) return chain;
-  ChainMaker maker(surface, locked, limits);
+  const LayeredPlanes planes(surface);
+  ChainMaker maker(surface, locked, planes, limits);
   std::optional<CoverKeeper> cover;
   std::optional<DistanceMeter> meter;
-  if (limits.keep_cover) cover.emplace(surface, locked);
+  if (limits.keep_cover) cover.emplace(surface, locked, planes);
   while (maker.triangles() > enough) {
     auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
@@ -216,13 +229,14 @@ Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const Si
     if (cover) {
       const std::vector<glm::ivec3> before = level->piece.surface.points;
       const double bound = level->bound;
-      level->moved = cover->restore(level->piece, bound, limits.cover_within);
+      level->moved = cover->restore(level->piece, bound);
       if (level->moved > 0)
         level->bound = moved_bound(bound, level->moved, level->piece.surface, before, maker.errors());
       if (level->bound > bound * (1 + much) && surface.triangles.size() <= quickly_measured &&
           surface.colors.empty() && limits.colors == Colors::keep) {
         if (!meter) meter.emplace(surface, limits.colors);
-        level->bound = meter->bound(level->piece.surface, {tight, level->bound, {}});
+        level->bound =
+            std::max(meter->bound(level->piece.surface, {tight, level->bound, {}}), level->planes_left);
       }
     }
     if (!chain.levels.empty()) level->bound = std::max(level->bound, chain.levels.back().bound);

@@ -37,8 +37,6 @@ struct SimplifyLimits {
   /// Whether components are enlarged where they would cover less than in the input (simplify/cover.hpp);
   /// points of such levels are not points of the input.
   bool keep_cover = false;
-  /// Where enlarged components end at the latest: a model does not get larger.
-  LatticeBox cover_within = everywhere();
 };
 
 struct Level {
@@ -47,7 +45,8 @@ struct Level {
   Piece piece;
   /// Of the two-sided distance to that surface, lattice steps; never shrinks along the chain.
   double bound = 0;
-  double moved = 0;  ///< how far keep_cover moved a point at most, lattice steps
+  double moved = 0;        ///< how far keep_cover moved a point at most, lattice steps
+  double planes_left = 0;  ///< the size of the largest layered plane that a point has left, lattice steps
 };
 
 struct Chain {
@@ -59,7 +58,9 @@ struct Chain {
 };
 
 /// Each level has about half of the triangles of the one before it, by the simplifier, or by vertex
-/// clustering where that gets stuck or would be further from the source. Locked points stay in every level,
+/// clustering where that gets stuck or would be further from the source. Points of triangles that have layers
+/// stay in their planes (simplify/layered_planes.hpp) in levels whose bound is less than what lies there is
+/// large. Locked points stay in every level,
 /// and no connected component vanishes, except by clustering, which leaves something near in its place.
 Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits);
 

@@ -23,9 +23,6 @@ inline uint32_t material_in_layer(uint32_t material, uint32_t layer) { return ma
 inline uint32_t material_seen(uint32_t material) { return material & 0xffffffu; }
 inline uint32_t material_covered(uint32_t material, uint32_t of_class) { return material | of_class << 24; }
 
-/// A box that holds every point of a lattice.
-inline LatticeBox everywhere() { return {glm::ivec3(-(1 << 30)), glm::ivec3(1 << 30)}; }
-
 /// Different points of a lattice, and triangles that share them. No triangle is degenerate, and every point
 /// belongs to one.
 struct Surface {

@@ -33,6 +33,7 @@ struct Source {
   std::span<const uint8_t> locked;
   Colors colors;
   TrianglePlanes planes;
+  const LayeredPlanes& layered;
 };
 
 class Clustering {
@@ -40,14 +41,18 @@ class Clustering {
   /// Gives up as soon as more than `most` triangles are left.
   Clustering(const Source& source, double cell, size_t most = std::numeric_limits<size_t>::max())
       : surface_(source.surface), planes_(source.planes), colors_(source.colors), max_(most), cell_(cell) {
-    CellMoves moves = move_to_cells(surface_, planes_, source.locked, cell);
+    CellMoves moves = move_to_cells(surface_, planes_, source.locked, cell, source.layered);
     image_ = std::move(moves.images);
-    bound_ = moved_ = moves.furthest;
+    moved_ = moves.furthest;
+    planes_left_ = moves.planes_left;
+    bound_ = std::max(moved_, planes_left_);
     if (map_triangles() && keep_lines()) keep_points();
   }
 
   size_t triangles() const { return kept_.size(); }  ///< more than `most` if it gave up
-  Clustered result() const { return {extract(surface_.points, kept_, colors_of_kept()), bound_}; }
+  Clustered result() const {
+    return {extract(surface_.points, kept_, colors_of_kept()), bound_, planes_left_};
+  }
 
  private:
   bool map_triangles() {
@@ -177,7 +182,10 @@ class Clustering {
   static Key<3> side(uint32_t a, uint32_t b, uint32_t color) {
     return {std::min(a, b), std::max(a, b), color};
   }
-  uint32_t color(const Triangle& triangle) const { return colors_ == Colors::keep ? triangle.material : 0; }
+  /// What lies on others must not be taken for them.
+  uint32_t color(const Triangle& triangle) const {
+    return colors_ == Colors::keep || layer_of(triangle.material) > 0 ? triangle.material : 0;
+  }
 
   /// source: index of the triangle that it comes from, corner by corner.
   bool keep(const Triangle& triangle, uint32_t source) {
@@ -214,7 +222,7 @@ class Clustering {
   const TrianglePlanes& planes_;
   Colors colors_;
   size_t max_;
-  double cell_, moved_ = 0, bound_ = 0;
+  double cell_, moved_ = 0, bound_ = 0, planes_left_ = 0;
   std::vector<uint32_t> image_;
   std::vector<Triangle> kept_;
   std::vector<uint32_t> sources_;  ///< for each kept triangle, where corners have colours
@@ -222,25 +230,26 @@ class Clustering {
   tsl::robin_set<Key<3>, KeyHash, KeyEqual> sides_;
 };
 
-Source source_of(const Surface& surface, std::span<const uint8_t> locked, Colors colors) {
-  return {surface, locked, colors, TrianglePlanes(surface)};
+Source source_of(const Surface& surface, std::span<const uint8_t> locked, Colors colors,
+                 const LayeredPlanes& layered) {
+  return {surface, locked, colors, TrianglePlanes(surface), layered};
 }
 
 }  // namespace
 
 Clustered cluster_vertices(const Surface& surface, std::span<const uint8_t> locked, double cell,
-                           Colors colors) {
-  return Clustering(source_of(surface, locked, colors), cell).result();
+                           Colors colors, const LayeredPlanes& layered) {
+  return Clustering(source_of(surface, locked, colors, layered), cell).result();
 }
 
 bool clusters_within(const Surface& surface, std::span<const uint8_t> locked, double cell, size_t triangles,
-                     Colors colors) {
-  return Clustering(source_of(surface, locked, colors), cell, triangles).triangles() <= triangles;
+                     Colors colors, const LayeredPlanes& layered) {
+  return Clustering(source_of(surface, locked, colors, layered), cell, triangles).triangles() <= triangles;
 }
 
-Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, size_t triangles,
-                     Colors colors) {
-  const Source source = source_of(surface, locked, colors);
+Clustered cluster_to(const Surface& surface, std::span<const uint8_t> locked, size_t triangles, Colors colors,
+                     const LayeredPlanes& layered) {
+  const Source source = source_of(surface, locked, colors, layered);
   const LatticeBox box = surface.box();
   const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
   const double longest = std::max({size.x, size.y, size.z, 1.0});

@@ -5,6 +5,7 @@
 #include "base/notice.hpp"
 #include "base/signals.hpp"
 #include "render/png_file.hpp"
+#include "scene/finest_boxes.hpp"
 
 #include <algorithm>
 
@@ -13,9 +14,9 @@ namespace triptych {
 namespace {
 
 Walker start(const Pack& pack, const ViewerOptions& options, double near) {
-  const Skeleton& skeleton = pack.skeleton();
-  if (options.path) return {options.path->view(0, 1, 1, near).camera, skeleton.diagonal()};
-  return Walker::before(skeleton.lattice().box(skeleton.scene_nodes.front().box), near);
+  const Box box = model_box(pack.skeleton());
+  if (options.path) return {options.path->view(0, 1, 1, near).camera, diagonal(box)};
+  return Walker::before(box, near);
 }
 
 }  // namespace

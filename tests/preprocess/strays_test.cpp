@@ -1,6 +1,7 @@
 // What lies far from everything else: it is named, and does not move the near plane.
 #include "preprocess/strays.hpp"
 
+#include "scene/finest_boxes.hpp"
 #include "scene/pack.hpp"
 #include "tests/support/awkward_meshes.hpp"
 
@@ -108,7 +109,7 @@ TEST(Strays, are_a_warning_of_the_build_and_leave_the_near_plane_where_it_was) {
   EXPECT_TRUE(without.import.warnings.empty());
   ASSERT_EQ(with.import.warnings.size(), 1u);
   EXPECT_NE(with.import.warnings[0].find("crane hook"), std::string::npos);
-  EXPECT_NEAR(without.default_near(), 1e-4 * without.diagonal(), 1e-9);
+  EXPECT_NEAR(without.default_near(), 1e-4 * diagonal(model_box(without)), 1e-9);
   EXPECT_LE(with.default_near(), 2 * without.default_near());
   EXPECT_GT(with.default_near(), 0);
 }

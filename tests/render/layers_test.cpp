@@ -110,6 +110,65 @@ TEST(OnePlane, shows_what_lies_on_top_from_everywhere_and_at_every_level) {
   }
 }
 
+/// A slab with a carpet and panels, all flush, under things that stand about: seen from far away all of it is
+/// a heap, whose points are brought together.
+Model furnished_floor() {
+  Model model;
+  const auto add = [&](const glm::dvec3& lo, const glm::dvec3& hi, uint32_t material) {
+    model.instances.push_back({static_cast<uint32_t>(model.meshes.size()), Affine(1)});
+    model.meshes.push_back(awkward::box(lo, hi, material));
+  };
+  add({-10, -10, -0.3}, {10, 10, 0}, 0);
+  add({-4, -3, -0.02}, {4, 3, 0}, 1);
+  for (int i = 0; i < 40; ++i) {
+    const double x = 2.4 * (i % 8) - 9.4, y = (i / 8 % 2 == 0 ? 4 : -8) + 1.3 * (i / 16);
+    add({x, y, -0.02}, {x + 1.2, y + 1, 0}, 1);
+  }
+  std::mt19937 random(9);
+  const auto number = [&](double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(random() % 10000) / 10000;
+  };
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 at(number(-9, 9), number(-9, 9), number(0.3, 6));
+    const double half = number(0.03, 0.15);
+    add(at - half, at + half, 2);
+  }
+  model.materials = {
+      {.base_color = {0, 0, 1, 1}}, {.base_color = {1, 0, 0, 1}}, {.base_color = {0, 1, 0, 1}}};
+  return model;
+}
+
+TEST(OnePlane, keeps_what_lies_on_top_from_far_away) {
+  const auto pack = pack_of(furnished_floor());
+  constexpr int size = 256;
+  LocalPipeline pipeline(*pack, {.width = size, .height = size, .device = test::device()});
+  uint32_t frame = 0;
+  for (const double pixel_error : {1.0, 2.0, 4.0, 8.0}) {
+    for (int i = 0; i < 10; ++i) {
+      const double far = 30 + 10 * i;
+      View view{.camera = {.eye = {0.6 * far, 0.5 * far, far},
+                           .target = glm::dvec3(0),
+                           .up = {0, 1, 0},
+                           .near = 0.05},
+                .width = size,
+                .height = size};
+      set_field_of_view(view.camera, 60, 1);
+      const auto red_pixels = [&](double error) {
+        pipeline.draw({frame++, {view, error}});
+        const std::vector<uint8_t> colors = pipeline.target().read_colors();
+        double red = 0;
+        for (size_t k = 0; k < colors.size(); k += 4)
+          red += colors[k] > 0 && colors[k + 1] == 0 && colors[k + 2] == 0;
+        return red;
+      };
+      const double whole = red_pixels(0), kept = red_pixels(pixel_error);
+      if (whole < 150) continue;
+      EXPECT_GT(kept, 0.85 * whole) << pixel_error << " px, " << far;
+      EXPECT_LT(kept, 1.2 * whole) << pixel_error << " px, " << far;
+    }
+  }
+}
+
 TEST(OnePlane, without_layers_shows_whatever_comes_first) {
   const auto pack = pack_of(floors(Affine(1)), Simplifier::collapse, nothing);
   EXPECT_GT(wrong_pixels(*pack, Affine(1), 0, false).pixels, 1000u);

@@ -162,6 +162,45 @@ TEST(Cover, of_what_has_vanished_goes_to_others_of_its_colour) {
   EXPECT_EQ(CoverKeeper(other, {}).restore(even, 1024), 0);
 }
 
+TEST(Cover, of_one_colour_is_one_whatever_lies_in_its_planes) {
+  Surface row = row_of_boxes(8);
+  const auto is_odd = [&](const Triangle& triangle) {
+    return row.points[triangle.vertices[0]].x / 1024 % 2 == 1;
+  };
+  for (Triangle& triangle : row.triangles) {
+    if (is_odd(triangle)) triangle.material = material_in_layer(triangle.material, 2);
+  }
+  Piece even = part_of(row, [&](const Triangle& triangle) { return !is_odd(triangle); });
+  EXPECT_GT(CoverKeeper(row, {}).restore(even, 1024), 0);
+  EXPECT_GT(area(even.surface), area(row) * 0.97);
+}
+
+TEST(Cover, of_what_stands_on_a_plane_does_not_go_through_it) {
+  // Boxes that stand on z = 0, under a sheet of another colour; all that lies there has layers.
+  Surface row;
+  for (int i = 0; i < 12; ++i) {
+    Surface box = awkward::surface_of(awkward::box({i, 0, 0}, {i + 0.25, 0.25, 0.25}, 1));
+    const auto first = static_cast<uint32_t>(row.points.size());
+    for (Triangle& triangle : box.triangles) {
+      const auto& corners = triangle.vertices;
+      if (std::all_of(corners.begin(), corners.end(),
+                      [&](uint32_t corner) { return box.points[corner].z == 0; }))
+        triangle.material = material_in_layer(1, 2);
+      for (uint32_t& vertex : triangle.vertices) vertex += first;
+      row.triangles.push_back(triangle);
+    }
+    row.points.insert(row.points.end(), box.points.begin(), box.points.end());
+  }
+  const auto lowest = [&](const LayeredPlanes& planes) {
+    Piece few = part_of(
+        row, [&](const Triangle& triangle) { return row.points[triangle.vertices[0]].x / 1024 % 3 == 0; });
+    EXPECT_GT(CoverKeeper(row, {}, planes).restore(few, 2048), 0);
+    return few.surface.box().lo.z;
+  };
+  EXPECT_EQ(lowest(LayeredPlanes(row)), 0);
+  EXPECT_LT(lowest(LayeredPlanes::none()), 0) << "nothing to hold";
+}
+
 TEST(Cover, is_not_restored_beyond_the_bound_and_locked_points_stay) {
   const Surface row = row_of_boxes(64);
   const auto first = [&](const Triangle& triangle) { return row.points[triangle.vertices[0]].x < 1024; };

@@ -1,0 +1,48 @@
+#include "scene/finest_boxes.hpp"
+
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
+namespace triptych {
+
+namespace {
+
+/// Of a chunk where it is placed.
+Box placed_box(const Skeleton& skeleton, const Placement& placement) {
+  const ChunkInfo& chunk = skeleton.chunks[placement.chunk];
+  const Lattice& lattice = skeleton.lattices[chunk.lattice];
+  if (placement.transform == 0) return lattice.box(chunk.box);
+  Box placed;
+  for (int corner = 0; corner < 8; ++corner)
+    placed.extend(skeleton.transforms[placement.transform] *
+                  glm::dvec4(lattice.position(chunk.box.corner(corner)), 1));
+  return placed;
+}
+
+}  // namespace
+
+std::vector<Box> finest_boxes(const Skeleton& skeleton) {
+  const auto& nodes = skeleton.scene_nodes;
+  std::vector<Box> boxes(nodes.size());
+  for (size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
+    const SceneNode& node = nodes[i];
+    Box& own = boxes[i];
+    if (node.child_count == 0) {
+      const Drawable& finest = skeleton.drawables[node.first_drawable];
+      for (uint32_t k = 0; k < finest.placement_count; ++k)
+        own.extend(placed_box(skeleton, skeleton.placements[finest.first_placement + k]));
+      const Box all = skeleton.lattice().box(node.box);
+      own = {glm::max(own.lo, all.lo), glm::min(own.hi, all.hi)};
+    }
+    if (node.parent == no_id) continue;
+    boxes[node.parent].extend(own.lo);
+    boxes[node.parent].extend(own.hi);
+  }
+  return boxes;
+}
+
+Box model_box(const Skeleton& skeleton) {
+  return skeleton.scene_nodes.empty() ? Box() : finest_boxes(skeleton).front();
+}
+
+}  // namespace triptych

@@ -1,0 +1,19 @@
+// How large a model is: boxes of what is shown at full detail.
+#pragma once
+
+#include "scene/box.hpp"
+#include "scene/skeleton.hpp"
+
+#include <vector>
+
+namespace triptych {
+
+/// For each scene node the box of all that it shows at full detail, model units. SceneNode::box holds all
+/// levels, which may reach further, by less than their errors. What is placed turned counts as its box does,
+/// within the scene node's. Looks at every placement of a leaf: to be asked once.
+std::vector<Box> finest_boxes(const Skeleton& skeleton);
+
+/// The one of the root; empty for a skeleton without scene nodes.
+Box model_box(const Skeleton& skeleton);
+
+}  // namespace triptych
