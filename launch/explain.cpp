@@ -7,6 +7,7 @@
 #include "measure/explanation.hpp"
 #include "measure/json.hpp"
 #include "measure/pixel_rays.hpp"
+#include "scene/object_text.hpp"
 #include "scene/pack.hpp"
 
 #include <cmath>

@@ -22,7 +22,4 @@ nlohmann::json to_json(const PackObjects& objects, SourceObjectId id);
 /// A table of the first objects, one line each, without columns that all of them lack.
 std::string object_table(const PackObjects& objects, std::span<const SourceObjectId> ids);
 
-/// What is known of an object in a few lines, indented; its first properties.
-std::string object_text(const PackObjects& objects, SourceObjectId id);
-
 }  // namespace triptych

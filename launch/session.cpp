@@ -5,6 +5,7 @@
 #include "measure/session_faults.hpp"
 #include "measure/session_report.hpp"
 #include "measure/steering_report.hpp"
+#include "view/viewer.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -18,6 +19,7 @@ int run(const SessionOptions& options, const std::string& line) {
   const std::filesystem::path& json = options.run.json;
   std::optional<OutputFolder> claimed;
   if (!options.output.empty()) claimed.emplace(options.output, line);
+  if (options.window) say(viewer_help());
   const SessionOutcome outcome = run_session(options);
   nlohmann::json roles = nlohmann::json::array();
   for (const auto& [role, pid] : outcome.roles) roles.push_back({{"role", role}, {"pid", pid}});

@@ -3,6 +3,7 @@
 #include "base/notice.hpp"
 #include "base/signals.hpp"
 #include "launch/command.hpp"
+#include "launch/number_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
 #include "nodes/frame_watch.hpp"
@@ -22,6 +23,7 @@ struct ViewCommand {
   CullChoice cull;
   std::optional<ContextKind> context;  ///< nullopt: the display's own
   bool play = false;
+  double rate = 0;
   std::filesystem::path pictures = ".";
 };
 
@@ -31,6 +33,7 @@ int run(const ViewCommand& command) {
   ViewerOptions options = viewer_options(command.run);
   options.window.context = command.context;
   options.play = command.play;
+  options.rate = command.rate;
   options.pictures = command.pictures;
   if (options.play && !options.path) fail("view", "--play needs a --path to play");
   Viewer viewer(pack, options);
@@ -94,6 +97,9 @@ void add_view(CLI::App& app, Action& action) {
   // The window is OpenGL's on both devices: a context may be named beside --device cpu.
   sub->parse_complete_callback([command, sub] { resolve_device(*sub, command->run.device); });
   add_cull_flags(*sub, command->cull);
+  sub->add_option("--rate", command->rate,
+                  "Cameras of the path a second, while it plays (default: as fast as pictures come)")
+      ->check(number_between(0.01, 1000.0));
   sub->add_flag("--play", command->play, "Play the path at once, over and over");
   sub->add_option("-o,--output", command->pictures, "Folder for pictures that F2 saves")
       ->type_name("DIR")

@@ -127,4 +127,26 @@ Path load_path(const std::filesystem::path& file) {
   return round_to_nearest([&] { return load(file); });
 }
 
+std::string path_text(const Path& path) {
+  const auto list = [](const auto& vector) {
+    nlohmann::ordered_json numbers;
+    for (int i = 0; i < vector.length(); ++i) numbers.push_back(vector[i]);
+    return numbers;
+  };
+  nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+  for (const PathFrame& frame : path.frames) {
+    nlohmann::ordered_json object = {
+        {"eye", list(frame.eye)}, {"target", list(frame.target)}, {"up", list(frame.up)}};
+    if (frame.orthographic_height) {
+      object["orthographic_height"] = *frame.orthographic_height;
+    } else {
+      object["fov_y_degrees"] = frame.fov_y_degrees;
+    }
+    if (frame.off_axis) object["off_axis"] = list(*frame.off_axis);
+    if (frame.near) object["near"] = *frame.near;
+    frames.push_back(std::move(object));
+  }
+  return nlohmann::ordered_json{{"triptych_path", 1}, {"frames", std::move(frames)}}.dump(1) + "\n";
+}
+
 }  // namespace triptych

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace triptych {
@@ -15,9 +16,9 @@ namespace triptych {
 struct PathFrame {
   glm::dvec3 eye{0}, target{0}, up{0};
   double fov_y_degrees = 60;
-  std::optional<double> orthographic_height;  ///< model units; instead of the field of view
-  std::optional<double> near;
-  std::optional<glm::dvec4> off_axis;  ///< left, right, bottom, top tangents
+  std::optional<double> orthographic_height{};  ///< model units; instead of the field of view
+  std::optional<double> near{};
+  std::optional<glm::dvec4> off_axis{};  ///< left, right, bottom, top tangents
 };
 
 struct Path {
@@ -30,5 +31,8 @@ struct Path {
 /// known, a camera without a direction or with numbers that are not finite, or names two projections at once.
 /// "time_seconds" (a number) and "comment" are allowed at the top and on frames, and are ignored.
 Path load_path(const std::filesystem::path& file);
+
+/// A path file that load_path() reads.
+std::string path_text(const Path& path);
 
 }  // namespace triptych

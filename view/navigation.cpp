@@ -8,11 +8,12 @@
 namespace triptych {
 
 namespace {
-constexpr double steepest = std::numbers::pi / 2 - 0.01;
-constexpr double faster_a_click = 1.25;
+constexpr double steepest = std::numbers::pi / 2;
+constexpr double faster_a_step = 1.25, nearer_a_step = 0.8;
+constexpr double usual_half_height = 0.57735026918962573;  // 60 degrees
 }  // namespace
 
-Walker::Walker(const Camera& camera, double reach) : reach_(reach), speed_(reach / 10) { jump_to(camera); }
+Walker::Walker(const Camera& camera, double reach) : reach_(reach), seen_(reach / 10) { jump_to(camera); }
 
 Walker Walker::before(const Box& box, double near) {
   Camera camera;
@@ -31,12 +32,13 @@ void Walker::jump_to(const Camera& camera) {
   const glm::dvec3 sight = glm::normalize(camera.target - camera.eye);
   eye_ = camera.eye;
   up_ = glm::normalize(camera.up);
-  const glm::dvec3 aside = std::abs(up_.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 aside = std::abs(up_.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
   north_ = glm::normalize(aside - glm::dot(aside, up_) * up_);
   heading_ = std::atan2(glm::dot(sight, glm::cross(north_, up_)), glm::dot(sight, north_));
   pitch_ = std::clamp(std::asin(std::clamp(glm::dot(sight, up_), -1.0, 1.0)), -steepest, steepest);
   projection_ = camera.projection;
   half_height_ = (camera.top - camera.bottom) / 2;
+  half_height_at_1_ = orthographic() ? usual_half_height : half_height_;
   near_ = camera.near;
 }
 
@@ -46,20 +48,95 @@ glm::dvec3 Walker::level_direction() const {
 
 glm::dvec3 Walker::direction() const { return std::cos(pitch_) * level_direction() + std::sin(pitch_) * up_; }
 
-void Walker::move(const Motion& motion, double seconds, int window_height) {
-  speed_ = std::clamp(speed_ * std::pow(faster_a_click, motion.wheel), reach_ * 1e-6, reach_ * 10);
-  constexpr double without_field_of_view = std::numbers::pi / 3;  // a drag over the window turns by so much
-  const double field_of_view =
-      projection_ == Projection::perspective ? 2 * std::atan(half_height_) : without_field_of_view;
-  const double radians_a_pixel = field_of_view / std::max(window_height, 1);
-  heading_ = std::remainder(heading_ + motion.turn_right * radians_a_pixel, 2 * std::numbers::pi);
-  pitch_ = std::clamp(pitch_ - motion.turn_down * radians_a_pixel, -steepest, steepest);
-  const glm::dvec3 right = glm::cross(level_direction(), up_);
-  eye_ += speed_ * seconds * (motion.forward * direction() + motion.right * right + motion.up * up_);
+glm::dvec3 Walker::right() const { return glm::cross(level_direction(), up_); }
+
+glm::dvec3 Walker::picture_up() const {
+  return std::cos(pitch_) * up_ - std::sin(pitch_) * level_direction();
 }
 
+double Walker::depth_of(const glm::dvec3& point) const { return glm::dot(point - eye_, direction()); }
+
+double Walker::units_a_pixel(double depth, int window_height) const {
+  return 2 * half_height_ * (orthographic() ? 1 : depth) / std::max(window_height, 1);
+}
+
+void Walker::turn(double right, double up) {
+  heading_ = std::remainder(heading_ + right, 2 * std::numbers::pi);
+  pitch_ = std::clamp(pitch_ + up, -steepest, steepest);
+}
+
+void Walker::move(const Motion& motion, double seconds, int window_height) {
+  pace_ = std::clamp(pace_ * std::pow(faster_a_step, motion.faster), 1e-3, 1e3);
+  constexpr double without_field_of_view = std::numbers::pi / 3;  // a drag over the window turns by so much
+  const double field_of_view = orthographic() ? without_field_of_view : 2 * std::atan(half_height_);
+  const double radians_a_pixel = field_of_view / std::max(window_height, 1);
+  turn(motion.turn_right * radians_a_pixel, -motion.turn_down * radians_a_pixel);
+  eye_ += speed() * seconds * (motion.forward * direction() + motion.right * right() + motion.up * up_);
+}
+
+void Walker::orbit(const glm::dvec3& point, double right_pixels, double down_pixels, int window_height) {
+  const glm::dvec3 way = point - eye_;
+  const glm::dvec3 seen(glm::dot(way, right()), glm::dot(way, picture_up()), glm::dot(way, direction()));
+  const double radians_a_pixel = std::numbers::pi / std::max(window_height, 1);
+  turn(right_pixels * radians_a_pixel, -down_pixels * radians_a_pixel);
+  eye_ = point - seen.x * right() - seen.y * picture_up() - seen.z * direction();
+}
+
+void Walker::pan(const glm::dvec3& point, double right_pixels, double down_pixels, int window_height) {
+  const double units = units_a_pixel(std::max(depth_of(point), near_), window_height);
+  eye_ += units * (down_pixels * picture_up() - right_pixels * right());
+}
+
+void Walker::zoom(const glm::dvec3& point, double steps) {
+  const double left = std::pow(nearer_a_step, steps);
+  if (!orthographic()) {
+    // Not through what is looked at: the near plane would cut it.
+    const double nearest = 2 * near_ / std::max(depth_of(point), 2 * near_);
+    eye_ += (1 - std::max(left, std::min(nearest, 1.0))) * (point - eye_);
+    return;
+  }
+  const glm::dvec3 way = point - eye_;
+  const glm::dvec3 aside = way - glm::dot(way, direction()) * direction();
+  eye_ += (1 - left) * aside;
+  half_height_ = std::clamp(half_height_ * left, reach_ * 1e-9, reach_ * 10);
+}
+
+void Walker::frame(const Box& box, double aspect) {
+  const glm::dvec3 centre = (box.lo + box.hi) * 0.5;
+  const double radius = std::max(glm::length(box.hi - box.lo) / 2, 2 * near_);
+  const double narrow = std::min(aspect, 1.0);
+  if (orthographic()) {
+    half_height_ = radius / narrow;
+    eye_ = centre - (radius + reach_) * direction();  // nothing of the model is behind the eye
+  } else {
+    eye_ = centre - radius / std::sin(std::atan(half_height_ * narrow)) * direction();
+  }
+}
+
+void Walker::look_at(Side side) {
+  heading_ = side == Side::right ? -std::numbers::pi / 2 : 0;
+  pitch_ = side == Side::top ? -steepest : 0;
+}
+
+void Walker::switch_projection(const glm::dvec3& point) {
+  const double depth = std::max(depth_of(point), 2 * near_);
+  if (orthographic()) {
+    const double now = half_height_ / half_height_at_1_;  // how deep a perspective picture is as large
+    eye_ += (depth - now) * direction();
+    half_height_ = half_height_at_1_;
+    projection_ = Projection::perspective;
+  } else {
+    half_height_at_1_ = half_height_;
+    half_height_ *= depth;
+    eye_ -= reach_ * direction();  // nothing that was in the picture is behind the eye
+    projection_ = Projection::orthographic;
+  }
+}
+
+void Walker::see(double distance) { seen_ = std::clamp(distance, reach_ * 1e-5, reach_); }
+
 View Walker::view(int width, int height) const {
-  View view{.camera = {.eye = eye_, .target = eye_ + reach_ * direction(), .up = up_},
+  View view{.camera = {.eye = eye_, .target = eye_ + reach_ * direction(), .up = picture_up()},
             .width = width,
             .height = height};
   view.camera.top = half_height_;

@@ -6,8 +6,10 @@
 #include "base/signals.hpp"
 #include "render/png_file.hpp"
 #include "scene/finest_boxes.hpp"
+#include "view/keepsakes.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace triptych {
 
@@ -23,14 +25,22 @@ Walker start(const Pack& pack, const ViewerOptions& options, double near) {
 
 std::string viewer_help() {
   return "  W A S D or arrows   forward, left, back, right     mouse, left button held   look around\n"
-         "  E or space          up                             wheel                     faster, slower\n"
-         "  Q or left shift     down                           P                         play the path, "
+         "  E or space          up                             right button held         orbit what is under "
+         "it\n"
+         "  Q or left shift     down                           middle button held        pan\n"
+         "  + -                 faster, slower (Ctrl + wheel)  wheel                     zoom to the cursor\n"
+         "  F                   fit the selection, or all      left click                select: what is "
+         "it?\n"
+         "  1 3 7               from the front, right, top     5                         orthographic, "
+         "perspective\n"
+         "  Home, Backspace     the start, the place before    P                         play the path, "
          "stop\n"
          "  C                   culling on, off                B                         bird's-eye view\n"
          "  [ ]                 finer, coarser                 L                         edges as lines, "
          "off\n"
-         "  H or F1             this help                      F2                        save the picture\n"
-         "                                                     Esc                       leave\n";
+         "  F2                  save the picture               F3                        save and print the "
+         "camera\n"
+         "  F4                  record the walk, stop          H or F1, Esc              this help, leave\n";
 }
 
 Viewer::Viewer(const Pack& pack, ViewerOptions options)
@@ -38,27 +48,31 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
       near_(pack.skeleton().default_near()),
       options_(std::move(options)),
       window_(options_.window),
-      walker_(start(pack, options_, near_)) {
+      tour_(pack, start(pack, options_, near_)) {
   if (options_.path) exact_ = options_.path->frames.front();
+}
+
+bool Viewer::plays() const {
+  return options_.play && (options_.rate <= 0 || since_path_frame_.seconds() * options_.rate >= 1);
 }
 
 bool Viewer::wait_for_frame(double patience) {
   const Stopwatch waiting;
   do {
     const double left_s = patience - waiting.seconds();
-    constexpr double slice_s = 0.1;  // short, since a signal does not wake the window
-    take(window_.poll(new_frame_ || options_.play ? 0 : std::clamp(left_s, 0.0, slice_s)));
+    // Short, since a signal does not wake the window, and a path's next camera does not either.
+    const double slice_s = options_.play ? 0.002 : 0.1;
+    take(window_.poll(new_frame_ || plays() ? 0 : std::clamp(left_s, 0.0, slice_s)));
     left_ = left_ || stop_requested();
-  } while (!new_frame_ && !options_.play && !left_ && waiting.seconds() < patience);
-  return (new_frame_ || options_.play) && !left_;
+  } while (!new_frame_ && !plays() && !left_ && waiting.seconds() < patience);
+  return (new_frame_ || plays()) && !left_;
 }
 
 void Viewer::take(const Input& input) {
   left_ = left_ || input.leave;
-  new_frame_ = new_frame_ || input.resized || input.damaged;
+  new_frame_ = new_frame_ || input.resized || input.damaged || input.clicked;
   for (const Command command : input.commands) take(command);
-  if (input.motion == Motion{}) return;
-  walker_.move(input.motion, input.seconds, window_.height());
+  if (!tour_.take(input, window_.width(), window_.height())) return;
   exact_.reset();
   options_.play = false;
   new_frame_ = true;
@@ -82,6 +96,10 @@ void Viewer::take(Command command) {
     case Command::take_picture:
       picture_wanted_ = true;
       break;
+    case Command::save_camera:
+    case Command::record_walk:
+      save(command);
+      break;
     case Command::finer:
       options_.pixel_error = std::max(options_.pixel_error / 2, 1.0 / 16);
       break;
@@ -91,22 +109,45 @@ void Viewer::take(Command command) {
     case Command::help:
       say(viewer_help());
       break;
+    default:  // the tour's
+      break;
   }
 }
 
+void Viewer::save(Command command) {
+  Path path{{exact_ ? *exact_ : path_frame(view().camera)}};
+  if (command == Command::save_camera) {
+    say(path_text(path));
+  } else if (!walk_) {
+    walk_ = Path{};
+    saved_ = "recording the walk";
+    return;
+  } else {
+    path = std::move(*walk_);
+    walk_.reset();
+  }
+  const std::string kind = command == Command::save_camera ? "camera" : "walk";
+  saved_ = keep(options_.pictures, kind, "json", [&](const std::filesystem::path& file) {
+    if (path.frames.empty()) fail(file.string(), "nothing was drawn since the recording began");
+    write_file(file, path_text(path));
+  });
+}
+
 View Viewer::view() const {
-  if (!exact_) return walker_.view(window_.width(), window_.height());
+  if (!exact_) return tour_.walker().view(window_.width(), window_.height());
   const Path path{{*exact_}};
   return path.view(0, window_.width(), window_.height(), near_);
 }
 
 FrameRequest Viewer::next_frame() {
-  if (options_.play) {
+  if (plays()) {
+    since_path_frame_.restart();
     exact_ = options_.path->frames[path_frame_];
     path_frame_ = (path_frame_ + 1) % options_.path->frames.size();
-    walker_.jump_to(view().camera);
+    tour_.jump_to(view().camera);
   }
   new_frame_ = false;
+  if (walk_) walk_->frames.push_back(exact_ ? *exact_ : path_frame(view().camera));
   return {next_number_++, {view(), options_.pixel_error, options_.samples, options_.edges}};
 }
 
@@ -118,33 +159,23 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
     shown = &birds_eye_->draw(FrameView(pack_.skeleton(), frame.state), record.visible);
   }
   const std::vector<uint8_t> colors = window_.show(*shown, picture_wanted_);
-  const std::string saved = picture_wanted_ ? save(colors) : "";
-  picture_wanted_ = false;
+  if (std::exchange(picture_wanted_, false)) {
+    saved_ = keep(options_.pictures, "picture", "png", [&](const std::filesystem::path& file) {
+      write_png(file, window_.width(), window_.height(), colors);
+    });
+  }
+  tour_.saw(frame.state, record.visible);
   // What was asked for may have been raised, to keep a target of time.
   const double pixel_error = frame.state.pixel_error;
-  const std::string asked =
-      pixel_error > options_.pixel_error ? fmt::format(" (asked for {:g})", options_.pixel_error) : "";
-  window_.set_title(fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:.3g} px{}, culling {}{}",
-                                options_.window.title, record.frame_ms, record.visible.size(),
-                                record.cut_drawables, record.drawn_triangles, pixel_error, asked,
-                                options_.culling ? "on" : "off", saved));
-}
-
-std::string Viewer::save(const std::vector<uint8_t>& colors) const {
-  try {
-    make_folder(options_.pictures);
-    std::filesystem::path file;
-    int number = 0;
-    do {
-      file = options_.pictures / fmt::format("picture-{:03}.png", number++);
-    } while (std::filesystem::exists(file));
-    write_png(file, window_.width(), window_.height(), colors);
-    notice("wrote {}", file.string());
-    return fmt::format(", saved {}", file.filename().string());
-  } catch (const std::exception& error) {
-    notice("the picture is not saved: {}", error.what());
-    return ", picture NOT saved";
-  }
+  std::string title = fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:.3g} px",
+                                  options_.window.title, record.frame_ms, record.visible.size(),
+                                  record.cut_drawables, record.drawn_triangles, pixel_error);
+  if (pixel_error > options_.pixel_error) title += fmt::format(" (asked for {:g})", options_.pixel_error);
+  title +=
+      fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
+  if (const auto& selection = tour_.selection()) title += ", " + selection->name;
+  if (!saved_.empty()) title += ", " + std::exchange(saved_, {});
+  window_.set_title(title);
 }
 
 }  // namespace triptych

@@ -7,6 +7,7 @@
 #include "scene/pack.hpp"
 #include "scene/path.hpp"
 #include "view/birds_eye.hpp"
+#include "view/tour.hpp"
 #include "view/window.hpp"
 
 #include <filesystem>
@@ -20,12 +21,12 @@ struct ViewerOptions {
   WindowOptions window;
   std::optional<Path> path;  ///< to start from and to play; without one the view shows the model's box
   bool play = false;         ///< starts playing at once
+  double rate = 0;           ///< the path's cameras a second; 0: as fast as pictures come
   double pixel_error = 1;
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
   bool culling = true;
-  std::filesystem::path pictures =
-      ".";  ///< where F2 saves what the window shows; if it can: no key ends a walk
+  std::filesystem::path pictures = ".";  ///< where F2 to F4 save files; if they can: no key ends a walk
 };
 
 /// What the keys do, one line each.
@@ -56,20 +57,24 @@ class Viewer {
   void take(const Input& input);
   void take(Command command);
   View view() const;
-  /// Returns what the title says of it.
-  std::string save(const std::vector<uint8_t>& colors) const;
+  /// Whether the path's next camera is due.
+  bool plays() const;
+  void save(Command command);
 
   const Pack& pack_;
   const double near_;  ///< the near plane where the path names none
   ViewerOptions options_;
   Window window_;
-  Walker walker_;
+  Tour tour_;
   size_t path_frame_ = 0;  ///< the one to show next
   uint32_t next_number_ = 0;
   bool new_frame_ = true;  ///< whether the window has to be drawn again
   bool left_ = false, birds_eye_wanted_ = false, picture_wanted_ = false;
   std::optional<BirdsEye> birds_eye_;
   std::optional<PathFrame> exact_;  ///< the path's camera, until the person moves away from it
+  std::optional<Path> walk_;        ///< what is being recorded
+  std::string saved_;               ///< the title says it with the next picture
+  Stopwatch since_path_frame_;
 };
 
 }  // namespace triptych

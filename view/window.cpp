@@ -8,6 +8,7 @@
 #include "view/shared_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -40,6 +41,34 @@ class Library {
 
 std::optional<Command> command_of(int key) {
   switch (key) {
+    case GLFW_KEY_HOME:
+      return Command::home;
+    case GLFW_KEY_BACKSPACE:
+      return Command::back;
+    case GLFW_KEY_F:
+      return Command::fit;
+    case GLFW_KEY_1:
+    case GLFW_KEY_KP_1:
+      return Command::look_at_front;
+    case GLFW_KEY_3:
+    case GLFW_KEY_KP_3:
+      return Command::look_at_right;
+    case GLFW_KEY_7:
+    case GLFW_KEY_KP_7:
+      return Command::look_at_top;
+    case GLFW_KEY_5:
+    case GLFW_KEY_KP_5:
+      return Command::switch_projection;
+    case GLFW_KEY_EQUAL:
+    case GLFW_KEY_KP_ADD:
+      return Command::faster;
+    case GLFW_KEY_MINUS:
+    case GLFW_KEY_KP_SUBTRACT:
+      return Command::slower;
+    case GLFW_KEY_F3:
+      return Command::save_camera;
+    case GLFW_KEY_F4:
+      return Command::record_walk;
     case GLFW_KEY_C:
       return Command::toggle_culling;
     case GLFW_KEY_B:
@@ -104,7 +133,7 @@ class Window::Implementation {
     if (!is_graphics_card(context->names())) shared = SharedPicture::make(window);
     glfwSetKeyCallback(window,
                        [](GLFWwindow* w, int key, int, int action, int) { of(w).on_key(key, action); });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { of(w).input.motion.wheel += y; });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { of(w).on_wheel(y); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).on_cursor(x, y); });
     glfwSetMouseButtonCallback(
         window, [](GLFWwindow* w, int button, int action, int) { of(w).on_button(button, action); });
@@ -139,6 +168,7 @@ class Window::Implementation {
     input.seconds = was_moving ? std::min(since_poll.seconds(), leap) : tap;
     since_poll.restart();
     input.leave = input.leave || glfwWindowShouldClose(window) != 0;
+    input.cursor = in_pixels(cursor_x, cursor_y);
     pressed.clear();
     return std::exchange(input, {});
   }
@@ -150,22 +180,59 @@ class Window::Implementation {
     if (const auto command = command_of(key)) input.commands.push_back(*command);
   }
 
+  void on_wheel(double steps) {
+    const bool control = glfwGetKey(window, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
+                         glfwGetKey(window, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
+    (control ? input.motion.faster : input.zoom) += steps;
+  }
+
+  /// One button at a time: the first that was pressed counts until it is released.
   void on_button(int button, int action) {
-    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    looking = action == GLFW_PRESS;
     // Later on, the place of the last event: where the cursor is now can be ahead of the events.
     if (!cursor_known) glfwGetCursorPos(window, &cursor_x, &cursor_y);
     cursor_known = true;
+    if (action == GLFW_PRESS && button_held < 0) {
+      button_held = button;
+      dragged = 0;
+      if (Drag* drag = dragging()) drag->begins = in_pixels(cursor_x, cursor_y);
+      pressed_at = in_pixels(cursor_x, cursor_y);
+    } else if (action == GLFW_RELEASE && button == button_held) {
+      if (button_held == GLFW_MOUSE_BUTTON_LEFT && dragged < click_pixels) input.clicked = pressed_at;
+      button_held = -1;
+      glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
+    }
   }
 
   void on_cursor(double x, double y) {
-    if (looking) {
-      input.motion.turn_right += x - cursor_x;
-      input.motion.turn_down += y - cursor_y;
-    }
+    const double right = x - cursor_x, down = y - cursor_y;
     cursor_x = x;
     cursor_y = y;
     cursor_known = true;
+    if (button_held < 0) return;
+    const double before = std::exchange(dragged, dragged + std::hypot(right, down));
+    if (button_held == GLFW_MOUSE_BUTTON_LEFT) {
+      input.motion.turn_right += right;
+      input.motion.turn_down += down;
+      // From here on the edge of the screen does not end the turn.
+      if (before < click_pixels && dragged >= click_pixels)
+        glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
+    } else if (Drag* drag = dragging()) {
+      drag->right += right;
+      drag->down += down;
+    }
+  }
+
+  Drag* dragging() {
+    if (button_held == GLFW_MOUSE_BUTTON_RIGHT) return &input.orbit;
+    return button_held == GLFW_MOUSE_BUTTON_MIDDLE ? &input.pan : nullptr;
+  }
+
+  /// Of the window's coordinates, which need not be pixels.
+  WindowPlace in_pixels(double x, double y) const {
+    int width = 0, height = 0, pixels_wide = 0, pixels_high = 0;
+    glfwGetWindowSize(window, &width, &height);
+    glfwGetFramebufferSize(window, &pixels_wide, &pixels_high);
+    return {x * pixels_wide / std::max(width, 1), y * pixels_high / std::max(height, 1)};
   }
 
   static Implementation& of(GLFWwindow* window) {
@@ -179,7 +246,11 @@ class Window::Implementation {
   std::unique_ptr<SharedPicture> shared;  ///< of them, too, where OpenGL has no graphics card to copy them
   Input input;
   std::vector<int> pressed;  ///< since the last poll, perhaps released already
-  bool moving = false, looking = false;
+  bool moving = false;
+  static constexpr double click_pixels = 4;  ///< shorter ways of the mouse are none
+  int button_held = -1;                      ///< the button
+  double dragged = 0;                        ///< how far
+  WindowPlace pressed_at;
   double cursor_x = 0, cursor_y = 0;
   bool cursor_known = false;
   Stopwatch since_poll;

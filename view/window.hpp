@@ -29,15 +29,41 @@ enum class Command {
   take_picture,
   finer,
   coarser,
+  slower,
+  faster,
+  home,
+  back,
+  fit,  ///< all of what is selected, or of the model, into the window
+  look_at_front,
+  look_at_right,
+  look_at_top,
+  switch_projection,
+  save_camera,
+  record_walk,
   help
+};
+
+/// A place in the window: pixels from its left and top.
+struct WindowPlace {
+  double x = 0, y = 0;
+};
+
+/// The mouse moved with a button held.
+struct Drag {
+  std::optional<WindowPlace> begins;  ///< where the button was pressed, since the last time
+  double right = 0, down = 0;         ///< pixels
 };
 
 /// What happened since the last time.
 struct Input {
   Motion motion;
-  double seconds = 0;             ///< how long the motion's directions were held
-  std::vector<Command> commands;  ///< in the order of their keys
-  bool leave = false;             ///< Esc, or the window was closed
+  double seconds = 0;  ///< how long the motion's directions were held
+  Drag orbit, pan;
+  double zoom = 0;                     ///< steps of the wheel, away from the person
+  WindowPlace cursor;                  ///< where it is now
+  std::optional<WindowPlace> clicked;  ///< the left button, without a move
+  std::vector<Command> commands;       ///< in the order of their keys
+  bool leave = false;                  ///< Esc, or the window was closed
   bool resized = false, damaged = false;
 };
 

@@ -60,26 +60,117 @@ TEST(Navigation, a_drag_over_the_window_s_height_turns_by_the_field_of_view) {
   EXPECT_NEAR(glm::dot(walker.direction(), {0, 0, -1}), 0.5, 1e-9);  // 60 degrees
 }
 
-TEST(Navigation, looking_up_stops_before_the_world_tips_over) {
+TEST(Navigation, looking_up_stops_when_it_is_straight_up) {
   Walker walker(camera_at({0, 0, 0}, {0, 0, -1}), 100);
   for (int i = 0; i < 100; ++i) walker.move({.turn_down = -100}, 0, 512);
-  EXPECT_GT(walker.direction().y, 0.99);
-  EXPECT_LT(walker.direction().z, 0);
+  expect_near(walker.direction(), {0, 1, 0});
+  expect_near(walker.view(512, 512).camera.up, {0, 0, 1});
   EXPECT_NO_THROW(check_camera(walker.view(512, 512).camera, "walker"));
   const Walker straight_down(camera_at({0, 0, 0}, {1e-7, -1, 0}), 100);
   EXPECT_NO_THROW(check_camera(straight_down.view(512, 512).camera, "walker"));
 }
 
-TEST(Navigation, the_wheel_changes_the_speed_within_limits) {
+TEST(Navigation, the_speed_fits_what_is_seen_and_the_pace_is_the_person_s) {
   Walker walker(camera_at({0, 0, 0}, {0, 0, -1}), 100);
-  walker.move({.wheel = 1}, 0, 512);
+  walker.move({.faster = 1}, 0, 512);
   EXPECT_DOUBLE_EQ(walker.speed(), 12.5);
-  walker.move({.wheel = -1}, 0, 512);
-  EXPECT_DOUBLE_EQ(walker.speed(), 10);
-  walker.move({.wheel = 1e6}, 0, 512);
-  EXPECT_DOUBLE_EQ(walker.speed(), 1000);
-  walker.move({.wheel = -1e6}, 0, 512);
-  EXPECT_DOUBLE_EQ(walker.speed(), 1e-4);
+  walker.see(2);
+  EXPECT_DOUBLE_EQ(walker.speed(), 2.5);
+  walker.move({.faster = -1}, 0, 512);
+  EXPECT_DOUBLE_EQ(walker.speed(), 2);
+  walker.see(1e9);
+  EXPECT_DOUBLE_EQ(walker.speed(), 100) << "no further than through the model";
+  walker.see(0);
+  EXPECT_DOUBLE_EQ(walker.speed(), 1e-3) << "and never stuck";
+  walker.move({.faster = -1e6}, 0, 512);
+  EXPECT_DOUBLE_EQ(walker.speed(), 1e-6);
+}
+
+/// Where a point is in the picture, from −1 to 1, and how deep.
+glm::dvec3 seen(const Walker& walker, const glm::dvec3& point) {
+  const View view = walker.view(300, 200);
+  const glm::dvec3 eye = view.rotation() * (point - view.camera.eye);
+  const double depth = view.camera.orthographic() ? 1 : -eye.z;
+  return {eye.x / depth / view.camera.right, eye.y / depth / view.camera.top, -eye.z};
+}
+
+TEST(Navigation, orbiting_keeps_the_point_in_its_place) {
+  Walker walker(camera_at({1, 2, 3}, {4, 1, -5}), 100);
+  const glm::dvec3 point(6, 2, -9), before = seen(walker, point);
+  walker.orbit(point, 37, -21, 512);
+  EXPECT_GT(glm::distance(walker.eye(), glm::dvec3(1, 2, 3)), 0.5);
+  expect_near(seen(walker, point), before);
+  for (int i = 0; i < 50; ++i) walker.orbit(point, 3, -50, 512);  // until it looks straight up
+  expect_near(walker.direction(), {0, 1, 0});
+  expect_near(seen(walker, point), before);
+  const glm::dvec3 eye = walker.eye();
+  walker.orbit(point, 1024, 0, 512);
+  expect_near(walker.eye(), eye);  // all round
+}
+
+TEST(Navigation, panning_moves_what_is_under_the_mouse_with_it) {
+  for (const bool orthographic : {false, true}) {
+    Camera camera = camera_at({1, 2, 3}, {4, 1, -5});
+    if (orthographic) set_orthographic_height(camera, 20, 1);
+    Walker walker(camera, 100);
+    const glm::dvec3 point(6, 2, -9), before = seen(walker, point);
+    walker.pan(point, 15, -10, 200);
+    expect_near(seen(walker, point), before + glm::dvec3(2 * 15 / 300.0, 2 * 10 / 200.0, 0));
+  }
+}
+
+TEST(Navigation, zooming_comes_nearer_to_the_point_and_keeps_it_in_its_place) {
+  for (const bool orthographic : {false, true}) {
+    Camera camera = camera_at({1, 2, 3}, {4, 1, -5});
+    if (orthographic) set_orthographic_height(camera, 20, 1);
+    Walker walker(camera, 100);
+    const glm::dvec3 point(6, 2, -9), before = seen(walker, point);
+    walker.zoom(point, 1);
+    const glm::dvec3 after = seen(walker, point);
+    EXPECT_NEAR(after.x, before.x, 1e-9);
+    EXPECT_NEAR(after.y, before.y, 1e-9);
+    EXPECT_NEAR(after.z, (orthographic ? 1 : 0.8) * before.z, 1e-9);
+    EXPECT_NEAR(walker.view(200, 200).camera.top, orthographic ? 8 : camera.top, 1e-9);
+    walker.zoom(point, -1);
+    expect_near(seen(walker, point), before);
+    walker.zoom(point, 1000);
+    EXPECT_GE(seen(walker, point).z, 2 * camera.near - 1e-9) << "not through it";
+    EXPECT_NO_THROW(check_camera(walker.view(200, 200).camera, "walker"));
+  }
+}
+
+TEST(Navigation, a_side_shows_all_of_a_box_that_is_fitted_in) {
+  const Box box{{-3, 0, -1}, {5, 2, 30}};
+  for (const bool orthographic : {false, true}) {
+    for (const Side side : {Side::front, Side::right, Side::top}) {
+      Walker walker(camera_at({100, 3, 0}, {0, 0, 0}), 100);
+      if (orthographic) walker.switch_projection({0, 0, 0});
+      walker.look_at(side);
+      walker.frame(box, 1.5);
+      for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner = seen(walker, box.corner(i));
+        EXPECT_LE(std::abs(corner.x), 1);
+        EXPECT_LE(std::abs(corner.y), 1);
+        EXPECT_GT(corner.z, 0.5) << "before the near plane";
+      }
+      const glm::dvec3 wanted = side == Side::front   ? glm::dvec3(0, 0, -1)
+                                : side == Side::right ? glm::dvec3(-1, 0, 0)
+                                                      : glm::dvec3(0, -1, 0);
+      expect_near(walker.direction(), wanted);
+    }
+  }
+}
+
+TEST(Navigation, projections_change_and_what_was_looked_at_stays_as_large) {
+  Walker walker(camera_at({1, 2, 3}, {4, 1, -5}), 100);
+  const glm::dvec3 point(6, 2, -9), eye = walker.eye(), before = seen(walker, point);
+  walker.switch_projection(point);
+  ASSERT_TRUE(walker.orthographic());
+  EXPECT_NEAR(seen(walker, point).x, before.x, 1e-9);
+  EXPECT_NEAR(seen(walker, point).y, before.y, 1e-9);
+  walker.switch_projection(point);
+  EXPECT_FALSE(walker.orthographic());
+  expect_near(walker.eye(), eye);
 }
 
 TEST(Navigation, a_model_that_is_up_along_z_is_walked_upright) {

@@ -172,6 +172,67 @@ TEST_F(ViewWindow, looks_at_the_model_from_outside_where_there_is_no_path) {
   EXPECT_TRUE(program.complaints().empty()) << program.errors();
 }
 
+TEST_F(ViewWindow, orbits_pans_zooms_and_comes_back) {
+  Program program({"view", pack, "--size", "320x240", "-o", folder.file("pictures")});
+  find_window();
+  const Picture first = look();
+  const auto drag = [&](int button) {
+    const std::string press = std::to_string(button);
+    xdotool("mousemove 160 120 sleep 0.1 mousedown " + press +
+            " sleep 0.1 mousemove 190 130 sleep 0.2 mouseup " + press + " sleep 0.1");
+    return look();
+  };
+  const Picture orbited = drag(3);
+  EXPECT_NE(orbited, first) << "the right button does not orbit";
+  EXPECT_GT(colors_in(orbited), 2u) << "what was orbited is out of sight";
+  const Picture panned = drag(2);
+  EXPECT_NE(panned, orbited) << "the middle button does not pan";
+  xdotool("click 4 sleep 0.2");
+  const Picture zoomed = look();
+  EXPECT_NE(zoomed, panned) << "the wheel does not zoom";
+  xdotool("key Home");
+  EXPECT_EQ(look(), first) << "Home is not the start";
+  xdotool("key BackSpace");
+  EXPECT_EQ(look(), zoomed) << "Backspace does not go back";
+  std::vector<Picture> sides;
+  for (const std::string key : {"1", "3", "7", "Home key 5"}) {
+    xdotool("key " + key);
+    const Picture side = look();
+    EXPECT_GT(colors_in(side), 1u) << key;
+    for (const Picture& other : sides) EXPECT_NE(side, other) << key;
+    sides.push_back(side);
+  }
+  xdotool("key Home key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+}
+
+TEST_F(ViewWindow, names_what_is_clicked_on_and_saves_cameras_and_walks) {
+  Program program({"view", pack, "--size", "320x240", "-o", folder.file("pictures")});
+  find_window();
+  const Picture first = look();
+  xdotool("mousemove 160 120 sleep 0.1 click 1 sleep 0.3");
+  EXPECT_NE(title().find(", drawable "), std::string::npos) << title();
+  EXPECT_NE(program.errors().find(" of scene node "), std::string::npos) << program.errors();
+  xdotool("mousemove 2 2 sleep 0.1 click 1 sleep 0.3");
+  EXPECT_EQ(title().find(", drawable "), std::string::npos) << "the sky is no drawable: " << title();
+  xdotool("key F3 sleep 0.1 key F4 keydown w sleep 0.3 keyup w sleep 0.2 key F4 sleep 0.2");
+  const Picture walked = look();
+  EXPECT_NE(walked, first);
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  // Both are paths that show again what the person saw.
+  const auto last_of = [&](const std::string& camera) {
+    run({"render", pack, "--path", folder.file("pictures/" + camera), "--size", "320x240", "-o",
+         folder.file(camera + "-again")});
+    const nlohmann::json path_json = json_of(folder.file("pictures/" + camera));
+    char name[32];
+    std::snprintf(name, sizeof(name), "/%06d.png", static_cast<int>(path_json["frames"].size()) - 1);
+    return read_picture(folder.file(camera + "-again") + name);
+  };
+  EXPECT_EQ(last_of("camera-000.json"), first);
+  EXPECT_EQ(last_of("walk-000.json"), walked);
+}
+
 TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_cameras) {
   Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
                    "--record", folder.file("recording"), "--gather", "60"});

@@ -1,0 +1,117 @@
+#include "view/picker.hpp"
+
+#include "scene/affine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+
+namespace triptych {
+
+namespace {
+
+constexpr uint64_t most_kept_triangles = 500'000;
+
+/// Where a ray enters a box, in lengths of its way; infinite where it does not.
+double entry(const Box& box, const glm::dvec3& from, const glm::dvec3& way, double near) {
+  double enter = near, leave = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (way[axis] == 0) {
+      if (from[axis] < box.lo[axis] || from[axis] > box.hi[axis]) return leave;
+      continue;
+    }
+    const double a = (box.lo[axis] - from[axis]) / way[axis], b = (box.hi[axis] - from[axis]) / way[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave ? enter : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Picker::Ray Picker::ray(const View& view, double x, double y) {
+  const Camera& camera = view.camera;
+  const glm::dmat3 axes = glm::transpose(view.rotation());  // right, up, backward
+  const double right = camera.left + (camera.right - camera.left) * x / view.width;
+  const double up = camera.top - (camera.top - camera.bottom) * y / view.height;
+  const glm::dvec3 aside = right * axes[0] + up * axes[1];
+  if (camera.orthographic()) return {camera.eye + aside, -axes[2], camera.near};
+  return {camera.eye, aside - axes[2], camera.near};
+}
+
+glm::dvec3 Picker::place_at(const View& view, double x, double y, double depth) {
+  const Ray ray = Picker::ray(view, x, y);
+  return ray.from + depth * ray.way;
+}
+
+std::optional<Picked> Picker::at(const View& view, std::span<const DrawableId> shown, double x, double y) {
+  const Skeleton& skeleton = pack_.skeleton();
+  const Ray ray = Picker::ray(view, x, y);
+  std::vector<std::pair<double, DrawableId>> met;  // in the order of their boxes
+  for (const DrawableId drawable : shown) {
+    const Box box = skeleton.lattice().box(skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box);
+    const double from = entry(box, ray.from, ray.way, ray.near);
+    if (std::isfinite(from)) met.push_back({from, drawable});
+  }
+  std::sort(met.begin(), met.end());
+  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<Picked> found;
+  for (const auto& [from, drawable] : met) {
+    if (from > nearest) break;
+    const uint32_t placements = skeleton.drawables[drawable].placement_count;
+    for (uint32_t i = 0; i < placements; ++i) meet(ray, drawable, i, nearest, found);
+  }
+  return found;
+}
+
+void Picker::meet(const Ray& ray, DrawableId drawable, uint32_t placement, double& nearest,
+                  std::optional<Picked>& found) {
+  const Skeleton& skeleton = pack_.skeleton();
+  const Placement& placed = skeleton.placements[skeleton.drawables[drawable].first_placement + placement];
+  const Affine& transform = skeleton.transforms[placed.transform];
+  const ChunkInfo& info = skeleton.chunks[placed.chunk];
+  const Lattice& lattice = skeleton.lattices[info.lattice];
+  if (!(entry(placed_box(transform, lattice.box(info.box)), ray.from, ray.way, ray.near) < nearest)) return;
+  const glm::dmat3 linear(transform);
+  if (glm::determinant(linear) == 0) return;  // it is flat, and has no area to be seen
+  // On the chunk's own lattice, where lengths along the ray are the same.
+  const glm::dmat3 inverse = glm::inverse(linear);
+  const glm::dvec3 from = (inverse * (ray.from - transform[3]) - lattice.origin) / lattice.step;
+  const glm::dvec3 way = inverse * ray.way / lattice.step;
+  const Chunk& geometry = chunk(placed.chunk);
+  for (uint32_t i = 0; i < geometry.triangle_count(); ++i) {
+    std::array<glm::dvec3, 3> corners;
+    for (size_t k = 0; k < 3; ++k)
+      corners[k] = glm::dvec3(geometry.vertices[geometry.indices[3 * i + k]].point) - from;
+    // Moeller and Trumbore, Fast, minimum storage ray/triangle intersection, 1997.
+    const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0], p = glm::cross(way, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0) continue;
+    const glm::dvec3 q = glm::cross(-corners[0], ab);
+    const double u = glm::dot(-corners[0], p) / determinant, v = glm::dot(way, q) / determinant;
+    constexpr double edge = 1e-9;  // no ray passes between two triangles
+    if (u < -edge || v < -edge || u + v > 1 + edge) continue;
+    const double along = glm::dot(ac, q) / determinant;
+    if (along < ray.near || along >= nearest) continue;
+    nearest = along;
+    found = Picked{drawable, placement, i, ray.from + along * ray.way};
+  }
+}
+
+const Chunk& Picker::chunk(uint32_t number) {
+  const auto known = chunks_.find(number);
+  if (known != chunks_.end()) return *known->second;
+  if (kept_triangles_ > most_kept_triangles) {
+    chunks_.clear();
+    kept_triangles_ = 0;
+  }
+  auto read = std::make_shared<const Chunk>(pack_.read_chunk(number));
+  kept_triangles_ += read->triangle_count();
+  return *chunks_.emplace(number, std::move(read)).first->second;
+}
+
+}  // namespace triptych

@@ -1,0 +1,45 @@
+#include "view/selection.hpp"
+
+#include "lod/frame_view.hpp"
+#include "scene/object_text.hpp"
+
+#include <cmath>
+#include <fmt/core.h>
+
+namespace triptych {
+
+Selection Selector::describe(const Picked& picked, const FrameState& frame) {
+  if (!objects_) objects_.emplace(pack_.read_objects());
+  const Skeleton& skeleton = pack_.skeleton();
+  const Drawable& drawable = skeleton.drawables[picked.drawable];
+  const SceneNode& node = skeleton.scene_nodes[drawable.scene_node];
+  const FrameView view(skeleton, frame);
+  const double pixels = projected_error(view.focal_length, drawable.error, view.eye_space.bounds(node.box));
+  Selection selection;
+  selection.name = fmt::format("drawable {}", picked.drawable);
+  selection.box = skeleton.lattice().box(node.box);
+  selection.text = fmt::format(
+      "at {:.6g}, {:.6g}, {:.6g}: drawable {} of scene node {}, level {} of {} (0 is the finest), off by at "
+      "most "
+      "{:.3g} model units{}\n",
+      picked.point.x, picked.point.y, picked.point.z, picked.drawable, drawable.scene_node,
+      picked.drawable - node.first_drawable, node.drawable_count, drawable.error,
+      std::isfinite(pixels) ? fmt::format(", {:.3g} px", pixels) : "");
+  const SourceObjectId object = objects_->object_at(picked.drawable, picked.placement, picked.triangle);
+  if (object == no_id) return selection;
+  selection.text += object_text(*objects_, object);
+  const SourceObjects& source = objects_->source();
+  const SourceObject& known = source.objects[object];
+  for (const uint32_t text : {known.name, known.type, known.guid}) {
+    if (text == 0) continue;
+    selection.name = in_one_cell(source.texts[text], 60);
+    break;
+  }
+  Box box;
+  for (const SceneNodeId leaf : objects_->nodes_of(object))
+    box.extend(skeleton.lattice().box(skeleton.scene_nodes[leaf].box));
+  selection.box = box;
+  return selection;
+}
+
+}  // namespace triptych

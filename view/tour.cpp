@@ -1,0 +1,142 @@
+#include "view/tour.hpp"
+
+#include "base/notice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace triptych {
+
+namespace {
+constexpr size_t most_remembered = 100;
+constexpr double stood_still_s = 1, look_every_s = 0.2;
+}  // namespace
+
+Tour::Tour(const Pack& pack, const Walker& start)
+    : pack_(pack), picker_(pack), selector_(pack), walker_(start), home_(start) {}
+
+Box Tour::model_box() const {
+  const Skeleton& skeleton = pack_.skeleton();
+  return skeleton.lattice().box(skeleton.scene_nodes.front().box);
+}
+
+void Tour::saw(const FrameState& frame, VisibleSet visible) {
+  frame_ = frame;
+  visible_ = std::move(visible);
+  if (looked_ && since_look_.seconds() < look_every_s) return;
+  looked_ = true;
+  since_look_.restart();
+  std::vector<double> distances;
+  constexpr double places[][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
+  for (const auto& [x, y] : places) {
+    if (const auto picked = under({x * frame.view.width, y * frame.view.height}))
+      distances.push_back(glm::distance(picked->point, frame.view.camera.eye));
+  }
+  if (distances.empty()) return;
+  std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2),
+                   distances.end());
+  walker_.see(distances[distances.size() / 2]);
+}
+
+std::optional<Picked> Tour::under(const WindowPlace& place) {
+  if (!frame_) return std::nullopt;
+  return picker_.at(frame_->view, visible_, place.x, place.y);
+}
+
+glm::dvec3 Tour::point_under(const WindowPlace& place) {
+  if (const auto picked = under(place)) return picked->point;
+  if (!frame_) return walker_.eye() + walker_.seen() * walker_.direction();
+  return Picker::place_at(frame_->view, place.x, place.y, walker_.seen());
+}
+
+void Tour::remember() {
+  if (before_.empty() || since_move_.seconds() > stood_still_s) before_.push_back(walker_);
+  if (before_.size() > most_remembered) before_.erase(before_.begin());
+  since_move_.restart();
+}
+
+bool Tour::take(const Input& input, int width, int height) {
+  bool moved = false;
+  for (const Command command : input.commands) moved = take(command, width, height) || moved;
+  if (input.clicked) select(*input.clicked);
+  const auto began = [&](const Drag& drag, glm::dvec3& at) {
+    if (drag.begins) at = point_under(*drag.begins);
+    return drag.right != 0 || drag.down != 0;
+  };
+  const bool orbits = began(input.orbit, orbit_at_), pans = began(input.pan, pan_at_);
+  if (!(input.motion == Motion{}) || orbits || pans || input.zoom != 0) {
+    remember();
+    moved = true;
+  }
+  walker_.move(input.motion, input.seconds, height);
+  if (orbits) walker_.orbit(orbit_at_, input.orbit.right, input.orbit.down, height);
+  if (pans) walker_.pan(pan_at_, input.pan.right, input.pan.down, height);
+  if (input.zoom != 0) walker_.zoom(point_under(input.cursor), input.zoom);
+  return moved;
+}
+
+bool Tour::take(Command command, int width, int height) {
+  const Walker was = walker_;
+  const double aspect = static_cast<double>(width) / height;
+  const auto look_at = [&](Side side) {
+    walker_.look_at(side);
+    walker_.frame(selection_ ? selection_->box : model_box(), aspect);
+  };
+  switch (command) {
+    case Command::home:
+      walker_ = home_;
+      break;
+    case Command::back:
+      if (before_.empty()) return false;
+      walker_ = before_.back();
+      before_.pop_back();
+      return true;
+    case Command::fit:
+      walker_.frame(selection_ ? selection_->box : model_box(), aspect);
+      break;
+    case Command::look_at_front:
+      look_at(Side::front);
+      break;
+    case Command::look_at_right:
+      look_at(Side::right);
+      break;
+    case Command::look_at_top:
+      look_at(Side::top);
+      break;
+    case Command::switch_projection:
+      walker_.switch_projection(point_under({width / 2.0, height / 2.0}));
+      break;
+    case Command::slower:
+    case Command::faster:
+      walker_.move({.faster = command == Command::faster ? 1.0 : -1.0}, 0, height);
+      return false;
+    default:
+      return false;
+  }
+  before_.push_back(was);
+  since_move_.restart();
+  return true;
+}
+
+void Tour::select(const WindowPlace& place) {
+  selection_.reset();
+  const auto picked = under(place);
+  if (!picked) return;
+  selection_ = selector_.describe(*picked, *frame_);
+  say(selection_->text);
+}
+
+PathFrame path_frame(const Camera& camera) {
+  PathFrame frame{.eye = camera.eye, .target = camera.target, .up = camera.up};
+  if (camera.orthographic()) {
+    frame.orthographic_height = camera.top - camera.bottom;
+  } else {
+    frame.fov_y_degrees = 2 * std::atan(camera.top) * 180 / std::numbers::pi;
+  }
+  frame.near = camera.near;
+  return frame;
+}
+
+}  // namespace triptych

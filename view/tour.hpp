@@ -1,0 +1,56 @@
+// A person's tour of a model: where the eye is, where it was, and what is under the cursor.
+#pragma once
+
+#include "base/clock.hpp"
+#include "scene/path.hpp"
+#include "view/selection.hpp"
+#include "view/window.hpp"
+
+#include <vector>
+
+namespace triptych {
+
+class Tour {
+ public:
+  /// The start is what Command::home goes back to. The pack must outlive it.
+  Tour(const Pack& pack, const Walker& start);
+
+  /// The last picture: what is under the cursor is looked up there, and the speed of walking is set by how
+  /// far what it shows is away.
+  void saw(const FrameState& frame, VisibleSet visible);
+  /// Both: whether the eye moved. width, height: of the window, pixels.
+  bool take(const Input& input, int width, int height);
+  bool take(Command command, int width, int height);
+  /// The eye is moved by something else, as when a path is played.
+  void jump_to(const Camera& camera) { walker_.jump_to(camera); }
+
+  const Walker& walker() const { return walker_; }
+  /// What was clicked on last; nullopt where that was the background.
+  const std::optional<Selection>& selection() const { return selection_; }
+
+ private:
+  std::optional<Picked> under(const WindowPlace& place);
+  /// Where there is only background a place as far away as what was seen last.
+  glm::dvec3 point_under(const WindowPlace& place);
+  void select(const WindowPlace& place);
+  /// Keeps where the eye is, for Command::back, if it stood still there.
+  void remember();
+  Box model_box() const;
+
+  const Pack& pack_;
+  Picker picker_;
+  Selector selector_;
+  Walker walker_, home_;
+  std::vector<Walker> before_;
+  std::optional<FrameState> frame_;
+  VisibleSet visible_;
+  glm::dvec3 orbit_at_{0}, pan_at_{0};
+  std::optional<Selection> selection_;
+  Stopwatch since_move_, since_look_;
+  bool looked_ = false;
+};
+
+/// The camera as a path has it, whose frustum must be symmetric.
+PathFrame path_frame(const Camera& camera);
+
+}  // namespace triptych
