@@ -167,6 +167,10 @@ void add_window_flag(CLI::App& command, bool& window) {
   command.get_option("--path")->required(false);
 }
 
+void size_for_window(const CLI::App& command, RunOptions& options) {
+  if (command.count("--size") == 0) options.size = {1280, 800};
+}
+
 void require_path(const RunOptions& options, bool window) {
   if (options.path.empty() && !window) throw CLI::RequiredError("--path");
 }

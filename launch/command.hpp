@@ -28,6 +28,8 @@ void add_device_flags(CLI::App& command, DeviceOptions& device);
 void resolve_device(const CLI::App& command, DeviceOptions& device);
 /// --window; then --path is not needed: require_path() checks that once the command line was parsed.
 void add_window_flag(CLI::App& command, bool& window);
+/// A window is larger than a picture where --size does not say how large; once the command line was parsed.
+void size_for_window(const CLI::App& command, RunOptions& options);
 void require_path(const RunOptions& options, bool window);
 /// --timeline.
 void add_timeline_flag(CLI::App& command, std::filesystem::path& file);

@@ -92,6 +92,7 @@ void add_session(CLI::App& app, Action& action) {
   add_window_flag(*sub, options->window);
   sub->callback([=, &action] {
     require_path(options->run, options->window);
+    if (options->window) size_for_window(*sub, options->run);
     check_shown_model(*sub, *model);
     action = [=] {
       options->run.pack = pack_of(*model, {options->run.json, options->timeline});

@@ -93,6 +93,7 @@ void add_view(CLI::App& app, Action& action) {
   add_target_flag(*sub, command->run);
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
   sub->get_option("--frames")->required(false);
+  sub->get_option("--size")->default_str("1280x800");
   sub->get_option("--context")->default_str("the display's own");
   // The window is OpenGL's on both devices: a context may be named beside --device cpu.
   sub->parse_complete_callback([command, sub] { resolve_device(*sub, command->run.device); });
@@ -106,6 +107,7 @@ void add_view(CLI::App& app, Action& action) {
       ->capture_default_str();
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
+    size_for_window(*sub, command->run);
     check_shown_model(*sub, command->model);
     if (sub->count("--context") > 0) command->context = command->run.device.context;
     action = [command] {

@@ -40,12 +40,12 @@ void Tour::saw(const FrameState& frame, VisibleSet visible) {
   walker_.see(distances[distances.size() / 2]);
 }
 
-std::optional<Picked> Tour::under(const WindowPlace& place) {
+std::optional<Picked> Tour::under(const CursorPlace& place) {
   if (!frame_) return std::nullopt;
   return picker_.at(frame_->view, visible_, place.x, place.y);
 }
 
-glm::dvec3 Tour::point_under(const WindowPlace& place) {
+glm::dvec3 Tour::point_under(const CursorPlace& place) {
   if (const auto picked = under(place)) return picked->point;
   if (!frame_) return walker_.eye() + walker_.seen() * walker_.direction();
   return Picker::place_at(frame_->view, place.x, place.y, walker_.seen());
@@ -120,7 +120,7 @@ bool Tour::take(Command command, int width, int height) {
   return true;
 }
 
-void Tour::select(const WindowPlace& place) {
+void Tour::select(const CursorPlace& place) {
   selection_.reset();
   const auto picked = under(place);
   if (!picked) return;

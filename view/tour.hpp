@@ -29,10 +29,10 @@ class Tour {
   const std::optional<Selection>& selection() const { return selection_; }
 
  private:
-  std::optional<Picked> under(const WindowPlace& place);
+  std::optional<Picked> under(const CursorPlace& place);
   /// Where there is only background a place as far away as what was seen last.
-  glm::dvec3 point_under(const WindowPlace& place);
-  void select(const WindowPlace& place);
+  glm::dvec3 point_under(const CursorPlace& place);
+  void select(const CursorPlace& place);
   /// Keeps where the eye is, for Command::back, if it stood still there.
   void remember();
   Box model_box() const;

@@ -228,7 +228,7 @@ class Window::Implementation {
   }
 
   /// Of the window's coordinates, which need not be pixels.
-  WindowPlace in_pixels(double x, double y) const {
+  CursorPlace in_pixels(double x, double y) const {
     int width = 0, height = 0, pixels_wide = 0, pixels_high = 0;
     glfwGetWindowSize(window, &width, &height);
     glfwGetFramebufferSize(window, &pixels_wide, &pixels_high);
@@ -250,7 +250,7 @@ class Window::Implementation {
   static constexpr double click_pixels = 4;  ///< shorter ways of the mouse are none
   int button_held = -1;                      ///< the button
   double dragged = 0;                        ///< how far
-  WindowPlace pressed_at;
+  CursorPlace pressed_at;
   double cursor_x = 0, cursor_y = 0;
   bool cursor_known = false;
   Stopwatch since_poll;

@@ -44,13 +44,13 @@ enum class Command {
 };
 
 /// A place in the window: pixels from its left and top.
-struct WindowPlace {
+struct CursorPlace {
   double x = 0, y = 0;
 };
 
 /// The mouse moved with a button held.
 struct Drag {
-  std::optional<WindowPlace> begins;  ///< where the button was pressed, since the last time
+  std::optional<CursorPlace> begins;  ///< where the button was pressed, since the last time
   double right = 0, down = 0;         ///< pixels
 };
 
@@ -60,8 +60,8 @@ struct Input {
   double seconds = 0;  ///< how long the motion's directions were held
   Drag orbit, pan;
   double zoom = 0;                     ///< steps of the wheel, away from the person
-  WindowPlace cursor;                  ///< where it is now
-  std::optional<WindowPlace> clicked;  ///< the left button, without a move
+  CursorPlace cursor;                  ///< where it is now
+  std::optional<CursorPlace> clicked;  ///< the left button, without a move
   std::vector<Command> commands;       ///< in the order of their keys
   bool leave = false;                  ///< Esc, or the window was closed
   bool resized = false, damaged = false;

@@ -103,7 +103,7 @@ TEST(Tour, names_what_is_clicked_on_and_fits_it_into_the_window) {
   EXPECT_LT(tour.walker().speed(), skeleton.diagonal());
   EXPECT_NE(tour.walker().speed(), start.speed()) << "the speed fits what is seen";
   Input click;
-  click.clicked = WindowPlace{150, 100};
+  click.clicked = CursorPlace{150, 100};
   EXPECT_FALSE(tour.take(click, 300, 200));
   ASSERT_TRUE(tour.selection());
   EXPECT_NE(tour.selection()->text.find("scene node"), std::string::npos) << tour.selection()->text;
@@ -114,7 +114,7 @@ TEST(Tour, names_what_is_clicked_on_and_fits_it_into_the_window) {
   EXPECT_LE(glm::distance(tour.walker().eye(), centre), glm::distance(start.eye(), centre) + 1e-9);
   EXPECT_LT(glm::length(glm::cross(centre - tour.walker().eye(), tour.walker().direction())), 1e-9)
       << "its middle is the picture's";
-  click.clicked = WindowPlace{0, 0};
+  click.clicked = CursorPlace{0, 0};
   tour.take(click, 300, 200);
   EXPECT_FALSE(tour.selection()) << "there is nothing in that corner";
 }
