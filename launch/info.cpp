@@ -99,19 +99,6 @@ struct InfoCommand {
   std::string find;
 };
 
-void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description) {
-  const PackObjects objects = pack.read_objects();
-  const std::vector<SourceObjectId> found = find_objects(objects.source(), find);
-  fmt::print("{} objects", in_threes(static_cast<double>(objects.source().objects.size())));
-  if (!find.empty())
-    fmt::print(", {} with \"{}\"", in_threes(static_cast<double>(found.size())), one_line(find));
-  fmt::print("\n");
-  if (!found.empty()) fmt::print("\n{}", object_table(objects, found));
-  description["source_object_count"] = objects.source().objects.size();
-  nlohmann::json& list = description["source_objects"] = nlohmann::json::array();
-  for (const SourceObjectId id : found) list.push_back(to_json(objects, id));
-}
-
 int run(const InfoCommand& command) {
   const Pack pack(pack_of(command.model, {command.json}));
   nlohmann::json description = describe(pack);

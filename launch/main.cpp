@@ -67,6 +67,7 @@ void add_commands(CLI::App& app, triptych::Action& action) {
   triptych::add_sample(app, action);
   triptych::add_build(app, action);
   triptych::add_info(app, action);
+  triptych::add_find(app, action);
   triptych::add_check(app, action);
   triptych::add_render(app, action);
   triptych::add_view(app, action);

@@ -1,5 +1,6 @@
 #include "launch/object_report.hpp"
 
+#include "base/one_line.hpp"
 #include "launch/text_table.hpp"
 #include "scene/object_text.hpp"
 
@@ -87,6 +88,19 @@ std::string object_table(const PackObjects& objects, std::span<const SourceObjec
                         in_threes(static_cast<double>(ids.size() - shown.size())));
   }
   return text;
+}
+
+void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description) {
+  const PackObjects objects = pack.read_objects();
+  const std::vector<SourceObjectId> found = find_objects(objects.source(), find);
+  fmt::print("{} objects", in_threes(static_cast<double>(objects.source().objects.size())));
+  if (!find.empty())
+    fmt::print(", {} with \"{}\"", in_threes(static_cast<double>(found.size())), one_line(find));
+  fmt::print("\n");
+  if (!found.empty()) fmt::print("\n{}", object_table(objects, found));
+  description["source_object_count"] = objects.source().objects.size();
+  nlohmann::json& list = description["source_objects"] = nlohmann::json::array();
+  for (const SourceObjectId id : found) list.push_back(to_json(objects, id));
 }
 
 }  // namespace triptych

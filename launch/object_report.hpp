@@ -1,6 +1,7 @@
 // Source objects for people and as JSON.
 #pragma once
 
+#include "scene/pack.hpp"
 #include "scene/pack_objects.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,5 +22,9 @@ nlohmann::json to_json(const PackObjects& objects, SourceObjectId id);
 
 /// A table of the first objects, one line each, without columns that all of them lack.
 std::string object_table(const PackObjects& objects, std::span<const SourceObjectId> ids);
+
+/// Prints the objects that hold the text (find_objects()), and adds them to the description:
+/// "source_object_count" and "source_objects".
+void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description);
 
 }  // namespace triptych

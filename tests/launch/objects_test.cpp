@@ -55,6 +55,16 @@ class NamedObjects : public testing::Test {
                     pack = folder.file("model.tpk"), json = folder.file("out.json");
 };
 
+TEST_F(NamedObjects, find_lists_those_with_a_word) {
+  run({"find", pack, "CUBE 1", "--json", json});
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["source_object_count"], cubes + 1);
+  EXPECT_EQ(report["source_objects"], listed("cube 1"));
+  EXPECT_EQ(report["source_objects"].size(), 7u) << "1 and 10 to 15";
+  Program without({"find", pack});
+  EXPECT_EQ(without.wait(), 2) << "a word is missing: " << without.errors();
+}
+
 TEST_F(NamedObjects, info_lists_and_finds_them) {
   const nlohmann::json all = listed();
   ASSERT_EQ(all.size(), cubes + 1u) << "and the tower";

@@ -1,0 +1,46 @@
+#include "launch/command.hpp"
+#include "launch/object_report.hpp"
+#include "launch/shown_model.hpp"
+#include "measure/json.hpp"
+
+namespace triptych {
+
+namespace {
+
+struct FindCommand {
+  ShownModel model;
+  std::filesystem::path json;
+  std::string text;
+};
+
+int run(const FindCommand& command) {
+  const Pack pack(pack_of(command.model, {command.json}));
+  nlohmann::json description = nlohmann::json::object();
+  list_objects(pack, command.text, description);
+  write_json(command.json, description);
+  return 0;
+}
+
+}  // namespace
+
+void add_find(CLI::App& app, Action& action) {
+  auto command = std::make_shared<FindCommand>();
+  CLI::App* sub = app.add_subcommand("find", "Find objects of the model's files in a pack");
+  sub->footer("Example: triptych find scene.tpk IfcDoor");
+  add_common_flags(*sub, command->json);
+  add_shown_model(*sub, command->model);
+  sub->get_option("pack")
+      ->description(
+          "The pack, or model files; and last what an object's name, kind, layer, storey, GUID, number or a "
+          "property's value holds")
+      ->expected(2, CLI::detail::expected_max_vector_size)
+      ->type_name("FILE ... WORD");
+  sub->callback([=, &action] {
+    command->text = command->model.files.back().string();
+    command->model.files.pop_back();
+    check_shown_model(*sub, command->model);
+    action = [=] { return run(*command); };
+  });
+}
+
+}  // namespace triptych
