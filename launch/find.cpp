@@ -29,15 +29,12 @@ void add_find(CLI::App& app, Action& action) {
   sub->footer("Example: triptych find scene.tpk IfcDoor");
   add_common_flags(*sub, command->json);
   add_shown_model(*sub, command->model);
-  sub->get_option("pack")
-      ->description(
-          "The pack, or model files; and last what an object's name, kind, layer, storey, GUID, number or a "
-          "property's value holds")
-      ->expected(2, CLI::detail::expected_max_vector_size)
-      ->type_name("FILE ... WORD");
+  sub->get_option("pack")->expected(1);
+  sub->add_option("word", command->text,
+                  "What their name, kind, layer, storey, GUID, number or a property's value holds")
+      ->required()
+      ->type_name("WORD");
   sub->callback([=, &action] {
-    command->text = command->model.files.back().string();
-    command->model.files.pop_back();
     check_shown_model(*sub, command->model);
     action = [=] { return run(*command); };
   });

@@ -1,6 +1,7 @@
 #include "view/tour.hpp"
 
 #include "base/notice.hpp"
+#include "scene/finest_boxes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +16,7 @@ constexpr double stood_still_s = 1, look_every_s = 0.2;
 }  // namespace
 
 Tour::Tour(const Pack& pack, const Walker& start)
-    : pack_(pack), picker_(pack), selector_(pack), walker_(start), home_(start) {}
-
-Box Tour::model_box() const {
-  const Skeleton& skeleton = pack_.skeleton();
-  return skeleton.lattice().box(skeleton.scene_nodes.front().box);
-}
+    : box_(model_box(pack.skeleton())), picker_(pack), selector_(pack), walker_(start), home_(start) {}
 
 void Tour::saw(const FrameState& frame, VisibleSet visible) {
   frame_ = frame;
@@ -82,7 +78,7 @@ bool Tour::take(Command command, int width, int height) {
   const double aspect = static_cast<double>(width) / height;
   const auto look_at = [&](Side side) {
     walker_.look_at(side);
-    walker_.frame(selection_ ? selection_->box : model_box(), aspect);
+    walker_.frame(selection_ ? selection_->box : box_, aspect);
   };
   switch (command) {
     case Command::home:
@@ -94,7 +90,7 @@ bool Tour::take(Command command, int width, int height) {
       before_.pop_back();
       return true;
     case Command::fit:
-      walker_.frame(selection_ ? selection_->box : model_box(), aspect);
+      walker_.frame(selection_ ? selection_->box : box_, aspect);
       break;
     case Command::look_at_front:
       look_at(Side::front);

@@ -35,9 +35,8 @@ class Tour {
   void select(const CursorPlace& place);
   /// Keeps where the eye is, for Command::back, if it stood still there.
   void remember();
-  Box model_box() const;
 
-  const Pack& pack_;
+  const Box box_;  ///< of the model
   Picker picker_;
   Selector selector_;
   Walker walker_, home_;
