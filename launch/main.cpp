@@ -1,7 +1,7 @@
 // The program `triptych`: one file per subcommand; errors are printed here, on one line.
 #include "base/file.hpp"
 #include "base/notice.hpp"
-#include "launch/command.hpp"
+#include "launch/diff.hpp"
 #include "launch/named_files.hpp"
 
 #include <algorithm>
@@ -26,9 +26,9 @@ void open_standard_streams() {
 }
 
 /// Prints the line that ends a run; where standard error cannot be written, the exit code must do.
-int end_with(const std::string& line) {
+int end_with(const std::string& line, int code) {
   triptych::notice("triptych: {}", line);
-  return 1;
+  return code;
 }
 
 /// The program and the subcommands of the command line, as typed.
@@ -70,6 +70,8 @@ int main(int argc, char** argv) {
   triptych::add_build(app, action);
   triptych::add_info(app, action);
   triptych::add_check(app, action);
+  int failed = 1;
+  triptych::add_diff(app, action, failed);
   triptych::add_render(app, action);
   triptych::add_view(app, action);
   triptych::add_session(app, action);
@@ -95,11 +97,12 @@ int main(int argc, char** argv) {
     triptych::check_files_differ(app);
     triptych::check_files_can_be_used(app);
     const int code = action();
-    if (std::fflush(stdout) != 0) return end_with(std::string("standard output: ") + std::strerror(errno));
+    if (std::fflush(stdout) != 0)
+      return end_with(std::string("standard output: ") + std::strerror(errno), failed);
     return code;
   } catch (const std::bad_alloc&) {
-    return end_with("memory: there is not enough");
+    return end_with("memory: there is not enough", failed);
   } catch (const std::exception& error) {
-    return end_with(error.what());
+    return end_with(error.what(), failed);
   }
 }
