@@ -103,8 +103,8 @@ void check_is_none_of(const std::filesystem::path& output, const std::vector<std
 }
 
 bool is_written(const CLI::Option& option) {
-  constexpr std::array<std::string_view, 6> flags = {"--json",      "--output", "--timeline",
-                                                     "--keep-pack", "--record", "--journal"};
+  constexpr std::array<std::string_view, 7> flags = {"--json",   "--output",  "--timeline", "--keep-pack",
+                                                     "--record", "--journal", "--cache"};
   return std::count(flags.begin(), flags.end(), option.get_name()) > 0;
 }
 

@@ -1,8 +1,10 @@
 #include "preprocess/leaf.hpp"
 
 #include "base/progress.hpp"
+#include "preprocess/cached_unit.hpp"
 #include "preprocess/covered/make_room.hpp"
 #include "preprocess/pieces.hpp"
+#include "preprocess/room_box.hpp"
 #include "simplify/simplify.hpp"
 
 #include <algorithm>
@@ -100,6 +102,27 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
   levels = std::move(kept);
 }
 
+/// What make_levels() makes its result of.
+void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, const PartInfo& info,
+                      const Lattice& lattice, const std::optional<LatticeBox>& cover,
+                      const BuildOptions& options, size_t kept_triangles) {
+  write_unit_kind(key, UnitKind::part_levels, options);
+  key.write(uint64_t{part.size()});
+  key.write_all(part);
+  key.write(lattice.step);
+  key.write(cover.has_value());
+  if (cover) key.write(*cover);
+  key.write(uint64_t{kept_triangles});
+  key.write(info.moved);
+  key.write(info.covered_class);
+  key.write(info.covered_from);
+  key.write(info.variant_of == no_id);
+  write_record(key, info.contacts);
+  write_record(key, info.layers);
+  write_record(key, info.covered);
+  write_record(key, info.gaps);
+}
+
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
 /// cover: what it may be enlarged to (SimplifyLimits::cover_within); nothing where it may not be.
 UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice,
@@ -184,17 +207,13 @@ std::vector<std::optional<LatticeBox>> room_for_cover(const Parts& parts) {
     for (const LatticeBox& box : hierarchy.boxes) whole.extend(box);
     for (size_t i = 0; i < hierarchy.placed.size(); ++i) {
       std::optional<LatticeBox>& own = room[hierarchy.placed[i].part];
-      if (parts.parts[hierarchy.placed[i].part].lattice == hierarchy.lattice) {
-        own = whole;
-        continue;
-      }
       // Levels are off by a quarter of the diagonal at most, and grow by no more than that.
-      LatticeBox box = hierarchy.boxes[i];
-      const glm::dvec3 size(box.hi - box.lo);
-      const int margin = static_cast<int>(glm::length(size) / 4) + 1;
-      box.lo -= margin;
-      box.hi += margin;
-      if (!whole.contains(box)) own.reset();
+      const LatticeBox box = with_room(hierarchy.boxes[i], 0.25);
+      if (parts.parts[hierarchy.placed[i].part].lattice == hierarchy.lattice) {
+        own = common(box, whole);
+      } else if (!whole.contains(box)) {
+        own.reset();
+      }
     }
   }
   return room;
@@ -208,8 +227,14 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
   const std::vector<std::optional<LatticeBox>> room = room_for_cover(parts);
   const UnitFunction unit = [&](uint32_t part) {
     const PartInfo& info = parts.parts[part];
-    return record_bytes(make_levels(load<Part>(work.parts(), info.place), info, parts.lattices[info.lattice],
-                                    room[part], options, kept_triangles));
+    const Lattice& lattice = parts.lattices[info.lattice];
+    const std::vector<std::byte> bytes = work.parts().read(info.place);
+    ContentKeyWriter key;
+    if (options.cache) write_levels_key(key, bytes, info, lattice, room[part], options, kept_triangles);
+    return record_bytes(cached_unit(options.cache, key, info.lattice, [&] {
+      return make_levels(record_of<Part>(bytes, work.parts().path().string()), info, lattice, room[part],
+                         options, kept_triangles);
+    }));
   };
   std::vector<uint32_t> all(parts.parts.size());
   std::iota(all.begin(), all.end(), 0u);
