@@ -1,5 +1,6 @@
 #include "preprocess/build.hpp"
 
+#include "base/build_cache.hpp"
 #include "base/clock.hpp"
 #include "base/memory.hpp"
 #include "base/notice.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 struct BuildCommand {
   BuildFlags flags;
-  std::filesystem::path output, json;
+  std::filesystem::path output, json, cache;
 };
 
 void print(const BuildReport& report, const std::filesystem::path& output) {
@@ -56,6 +57,24 @@ void print(const BuildReport& report, const std::filesystem::path& output) {
   }
 }
 
+/// The program that runs, by its content.
+ContentKey this_program() {
+  ContentKeyWriter writer;
+  writer.write_all(std::span<const std::byte>(read_file("/proc/self/exe")));
+  return writer.key();
+}
+
+/// What was taken from the cache and what was added to it, which is put in place. A build that was resumed
+/// knows only the rest: then the file stays as it was.
+nlohmann::json end_cache(BuildCache& cache, const std::filesystem::path& file, const BuildReport& report) {
+  const uint64_t all = cache.found() + cache.made();
+  fmt::print("{}: {} of {} pieces of work were done before\n", file.string(), cache.found(), all);
+  if (report.resumed_units == 0) cache.commit();
+  return {{"found", cache.found()},
+          {"made", cache.made()},
+          {"bytes", std::filesystem::exists(file) ? std::filesystem::file_size(file) : 0}};
+}
+
 nlohmann::json report_json(const BuildReport& report, const BuildOptions& options,
                            const std::vector<std::filesystem::path>& files, double seconds) {
   nlohmann::json stages = nlohmann::json::array(), names = stages;
@@ -88,7 +107,7 @@ nlohmann::json report_json(const BuildReport& report, const BuildOptions& option
 
 int run(const BuildCommand& command) {
   check_are_no_packs(command.flags.inputs);
-  check_is_no_model_file({command.output, command.json}, command.flags.inputs);
+  check_is_no_model_file({command.output, command.json, command.cache}, command.flags.inputs);
   const Stopwatch stopwatch;
   ImportOptions import = command.flags.import;
   import.temporary_folder = std::filesystem::absolute(command.output).parent_path();
@@ -102,6 +121,8 @@ int run(const BuildCommand& command) {
   options.said = build_words(command.flags);
   options.fingerprint = build_fingerprint(command.flags, model.files);
   const std::vector<std::filesystem::path> files = model.files;
+  std::optional<BuildCache> cache;
+  if (!command.cache.empty()) options.cache = &cache.emplace(command.cache, this_program());
   BuildReport report = build_pack(std::move(model), options, command.output);
   report.stages.insert(report.stages.begin(), {"import", import_seconds});
   const uint64_t peak = peak_resident_bytes();
@@ -110,7 +131,9 @@ int run(const BuildCommand& command) {
         fmt::format("the build took {} MiB, more than --memory's {}", peak >> 20, options.memory >> 20));
   }
   print(report, command.output);
-  write_json(command.json, report_json(report, options, files, stopwatch.seconds()));
+  nlohmann::json json = report_json(report, options, files, stopwatch.seconds());
+  if (cache) json["cache"] = end_cache(*cache, command.cache, report);
+  write_json(command.json, json);
   return 0;
 }
 
@@ -125,6 +148,10 @@ void add_build(CLI::App& app, Action& action) {
   add_build_flags(*sub, command->flags);
   add_hierarchy_flag(*sub, command->flags);
   sub->add_option("-o,--output", command->output, "The pack to write")->required()->type_name("FILE.tpk");
+  sub->add_option(
+         "--cache", command->cache,
+         "Keep what this build makes, and take from there what an earlier one made of the same parts")
+      ->type_name("FILE");
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

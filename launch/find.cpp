@@ -29,7 +29,12 @@ void add_find(CLI::App& app, Action& action) {
   sub->footer("Example: triptych find scene.tpk IfcDoor");
   add_common_flags(*sub, command->json);
   add_shown_model(*sub, command->model);
-  sub->get_option("pack")->expected(1);
+  // One file alone: the word stands behind it.
+  sub->remove_option(sub->get_option("pack"));
+  command->model.files.resize(1);
+  sub->add_option("pack", command->model.files.front(), "The pack, or a model file")
+      ->required()
+      ->type_name("FILE");
   sub->add_option("word", command->text,
                   "What their name, kind, layer, storey, GUID, number or a property's value holds")
       ->required()

@@ -1,5 +1,6 @@
 #include "base/one_line.hpp"
 #include "launch/command.hpp"
+#include "launch/file_report.hpp"
 #include "launch/object_report.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hierarchy_quality.hpp"

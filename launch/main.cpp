@@ -4,6 +4,7 @@
 #include "base/notice.hpp"
 #include "launch/command.hpp"
 #include "launch/defaults.hpp"
+#include "launch/diff.hpp"
 #include "launch/named_files.hpp"
 #include "launch/usage.hpp"
 #include "launch/version.hpp"
@@ -33,9 +34,9 @@ void open_standard_streams() {
 }
 
 /// Prints the line that ends a run; where standard error cannot be written, the exit code must do.
-int end_with(const std::string& line) {
+int end_with(const std::string& line, int code) {
   triptych::notice("triptych: {}", line);
-  return 1;
+  return code;
 }
 
 /// What went wrong, where a library says less than a user needs.
@@ -59,7 +60,8 @@ bool prints_json(const CLI::App& app) {
   return std::any_of(chosen.begin(), chosen.end(), [](const CLI::App* sub) { return prints_json(*sub); });
 }
 
-void add_commands(CLI::App& app, triptych::Action& action) {
+/// failed: the exit code of errors, if the chosen command has its own.
+void add_commands(CLI::App& app, triptych::Action& action, int& failed) {
   app.require_subcommand(1);
   app.set_version_flag("--version", triptych::version_text,
                        "Print version, commit, how it was built and what it draws with, and exit");
@@ -69,6 +71,7 @@ void add_commands(CLI::App& app, triptych::Action& action) {
   triptych::add_info(app, action);
   triptych::add_find(app, action);
   triptych::add_check(app, action);
+  triptych::add_diff(app, action, failed);
   triptych::add_render(app, action);
   triptych::add_view(app, action);
   triptych::add_session(app, action);
@@ -137,18 +140,20 @@ int main(int argc, char** argv) {
   std::locale::global(std::locale::classic());
   CLI::App app{"Triptych: walk through models that are too big to draw"};
   triptych::Action action;
-  add_commands(app, action);
+  int failed = 1;
+  add_commands(app, action, failed);
   if (const auto code = parse(app, {argv + std::min(argc, 1), argv + argc})) return *code;
   try {
     if (prints_json(app)) triptych::give_standard_output_to_json();
     triptych::check_files_differ(app);
     triptych::check_files_can_be_used(app);
     const int code = action();
-    if (std::fflush(stdout) != 0) return end_with(std::string("standard output: ") + std::strerror(errno));
+    if (std::fflush(stdout) != 0)
+      return end_with(std::string("standard output: ") + std::strerror(errno), failed);
     return code;
   } catch (const std::bad_alloc&) {
-    return end_with("memory: there is not enough");
+    return end_with("memory: there is not enough", failed);
   } catch (const std::exception& error) {
-    return end_with(explained(error));
+    return end_with(explained(error), failed);
   }
 }

@@ -1,6 +1,7 @@
 #include "launch/object_report.hpp"
 
 #include "base/one_line.hpp"
+#include "launch/file_report.hpp"
 #include "launch/text_table.hpp"
 #include "scene/object_text.hpp"
 
@@ -97,6 +98,9 @@ void list_objects(const Pack& pack, const std::string& find, nlohmann::json& des
   if (!find.empty())
     fmt::print(", {} with \"{}\"", in_threes(static_cast<double>(found.size())), one_line(find));
   fmt::print("\n");
+  const std::vector<FileShare> files = file_shares(pack, objects);
+  if (!files.empty() && find.empty()) fmt::print("\n{}", file_table(files));
+  description["files"] = to_json(files);
   if (!found.empty()) fmt::print("\n{}", object_table(objects, found));
   description["source_object_count"] = objects.source().objects.size();
   nlohmann::json& list = description["source_objects"] = nlohmann::json::array();

@@ -1,53 +1,19 @@
 #include "launch/pack_labels.hpp"
 
 #include "base/error.hpp"
+#include "base/shortest_names.hpp"
 #include "launch/named_files.hpp"
-
-#include <algorithm>
 
 namespace triptych {
 
-namespace {
-
-/// The last `count` parts of a path, or all of it.
-std::filesystem::path tail(const std::filesystem::path& path, size_t count) {
-  const std::vector<std::filesystem::path> parts(path.begin(), path.end());
-  std::filesystem::path end;
-  for (size_t i = parts.size() - std::min(count, parts.size()); i < parts.size(); ++i) end /= parts[i];
-  return end;
-}
-
-/// The folder without links or dots, so that different files have different names; the file as it was given.
-std::filesystem::path whole_name(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::path folder =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(file, error).parent_path(), error);
-  return folder / file.filename();
-}
-
-}  // namespace
-
 std::vector<std::string> pack_labels(std::span<const std::filesystem::path> files) {
-  std::vector<std::filesystem::path> names;
   for (size_t i = 0; i < files.size(); ++i) {
     for (size_t before = 0; before < i; ++before) {
       if (is_same_file(files[i], files[before]))
         fail(files[i].string(), "is the same pack as {}: each is measured once", files[before].string());
     }
-    names.push_back(whole_name(files[i]));
   }
-  std::vector<std::string> labels;
-  for (const std::filesystem::path& name : names) {
-    const auto shared = [&](size_t count) {
-      return std::count_if(names.begin(), names.end(), [&](const std::filesystem::path& other) {
-               return tail(other, count) == tail(name, count);
-             }) > 1;
-    };
-    size_t count = 1;
-    while (shared(count) && tail(name, count) != name) ++count;
-    labels.push_back(tail(name, count).string());
-  }
-  return labels;
+  return shortest_names(files);
 }
 
 }  // namespace triptych

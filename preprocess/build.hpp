@@ -19,6 +19,8 @@
 
 namespace triptych {
 
+class BuildCache;
+
 /// What levels of detail keep beside distances, at the price of triangles.
 struct Kept {
   bool touching = true;  ///< surfaces that touch show no gap at any mix of levels
@@ -53,6 +55,9 @@ struct BuildOptions {
   /// Identifies the input and all options that change the result: a killed build is resumed if this is the
   /// same. Empty: it starts again.
   std::string fingerprint = {};
+  /// What earlier builds made, by what they made it of; null: everything is made anew. The result does not
+  /// depend on it.
+  BuildCache* cache = nullptr;
   BuildRules rules = {};
   /// What the pack says of how it was built (section OPTS), beside what the build adds: "crowded-parts", how
   /// many parts do not hold all the places where they touch, and "crowded-planes", how many were not compared

@@ -1,6 +1,7 @@
 #include "preprocess/leaf.hpp"
 
 #include "base/progress.hpp"
+#include "preprocess/cached_unit.hpp"
 #include "preprocess/covered/error_gaps.hpp"
 #include "preprocess/covered/leave_out.hpp"
 #include "preprocess/pieces.hpp"
@@ -121,6 +122,23 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
   levels = std::move(kept);
 }
 
+/// What make_levels() makes its result of.
+void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, const PartInfo& info,
+                      const Lattice& lattice, const BuildOptions& options, size_t kept_triangles) {
+  write_unit_kind(key, UnitKind::part_levels, options);
+  key.write(uint64_t{part.size()});
+  key.write_all(part);
+  key.write(lattice.step);
+  key.write(uint64_t{kept_triangles});
+  key.write(info.moved);
+  key.write(info.covered_step);
+  key.write(info.variant_of == no_id);
+  write_record(key, info.contacts);
+  write_record(key, info.layers);
+  write_record(key, info.covered);
+  write_record(key, info.gaps);
+}
+
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
 UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, const BuildOptions& options,
                        size_t kept_triangles) {
@@ -199,8 +217,14 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
   Progress progress("simplifying parts", parts.parts.size());
   const UnitFunction unit = [&](uint32_t part) {
     const PartInfo& info = parts.parts[part];
-    return record_bytes(make_levels(load<Part>(work.parts(), info.place), info, parts.lattices[info.lattice],
-                                    options, kept_triangles));
+    const Lattice& lattice = parts.lattices[info.lattice];
+    const std::vector<std::byte> bytes = work.parts().read(info.place);
+    ContentKeyWriter key;
+    if (options.cache) write_levels_key(key, bytes, info, lattice, options, kept_triangles);
+    return record_bytes(cached_unit(options.cache, key, info.lattice, [&] {
+      return make_levels(record_of<Part>(bytes, work.parts().path().string()), info, lattice, options,
+                         kept_triangles);
+    }));
   };
   std::vector<uint32_t> all(parts.parts.size());
   std::iota(all.begin(), all.end(), 0u);

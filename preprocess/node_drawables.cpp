@@ -2,11 +2,8 @@
 
 #include "base/progress.hpp"
 #include "base/threads.hpp"
-#include "preprocess/contacts/stitch.hpp"
-#include "preprocess/covered/leave_out.hpp"
 #include "preprocess/held_spans.hpp"
-#include "preprocess/hlod.hpp"
-#include "preprocess/triangle_objects.hpp"
+#include "preprocess/hlod_unit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +16,6 @@ namespace {
 
 /// Inner nodes of a batch, at most.
 constexpr size_t batch_nodes = 256;
-
-/// What is known of an inner node's drawables, beside their chunks.
-struct HlodFigures {
-  std::vector<double> errors;  ///< of each drawable
-  double coarsest_error = 0;   ///< of the geometry that its parent begins with
-  bool stuck = false;
-  std::vector<std::vector<std::byte>> objects;  ///< NodeContent::triangle_objects
-};
 
 struct RootFigures {
   double error = 0;
@@ -43,10 +32,6 @@ struct Coarsest {
 
 }  // namespace
 
-template <>
-inline constexpr auto record_members<HlodFigures> = std::tuple(&HlodFigures::errors,
-                                                               &HlodFigures::coarsest_error,
-                                                               &HlodFigures::stuck, &HlodFigures::objects);
 template <>
 inline constexpr auto record_members<RootFigures> = std::tuple(&RootFigures::error);
 
@@ -113,9 +98,9 @@ class NodeDrawables {
     work_.run(
         UnitKind::root_geometry, std::span(&index, 1),
         [&](uint32_t node) {
-          Baker baker(lattice_, parts_.palette, options_.rules);
-          bake(node, baker);
-          const Baked baked = baker.finish(coarsest.error);
+          std::vector<HlodSource> sources;
+          add_sources(node, sources);
+          const Baked baked = bake(sources, coarsest.error, hlod_place());
           return record_bytes(UnitResult{{}, {record_bytes(baked)}, record_bytes(RootFigures{baked.error})});
         },
         [&](uint32_t, const StoredUnit& stored) {
@@ -193,7 +178,11 @@ class NodeDrawables {
                        [&](size_t i) { return children_triangles(nodes[i]); });
       work_.run(
           UnitKind::hlod, nodes.subspan(first, end - first),
-          [&](uint32_t node) { return record_bytes(simplify_children(node)); },
+          [&](uint32_t node) {
+            const HierarchyNode& own = nodes_[node];
+            return record_bytes(hlod_unit(sources_of_children(node), error_of_children(node), own.first_place,
+                                          own.end_place, gaps_of_children(node), hlod_place()));
+          },
           [&](uint32_t node, const StoredUnit& stored) { take(node, stored); }, &progress);
       first = end;
     }
@@ -207,34 +196,6 @@ class NodeDrawables {
     return triangles;
   }
 
-  UnitResult simplify_children(uint32_t node) const {
-    Baked children = bake_children(node);
-    const size_t all = children.surface.triangles.size();
-    constexpr double small = 1.0 / 64;
-    const double early = std::max(children.error, small * diagonal(lattice_.box(children.surface.box())));
-    children.error =
-        std::max(children.error, lattice_.step * leave_out_covered(children, early / lattice_.step));
-    const TriangleObjects objects(children);
-    const HlodLimits limits{.triangles = options_.hlod_triangles,
-                            .simplify = options_.simplify_limits(),
-                            .in_pieces = options_.in_pieces(),
-                            .gaps = gaps_of_children(node),
-                            .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all};
-    Hlod hlod =
-        make_hlod(std::move(children), nodes_[node].first_place, nodes_[node].end_place, lattice_, limits);
-    hlod.coarsest.objects = objects.of(hlod.drawables.back().piece);
-    HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck, {}};
-    UnitResult result;
-    for (HlodDrawable& drawable : hlod.drawables) {
-      figures.errors.push_back(drawable.error);
-      if (parts_.has_objects) figures.objects.push_back(objects.encoded(drawable.piece, drawable.chunk));
-      result.chunks.push_back({std::move(drawable.chunk), placed_.lattice});
-    }
-    result.geometry.push_back(record_bytes(hlod.coarsest));
-    result.figures = record_bytes(figures);
-    return result;
-  }
-
   std::vector<ErrorGap> gaps_of_children(uint32_t node) const {
     std::vector<ErrorGap> gaps;
     const uint32_t first = nodes_[node].first_child;
@@ -243,56 +204,63 @@ class NodeDrawables {
     return gaps;
   }
 
-  Baked bake_children(uint32_t node) const {
-    Baker baker(lattice_, parts_.palette, options_.rules);
+  HlodPlace hlod_place() const {
+    return {options_, lattice_, parts_.palette, placed_.lattice, parts_.has_objects};
+  }
+
+  double error_of_children(uint32_t node) const {
     double error = 0;
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
       if (options_.rules.bounds_hold_children) error = std::max(error, coarsest_[child].error);
-      bake(child, baker);
     }
-    Baked baked = baker.finish(error);
-    if (options_.holds_contacts()) baked.error += stitch(baked) * lattice_.step;
-    return baked;
+    return error;
   }
 
-  /// Collects the coarsest geometry of a node. A placed sub-hierarchy has no borders with what is around it.
-  void bake(size_t node, Baker& baker) const {
-    if (is_leaf_of_parts(node)) return bake_leaf(node, baker);
-    const auto baked = load<Baked>(work_.surfaces(), coarsest_[node].baked);
+  std::vector<HlodSource> sources_of_children(uint32_t node) const {
+    std::vector<HlodSource> sources;
+    const uint32_t first = nodes_[node].first_child;
+    for (uint32_t child = first; child < first + nodes_[node].child_count; ++child)
+      add_sources(child, sources);
+    return sources;
+  }
+
+  /// The coarsest geometry of a node. A placed sub-hierarchy has no borders with what is around it.
+  void add_sources(size_t node, std::vector<HlodSource>& sources) const {
+    if (is_leaf_of_parts(node)) return add_parts(node, sources);
+    auto baked = load<Baked>(work_.surfaces(), coarsest_[node].baked);
+    HlodSource& source = sources.emplace_back();
+    source.surface = std::move(baked.surface);
+    source.objects = std::move(baked.objects);
     if (nodes_[node].child_count > 0) {
-      baker.add(baked.surface, baked.spans, baked.objects);
-    } else {
-      const PlannedSubHierarchy& placed = placed_.sub_hierarchies[stands_for(node)];
-      const std::vector<LeafSpan> none(baked.surface.points.size());
-      std::vector<SourceObjectId> objects;
-      for (const SourceObjectId local : baked.objects)
-        objects.push_back(object_in(placed.first_object, local));
-      // What is covered in there was measured in its own steps.
-      Surface surface = baked.surface;
-      for (Triangle& triangle : surface.triangles) triangle.material = material_seen(triangle.material);
-      baker.add(surface, lattice_of(placed), placed_.transforms[placed.transform], none, objects);
+      source.spans = std::move(baked.spans);
+      return;
     }
+    const PlannedSubHierarchy& placed = placed_.sub_hierarchies[stands_for(node)];
+    source.spans.resize(source.surface.points.size());
+    for (SourceObjectId& object : source.objects) object = object_in(placed.first_object, object);
+    // What is covered in there was measured in its own steps.
+    for (Triangle& triangle : source.surface.triangles) triangle.material = material_seen(triangle.material);
+    source.lattice = &lattice_of(placed);
+    source.transform = placed_.transforms[placed.transform];
   }
 
-  /// Collects the coarsest drawable of a leaf.
-  void bake_leaf(size_t leaf, Baker& baker) const {
+  /// The coarsest drawable of a leaf.
+  void add_parts(size_t leaf, std::vector<HlodSource>& sources) const {
     const auto& members = objects_.members[nodes_[leaf].object];
     for (size_t i = 0; i < members.size(); ++i) {
       const PlacedPart& placed = placed_.placed[members[i]];
-      const auto part =
-          load<Part>(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
-      std::vector<LeafSpan> spans(part.surface.points.size());
+      auto part = load<Part>(work_.surfaces(), levels_[placed.part].surfaces[coarsest_[leaf].levels[i]]);
+      HlodSource& source = sources.emplace_back();
+      source.spans.resize(part.surface.points.size());
       const std::vector<LeafSpan> known = held_.load(members[i]);
-      for (const BorderPoint& border : part.borders) spans[border.point] = known[border.number];
-      std::vector<SourceObjectId> objects;
-      if (parts_.has_objects) objects.assign(part.surface.triangles.size(), placed_.objects[placed.instance]);
-      if (placed.transform == 0) {
-        baker.add(part.surface, spans, objects);
-      } else {
-        const Lattice& lattice = parts_.lattices[parts_.parts[placed.part].lattice];
-        baker.add(part.surface, lattice, placed_.transforms[placed.transform], spans, objects);
-      }
+      for (const BorderPoint& border : part.borders) source.spans[border.point] = known[border.number];
+      if (parts_.has_objects)
+        source.objects.assign(part.surface.triangles.size(), placed_.objects[placed.instance]);
+      source.surface = std::move(part.surface);
+      if (placed.transform == 0) continue;
+      source.lattice = &parts_.lattices[parts_.parts[placed.part].lattice];
+      source.transform = placed_.transforms[placed.transform];
     }
   }
 

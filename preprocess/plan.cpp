@@ -5,6 +5,7 @@
 #include "base/threads.hpp"
 #include "model/import/display_color.hpp"
 #include "model/read_mesh.hpp"
+#include "preprocess/federation.hpp"
 #include "preprocess/placements.hpp"
 #include "preprocess/strays.hpp"
 #include "preprocess/transforms.hpp"
@@ -202,6 +203,7 @@ BuildPlan make_plan(const Model& model, const BuildOptions& options) {
   if (extent < min_extent)
     fail(model.name(), "is {} units large, which is less than numbers bear: give it other units", extent);
   if (const auto warning = stray_warning(model, plan)) plan.warnings.push_back(*warning);
+  for (std::string& warning : federation_warnings(model, plan)) plan.warnings.push_back(std::move(warning));
   return plan;
 }
 

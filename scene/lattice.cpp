@@ -13,7 +13,9 @@ Lattice make_lattice(const Box& box, int bits) {
   const double resolution = std::max({furthest.x, furthest.y, furthest.z, 1e-300}) * 0x1p-50;
   Lattice lattice;
   lattice.step = std::exp2(std::ceil(std::log2(std::max(longest * std::exp2(-bits), resolution))));
-  lattice.origin = glm::round((box.lo + size * 0.5) / lattice.step) * lattice.step;
+  // Of coarse steps, so that a box that grows a little keeps its lattice, and what lies on it its numbers.
+  const double coarse = lattice.step * std::exp2(bits - 4);
+  lattice.origin = glm::round((box.lo + size * 0.5) / coarse) * coarse;
   return lattice;
 }
 

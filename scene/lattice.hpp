@@ -39,7 +39,7 @@ struct Lattice {
   bool operator==(const Lattice&) const = default;
 };
 
-/// A lattice of about 2^bits cells along the longest side of the box, centred on it.
+/// A lattice of about 2^bits cells along the longest side of the box, centred on it to an eighth of that.
 Lattice make_lattice(const Box& box, int bits);
 
 }  // namespace triptych

@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "base/rounding.hpp"
+#include "base/shortest_names.hpp"
+#include "model/import/file_as_object.hpp"
 #include "model/import/import_file.hpp"
 #include "model/import/mesh_stream_positions.hpp"
 
@@ -92,8 +94,11 @@ Model import(const std::vector<std::filesystem::path>& files, const ImportOption
   PositionCache::limit_all(options.position_cache_bytes);
   Model model;
   model.materials.emplace_back();
+  const std::vector<std::string> names = shortest_names(files);
   Progress progress("import", files.size());
   for (size_t i = 0; i < files.size(); ++i) {
+    std::optional<FileAsObject> share;  // of several files each is an object
+    if (files.size() > 1) share.emplace(names[i], model);
     FileImport target(files[i], model, options);
     if (is_packed(files[i])) {
       unpack(files[i], packed[i], options);
@@ -101,6 +106,7 @@ Model import(const std::vector<std::filesystem::path>& files, const ImportOption
     }
     format_of(files[i], target.model_name()).import(target);
     target.finish();
+    if (share) share->take_all(target.options());
     progress.advance();
   }
   return model;

@@ -2,7 +2,7 @@
 #include "launch/named_files.hpp"
 
 #include "base/error.hpp"
-#include "launch/command.hpp"
+#include "launch/diff.hpp"
 #include "session/role_arguments.hpp"
 #include "tests/session/program.hpp"
 
@@ -15,6 +15,8 @@ void add_all(CLI::App& app, Action& action) {
   for (const auto add : {add_sample, add_build, add_info, add_check, add_render, add_view, add_session,
                          add_replay, add_explain, add_role, add_measure, add_report, add_selftest})
     add(app, action);
+  int failed = 1;
+  add_diff(app, action, failed);
 }
 
 class NamedFiles : public testing::Test {
@@ -172,9 +174,10 @@ TEST_F(NamedFiles, of_every_command_are_known_as_read_or_written) {
   std::set<std::string> read, written, others;
   collect(app, read, written, others);
   using Names = std::set<std::string>;
-  EXPECT_EQ(read, (Names{"--hosts", "--key-file", "--model", "--pack", "--path", "--with", "folder", "input",
-                         "manifest", "pack"}));
-  EXPECT_EQ(written, (Names{"--journal", "--json", "--keep-pack", "--output", "--record", "--timeline"}));
+  EXPECT_EQ(read, (Names{"--hosts", "--key-file", "--model", "--pack", "--path", "--with", "after", "before",
+                         "folder", "input", "manifest", "pack"}));
+  EXPECT_EQ(written,
+            (Names{"--cache", "--journal", "--json", "--keep-pack", "--output", "--record", "--timeline"}));
   for (const std::string& name : read) EXPECT_EQ(others.count(name), 0u) << name << " is of two kinds";
 }
 

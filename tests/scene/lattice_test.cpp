@@ -44,6 +44,20 @@ TEST(Lattice, has_about_the_cells_that_were_asked_for) {
   EXPECT_GT(cells, 1 << 19);
 }
 
+TEST(Lattice, stays_where_it_is_when_the_box_grows_a_little) {
+  const Box box{{3, 4, 5}, {103, 44, 25}};
+  int moved = 0;
+  for (int i = 1; i <= 20; ++i) {
+    Box larger = box;
+    larger.extend(box.hi + glm::dvec3(0.1 * i));  // by up to 2 %
+    moved += make_lattice(larger, 26) != make_lattice(box, 26);
+  }
+  EXPECT_EQ(moved, 0);
+  Box other = box;
+  other.extend(glm::dvec3(-300));
+  EXPECT_NE(make_lattice(other, 26), make_lattice(box, 26)) << "in the end it follows";
+}
+
 TEST(Lattice, a_point_and_an_empty_box_have_lattices_too) {
   EXPECT_GT(make_lattice({glm::dvec3(5), glm::dvec3(5)}, 26).step, 0);
   EXPECT_GT(make_lattice({glm::dvec3(0), glm::dvec3(0)}, 26).step, 0);

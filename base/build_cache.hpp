@@ -1,0 +1,52 @@
+// What a build made, by what it made it of, in a file: the next build takes from there what is the same.
+#pragma once
+
+#include "base/content_key.hpp"
+#include "base/descriptor.hpp"
+#include "base/file.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace triptych {
+
+/// The file is replaced as a whole by what one build asked for, so that it never holds more than that. Two
+/// builds with one file do not disturb each other: the later end wins.
+class BuildCache {
+ public:
+  /// Opens what an earlier build left, if there is any. What another `program` made is not used, nor what is
+  /// damaged: it is made again. Error (file) if its folder cannot be written.
+  BuildCache(const std::filesystem::path& file, const ContentKey& program);
+
+  /// What is kept under the key, or else what `make` gives, which is kept. Safe on several threads.
+  std::vector<std::byte> get(const ContentKey& key, const std::function<std::vector<std::byte>()>& make);
+  /// How often get() found something, and how often it did not.
+  uint64_t found() const { return found_; }
+  uint64_t made() const { return made_; }
+  /// Puts what was asked for in the file's place. Error if the disk is full.
+  void commit();
+
+ private:
+  struct Entry {
+    ContentKey key;
+    uint64_t offset = 0, size = 0, checksum = 0;
+  };
+  void open_old(const std::filesystem::path& file);
+  bool read_old(const ContentKey& key, std::vector<std::byte>& bytes) const;
+  void keep(const ContentKey& key, std::span<const std::byte> bytes);
+
+  ContentKey program_;
+  Descriptor old_;
+  std::map<ContentKey, Entry> old_entries_;
+  std::mutex mutex_;  ///< of what follows
+  AtomicFile file_;
+  std::map<ContentKey, Entry> entries_;
+  uint64_t found_ = 0, made_ = 0;
+};
+
+}  // namespace triptych

@@ -1,0 +1,106 @@
+#include "preprocess/hlod_unit.hpp"
+
+#include "preprocess/cached_unit.hpp"
+#include "preprocess/contacts/stitch.hpp"
+#include "preprocess/covered/leave_out.hpp"
+#include "preprocess/relocation.hpp"
+#include "preprocess/triangle_objects.hpp"
+
+#include <algorithm>
+
+namespace triptych {
+
+namespace {
+
+/// What make_levels() makes its result of.
+void write_key(ContentKeyWriter& key, std::span<const HlodSource> sources, double error, uint32_t leaves,
+               const std::vector<ErrorGap>& gaps, const HlodPlace& where) {
+  write_unit_kind(key, UnitKind::hlod, where.options);
+  bool colored = false, placed = false;
+  key.write(uint64_t{sources.size()});
+  for (const HlodSource& source : sources) {
+    write_record(key, source.surface);
+    write_record(key, source.spans);
+    write_record(key, source.objects);
+    key.write(source.lattice != nullptr);
+    if (source.lattice) {
+      key.write(*source.lattice);
+      key.write(source.transform);
+    }
+    colored = colored || !source.surface.colors.empty();
+    placed = placed || source.lattice;
+  }
+  if (colored) key.write_all(where.palette);
+  if (placed) key.write(where.lattice.origin);
+  key.write(where.lattice.step);
+  key.write(error);
+  key.write(leaves);
+  write_record(key, gaps);
+  key.write(where.has_objects);
+}
+
+/// sources: of a subtree of so many leaves, in its own numbers.
+UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32_t leaves,
+                       const std::vector<ErrorGap>& gaps, const HlodPlace& where) {
+  const Lattice& lattice = where.lattice;
+  Baked children = bake(sources, error, where);
+  if (where.options.holds_contacts()) children.error += stitch(children) * lattice.step;
+  const size_t all = children.surface.triangles.size();
+  constexpr double small = 1.0 / 64;
+  const double early = std::max(children.error, small * diagonal(lattice.box(children.surface.box())));
+  children.error = std::max(children.error, lattice.step * leave_out_covered(children, early / lattice.step));
+  const TriangleObjects objects(children);
+  const HlodLimits limits{.triangles = where.options.hlod_triangles,
+                          .simplify = where.options.simplify_limits(),
+                          .in_pieces = where.options.in_pieces(),
+                          .gaps = gaps,
+                          .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all};
+  constexpr uint32_t first = Relocation::own_first_place;
+  Hlod hlod = make_hlod(std::move(children), first, first + leaves, lattice, limits);
+  hlod.coarsest.objects = objects.of(hlod.drawables.back().piece);
+  HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck, {}};
+  UnitResult result;
+  for (HlodDrawable& drawable : hlod.drawables) {
+    figures.errors.push_back(drawable.error);
+    if (where.has_objects) figures.objects.push_back(objects.encoded(drawable.piece, drawable.chunk));
+    result.chunks.push_back({std::move(drawable.chunk), where.lattice_number});
+  }
+  result.geometry.push_back(record_bytes(hlod.coarsest));
+  result.figures = record_bytes(figures);
+  return result;
+}
+
+}  // namespace
+
+Baked bake(std::span<const HlodSource> sources, double error, const HlodPlace& where) {
+  Baker baker(where.lattice, where.palette, where.options.rules);
+  for (const HlodSource& source : sources) {
+    if (source.lattice) {
+      baker.add(source.surface, *source.lattice, source.transform, source.spans, source.objects);
+    } else {
+      baker.add(source.surface, source.spans, source.objects);
+    }
+  }
+  return baker.finish(error);
+}
+
+UnitResult hlod_unit(std::vector<HlodSource> sources, double error, uint32_t first_place, uint32_t end_place,
+                     const std::vector<ErrorGap>& gaps, const HlodPlace& where) {
+  Relocation place(first_place);
+  for (const HlodSource& source : sources) place.take_in(source.objects);
+  for (HlodSource& source : sources) place.to_own(source.spans, source.objects);
+  const uint32_t leaves = end_place - first_place;
+  ContentKeyWriter key;
+  if (where.options.cache) write_key(key, sources, error, leaves, gaps, where);
+  UnitResult result = cached_unit(where.options.cache, key, where.lattice_number,
+                                  [&] { return make_levels(sources, error, leaves, gaps, where); });
+  auto coarsest = record_of<Baked>(result.geometry.at(0), "a build unit");
+  place.to_model(coarsest.spans, coarsest.objects);
+  result.geometry[0] = record_bytes(coarsest);
+  auto figures = record_of<HlodFigures>(result.figures, "a build unit");
+  for (std::vector<std::byte>& objects : figures.objects) objects = place.to_model(objects);
+  result.figures = record_bytes(figures);
+  return result;
+}
+
+}  // namespace triptych

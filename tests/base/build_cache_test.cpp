@@ -1,0 +1,84 @@
+// What builds keep for the next one.
+#include "base/build_cache.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace triptych {
+namespace {
+
+class Cache : public testing::Test {
+ protected:
+  Cache() {
+    file = std::filesystem::path(testing::TempDir()) /
+           ("cache_" + std::to_string(::getpid()) + "_" +
+            testing::UnitTest::GetInstance()->current_test_info()->name());
+  }
+  ~Cache() override { std::filesystem::remove(file); }
+
+  static ContentKey key(uint64_t number) {
+    ContentKeyWriter writer;
+    writer.write(number);
+    return writer.key();
+  }
+  static std::vector<std::byte> bytes(uint64_t number) {
+    return std::vector<std::byte>(static_cast<size_t>(number), static_cast<std::byte>(number));
+  }
+  /// Asks for these, and returns how many were found.
+  uint64_t use(const std::vector<uint64_t>& numbers, bool commit = true, const ContentKey& program = {1, 2}) {
+    BuildCache cache(file, program);
+    for (const uint64_t number : numbers)
+      EXPECT_EQ(cache.get(key(number), [&] { return bytes(number); }), bytes(number));
+    EXPECT_EQ(cache.found() + cache.made(), numbers.size());
+    if (commit) cache.commit();
+    return cache.found();
+  }
+
+  std::filesystem::path file;
+};
+
+TEST_F(Cache, what_was_kept_is_found_by_the_next_build) {
+  EXPECT_EQ(use({0, 1, 2, 300}), 0u);
+  EXPECT_EQ(use({300, 2, 5, 0}), 3u);
+}
+
+TEST_F(Cache, keeps_only_what_the_last_build_asked_for) {
+  use({100, 200, 300});
+  const uint64_t size = std::filesystem::file_size(file);
+  use({100});
+  EXPECT_LT(std::filesystem::file_size(file), size - 400);
+  EXPECT_EQ(use({100, 200}), 1u);
+}
+
+TEST_F(Cache, stays_as_it_was_where_a_build_fails) {
+  use({10, 20});
+  use({30}, false);
+  EXPECT_EQ(use({10, 20, 30}), 2u);
+}
+
+TEST_F(Cache, of_another_program_is_not_used) {
+  use({10, 20});
+  EXPECT_EQ(use({10, 20}, true, {3, 4}), 0u);
+}
+
+TEST_F(Cache, what_is_damaged_is_made_again) {
+  for (const double share : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+    use({1000, 2000, 3000});
+    const auto at =
+        static_cast<std::streamoff>(share * static_cast<double>(std::filesystem::file_size(file)));
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekg(at);
+    const int byte = stream.get();
+    stream.seekp(at);
+    stream.put(static_cast<char>(byte ^ 4));
+    stream.close();
+    EXPECT_LT(use({1000, 2000, 3000}), 3u) << share;  // which compares what it gets
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    EXPECT_EQ(use({1000, 2000, 3000}), 0u) << share;
+  }
+}
+
+}  // namespace
+}  // namespace triptych
