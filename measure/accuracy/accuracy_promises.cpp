@@ -26,21 +26,22 @@ std::string crowded_parts(const PatchPromise& promise, const AccuracyRow& row) {
 std::span<const PatchPromise> patch_promises() {
   static const std::array promises = {
       PatchPromise{
-          "holes", {"touching"}, "crowded-parts", 0, &PictureTally::hole_pixels, &PictureTally::hole},
+          "holes", "", {"touching"}, "crowded-parts", 0, &PictureTally::hole_pixels, &PictureTally::hole},
       PatchPromise{"swaps",
+                   " away from edges",
                    {"order", "planes"},
                    "crowded-planes",
                    20,
-                   &PictureTally::swap_pixels,
-                   &PictureTally::swap}};
+                   &PictureTally::inner_swap_pixels,
+                   &PictureTally::inner_swap}};
   return promises;
 }
 
 std::string PatchPromise::keep() const { return fmt::format("--keep {}", fmt::join(words, ",")); }
 
 std::string PatchPromise::in_words() const {
-  return limit == 0 ? fmt::format("no {}", what)
-                    : fmt::format("fewer than {:g} pixels of {} a million", limit, what);
+  return limit == 0 ? fmt::format("no {}{}", what, where)
+                    : fmt::format("fewer than {:g} pixels of {} a million{}", limit, what, where);
 }
 
 bool is_promised(const PatchPromise& promise, const AccuracyRow& row) {
@@ -74,10 +75,11 @@ void find_broken_promises(AccuracyResult& result) {
       const WorstPatch& worst = (*row.pictures).*(promise.worst);
       result.violations.push_back(
           {i,
-           fmt::format("{} pixels of {}, {:.0f} a million, and {} promises {}; the largest patch has {}, "
+           fmt::format("{} pixels of {}{}, {:.0f} a million, and {} promises {}; the largest patch has {}, "
                        "at {},{} from the lower left",
-                       (*row.pictures).*(promise.pixels), promise.what, a_million(promise, row),
-                       promise.keep(), promise.in_words(), worst.pixels, worst.at.x, worst.at.y),
+                       (*row.pictures).*(promise.pixels), promise.what, promise.where,
+                       a_million(promise, row), promise.keep(), promise.in_words(), worst.pixels, worst.at.x,
+                       worst.at.y),
            worst.frame, worst.at});
     }
   }

@@ -14,6 +14,7 @@ namespace triptych {
 /// Patches of pixels of which the pictures of a pack have fewer than so many.
 struct PatchPromise {
   const char* what;                ///< "holes"
+  const char* where;               ///< which of them, in words; may be empty
   std::vector<const char*> words;  ///< of --keep: the promise is given where the build kept all of them
   const char* crowded;             ///< what the build says where it could not look at everything
   double limit;                    ///< pixels a million of surface: fewer than that; 0: none
@@ -22,7 +23,7 @@ struct PatchPromise {
 
   /// "--keep touching"
   std::string keep() const;
-  /// "no holes", "fewer than 20 pixels of swaps a million"
+  /// "no holes", "fewer than 20 pixels of swaps a million away from edges"
   std::string in_words() const;
 };
 

@@ -137,4 +137,35 @@ PixelMask find_swaps(const Skeleton& skeleton, std::span<const SurfacePixel> ref
   return swaps;
 }
 
+PixelMask away_from_edges(const FrameView& view, std::span<const SurfacePixel> reference, PixelMask mask,
+                          int radius) {
+  // Neighbours on a plane that is seen at less than about three degrees are further apart.
+  constexpr double steep = 16;  // pixels
+  const auto at = [&](int x, int y) -> const SurfacePixel& {
+    return reference[static_cast<size_t>(y) * static_cast<size_t>(mask.width) + static_cast<size_t>(x)];
+  };
+  const auto is_edge = [&](const SurfacePixel& one, const SurfacePixel& other) {
+    if (one.background() || other.background()) return one.background() != other.background();
+    if (!one.found || !other.found) return false;
+    return projected_distance(view, one.point, glm::distance(one.point, other.point)) > steep;
+  };
+  const auto near_edge = [&](int x, int y) {
+    const int left = std::max(x - radius, 0), right = std::min(x + radius, mask.width - 1);
+    const int bottom = std::max(y - radius, 0), top = std::min(y + radius, mask.height - 1);
+    for (int row = bottom; row <= top; ++row) {
+      for (int column = left; column <= right; ++column) {
+        if (column < right && is_edge(at(column, row), at(column + 1, row))) return true;
+        if (row < top && is_edge(at(column, row), at(column, row + 1))) return true;
+      }
+    }
+    return false;
+  };
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      if (mask.at(x, y) != 0 && near_edge(x, y)) mask.at(x, y) = 0;
+    }
+  }
+  return mask;
+}
+
 }  // namespace triptych

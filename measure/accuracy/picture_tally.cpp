@@ -59,10 +59,12 @@ PictureMeasures measure_picture(const PackSurfaces& surfaces, const FrameView& v
   PixelMask holes = find_holes(reference.surface, shown.surface, width, height, radius);
   measures.slit_pixels = take_out_slits(surfaces, view, shown.surface, holes);
   measures.holes = find_patches(std::move(holes));
-  measures.swaps =
-      find_patches(find_swaps(surfaces.skeleton(), reference.surface, shown.surface, width, height, radius));
+  PixelMask swaps = find_swaps(surfaces.skeleton(), reference.surface, shown.surface, width, height, radius);
+  measures.inner_swaps = find_patches(away_from_edges(view, reference.surface, swaps, radius - 1));
+  measures.swaps = find_patches(std::move(swaps));
   measures.hole_at = place_of(measures.holes, reference.surface, width);
   measures.swap_at = place_of(measures.swaps, shown.surface, width);
+  measures.inner_swap_at = place_of(measures.inner_swaps, shown.surface, width);
   measures.deviations = shown_deviations(surfaces, view, shown.surface, points.pixels);
   const std::vector<PointDeviation> back =
       reference_deviations(surfaces, view, points.cut, reference.surface, points.pixels);
@@ -83,11 +85,13 @@ void PictureTally::add(const PictureMeasures& measures, const std::vector<uint8_
   hole_pixels += measures.holes.pixels;
   slit_pixels += measures.slit_pixels;
   swap_pixels += measures.swaps.pixels;
+  inner_swap_pixels += measures.inner_swaps.pixels;
   squared_error_ += measures.squared_error;
   ssim_ += measures.ssim;
   shades.add(measures.shades);
   keep_worst(hole, measures.holes, measures.hole_at, measures, reference, shown);
   keep_worst(swap, measures.swaps, measures.swap_at, measures, reference, shown);
+  keep_worst(inner_swap, measures.inner_swaps, measures.inner_swap_at, measures, reference, shown);
   for (const PointDeviation& point : measures.deviations) {
     deviations.push_back(static_cast<float>(point.pixels));
     if (point.pixels <= worst_deviation.point.pixels) continue;

@@ -57,8 +57,9 @@ struct PictureMeasures {
   uint64_t slit_pixels = 0;  ///< of take_out_slits()
   double squared_error = 0, ssim = 1;
   ShadeDifferences shades{};
-  Patches holes{}, swaps{};
-  PointDeviation hole_at{}, swap_at{};  ///< WorstPatch::at of the largest ones
+  Patches holes{}, swaps{}, inner_swaps{};
+  /// WorstPatch::at of the largest ones.
+  PointDeviation hole_at{}, swap_at{}, inner_swap_at{};
   std::vector<PointDeviation> deviations{};
   std::optional<double> popping{};              ///< where the frame before is known
   std::optional<uint64_t> flickering_pixels{};  ///< where two are
@@ -88,7 +89,8 @@ class PictureTally {
   double share_of_surface(uint64_t count) const;
 
   uint64_t wrong_pixels = 0, untraced_pixels = 0, hole_pixels = 0, slit_pixels = 0, swap_pixels = 0;
-  WorstPatch hole, swap;
+  uint64_t inner_swap_pixels = 0;  ///< of those the ones away from edges
+  WorstPatch hole, swap, inner_swap;
   std::vector<float> deviations;  ///< pixels
   WorstDeviation worst_deviation;
   WorstPatch deviation_patch;  ///< around the worst one

@@ -19,9 +19,9 @@ AccuracyRow row(const std::string& kept, uint64_t holes, uint64_t swaps) {
   row.pictures = std::make_shared<PictureTally>();
   PictureMeasures measures{.frame = 7, .width = 1000, .height = 1000, .surface_pixels = 1'000'000};
   measures.holes = {.pixels = holes, .largest = holes, .left = 3, .bottom = 4, .right = 5, .top = 6};
-  measures.swaps = {.pixels = swaps, .largest = swaps};
+  measures.swaps = measures.inner_swaps = {.pixels = swaps, .largest = swaps};
   measures.hole_at = {static_cast<double>(holes), 12, {1, 2, 3}, 4, 5};
-  measures.swap_at = {static_cast<double>(swaps), 13, {4, 5, 6}, 6, 7};
+  measures.inner_swap_at = {static_cast<double>(swaps), 13, {4, 5, 6}, 6, 7};
   row.pictures->add(measures, {}, {});
   return row;
 }
@@ -57,6 +57,15 @@ TEST(AccuracyPromises, swaps_are_promised_where_order_and_planes_were_kept) {
   EXPECT_TRUE(broken_of({row("order", 0, 1000)}).violations.empty());
   EXPECT_TRUE(broken_of({row("planes,touching", 0, 1000)}).violations.empty());
   EXPECT_EQ(broken_of({row("cover,order,planes,touching", 0, 20)}).violations[0].point.drawable, 13u);
+}
+
+TEST(AccuracyPromises, swaps_at_edges_are_not_promised) {
+  AccuracyRow edges = row("cover,order,planes,touching", 0, 0);
+  PictureMeasures measures{.frame = 8, .width = 1000, .height = 1000, .surface_pixels = 1'000'000};
+  measures.swaps = {.pixels = 5000, .largest = 50};
+  edges.pictures->add(measures, {}, {});
+  EXPECT_TRUE(broken_of({edges}).violations.empty());
+  EXPECT_NE(patch_promises()[1].in_words().find("away from edges"), std::string::npos);
 }
 
 TEST(AccuracyPromises, nothing_is_promised_by_packs_that_did_not_keep_it_or_do_not_say_and_rows_say_why) {

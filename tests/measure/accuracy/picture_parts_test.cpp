@@ -82,6 +82,41 @@ TEST(Shades, are_compared_inside_smooth_surfaces_of_one_colour) {
   EXPECT_EQ(shade_differences(surface, grey(100), other, lighter, width, height).pixels(), inner - 1);
 }
 
+TEST(Swaps, away_from_edges_are_those_that_no_outline_can_explain) {
+  Skeleton skeleton = two_leaves();
+  skeleton.lattices = {Lattice{}};
+  View view{.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}}, .width = width, .height = height};
+  set_field_of_view(view.camera, 60, static_cast<double>(width) / height);
+  const FrameView frame(skeleton, {view, 1});
+  /// A wall across the line of sight; from this column on it stands so deep.
+  const auto wall = [&](int column, double depth) {
+    std::vector<SurfacePixel> pixels = all_of(1);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const double z = x < column ? 10 : depth;
+        pixels[at(x, y)].point = {z * (2 * (x + 0.5) / width - 1) * view.camera.right,
+                                  z * (2 * (y + 0.5) / height - 1) * view.camera.top, -z};
+      }
+    }
+    return pixels;
+  };
+  PixelMask all(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) all.at(x, y) = 1;
+  }
+  const auto left = [&](const std::vector<SurfacePixel>& reference, int radius) {
+    return find_patches(away_from_edges(frame, reference, all, radius)).pixels;
+  };
+  constexpr uint64_t every = width * height;
+  EXPECT_EQ(left(wall(width, 10), 2), every) << "one wall has no edge";
+  EXPECT_EQ(left(wall(8, 10.5), 2), every) << "a step as deep as half a pixel is none";
+  EXPECT_EQ(left(wall(8, 60), 2), every - 4 * height) << "two columns on both sides";
+  EXPECT_EQ(left(wall(8, 60), 1), every - 2 * height);
+  std::vector<SurfacePixel> hole = wall(width, 10);
+  hole[at(5, 5)] = {};
+  EXPECT_EQ(left(hole, 1), every - 9) << "the pixel and what is around it";
+}
+
 TEST(Holes, background_counts_where_the_reference_shows_surfaces_all_round) {
   std::vector<SurfacePixel> reference = all_of(1), shown = all_of(1);
   shown[at(8, 6)] = {};
