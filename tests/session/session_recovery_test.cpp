@@ -50,6 +50,7 @@ TEST_F(SessionRecovery, a_killed_render_node_is_replaced_where_it_was) {
   expect_right_pictures(report["pictures"]);
   size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(pictures)) {
+    if (entry.path().filename() == ".triptych-run") continue;  // whose pictures these are
     ++files;
     EXPECT_EQ(entry.path().extension(), ".png") << entry.path() << " is a file half written";
   }
