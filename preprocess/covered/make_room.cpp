@@ -184,7 +184,7 @@ class RoomMaker {
   /// A bound of the triangles' distance from those of the tree; no_distance above `most`.
   static double distance(const std::vector<Corners>& triangles, const TriangleTree& tree, double most) {
     constexpr double tightness = 1.25;
-    constexpr size_t cuts_per_triangle = 4, cuts_beyond = 60;
+    constexpr size_t cuts_per_triangle = 4, cuts_beyond = 12;
     OneSided side(tree, 0, tightness);
     for (const Corners& corners : triangles) {
       for (const glm::dvec3& corner : corners) side.reach(corner);
