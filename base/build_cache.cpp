@@ -4,8 +4,10 @@
 #include "base/error.hpp"
 #include "base/hashing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fcntl.h>
+#include <fstream>
 
 namespace triptych {
 
@@ -19,10 +21,23 @@ struct CacheHeader {
   uint64_t index_offset = 0, index_count = 0, index_checksum = 0;
 };
 
+/// Error for a file with something else in it than a cache, which would be lost.
+const std::filesystem::path& checked(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) == 0)
+    return file;
+  std::array<char, cache_magic.size()> beginning{};
+  std::ifstream(file, std::ios::binary).read(beginning.data(), beginning.size());
+  // The last sign is the version.
+  if (!std::equal(beginning.begin(), beginning.end() - 1, cache_magic.begin()))
+    fail(file.string(), "is no cache of a build, and would be lost: name another file, or remove it");
+  return file;
+}
+
 }  // namespace
 
 BuildCache::BuildCache(const std::filesystem::path& file, const ContentKey& program)
-    : program_(program), file_(file) {
+    : program_(program), file_(checked(file)) {
   const CacheHeader unfinished{.magic = {}, .program = {}};
   file_.write(std::as_bytes(std::span(&unfinished, 1)));
   open_old(file);
@@ -33,10 +48,10 @@ void BuildCache::open_old(const std::filesystem::path& file) {
   if (!old.is_open()) return;
   const std::string place = file.string();
   try {
+    const uint64_t size = size_of(old.number(), place);
     std::vector<std::byte> bytes(sizeof(CacheHeader));
     read_at(old.number(), 0, bytes, place);
     const auto header = ByteReader(bytes, place).read<CacheHeader>();
-    const uint64_t size = size_of(old.number(), place);
     if (header.magic != cache_magic || header.program != program_ || header.index_offset > size ||
         header.index_count > (size - header.index_offset) / sizeof(Entry))
       return;

@@ -108,6 +108,7 @@ nlohmann::json report_json(const BuildReport& report, const BuildOptions& option
 int run(const BuildCommand& command) {
   check_are_no_packs(command.flags.inputs);
   check_is_no_model_file({command.output, command.json, command.cache}, command.flags.inputs);
+  check_may_become_pack(command.output);
   const Stopwatch stopwatch;
   ImportOptions import = command.flags.import;
   import.temporary_folder = std::filesystem::absolute(command.output).parent_path();
@@ -115,14 +116,15 @@ int run(const BuildCommand& command) {
   keep_freed_memory_below(memory / 16);
   import.held_bytes = memory / 8;
   import.position_cache_bytes = memory / 16;
+  std::optional<BuildCache> cache;
+  if (!command.cache.empty()) cache.emplace(command.cache, this_program());
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
   BuildOptions options = command.flags.options();
   options.said = build_words(command.flags);
   options.fingerprint = build_fingerprint(command.flags, model.files);
   const std::vector<std::filesystem::path> files = model.files;
-  std::optional<BuildCache> cache;
-  if (!command.cache.empty()) options.cache = &cache.emplace(command.cache, this_program());
+  if (cache) options.cache = &*cache;
   BuildReport report = build_pack(std::move(model), options, command.output);
   report.stages.insert(report.stages.begin(), {"import", import_seconds});
   const uint64_t peak = peak_resident_bytes();

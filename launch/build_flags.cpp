@@ -197,6 +197,13 @@ void check_are_no_packs(const std::vector<std::filesystem::path>& inputs) {
   }
 }
 
+void check_may_become_pack(const std::filesystem::path& output) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(output, error) && std::filesystem::file_size(output, error) > 0 &&
+      !is_pack(output))
+    fail(output.string(), "is no pack, and would be lost: name another file, or remove it");
+}
+
 void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,
                             const std::vector<std::filesystem::path>& models) {
   std::vector<std::filesystem::path> files;

@@ -36,6 +36,8 @@ BuildFlags parse_build_flags(const std::string& words, const std::vector<std::fi
 
 /// Error (file) if one of the inputs is a pack, which says what to do with it.
 void check_are_no_packs(const std::vector<std::filesystem::path>& inputs);
+/// Error for a file with something else in it than a pack, which would be lost.
+void check_may_become_pack(const std::filesystem::path& output);
 
 /// Error (output) if it is a file of a model that is to be read, including files that the model refers to.
 void check_is_no_model_file(const std::vector<std::filesystem::path>& outputs,

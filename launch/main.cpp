@@ -63,7 +63,7 @@ bool prints_json(const CLI::App& app) {
 /// failed: the exit code of errors, if the chosen command has its own.
 void add_commands(CLI::App& app, triptych::Action& action, int& failed) {
   app.require_subcommand(1);
-  app.set_version_flag("--version", triptych::version_text,
+  app.set_version_flag("-V,--version", triptych::version_text,
                        "Print version, commit, how it was built and what it draws with, and exit");
   app.footer("Defaults of flags: triptych.toml, here or in ~/.config/triptych");
   triptych::add_sample(app, action);

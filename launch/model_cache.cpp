@@ -7,6 +7,7 @@
 #include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "launch/run_program.hpp"
+#include "scene/pack.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -127,9 +128,12 @@ class Entry {
       for (const auto& [name, content] : said_then.at("read").items()) {
         if (content != content_of(models_ / name)) return false;
       }
+      Pack{pack_};  // reads all but the geometry
       return true;
     } catch (const json::exception&) {
       return false;  // it is built again
+    } catch (const Error&) {
+      return false;  // as is a pack that was damaged
     }
   }
 

@@ -3,6 +3,7 @@
 #include "base/one_line.hpp"
 #include "launch/file_report.hpp"
 #include "launch/text_table.hpp"
+#include "scene/file_objects.hpp"
 #include "scene/object_text.hpp"
 
 #include <algorithm>
@@ -74,12 +75,17 @@ std::string object_table(const PackObjects& objects, std::span<const SourceObjec
   }
   std::vector<std::string> head = {"id"};
   for (const ObjectText& column : columns) head.emplace_back(column.name);
+  const std::vector<SourceObjectId> files = file_objects(source);
+  const std::vector<uint32_t> file_of = files_of_objects(source);
+  if (!files.empty()) head.emplace_back("file");
   head.emplace_back("scene nodes");
   std::vector<std::vector<std::string>> rows;
   for (const SourceObjectId id : shown) {
     std::vector<std::string> row = {std::to_string(id)};
     for (const ObjectText& column : columns)
       row.push_back(in_one_cell(source.texts[source.objects[id].*column.text], longest));
+    if (!files.empty())
+      row.push_back(in_one_cell(source.texts[source.objects[files[file_of[id]]].name], longest));
     row.push_back(in_threes(static_cast<double>(objects.nodes_of(id).size())));
     rows.push_back(std::move(row));
   }

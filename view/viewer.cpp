@@ -89,6 +89,7 @@ void Viewer::take(Command command) {
       break;
     case Command::toggle_play:
       options_.play = options_.path && !options_.play;
+      if (!options_.path) saved_ = "there is no --path to play";
       break;
     case Command::toggle_edges:
       options_.edges = !options_.edges;

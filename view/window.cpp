@@ -199,7 +199,9 @@ class Window::Implementation {
     } else if (action == GLFW_RELEASE && button == button_held) {
       if (button_held == GLFW_MOUSE_BUTTON_LEFT && dragged < click_pixels) input.clicked = pressed_at;
       button_held = -1;
+      if (glfwGetInputMode(window, GLFW_CURSOR) != GLFW_CURSOR_DISABLED) return;
       glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
+      glfwGetCursorPos(window, &cursor_x, &cursor_y);  // it is where the turn began
     }
   }
 

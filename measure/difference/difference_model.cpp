@@ -120,6 +120,13 @@ class ObjectCopies {
   std::map<std::string, uint32_t> states_;
 };
 
+/// Words none of which is part of another, so that a search for one finds that alone.
+std::string state_of(const ObjectChange& change) {
+  if (change.removed()) return "gone";
+  if (change.added()) return "added";
+  return change.differs() ? "changed: " + words_of(change) : "same";
+}
+
 Shown shown_as(const ObjectChange& change) {
   return change.added() ? added : change.removed() ? removed : change.differs() ? changed : unchanged;
 }
@@ -136,7 +143,7 @@ Model difference_model(const Revision& before, const Revision& after, const Pack
   std::vector<SourceObjectId> of_old(before.source().objects.size(), no_id);
   for (const ObjectChange& change : difference.objects) {
     const auto [old_id, new_id] = change.object;
-    const std::string state = words_of(change);
+    const std::string state = state_of(change);
     if (!change.removed()) {
       const bool named = new_id != after.shapes.nameless();
       if (named) copies.add(after.source(), new_id, after.source().objects[new_id].parent, state);

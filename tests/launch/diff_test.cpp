@@ -98,12 +98,12 @@ TEST_F(Diff, writes_a_sound_pack_of_both_that_tells_what_became_of_each) {
   const std::string both = folder.file("both.tpk"), json = folder.file("both.json");
   EXPECT_EQ(code({one, other, "-o", both}), 1);
   run({"check", both});
-  run({"info", both, "--objects", "--find", "removed", "--json", json});
+  run({"info", both, "--objects", "--find", "gone", "--json", json});
   const nlohmann::json found = json_of(json)["source_objects"];
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0]["name"], "roof");
   EXPECT_FALSE(found[0]["scene_nodes"].empty());
-  EXPECT_EQ(found[0]["properties"]["Revision"]["State"], "removed");
+  EXPECT_EQ(found[0]["properties"]["Revision"]["State"], "gone");
   EXPECT_EQ(code({other, both}), 1);
   EXPECT_EQ(code({one, other, "-o", one}), 2) << "it would be written over one of them";
 }

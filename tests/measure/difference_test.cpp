@@ -214,7 +214,7 @@ TEST_F(Differences, the_pack_of_both_shows_in_its_colours_what_changed) {
   ASSERT_EQ(colors.size(), 4u);
   EXPECT_EQ(states,
             (std::map<std::string, std::string>{
-                {"wall", "removed"}, {"door", "reshaped"}, {"desk", "unchanged"}, {"lamp", "added"}}));
+                {"wall", "gone"}, {"door", "changed: reshaped"}, {"desk", "same"}, {"lamp", "added"}}));
   EXPECT_EQ(colors["desk"][0], colors["desk"][1]) << "grey";
   EXPECT_EQ(colors["desk"][1], colors["desk"][2]);
   EXPECT_GT(colors["wall"][0], 2 * colors["wall"][1]) << "red";

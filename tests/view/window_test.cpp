@@ -206,6 +206,24 @@ TEST_F(ViewWindow, orbits_pans_zooms_and_comes_back) {
   EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
 }
 
+TEST_F(ViewWindow, after_a_look_around_the_mouse_is_where_it_was) {
+  Program program({"view", pack, "--size", "320x240", "-o", folder.file("pictures")});
+  find_window();
+  std::vector<Picture> orbited;
+  for (const std::string between :
+       {"", "mousemove_relative 3 0 sleep 0.1 mousemove_relative -- -3 0 sleep 0.1 "}) {
+    xdotool(
+        "key Home mousemove 160 120 sleep 0.1 mousedown 1 sleep 0.1 mousemove 175 120 sleep 0.1 mousemove "
+        "200 "
+        "120 sleep 0.2 mouseup 1 sleep 0.2");
+    xdotool(between + "mousedown 3 sleep 0.1 mousemove_relative 20 0 sleep 0.2 mouseup 3 sleep 0.1");
+    orbited.push_back(look());
+  }
+  EXPECT_EQ(orbited[0], orbited[1]) << "the way of the look around is gone twice";
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+}
+
 TEST_F(ViewWindow, names_what_is_clicked_on_and_saves_cameras_and_walks) {
   Program program({"view", pack, "--size", "320x240", "-o", folder.file("pictures")});
   find_window();
