@@ -61,8 +61,8 @@ void add_keep_flag(CLI::App& command, Kept& keep) {
   for (const auto& [name, promise] : promises()) words.push_back(name);
   const std::string all = CLI::detail::join(words, ",");
   words.emplace_back("none");
-  command
-      .add_option_function<std::vector<std::string>>(
+  take_list(
+      command.add_option_function<std::vector<std::string>>(
           "--keep",
           [&keep](const std::vector<std::string>& given) {
             const bool none = std::count(given.begin(), given.end(), "none") > 0;
@@ -74,8 +74,7 @@ void add_keep_flag(CLI::App& command, Kept& keep) {
           "show no gap (touching), that what lies right beneath a surface does not come out of it (order), "
           "that of surfaces in one plane the same one shows from everywhere "
           "(planes), "
-          "that small things cover as much of the screen as in full detail (cover), or none")
-      ->delimiter(',')
+          "that small things cover as much of the screen as in full detail (cover), or none"))
       ->check(one_of(words))
       ->type_name(all + "|none")
       ->default_str(name_of(keep));

@@ -53,8 +53,22 @@ class DefaultsFile {
   DefaultsFile(const std::filesystem::path& file, const WordsRead& line, Defaults& defaults)
       : file_(file), line_(line), defaults_(defaults) {}
 
+  /// A table within a table within a table, thousands deep, would be more than the parser's stack takes.
+  void check_is_plain(const std::string& text) const {
+    constexpr size_t most_bytes = 256 << 10;
+    constexpr int most_dots = 200;
+    if (text.size() > most_bytes) fail(file_.string(), "is larger than {} KiB", most_bytes >> 10);
+    int line = 1, dots = 0;
+    for (const char letter : text) {
+      dots += letter == '.';
+      if (letter == '\n') ++line, dots = 0;
+      if (dots > most_dots) fail(file_.string(), "line {}: has more than {} dots", line, most_dots);
+    }
+  }
+
   void read(CLI::App& app) {
     const std::string text = read_text_file(file_);
+    check_is_plain(text);
     toml::table table;
     try {
       table = toml::parse(text);

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <map>
+#include <optional>
 #include <sys/file.h>
 #include <sys/stat.h>
 
@@ -44,14 +45,25 @@ std::string content_of(const std::filesystem::path& file) {
 }
 
 /// What decides what the pack is, in words. Files are named as they lie from the first model on.
+/// Any name, also one that is no UTF-8, as JSON can hold it.
+std::string in_ascii(const std::string& name) {
+  std::string text;
+  for (const char letter : name) {
+    const auto byte = static_cast<unsigned char>(letter);
+    text +=
+        byte >= 0x20 && byte < 0x7f && letter != '%' ? std::string(1, letter) : fmt::format("%{:02x}", byte);
+  }
+  return text;
+}
+
 std::string key_of(const BuildFlags& flags, const Files& files, const std::filesystem::path& folder) {
   std::string key = "program " + content_of("/proc/self/exe") + "\n";
   for (const auto& [flag, value] : build_words(flags)) key += flag + " " + value + "\n";
   for (const std::string& fault : injected_names()) key += "fault " + fault + "\n";
   key += fmt::format("{} models\n", flags.inputs.size());
   for (const auto& file : files)
-    key +=
-        content_of(file) + " " + std::filesystem::absolute(file).lexically_relative(folder).string() + "\n";
+    key += content_of(file) + " " +
+           in_ascii(std::filesystem::absolute(file).lexically_relative(folder).string()) + "\n";
   return key;
 }
 
@@ -63,11 +75,20 @@ class EntryLock {
  public:
   explicit EntryLock(const std::filesystem::path& entry) : file_name_((entry / lock_name).string()) {
     file_ = Descriptor(::open(file_name_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666));
+    // What is ready may be used from a folder that cannot be written.
+    if (!file_.is_open()) file_ = Descriptor(::open(file_name_.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file_.is_open()) fail(file_name_, "cannot be opened: {}", std::strerror(errno));
   }
 
   /// Whether no other process holds it.
   bool try_now() const { return ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0; }
+  /// Whether it still has its name: an entry that was unused for long is removed.
+  bool is_there() const {
+    struct stat locked {
+    }, named{};
+    return ::fstat(file_.number(), &locked) == 0 && ::stat(file_name_.c_str(), &named) == 0 &&
+           locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
+  }
   void wait() const {
     while (::flock(file_.number(), LOCK_EX) != 0) {
       if (errno != EINTR) fail(file_name_, "cannot be locked: {}", std::strerror(errno));
@@ -154,7 +175,9 @@ class Entry {
       std::filesystem::remove(pack_, error);
       fail(flags.inputs.front().string(), "or a file that it names changed while a pack of it was built");
     }
-    write_file(said(), json({{"key", key_}, {"read", read}}).dump(2) + "\n");
+    write_file(
+        said(),
+        json({{"key", key_}, {"read", read}}).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
   }
 
  private:
@@ -181,13 +204,17 @@ std::filesystem::path cached_pack(const BuildFlags& flags) {
   const std::string key = key_of(flags, files, models), name = flags.inputs.front().stem().string();
   const std::filesystem::path folder =
       cache_folder() / fmt::format("{}-{:016x}", name, hash_values(std::span<const char>(key)));
-  make_folder(folder);
-  const EntryLock lock(folder);
-  if (!lock.try_now()) {
-    notice("{}: another process builds this pack; waiting for it", folder.string());
-    lock.wait();
-  }
-  lock.note_use();
+  std::optional<EntryLock> lock;
+  do {
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);  // the lock says what is wrong
+    lock.emplace(folder);
+    if (!lock->try_now()) {
+      notice("{}: another process builds this pack; waiting for it", folder.string());
+      lock->wait();
+    }
+  } while (!lock->is_there());
+  lock->note_use();
   const Entry entry(folder, key, models, name);
   if (!entry.holds()) {
     remove_unused(cache_folder());

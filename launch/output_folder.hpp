@@ -10,31 +10,43 @@
 
 namespace triptych {
 
-/// A folder that this run writes numbered pictures into, while it lives. Those of an earlier run of the same
-/// command are written over, and those that this run did not write again are removed at its end; those of any
-/// other run are moved into a folder `earlier-N` within it at once, and that is said. A hidden file names the
-/// command.
+/// A folder that this run writes numbered pictures into, while it lives. A hidden file, the mark, names the
+/// command and its pictures. Those of an earlier run of the same command are written over, and what a run
+/// that ended well did not write again is removed. All other pictures with such names, of other runs or the
+/// user's own, are moved into a folder `earlier-N` within it at once, and that is said.
 class OutputFolder {
  public:
   /// Makes the folder. `command` tells runs apart: command_line() without what only this run is about. Error
-  /// (folder) where it cannot be made, or where a run that has not ended writes into it.
+  /// (folder) where it cannot be made, where a run that does not end within seconds writes into it, or where
+  /// the mark's name belongs to something else.
   OutputFolder(std::filesystem::path folder, const std::string& command);
-  /// Removes what the run has left of the command's earlier pictures, if it wrote any; and the folder, if it
-  /// was made for a run that then put nothing into it.
+  /// Removes the folder, if it was made for a run that then put nothing into it.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
+  /// All pictures were made: what is left of the command's earlier ones is removed.
+  void finish();
+  /// The folder stays claimed until the processes have ended, too, that this one starts from now on.
+  void share_with_children() const;
+
  private:
-  std::string claim(const std::string& command);
-  std::vector<std::filesystem::path> pictures() const;
-  void move_aside(const std::vector<std::filesystem::path>& old) const;
+  /// Size and time of change, by name.
+  using Pictures = std::map<std::string, std::string>;
+
+  void lock() const;
+  Pictures read_mark();
+  void write_mark(const Pictures& pictures) const;
+  Pictures pictures() const;
+  void move_aside(const Pictures& strangers) const;
+  /// Those of the pictures that the mark knew and that are still the same.
+  Pictures left_of_earlier() const;
 
   std::filesystem::path folder_;
+  std::string command_;
   bool made_ = false;
-  Descriptor mark_;  ///< locked
-  std::map<std::filesystem::path, std::filesystem::file_time_type>
-      old_;  ///< of the same command, when they were written
+  Descriptor mark_;   ///< locked
+  Pictures earlier_;  ///< of the same command
 };
 
 }  // namespace triptych

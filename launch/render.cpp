@@ -34,7 +34,7 @@ int run(const RenderCommand& command) {
   const Pack pack(command.run.pack);
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   const ChosenDevice device = choose_device(command.run.device);
-  const OutputFolder claimed(command.output, run_line(*command.words));
+  OutputFolder claimed(command.output, run_line(*command.words));
   const auto [width, height] = command.run.size;
   LocalPipeline pipeline(pack, {.width = width,
                                 .height = height,
@@ -58,6 +58,7 @@ int run(const RenderCommand& command) {
       progress.advance();
     }
   }
+  claimed.finish();
   nlohmann::json report = {
       {"frames", records.size()},
       {"frame_ms", distribution_json(records, [](const FrameRecord& r) { return r.frame_ms; })},

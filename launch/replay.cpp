@@ -137,6 +137,7 @@ int run(const ReplayCommand& command) {
          cut.empty() ? "" : "whole ", because);
   }
   if (!cut.empty()) notice("replay: {}", cut);
+  if (claimed && cut.empty()) claimed->finish();
   const nlohmann::json& last = replayer.frames().back();
   if (command.frame) {
     fmt::print("frame {}: {} drawables, {} triangles, picture {}\n", *command.frame,

@@ -18,11 +18,15 @@ namespace {
 int run(const SessionOptions& options, const std::string& line) {
   const std::filesystem::path& json = options.run.json;
   std::optional<OutputFolder> claimed;
-  if (!options.output.empty()) claimed.emplace(options.output, line);
+  if (!options.output.empty()) {
+    claimed.emplace(options.output, line);
+    claimed->share_with_children();
+  }
   if (options.window) say(viewer_help());
   const SessionOutcome outcome = run_session(options);
   nlohmann::json roles = nlohmann::json::array();
   for (const auto& [role, pid] : outcome.roles) roles.push_back({{"role", role}, {"pid", pid}});
+  if (claimed && !outcome.stopped && outcome.exit_code == 0) claimed->finish();
   if (outcome.stopped) notice("session: told to end, every role has left");
   const std::vector<FrameRecord>& frames = outcome.records.front().frames;
   uint64_t mismatches = 0, fallback_frames = 0;

@@ -52,6 +52,10 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
   if (options_.path) exact_ = options_.path->frames.front();
 }
 
+Viewer::~Viewer() {
+  if (walk_ && !walk_->frames.empty()) save(Command::record_walk);
+}
+
 bool Viewer::plays() const {
   return options_.play && (options_.rate <= 0 || since_path_frame_.seconds() * options_.rate >= 1);
 }

@@ -35,6 +35,8 @@ std::string viewer_help();
 class Viewer {
  public:
   Viewer(const Pack& pack, ViewerOptions options);
+  /// Saves the walk that is still being recorded.
+  ~Viewer();
 
   /// Waits, at most so many seconds, until there is something new to draw: movement, a key, another size, the
   /// path's next camera.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 namespace triptych {
@@ -21,13 +22,28 @@ std::string path_key(const SourceObjects& source, SourceObjectId id) {
   return "path " + source.path_of(id) + " / " + std::string(source.texts[own]);
 }
 
-std::vector<std::string> keys_of(const SourceObjects& source) {
-  std::unordered_map<uint32_t, size_t> uses;
-  for (const SourceObject& object : source.objects) ++uses[object.guid];
+/// How often each GUID is used.
+std::unordered_map<std::string_view, size_t> uses_of_guids(const SourceObjects& source) {
+  std::unordered_map<std::string_view, size_t> uses;
+  for (const SourceObject& object : source.objects) {
+    if (object.guid != 0) ++uses[source.texts[object.guid]];
+  }
+  return uses;
+}
+
+/// A GUID says which object it is; but not one that is doubled in either revision, and none where only one of
+/// them has GUIDs.
+std::vector<std::string> keys_of(const SourceObjects& source, const SourceObjects& other) {
+  const auto uses = uses_of_guids(source), there = uses_of_guids(other);
+  const auto is_doubled = [](const auto& counts, std::string_view guid) {
+    const auto found = counts.find(guid);
+    return found != counts.end() && found->second > 1;
+  };
   std::vector<std::string> keys;
   for (SourceObjectId id = 0; id < source.objects.size(); ++id) {
     const uint32_t guid = source.objects[id].guid;
-    const bool own = guid != 0 && uses[guid] == 1;
+    const bool own = guid != 0 && !there.empty() && !is_doubled(uses, source.texts[guid]) &&
+                     !is_doubled(there, source.texts[guid]);
     keys.push_back(own ? "guid " + std::string(source.texts[guid]) : path_key(source, id));
   }
   return keys;
@@ -92,7 +108,7 @@ class Pairing {
 std::vector<ObjectPair> pair_objects(const SourceObjects& before, const ObjectShapes& before_shapes,
                                      const SourceObjects& after, const ObjectShapes& after_shapes) {
   std::unordered_map<std::string, Namesakes> all;
-  const std::vector<std::string> before_keys = keys_of(before), after_keys = keys_of(after);
+  const std::vector<std::string> before_keys = keys_of(before, after), after_keys = keys_of(after, before);
   for (SourceObjectId id = 0; id < before_keys.size(); ++id) all[before_keys[id]].before.push_back(id);
   for (SourceObjectId id = 0; id < after_keys.size(); ++id) all[after_keys[id]].after.push_back(id);
   std::vector<ObjectPair> pairs;

@@ -54,9 +54,20 @@ Mark mark_of(const Facet& facet, const glm::dvec3& middle) {
   return {edges[0], edges[1], edges[2], glm::distance(centre_of(facet), middle)};
 }
 
-/// Whether a triangle may have lost its area on a lattice.
-bool may_vanish(const Facet& facet, double tolerance) {
-  return !(double_area(facet) > 8 * tolerance * edges_of(facet)[2]);
+/// Whether a triangle is so many tolerances thick. Thinner than 8, it may have lost its area on a lattice.
+bool is_thick(const Facet& facet, double tolerance, double tolerances = 8) {
+  return double_area(facet) > tolerances * tolerance * edges_of(facet)[2];
+}
+bool may_vanish(const Facet& facet, double tolerance) { return !is_thick(facet, tolerance); }
+
+/// How many triangles are surely there, and how many may be.
+std::pair<size_t, size_t> counts_of(const PlacedShape& shape, double tolerance) {
+  std::pair<size_t, size_t> counts{0, 0};
+  for (const Facet& facet : shape.facets) {
+    counts.first += is_thick(facet, tolerance, 16);
+    counts.second += is_thick(facet, tolerance, 4);
+  }
+  return counts;
 }
 
 Facet placed(const Facet& facet, const Affine& motion) {
@@ -79,10 +90,16 @@ class Comparison {
         after_(after),
         tolerance_(std::max(before.tolerance + after.tolerance, 1e-300)),
         before_index_(before, tolerance_ * slack(furthest_edges)),
-        after_index_(after, tolerance_ * slack(furthest_edges)) {}
+        after_index_(after, tolerance_ * slack(furthest_edges)) {
+    // As many of each: what is doubled is found in its place, too.
+    const auto [before_least, before_most] = counts_of(before, tolerance_);
+    const auto [after_least, after_most] = counts_of(after, tolerance_);
+    as_many_ = before_least <= after_most && after_least <= before_most;
+  }
 
   /// What is the same under the motion, which is off by `slack` tolerances at most.
   FacetMatch under(const Affine& motion, double slack) const {
+    if (!as_many_) return FacetMatch::none;
     const double tolerance = tolerance_ * slack;
     const FacetMatch there = all_in(before_.facets, motion, after_index_, tolerance);
     if (there == FacetMatch::none) return there;
@@ -186,6 +203,7 @@ class Comparison {
 
   const PlacedShape& before_;
   const PlacedShape& after_;
+  bool as_many_ = true;
   double tolerance_;
   FacetIndex before_index_, after_index_;
 };

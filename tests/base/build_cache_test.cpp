@@ -1,6 +1,8 @@
 // What builds keep for the next one.
 #include "base/build_cache.hpp"
 
+#include "base/error.hpp"
+
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -66,8 +68,9 @@ TEST_F(Cache, of_another_program_is_not_used) {
 TEST_F(Cache, what_is_damaged_is_made_again) {
   for (const double share : {0.0, 0.1, 0.5, 0.9, 0.999}) {
     use({1000, 2000, 3000});
+    // Behind what names the kind of file.
     const auto at =
-        static_cast<std::streamoff>(share * static_cast<double>(std::filesystem::file_size(file)));
+        8 + static_cast<std::streamoff>(share * static_cast<double>(std::filesystem::file_size(file) - 8));
     std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
     stream.seekg(at);
     const int byte = stream.get();
@@ -78,6 +81,15 @@ TEST_F(Cache, what_is_damaged_is_made_again) {
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
     EXPECT_EQ(use({1000, 2000, 3000}), 0u) << share;
   }
+}
+
+TEST_F(Cache, is_written_over_no_file_of_another_kind) {
+  std::ofstream(file) << "a list of the user's own";
+  EXPECT_THROW(use({1000}), Error);
+  std::ifstream kept(file);
+  std::string text;
+  std::getline(kept, text);
+  EXPECT_EQ(text, "a list of the user's own");
 }
 
 }  // namespace

@@ -33,19 +33,59 @@ TEST_F(OutputFolders, the_same_command_makes_its_files_anew) {
   { const OutputFolder claimed(where, "a run"), other(folder.file("x"), ""); }
   EXPECT_FALSE(std::filesystem::exists(where)) << "nothing was put into it";
   std::filesystem::create_directories(where);
-  { const OutputFolder claimed(where, "a run"); }
-  fill(where);
+  {
+    OutputFolder claimed(where, "a run");
+    fill(where);
+    claimed.finish();
+  }
   { const OutputFolder came_to_nothing(where, "a run"); }
   EXPECT_EQ(text_of(where + "/000007.png"), "old");
   {
-    const OutputFolder claimed(where, "a run");
-    std::filesystem::remove(where + "/000000.png");
+    const OutputFolder failed(where, "a run");
     std::ofstream(where + "/000001.png") << "new";
   }
-  EXPECT_EQ(text_of(where + "/000001.png"), "new");
+  EXPECT_EQ(text_of(where + "/000007.png"), "old") << "a run that failed loses nothing";
+  {
+    OutputFolder claimed(where, "a run");
+    std::ofstream(where + "/000001.png") << "newer";
+    claimed.finish();
+  }
+  EXPECT_EQ(text_of(where + "/000001.png"), "newer");
   EXPECT_FALSE(std::filesystem::exists(where + "/000007.png"));
   EXPECT_FALSE(std::filesystem::exists(where + "/earlier-1"));
   EXPECT_EQ(text_of(where + "/mine.png"), "old");
+}
+
+TEST_F(OutputFolders, what_a_person_put_there_is_moved_aside_even_from_the_same_command) {
+  const std::string where = folder.file("pictures");
+  {
+    OutputFolder claimed(where, "a run");
+    std::ofstream(where + "/000000.png") << "made";
+    claimed.finish();
+  }
+  std::ofstream(where + "/000123.png") << "mine";
+  std::ofstream(where + "/000000.png") << "painted over";
+  {
+    OutputFolder claimed(where, "a run");
+    std::ofstream(where + "/000000.png") << "made again";
+    claimed.finish();
+  }
+  EXPECT_EQ(text_of(where + "/000000.png"), "made again");
+  EXPECT_EQ(text_of(where + "/earlier-1/000123.png"), "mine");
+  EXPECT_EQ(text_of(where + "/earlier-1/000000.png"), "painted over");
+}
+
+TEST_F(OutputFolders, the_mark_of_a_run_is_written_over_nothing_else) {
+  const std::string where = folder.file("pictures"), precious = folder.file("precious");
+  std::filesystem::create_directories(where);
+  std::ofstream(precious) << "mine";
+  std::filesystem::create_symlink(precious, where + "/.triptych-run");
+  EXPECT_THROW(OutputFolder(where, "a run"), Error);
+  std::filesystem::remove(where + "/.triptych-run");
+  std::ofstream(where + "/.triptych-run") << "mine";
+  EXPECT_THROW(OutputFolder(where, "a run"), Error);
+  EXPECT_EQ(text_of(precious), "mine");
+  EXPECT_EQ(text_of(where + "/.triptych-run"), "mine");
 }
 
 TEST_F(OutputFolders, two_runs_at_once_are_refused) {
@@ -71,8 +111,9 @@ TEST_F(OutputFolders, pictures_of_two_renders_do_not_mix) {
   };
   render({});
   const std::string both = picture("p");
-  EXPECT_EQ(render({"--json", folder.file("j")}).find("earlier run"), std::string::npos);
-  EXPECT_NE(render({"--frames", "1"}).find("2 pictures of an earlier run are now in "), std::string::npos);
+  EXPECT_EQ(render({"--json", folder.file("j")}).find("not of this command"), std::string::npos);
+  EXPECT_NE(render({"--frames", "1"}).find("2 pictures that are not of this command are now in "),
+            std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder.file("p/000001.png")));
   EXPECT_EQ(picture("p/earlier-1"), both);
 }
