@@ -28,13 +28,7 @@ void add_find(CLI::App& app, Action& action) {
   CLI::App* sub = app.add_subcommand("find", "Find objects of the model's files in a pack");
   sub->footer("Example: triptych find scene.tpk IfcDoor");
   add_common_flags(*sub, command->json);
-  add_shown_model(*sub, command->model);
-  // One file alone: the word stands behind it.
-  sub->remove_option(sub->get_option("pack"));
-  command->model.files.resize(1);
-  sub->add_option("pack", command->model.files.front(), "The pack, or a model file")
-      ->required()
-      ->type_name("FILE");
+  add_one_shown_model(*sub, command->model);
   sub->add_option("word", command->text,
                   "What their name, kind, layer, storey, GUID, number or a property's value holds")
       ->required()

@@ -9,6 +9,17 @@
 
 namespace triptych {
 
+namespace {
+
+void add_build_of_model(CLI::App& command, ShownModel& model) {
+  command
+      .add_option("--build", model.build,
+                  "Of model files: flags of `build`, as one word: --build \"--keep none\"")
+      ->type_name("FLAGS");
+}
+
+}  // namespace
+
 void add_shown_model(CLI::App& command, ShownModel& model) {
   command
       .add_option("pack", model.files,
@@ -16,10 +27,16 @@ void add_shown_model(CLI::App& command, ShownModel& model) {
                   "TRIPTYCH_CACHE (default: ~/.cache/triptych)")
       ->required()
       ->type_name("FILE");
+  add_build_of_model(command, model);
+}
+
+void add_one_shown_model(CLI::App& command, ShownModel& model) {
+  model.files.resize(1);
   command
-      .add_option("--build", model.build,
-                  "Of model files: flags of `build`, as one word: --build \"--keep none\"")
-      ->type_name("FLAGS");
+      .add_option("pack", model.files.front(), "The pack; or a model file, of which a pack is built and kept")
+      ->required()
+      ->type_name("FILE");
+  add_build_of_model(command, model);
 }
 
 void check_shown_model(const CLI::App& command, const ShownModel& model) {

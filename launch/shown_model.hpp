@@ -16,6 +16,8 @@ struct ShownModel {
 
 /// The positional "pack" and --build.
 void add_shown_model(CLI::App& command, ShownModel& model);
+/// The same of one file alone, so that other words may stand behind it.
+void add_one_shown_model(CLI::App& command, ShownModel& model);
 /// Once the command line was parsed: a usage error where packs stand beside other files, or --build is none,
 /// or has nothing to build.
 void check_shown_model(const CLI::App& command, const ShownModel& model);

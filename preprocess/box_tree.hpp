@@ -2,9 +2,8 @@
 #pragma once
 
 #include "scene/box.hpp"
+#include "scene/ray.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,31 +13,6 @@ inline bool overlap(const Box& a, const Box& b) {
   return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
          b.lo.z <= a.hi.z;
 }
-
-/// Points from + t * direction with least <= t <= most.
-struct RaySpan {
-  RaySpan(const glm::dvec3& start, const glm::dvec3& way, double first, double last)
-      : from(start), per_step(1.0 / way), least(first), most(last) {}
-
-  /// Whether it shares a point with the box, up to rounding.
-  bool meets(const Box& box) const {
-    double enter = least, leave = most;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::isinf(per_step[axis])) {  // along the box's sides
-        if (from[axis] < box.lo[axis] || from[axis] > box.hi[axis]) return false;
-        continue;
-      }
-      const double a = (box.lo[axis] - from[axis]) * per_step[axis];
-      const double b = (box.hi[axis] - from[axis]) * per_step[axis];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave;
-  }
-
-  glm::dvec3 from, per_step;
-  double least, most;
-};
 
 /// The box with a margin all round.
 inline Box grown(Box box, double margin) {

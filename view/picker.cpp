@@ -1,6 +1,7 @@
 #include "view/picker.hpp"
 
 #include "scene/affine.hpp"
+#include "scene/ray.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,21 +16,7 @@ namespace triptych {
 namespace {
 
 constexpr uint64_t most_kept_triangles = 500'000;
-
-/// Where a ray enters a box, in lengths of its way; infinite where it does not.
-double entry(const Box& box, const glm::dvec3& from, const glm::dvec3& way, double near) {
-  double enter = near, leave = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (way[axis] == 0) {
-      if (from[axis] < box.lo[axis] || from[axis] > box.hi[axis]) return leave;
-      continue;
-    }
-    const double a = (box.lo[axis] - from[axis]) / way[axis], b = (box.hi[axis] - from[axis]) / way[axis];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  return enter <= leave ? enter : std::numeric_limits<double>::infinity();
-}
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -51,14 +38,15 @@ glm::dvec3 Picker::place_at(const View& view, double x, double y, double depth) 
 std::optional<Picked> Picker::at(const View& view, std::span<const DrawableId> shown, double x, double y) {
   const Skeleton& skeleton = pack_.skeleton();
   const Ray ray = Picker::ray(view, x, y);
+  const RaySpan span(ray.from, ray.way, ray.near, infinite);
   std::vector<std::pair<double, DrawableId>> met;  // in the order of their boxes
   for (const DrawableId drawable : shown) {
     const Box box = skeleton.lattice().box(skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box);
-    const double from = entry(box, ray.from, ray.way, ray.near);
+    const double from = span.entry(box);
     if (std::isfinite(from)) met.push_back({from, drawable});
   }
   std::sort(met.begin(), met.end());
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinite;
   std::optional<Picked> found;
   for (const auto& [from, drawable] : met) {
     if (from > nearest) break;
@@ -75,7 +63,8 @@ void Picker::meet(const Ray& ray, DrawableId drawable, uint32_t placement, doubl
   const Affine& transform = skeleton.transforms[placed.transform];
   const ChunkInfo& info = skeleton.chunks[placed.chunk];
   const Lattice& lattice = skeleton.lattices[info.lattice];
-  if (!(entry(placed_box(transform, lattice.box(info.box)), ray.from, ray.way, ray.near) < nearest)) return;
+  const RaySpan span(ray.from, ray.way, ray.near, nearest);
+  if (!span.meets(placed_box(transform, lattice.box(info.box)))) return;
   const glm::dmat3 linear(transform);
   if (glm::determinant(linear) == 0) return;  // it is flat, and has no area to be seen
   // On the chunk's own lattice, where lengths along the ray are the same.
@@ -84,21 +73,13 @@ void Picker::meet(const Ray& ray, DrawableId drawable, uint32_t placement, doubl
   const glm::dvec3 way = inverse * ray.way / lattice.step;
   const Chunk& geometry = chunk(placed.chunk);
   for (uint32_t i = 0; i < geometry.triangle_count(); ++i) {
-    std::array<glm::dvec3, 3> corners;
-    for (size_t k = 0; k < 3; ++k)
-      corners[k] = glm::dvec3(geometry.vertices[geometry.indices[3 * i + k]].point) - from;
-    // Moeller and Trumbore, Fast, minimum storage ray/triangle intersection, 1997.
-    const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0], p = glm::cross(way, ac);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0) continue;
-    const glm::dvec3 q = glm::cross(-corners[0], ab);
-    const double u = glm::dot(-corners[0], p) / determinant, v = glm::dot(way, q) / determinant;
-    constexpr double edge = 1e-9;  // no ray passes between two triangles
-    if (u < -edge || v < -edge || u + v > 1 + edge) continue;
-    const double along = glm::dot(ac, q) / determinant;
-    if (along < ray.near || along >= nearest) continue;
-    nearest = along;
-    found = Picked{drawable, placement, i, ray.from + along * ray.way};
+    const auto corner = [&](size_t k) {
+      return glm::dvec3(geometry.vertices[geometry.indices[3 * i + k]].point);
+    };
+    const auto hit = meet_triangle(from, way, corner(0), corner(1), corner(2));
+    if (!hit || hit->along < ray.near || hit->along >= nearest) continue;
+    nearest = hit->along;
+    found = Picked{drawable, placement, i, ray.from + hit->along * ray.way};
   }
 }
 

@@ -6,32 +6,6 @@
 
 namespace triptych {
 
-namespace {
-
-/// Where a ray meets a triangle.
-struct Hit {
-  double along = 0;
-  bool leaves = false;  ///< it passes the triangle from its back to its front
-};
-
-/// Moeller and Trumbore, Fast, minimum storage ray/triangle intersection, 1997. Hit::along: in lengths of the
-/// direction.
-std::optional<Hit> meet(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
-                        const glm::dvec3& b, const glm::dvec3& c) {
-  const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
-  const double determinant = glm::dot(ab, p);
-  if (determinant == 0) return std::nullopt;
-  const glm::dvec3 to = from - a;
-  const double u = glm::dot(to, p) / determinant;
-  const glm::dvec3 q = glm::cross(to, ab);
-  const double v = glm::dot(direction, q) / determinant;
-  constexpr double edge = 1e-9;  // no ray passes between two triangles
-  if (u < -edge || v < -edge || u + v > 1 + edge) return std::nullopt;
-  return Hit{glm::dot(ac, q) / determinant, determinant < 0};
-}
-
-}  // namespace
-
 Surroundings::Surroundings(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache,
                            uint32_t placed, const std::vector<std::pair<uint32_t, Box>>& others,
                            double tolerance)
@@ -58,7 +32,7 @@ void Surroundings::look(Other& other, uint32_t region, const glm::dvec3& from, c
   regions.tree.visit(ray, tolerance_ * placed.shrink, [&](uint32_t triangle) {
     if (other.number == own_.number && regions.region_of[triangle] == region) return;
     const auto& [a, b, c] = regions.triangles[triangle];
-    const auto hit = meet(start, direction, regions.points[a], regions.points[b], regions.points[c]);
+    const auto hit = meet_triangle(start, direction, regions.points[a], regions.points[b], regions.points[c]);
     if (!hit || hit->along < -tolerance_ || hit->along > reach) return;
     if (first && hit->along >= first->along) return;
     // A transform that mirrors turns triangles over, and the ray with them.
