@@ -12,16 +12,18 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
                       const VisibleSet& visible) {
   const View& view = state.view;
   const Camera& camera = view.camera;
-  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 4 + 1 + 8> fields;
+  constexpr size_t section_bytes = 2 + Section::max_planes * 4 * 8 + 6 * 8;
+  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 4 + 1 + section_bytes + 8> fields;
   std::byte* end = fields.data();
   const auto add = [&](const auto& value) {
     std::memcpy(end, &value, sizeof(value));
     end += sizeof(value);
   };
+  const auto add_vector = [&](const glm::dvec3& vector) {
+    for (int axis = 0; axis < 3; ++axis) add(vector[axis]);
+  };
   add(frame);
-  for (const auto* vector : {&camera.eye, &camera.target, &camera.up}) {
-    for (int axis = 0; axis < 3; ++axis) add((*vector)[axis]);
-  }
+  for (const auto* vector : {&camera.eye, &camera.target, &camera.up}) add_vector(*vector);
   for (const double value :
        {camera.left, camera.right, camera.bottom, camera.top, camera.near, state.pixel_error}) {
     add(value);
@@ -31,9 +33,21 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
   add(view.height);
   add(state.samples);
   add(static_cast<uint8_t>(state.edges));
+  const Section& section = state.section;
+  add(static_cast<uint8_t>(section.planes().size()));
+  for (const SectionPlane& plane : section.planes()) {
+    add_vector(plane.normal);
+    add(plane.offset);
+  }
+  add(static_cast<uint8_t>(section.box().has_value()));
+  if (section.box()) {
+    add_vector(section.box()->lo);
+    add_vector(section.box()->hi);
+  }
   add(pack_hash);
-  assert(end == fields.data() + fields.size());
-  return hash_values(std::span<const DrawableId>(visible), hash_bytes(fields));
+  const auto used = static_cast<size_t>(end - fields.data());
+  assert(used <= fields.size());
+  return hash_values(std::span<const DrawableId>(visible), hash_bytes(std::span(fields).first(used)));
 }
 
 }  // namespace triptych

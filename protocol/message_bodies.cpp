@@ -26,6 +26,10 @@ constexpr uint8_t last_mark = 1, warm_up_mark = 2, orthographic_mark = 4, symmet
 // Two bits of them are a place in this list.
 constexpr std::array<uint32_t, 4> sample_counts = {1, 4, 8, 16};
 constexpr uint32_t samples_shift = 5;
+constexpr uint8_t samples_bits = 3;
+// Another byte of marks follows, which are not all 0. Its lowest bits are the number of section planes.
+constexpr uint8_t more_mark = 128;
+constexpr uint8_t planes_bits = 7, section_box_mark = 8;
 
 uint8_t samples_marks(uint32_t samples) {
   const auto* const found = std::find(sample_counts.begin(), sample_counts.end(), samples);
@@ -190,6 +194,43 @@ bool is_symmetric(const Camera& camera) {
   return camera.right == -camera.left && camera.top == -camera.bottom;
 }
 
+uint8_t section_marks(const Section& section) {
+  return static_cast<uint8_t>(section.planes().size() | (section.box() ? section_box_mark : 0));
+}
+
+template <typename Body>
+void describe_plane(Body& body, auto& plane) {
+  const std::array numbers = {&plane.normal.x, &plane.normal.y, &plane.normal.z, &plane.offset};
+  body.numbers(numbers);
+}
+
+template <typename Body>
+void describe_box(Body& body, auto& box) {
+  const std::array numbers = {&box.lo.x, &box.lo.y, &box.lo.z, &box.hi.x, &box.hi.y, &box.hi.z};
+  body.numbers(numbers);
+}
+
+void write_section(BodyWriter& body, const Section& section) {
+  for (const SectionPlane& plane : section.planes()) describe_plane(body, plane);
+  if (section.box()) describe_box(body, *section.box());
+}
+
+Section read_section(BodyReader& body, uint8_t marks) {
+  Section section;
+  for (int i = 0; i < (marks & planes_bits); ++i) {
+    SectionPlane plane;
+    describe_plane(body, plane);
+    section.add_plane(plane, body.place());
+    if (section.planes().back() != plane) fail(body.place(), "a section plane's normal is not of length 1");
+  }
+  if ((marks & section_box_mark) != 0) {
+    Box box;
+    describe_box(body, box);
+    section.set_box(box, body.place());
+  }
+  return section;
+}
+
 template <typename Body, Either<CameraMessage> M>
 void describe(Body& body, M& message) {
   auto& view = message.state.view;
@@ -197,10 +238,10 @@ void describe(Body& body, M& message) {
   auto marks = static_cast<uint8_t>(
       (message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
       (camera.orthographic() ? orthographic_mark : 0) | (is_symmetric(camera) ? symmetric_mark : 0) |
-      (message.state.edges ? edges_mark : 0) | samples_marks(message.state.samples));
+      (message.state.edges ? edges_mark : 0) | samples_marks(message.state.samples) |
+      (message.state.section.keeps_all() ? 0 : more_mark));
   auto width = static_cast<uint32_t>(view.width), height = static_cast<uint32_t>(view.height);
-  constexpr uint8_t all_marks = 127;
-  body.choice(marks, all_marks, "camera mark");
+  body.plain(marks);
   body.count(width);
   body.count(height);
   const bool symmetric = (marks & symmetric_mark) != 0;
@@ -225,7 +266,7 @@ void describe(Body& body, M& message) {
     message.last = (marks & last_mark) != 0;
     message.warm_up = (marks & warm_up_mark) != 0;
     message.state.edges = (marks & edges_mark) != 0;
-    message.state.samples = sample_counts.at(marks >> samples_shift);
+    message.state.samples = sample_counts.at(marks >> samples_shift & samples_bits);
     if ((marks & orthographic_mark) != 0) camera.projection = Projection::orthographic;
     if (width < 1 || width > max_side || height < 1 || height > max_side)
       fail(body.place(), "a viewport of {}x{}", width, height);
@@ -238,6 +279,16 @@ void describe(Body& body, M& message) {
     }
     check_camera(camera, body.place());
     if (!symmetric && is_symmetric(camera)) fail(body.place(), "a symmetric frustum that is not marked");
+  }
+  if ((marks & more_mark) == 0) return;
+  auto more = section_marks(message.state.section);
+  constexpr uint8_t all_marks = planes_bits | section_box_mark;
+  body.choice(more, all_marks, "camera mark");
+  if constexpr (Body::reads) {
+    if (more == 0) fail(body.place(), "marks that mark nothing");
+    message.state.section = read_section(body, more);
+  } else {
+    write_section(body, message.state.section);
   }
 }
 

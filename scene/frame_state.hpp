@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/camera.hpp"
+#include "scene/section.hpp"
 
 #include <cstdint>
 
@@ -9,13 +10,14 @@ namespace triptych {
 
 /// What a frame's cut, culling and picture are functions of, beside the pack. The Camera message carries it,
 /// the digest covers it, and nothing else that changes from frame to frame may change what is drawn. Later
-/// fields (time, section planes, the hidden set's number and hash, effects that are switched off) are added
-/// here, in protocol/message_bodies.cpp, protocol/digest.cpp and docs/protocol.md, and nowhere else.
+/// fields (time, effects that are switched off) are added here, in protocol/message_bodies.cpp,
+/// protocol/digest.cpp and docs/protocol.md, and nowhere else.
 struct FrameState {
   View view;               ///< camera and viewport
   double pixel_error = 1;  ///< pixels; 0 asks for full detail
   uint32_t samples = 1;    ///< of each pixel: 1, 4, 8 or 16 (scene/sample_places.hpp)
   bool edges = false;      ///< drawn as lines (visibility/edge_rule.hpp); changes colours, nothing else
+  Section section = {};    ///< what lies outside of it is not there: it neither shows nor hides anything
   bool operator==(const FrameState&) const = default;
 };
 

@@ -21,6 +21,11 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2, 4}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {}), digest);
+  Section plane, box;
+  plane.add_plane({{0, 0, 1}, 2}, "test");
+  box.set_box({{0, 0, 0}, {1, 1, 1}}, "test");
+  EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, plane}, 99, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, box}, 99, {1, 2, 3}), digest);
   for (int field = 0; field < 8; ++field) {
     View other = view;
     if (field == 0) other.camera.eye.x = 1.0000000000000002;

@@ -21,6 +21,14 @@ inline View sample_orthographic_view() {
   return view;
 }
 
+inline Section sample_section() {
+  Section section;
+  section.add_plane({{1, 2, -3}, 4.5}, "sample");
+  section.add_plane({{0, 0, -1}, -2.75}, "sample");
+  section.set_box({{-1, -2, -3}, {1e6, 2, 0.1}}, "sample");
+  return section;
+}
+
 inline Hello sample_hello(Role role) {
   Hello hello;
   hello.role = role;
@@ -36,7 +44,7 @@ inline Hello sample_hello(Role role) {
 inline std::vector<Message> sample_messages() {
   const StageTimes times{4.25, 2.125, 431, 1800, 9.5};
   return {sample_hello(Role::switch_1),
-          CameraMessage{12, {sample_view(), 1.5, 8, true}, true, true},
+          CameraMessage{12, {sample_view(), 1.5, 8, true, sample_section()}, true, true},
           DeltaMessage{12, {1ull << 50, 17}, encode_delta({{1, 2, 3, 900}, {4, 77}}, {4, 77, 5000})},
           Sentinel{12, 1000, 4, 3, 0xfedcba9876543210, times},
           FullSetRequest{12},
