@@ -1,6 +1,7 @@
 #include "lod/cut.hpp"
 
 #include "base/rounding.hpp"
+#include "scene/seen_from_outside.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,17 @@ double error_of(const FrameView& view, const SceneNode& node, DrawableId id) {
   return std::max(error - of_children, 0.0);
 }
 
+/// Whether what others cover may be seen within the box: the near plane may cut it open.
+bool reveals(const FrameView& view, const LatticeBox& box) {
+  return view.rules.levels_from_outside && !view.eye_space.is_beyond_near(box);
+}
+
 /// The coarsest drawable of the node that keeps the pixel error, or no_id.
 DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBounds& bounds) {
+  const bool revealed = !view.skeleton->seen_from_outside.empty() && reveals(view, node.box);
   for (uint32_t level = node.drawable_count; level-- > 0;) {
     const DrawableId id = node.first_drawable + level;
+    if (revealed && is_seen_from_outside(*view.skeleton, view.skeleton->drawables[id])) continue;
     const double error = error_of(view, node, id);
     if (projected_error(view.focal_length, error, bounds) <= view.state.pixel_error) return id;
   }

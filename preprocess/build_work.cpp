@@ -37,8 +37,10 @@ SpoolFile& BuildWork::geometry(UnitKind kind) {
 StoredUnit BuildWork::store(UnitKind kind, UnitResult result) {
   StoredUnit unit;
   unit.first_chunk = static_cast<uint32_t>(pack_.chunks().size());
-  for (const UnitChunk& added : result.chunks)
+  for (const UnitChunk& added : result.chunks) {
     unit.chunks.push_back(pack_.chunks()[pack_.add_chunk(added.chunk, added.lattice)]);
+    unit.seen_from_outside.push_back(added.chunk.seen_from_outside);
+  }
   for (const std::vector<std::byte>& record : result.geometry)
     unit.geometry.push_back(geometry(kind).append(record));
   unit.figures = std::move(result.figures);
@@ -54,7 +56,7 @@ void BuildWork::run(UnitKind kind, std::span<const uint32_t> indices, const Unit
     batch = record_of<StoredBatch>(*record, place);
     if (batch.kind != kind || batch.units.size() != indices.size())
       fail(place, "holds other work than this build's: remove the folder, and build again");
-    for (const StoredUnit& stored : batch.units) pack_.adopt(stored.chunks);
+    for (const StoredUnit& stored : batch.units) pack_.adopt(stored.chunks, stored.seen_from_outside);
     if (progress) progress->advance(indices.size());
   } else {
     for (std::vector<std::byte>& bytes : run_units(indices, unit, progress)) {

@@ -25,8 +25,9 @@ size_t end_of_group(size_t first, size_t count, uint64_t most, const SizeOf& siz
 
 /// A unit's result, numbered and stored.
 struct StoredUnit {
-  uint32_t first_chunk = 0;          ///< index in the pack of the first of its chunks; the others follow
-  std::vector<ChunkInfo> chunks;     ///< as in the pack
+  uint32_t first_chunk = 0;       ///< index in the pack of the first of its chunks; the others follow
+  std::vector<ChunkInfo> chunks;  ///< as in the pack
+  std::vector<uint8_t> seen_from_outside;  ///< 1 for each of them that is made to be
   std::vector<SpoolPlace> geometry;  ///< where each of its records lies, in BuildWork::geometry() of its kind
   std::vector<std::byte> figures;    ///< as the unit returned them
 
@@ -37,6 +38,7 @@ struct StoredUnit {
 };
 template <>
 inline constexpr auto record_members<StoredUnit> = std::tuple(&StoredUnit::first_chunk, &StoredUnit::chunks,
+                                                              &StoredUnit::seen_from_outside,
                                                               &StoredUnit::geometry, &StoredUnit::figures);
 
 class BuildWork {

@@ -104,12 +104,17 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
     std::iota(all.piece.sources.begin(), all.piece.sources.end(), 0u);
     chain.levels.insert(chain.levels.begin(), std::move(all));
   }
+  bool& seen_from_outside = hlod.coarsest.seen_from_outside = children.seen_from_outside;
   for (Level& level : chain.levels) {
     const double error = beyond_gaps(children.error + level.bound * lattice.step, limits.gaps);
-    if (auto left = without_covered(level.piece, error / lattice.step)) level.piece = std::move(*left);
+    if (auto left = without_covered(level.piece, error / lattice.step)) {
+      level.piece = std::move(*left);
+      seen_from_outside = true;
+    }
     // Of levels with one error the coarsest is enough.
     if (!hlod.drawables.empty() && hlod.drawables.back().error >= error) hlod.drawables.pop_back();
     EncodedChunk chunk = encode(level.piece.surface, limits.in_pieces);
+    chunk.seen_from_outside = seen_from_outside;
     hlod.drawables.push_back({std::move(level.piece), std::move(chunk), error});
   }
   const HlodDrawable& last = hlod.drawables.back();

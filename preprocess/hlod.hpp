@@ -28,11 +28,12 @@ struct Baked {
   double error = 0;             ///< proven bound of the two-sided distance to the source, model units
   /// For each triangle its source object, counted as the hierarchy does; empty where the model has none.
   std::vector<SourceObjectId> objects = {};
+  bool seen_from_outside = false;  ///< something that others cover was left out
 };
 
 template <>
 inline constexpr auto record_members<Baked> = std::tuple(&Baked::surface, &Baked::spans, &Baked::error,
-                                                         &Baked::objects);
+                                                         &Baked::objects, &Baked::seen_from_outside);
 
 /// Collects surfaces into one: equal points and equal triangles are merged.
 class Baker {

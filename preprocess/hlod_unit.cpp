@@ -22,6 +22,7 @@ void write_key(ContentKeyWriter& key, std::span<const HlodSource> sources, doubl
     write_record(key, source.surface);
     write_record(key, source.spans);
     write_record(key, source.objects);
+    key.write(source.seen_from_outside);
     key.write(source.lattice != nullptr);
     if (source.lattice) {
       key.write(*source.lattice);
@@ -81,7 +82,9 @@ Baked bake(std::span<const HlodSource> sources, double error, const HlodPlace& w
       baker.add(source.surface, source.spans, source.objects);
     }
   }
-  return baker.finish(error);
+  Baked baked = baker.finish(error);
+  baked.seen_from_outside = std::ranges::any_of(sources, &HlodSource::seen_from_outside);
+  return baked;
 }
 
 UnitResult hlod_unit(std::vector<HlodSource> sources, double error, uint32_t first_place, uint32_t end_place,

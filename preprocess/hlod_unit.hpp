@@ -19,6 +19,7 @@ struct HlodSource {
   std::vector<SourceObjectId> objects;  ///< for each triangle; empty where the model has none
   const Lattice* lattice = nullptr;     ///< null: it is on that of the hierarchy
   Affine transform{1};                  ///< from there to the hierarchy's space
+  bool seen_from_outside = false;       ///< something that others cover was left out
 };
 
 /// What is known of an inner node's drawables, beside their chunks.

@@ -66,7 +66,7 @@ void leave_out_covered(Part& level, double distance) {
   const auto goes = [&](const Triangle& triangle) { return is_left_out(triangle, distance); };
   if (std::ranges::none_of(triangles, goes)) return;
   if (std::ranges::all_of(triangles, goes)) {
-    level = {speck(level.surface), {}};
+    level = {speck(level.surface), {}, true};
     return;
   }
   std::vector<uint32_t> own(level.surface.points.size());
@@ -80,7 +80,7 @@ void leave_out_covered(Part& level, double distance) {
     if (border.point < numbers.size() && numbers[border.point] != no_id)
       borders.push_back({numbers[border.point], border.number});
   }
-  level = {std::move(left.surface), std::move(borders)};
+  level = {std::move(left.surface), std::move(borders), true};
 }
 
 /// How many triangles of a level are covered, by class.
@@ -183,8 +183,11 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   for (size_t i = 0; i < levels.size(); ++i) {
     const auto& [level, bound, grown] = levels[i];
     // The other chain has the first one's chunk.
-    if (i > 0 || info.variant_of == no_id)
-      result.chunks.push_back({encode(level.surface, options.in_pieces()), info.lattice});
+    if (i > 0 || info.variant_of == no_id) {
+      EncodedChunk chunk = encode(level.surface, options.in_pieces());
+      chunk.seen_from_outside = level.seen_from_outside;
+      result.chunks.push_back({std::move(chunk), info.lattice});
+    }
     const bool kept = i + 1 == levels.size() || level.surface.triangles.size() <= kept_triangles;
     result.geometry.push_back(kept ? record_bytes(level) : std::vector<std::byte>());
     figures.bounds.push_back(bound);

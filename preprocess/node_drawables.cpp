@@ -232,6 +232,7 @@ class NodeDrawables {
     HlodSource& source = sources.emplace_back();
     source.surface = std::move(baked.surface);
     source.objects = std::move(baked.objects);
+    source.seen_from_outside = baked.seen_from_outside;
     if (nodes_[node].child_count > 0) {
       source.spans = std::move(baked.spans);
       return;
@@ -258,6 +259,7 @@ class NodeDrawables {
       if (parts_.has_objects)
         source.objects.assign(part.surface.triangles.size(), placed_.objects[placed.instance]);
       source.surface = std::move(part.surface);
+      source.seen_from_outside = part.seen_from_outside;
       if (placed.transform == 0) continue;
       source.lattice = &parts_.lattices[parts_.parts[placed.part].lattice];
       source.transform = placed_.transforms[placed.transform];

@@ -6,6 +6,7 @@
 #include "scene/layers.hpp"
 #include "scene/pack_format.hpp"
 #include "scene/pack_skeleton.hpp"
+#include "scene/seen_from_outside.hpp"
 
 #include <algorithm>
 #include <array>
@@ -71,12 +72,14 @@ uint32_t PackWriter::add_chunk(const EncodedChunk& chunk, uint32_t lattice) {
                      .first_piece = static_cast<uint32_t>(pieces_.size() / sizeof(LatticeBox)),
                      .box = chunk.box});
   if (!chunk.pieces.empty()) pieces_.append(std::as_bytes(std::span(chunk.pieces)));
+  seen_from_outside_.push_back(chunk.seen_from_outside);
   file_.write(chunk.bytes);
   return static_cast<uint32_t>(chunks_.size() - 1);
 }
 
-void PackWriter::adopt(std::span<const ChunkInfo> chunks) {
+void PackWriter::adopt(std::span<const ChunkInfo> chunks, std::span<const uint8_t> seen_from_outside) {
   chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
+  for (const uint8_t seen : seen_from_outside) seen_from_outside_.push_back(seen != 0);
 }
 
 void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> objects,
@@ -117,6 +120,11 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
   if (!options.empty()) {
     add_section(options_type, [&](const auto& write) { write(encode_pack_options(options)); });
     table.back().version = options_version;
+  }
+  if (std::ranges::count(seen_from_outside_, true) > 0) {
+    add_section(seen_from_outside_type,
+                [&](const auto& write) { write(encode_seen_from_outside(seen_from_outside_)); });
+    table.back().version = seen_from_outside_version;
   }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,

@@ -24,11 +24,13 @@ struct EncodedChunk {
   uint32_t vertices = 0, triangles = 0;
   LatticeBox box;
   std::vector<LatticeBox> pieces;  ///< Chunk::pieces()
+  bool seen_from_outside = false;  ///< Skeleton::seen_from_outside
 };
 template <>
 inline constexpr auto record_members<EncodedChunk> = std::tuple(&EncodedChunk::bytes, &EncodedChunk::vertices,
                                                                 &EncodedChunk::triangles, &EncodedChunk::box,
-                                                                &EncodedChunk::pieces);
+                                                                &EncodedChunk::pieces,
+                                                                &EncodedChunk::seen_from_outside);
 
 /// Writes chunks as they come, then the skeleton; the file does not appear under its name before finish().
 class PackWriter {
@@ -46,9 +48,10 @@ class PackWriter {
   uint32_t add_chunk(const Chunk& chunk, uint32_t lattice);
   /// Appends a chunk that was encoded already; for builds on many threads.
   uint32_t add_chunk(const EncodedChunk& chunk, uint32_t lattice);
-  /// Registers the next of the chunks that are kept.
-  void adopt(std::span<const ChunkInfo> chunks);
+  /// Registers the next of the chunks that are kept, and which of them are made to be seen from outside.
+  void adopt(std::span<const ChunkInfo> chunks, std::span<const uint8_t> seen_from_outside);
   const std::vector<ChunkInfo>& chunks() const { return chunks_; }
+  bool seen_from_outside(uint32_t chunk) const { return seen_from_outside_[chunk]; }
   /// Makes sure that what was added survives the end of the process. Returns what another process can keep.
   Kept flush();
   /// Writes the skeleton (its chunks and pieces are the writer's own) and puts the file in place. Without
@@ -62,7 +65,8 @@ class PackWriter {
  private:
   AtomicFile file_;
   std::vector<ChunkInfo> chunks_;
-  SpoolFile pieces_;  ///< LatticeBoxes: large models have too many to hold them in memory
+  std::vector<bool> seen_from_outside_;  ///< for each chunk
+  SpoolFile pieces_;                     ///< LatticeBoxes: large models have too many to hold them in memory
 };
 
 }  // namespace triptych

@@ -23,9 +23,12 @@ struct BorderPoint {
 struct Part {
   Surface surface;
   std::vector<BorderPoint> borders;
+  bool seen_from_outside = false;  ///< something that others cover was left out
 };
 template <>
-inline constexpr auto record_members<Part> = std::tuple(&Part::surface, &Part::borders);
+// The borders last: load_borders() reads them alone.
+inline constexpr auto record_members<Part> = std::tuple(&Part::seen_from_outside, &Part::surface,
+                                                        &Part::borders);
 
 /// Reads a record back from a spool file.
 template <typename Value>

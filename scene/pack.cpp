@@ -6,6 +6,7 @@
 #include "scene/expand.hpp"
 #include "scene/pack_objects.hpp"
 #include "scene/pack_skeleton.hpp"
+#include "scene/seen_from_outside.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -50,6 +51,11 @@ void Pack::read() {
     fail(name_ + ": section GEOM",
          "its checksum does not match the skeleton's chunks: they come from different packs, build it again");
   }
+  if (!seen_from_outside_) return;
+  const std::string seen_place = name_ + ": section SEEN";
+  check_version(*seen_from_outside_, seen_from_outside_version, seen_place);
+  skeleton_.seen_from_outside = decode_seen_from_outside(read_section(*seen_from_outside_, seen_place),
+                                                         skeleton_.chunks.size(), seen_place);
 }
 
 std::vector<PackSection> Pack::read_table() {
@@ -88,6 +94,7 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
   for (const PackSection& section : table) {  // sections of other types are left to programs that know them
     take_once(objects_type, section, objects_);
     take_once(options_type, section, options_);
+    take_once(seen_from_outside_type, section, seen_from_outside_);
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));

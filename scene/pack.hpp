@@ -59,7 +59,7 @@ class Pack {
   uint32_t format_version_ = 0;
   uint64_t size_ = 0, geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
-  std::optional<PackSection> objects_, options_;
+  std::optional<PackSection> objects_, options_, seen_from_outside_;
 };
 
 }  // namespace triptych

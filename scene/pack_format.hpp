@@ -32,6 +32,9 @@ inline constexpr uint32_t objects_version = 1;
 /// How the pack was built. It is not read when a pack is opened.
 inline constexpr std::array<char, 4> options_type = {'O', 'P', 'T', 'S'};
 inline constexpr uint32_t options_version = 1;
+/// Only in packs with chunks that are made to be seen from outside.
+inline constexpr std::array<char, 4> seen_from_outside_type = {'S', 'E', 'E', 'N'};
+inline constexpr uint32_t seen_from_outside_version = 1;
 
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;

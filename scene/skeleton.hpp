@@ -90,6 +90,9 @@ struct Skeleton {
   std::vector<std::array<uint8_t, 4>> palette;  ///< base colours, sRGB bytes, that vertices name by index
   std::vector<ExpandedInstance> instances;      ///< where sub-hierarchies were put, in the order of their ids
   uint32_t sub_hierarchies = 0;                 ///< how many of them the pack holds
+  /// For each chunk whether it is made to be seen from outside (scene/seen_from_outside.hpp); empty if none
+  /// is.
+  std::vector<bool> seen_from_outside;
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
   ImportReport import;

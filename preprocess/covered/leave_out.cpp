@@ -43,6 +43,7 @@ double leave_out_covered(Baked& baked, double distance) {
     if (is_left_out(triangle, distance))
       furthest = std::max(furthest, distance_of_class(covered_class(triangle.material)));
   }
+  baked.seen_from_outside = true;
   Piece all{std::move(baked.surface), {}};
   for (uint32_t i = 0; i < all.surface.points.size(); ++i) all.sources.push_back(i);
   std::vector<SourceObjectId> objects;

@@ -1,6 +1,7 @@
 // Cut selection: every leaf in the frustum once, each as coarse as the pixel error lets it be and no coarser.
 #include "lod/cut.hpp"
 
+#include "scene/seen_from_outside.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <cmath>
@@ -28,6 +29,13 @@ class CutOf : public testing::TestWithParam<std::string> {
     return projected_error(
         view.focal_length(), drawable.error,
         FrameView(skeleton, {view}).eye_space.bounds(skeleton.scene_nodes[drawable.scene_node].box));
+  }
+  bool would_do(const View& view, DrawableId id, double pixel_error) const {
+    const Drawable& drawable = skeleton.drawables[id];
+    const LatticeBox& box = skeleton.scene_nodes[drawable.scene_node].box;
+    return error_on_screen(view, id) <= pixel_error &&
+           (!is_seen_from_outside(skeleton, drawable) ||
+            FrameView(skeleton, {view}).eye_space.is_beyond_near(box));
   }
 };
 
@@ -59,12 +67,12 @@ TEST_P(CutOf, keeps_the_pixel_error_and_is_no_finer_than_it_must_be) {
       const bool finest = node.child_count == 0 && id == node.first_drawable;
       EXPECT_TRUE(finest || error_on_screen(views[frame], id) <= pixel_error) << "drawable " << id;
       if (id + 1 < node.first_drawable + node.drawable_count) {
-        EXPECT_GT(error_on_screen(views[frame], id + 1), pixel_error) << "a coarser one would have done";
+        EXPECT_FALSE(would_do(views[frame], id + 1, pixel_error)) << "a coarser one would have done";
       }
       if (node.parent == no_id) continue;
       const SceneNode& parent = skeleton.scene_nodes[node.parent];
       for (uint32_t level = 0; level < parent.drawable_count; ++level) {
-        EXPECT_GT(error_on_screen(views[frame], parent.first_drawable + level), pixel_error)
+        EXPECT_FALSE(would_do(views[frame], parent.first_drawable + level, pixel_error))
             << "its parent would have done";
       }
     }
@@ -143,6 +151,35 @@ TEST_P(CutOf, without_frustum_culling_holds_the_whole_model_and_the_cut_itself) 
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CutOf, testing::ValuesIn(scenes::names()),
                          [](const auto& parameter) { return parameter.param; });
+
+TEST_P(CutOf, has_no_level_that_is_made_to_be_seen_from_outside_where_the_near_plane_may_cut_it) {
+  Skeleton marked = skeleton;
+  marked.seen_from_outside.assign(marked.chunks.size(), true);
+  for (const SceneNode& node : marked.scene_nodes) {
+    if (node.child_count > 0) continue;
+    const Drawable& finest = marked.drawables[node.first_drawable];
+    for (uint32_t i = 0; i < finest.placement_count; ++i)
+      marked.seen_from_outside[marked.placements[finest.first_placement + i].chunk] = false;
+  }
+  size_t refined = 0;
+  for (size_t frame = 0; frame < views.size(); ++frame) {
+    for (const double pixel_error : {1.0, 1e6}) {
+      const FrameView view(marked, {views[frame], pixel_error});
+      for (const DrawableId id : select_cut(view).drawables) {
+        const Drawable& drawable = marked.drawables[id];
+        const bool may_be_cut = !view.eye_space.is_beyond_near(marked.scene_nodes[drawable.scene_node].box);
+        EXPECT_FALSE(may_be_cut && is_seen_from_outside(marked, drawable)) << "drawable " << id;
+      }
+      const auto drawn = [&](const Skeleton& of) {
+        return select_cut(FrameView(of, {views[frame], pixel_error})).drawables;
+      };
+      refined += drawn(marked) != drawn(skeleton);
+    }
+  }
+  if (GetParam() == "room") {
+    EXPECT_GT(refined, 0) << "the rule changed nothing";
+  }
+}
 
 TEST(Cut, coarse_drawables_are_chosen_from_far_away) {
   const Skeleton& skeleton = scenes::pack("instances").skeleton();
