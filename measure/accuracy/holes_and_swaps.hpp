@@ -29,8 +29,8 @@ PixelMask find_swaps(const Skeleton& skeleton, std::span<const SurfacePixel> ref
                      std::span<const SurfacePixel> shown, int width, int height, int radius);
 
 /// Without what is no further than `radius` pixels from an edge that the reference shows: from background, or
-/// from where neighbours are further apart than so many pixels there would be at a steep angle. There an
-/// outline that moved by as much shows what it hid.
+/// from where one surface ends before another, which is more than two pixels' width further back than the
+/// first would go on to. There an outline that moved by as much shows what it hid.
 PixelMask away_from_edges(const FrameView& view, std::span<const SurfacePixel> reference, PixelMask mask,
                           int radius);
 
