@@ -1,0 +1,11 @@
+// The chain of levels that collapses and clusterings give.
+#pragma once
+
+#include "simplify/simplify.hpp"
+
+namespace triptych {
+
+/// As simplify(), of the whole surface at once.
+Chain collapse_chain(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits);
+
+}  // namespace triptych

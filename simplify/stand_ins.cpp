@@ -1,0 +1,447 @@
+#include "simplify/stand_ins.hpp"
+
+#include "simplify/component_covers.hpp"
+#include "simplify/distance.hpp"
+#include "simplify/key_hash.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <tsl/robin_map.h>
+
+namespace triptych {
+
+namespace {
+
+constexpr size_t least_triangles = 16, most_triangles = 512;
+/// Corners may be so far above the planes of triangles: steps, and a share of the radius.
+constexpr double rounding = 2, hollow = 0.01;
+/// What is so many times as long as it is wide is a rod.
+constexpr double rod = 3;
+/// How near bounds are to the true distance.
+constexpr double tightness = 1.1;
+
+/// Corners in a box of side 2 about 0, and triangles, counter-clockwise from outside.
+struct Shape {
+  std::vector<glm::dvec3> corners;
+  std::vector<std::array<uint32_t, 3>> triangles;
+};
+
+/// Along z, with so many sides.
+Shape prism(uint32_t sides, double first_angle) {
+  Shape shape;
+  for (const double z : {-1.0, 1.0}) {
+    for (uint32_t i = 0; i < sides; ++i) {
+      const double angle = first_angle + 2 * std::numbers::pi * i / sides;
+      shape.corners.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  }
+  for (uint32_t i = 0; i < sides; ++i) {
+    const uint32_t next = (i + 1) % sides;
+    shape.triangles.push_back({i, next, sides + i});
+    shape.triangles.push_back({next, sides + next, sides + i});
+  }
+  for (uint32_t i = 2; i < sides; ++i) {
+    shape.triangles.push_back({0, i, i - 1});
+    shape.triangles.push_back({sides, sides + i - 1, sides + i});
+  }
+  return shape;
+}
+
+/// A pyramid on three corners, its tip at z = 1.
+Shape pyramid(double first_angle) {
+  Shape shape;
+  for (uint32_t i = 0; i < 3; ++i) {
+    const double angle = first_angle + 2 * std::numbers::pi * i / 3;
+    shape.corners.emplace_back(std::cos(angle), std::sin(angle), -1);
+  }
+  shape.corners.emplace_back(0, 0, 1);
+  shape.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  return shape;
+}
+
+Shape tetrahedron() {
+  return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+}
+
+double area_of(const Shape& shape, const glm::dvec3& scale) {
+  double area = 0;
+  for (const auto& [a, b, c] : shape.triangles)
+    area += glm::length(
+        area_normal(shape.corners[a] * scale, shape.corners[b] * scale, shape.corners[c] * scale));
+  return area;
+}
+
+/// The component's own axes, and how far it reaches along them.
+struct Frame {
+  glm::dvec3 middle{0};
+  std::array<glm::dvec3, 3> axes;  ///< of length 1
+  glm::dvec3 reach{0};
+};
+
+/// What a component stands on: the plane of one of its faces, in which all of it lies that is held.
+struct Base {
+  glm::dvec3 origin, inward;  ///< inward: of length 1
+};
+
+/// Axes along which points vary independently (principal components); by Jacobi's rotations.
+std::array<glm::dvec3, 3> principal_axes(const std::array<glm::dvec3, 3>& covariance) {
+  std::array<glm::dvec3, 3> a = covariance;
+  std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+  for (int round = 0; round < 24; ++round) {
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        if (std::abs(a[p][q]) <= 1e-12 * (std::abs(a[p][p]) + std::abs(a[q][q]))) continue;
+        const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+        const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+        for (int k = 0; k < 3; ++k) {
+          const double kp = a[k][p], kq = a[k][q];
+          a[k][p] = c * kp - s * kq;
+          a[k][q] = s * kp + c * kq;
+        }
+        for (int k = 0; k < 3; ++k) {
+          const double pk = a[p][k], qk = a[q][k];
+          a[p][k] = c * pk - s * qk;
+          a[q][k] = s * pk + c * qk;
+        }
+        const glm::dvec3 old = axes[p];
+        axes[p] = c * old - s * axes[q];
+        axes[q] = s * old + c * axes[q];
+      }
+    }
+  }
+  for (glm::dvec3& axis : axes) axis = glm::normalize(axis);
+  return axes;
+}
+
+Frame frame_of(const Surface& component, const std::optional<Base>& base) {
+  glm::dvec3 mean(0);
+  double area = 0;
+  const auto each = [&](const auto& take) {
+    for (const Triangle& triangle : component.triangles) {
+      std::array<glm::dvec3, 3> corners;
+      for (size_t k = 0; k < 3; ++k) corners[k] = component.points[triangle.vertices[k]];
+      take(corners, glm::length(area_normal(corners[0], corners[1], corners[2])));
+    }
+  };
+  each([&](const auto& corners, double own) {
+    mean += own * (corners[0] + corners[1] + corners[2]) / 3.0;
+    area += own;
+  });
+  mean /= area;
+  std::array<glm::dvec3, 3> covariance = {};
+  each([&](const auto& corners, double own) {
+    for (size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 way = (corners[k] + corners[(k + 1) % 3]) / 2.0 - mean;  // exact for second moments
+      for (int axis = 0; axis < 3; ++axis) covariance[axis] += own * way[axis] * way;
+    }
+  });
+  if (base) {  // only what lies across varies
+    const glm::dvec3 n = base->inward;
+    const auto across = [&](const glm::dvec3& way) { return way - n * glm::dot(way, n); };
+    const glm::dvec3 of_n = covariance[0] * n.x + covariance[1] * n.y + covariance[2] * n.z;
+    std::array<glm::dvec3, 3> flat;
+    for (int axis = 0; axis < 3; ++axis) flat[axis] = across(covariance[axis] - of_n * n[axis]);
+    covariance = flat;
+  }
+  Frame frame{.axes = principal_axes(covariance)};
+  if (base) {
+    std::ranges::sort(frame.axes, {},
+                      [&](const glm::dvec3& axis) { return std::abs(glm::dot(axis, base->inward)); });
+    frame.axes[2] = base->inward;
+    frame.axes[0] = glm::normalize(frame.axes[0] - base->inward * glm::dot(frame.axes[0], base->inward));
+    frame.axes[1] = glm::cross(frame.axes[2], frame.axes[0]);
+  }
+  glm::dvec3 low(1e300), high(-1e300);
+  for (const glm::ivec3& point : component.points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double along = glm::dot(glm::dvec3(point) - mean, frame.axes[axis]);
+      low[axis] = std::min(low[axis], along);
+      high[axis] = std::max(high[axis], along);
+    }
+  }
+  frame.middle = mean;
+  for (int axis = 0; axis < 3; ++axis) frame.middle += frame.axes[axis] * (low[axis] + high[axis]) / 2.0;
+  frame.reach = (high - low) / 2.0;
+  return frame;
+}
+
+/// The scale of what lies across the shape's z at which it has so much area; negative if there is none.
+double scale_for(const Shape& shape, const glm::dvec3& reach, bool in_all, double area) {
+  const auto at = [&](double scale) {
+    return area_of(shape, {reach.x * scale, reach.y * scale, in_all ? reach.z * scale : reach.z});
+  };
+  double low = 0, high = 4;
+  if (at(low) >= area || at(high) <= area) return -1;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    (at(middle) < area ? low : high) = middle;
+  }
+  return high;
+}
+
+/// A component, and what is known of its points and triangles.
+struct Component {
+  Piece piece;
+  std::vector<uint8_t> locked;  ///< for each point
+  std::optional<Base> base;
+  bool is_inside_out = false;  ///< its triangles go round clockwise where they are seen from outside
+};
+
+/// Points of the surface for those of a stand-in: near ones that are not locked, none twice where there are
+/// enough.
+std::vector<uint32_t> sources_for(const std::vector<glm::ivec3>& points, const Component& of) {
+  const Piece& component = of.piece;
+  std::vector<uint32_t> sources;
+  for (const glm::ivec3& point : points) {
+    double least = 1e300;
+    uint32_t best = component.sources[0];
+    for (size_t i = 0; i < component.sources.size(); ++i) {
+      const double distance = glm::distance(glm::dvec3(point), glm::dvec3(component.surface.points[i]));
+      if (of.locked[i] && points.size() < component.sources.size()) continue;
+      if (distance >= least || std::ranges::find(sources, component.sources[i]) != sources.end()) continue;
+      least = distance;
+      best = component.sources[i];
+    }
+    sources.push_back(best);
+  }
+  return sources;
+}
+
+/// What a stand-in's triangle is drawn as: like the component's triangle in whose plane it lies.
+uint32_t material_of(const std::array<glm::dvec3, 3>& corners, const Component& of) {
+  const Piece& component = of.piece;
+  const glm::dvec3 normal =
+      glm::cross(corners[1] - corners[0], corners[2] - corners[0]) * (of.is_inside_out ? -1.0 : 1.0);
+  for (const Triangle& triangle : component.surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    const auto& points = component.surface.points;
+    const glm::dvec3 own = glm::normalize(area_normal(points[a], points[b], points[c]));
+    const bool in_plane = std::ranges::all_of(corners, [&](const glm::dvec3& corner) {
+      return std::abs(glm::dot(corner - glm::dvec3(points[a]), own)) <= rounding;
+    });
+    if (in_plane && glm::dot(own, normal) > 0) return triangle.material;
+  }
+  return palette_index(component.surface.triangles[0].material);
+}
+
+std::optional<Piece> placed(const Shape& shape, const Frame& frame, const std::array<int, 3>& order,
+                            const glm::dvec3& scale, const Component& component) {
+  // The shape's x, y, z lie along these axes; together they must turn to the right.
+  std::array<glm::dvec3, 3> axes;
+  for (size_t k = 0; k < 3; ++k) axes[k] = frame.axes[order[k]];
+  if (glm::dot(glm::cross(axes[0], axes[1]), axes[2]) < 0) axes[0] = -axes[0];
+  Piece piece;
+  for (const glm::dvec3& corner : shape.corners) {
+    glm::dvec3 point = frame.middle;
+    for (int k = 0; k < 3; ++k) point += axes[k] * corner[k] * scale[k];
+    piece.surface.points.emplace_back(glm::round(point));
+  }
+  for (const auto& [a, b, c] : shape.triangles) {
+    const auto& points = piece.surface.points;
+    if (degenerate(points[a], points[b], points[c])) return std::nullopt;
+    const std::array<glm::dvec3, 3> corners = {points[a], points[b], points[c]};
+    const uint32_t second = component.is_inside_out ? c : b, third = component.is_inside_out ? b : c;
+    piece.surface.triangles.push_back({{a, second, third}, material_of(corners, component)});
+  }
+  piece.sources = sources_for(piece.surface.points, component);
+  return piece;
+}
+
+/// Shapes, and the axes along which they may stand.
+struct Shapes {
+  std::vector<Shape> shapes;
+  std::vector<std::array<int, 3>> orders;
+  bool in_all = false;  ///< scaled along z, too
+};
+
+/// The shape along whichever axis it is nearest.
+std::optional<StandIn> nearest(const Shapes& shapes, const Component& component, const Frame& frame,
+                               double area, DistanceMeter& meter, double max_bound) {
+  std::optional<StandIn> best;
+  for (const std::array<int, 3>& order : shapes.orders) {
+    const glm::dvec3 reach(frame.reach[order[0]], frame.reach[order[1]], frame.reach[order[2]]);
+    for (const Shape& shape : shapes.shapes) {
+      const double factor = scale_for(shape, reach, shapes.in_all, area);
+      if (factor < 0) continue;
+      const double along = shapes.in_all ? reach.z * factor : reach.z;
+      auto piece = placed(shape, frame, order, {reach.x * factor, reach.y * factor, along}, component);
+      if (!piece) continue;
+      const double limit = best ? best->bound : max_bound;
+      const double bound = meter.bound(piece->surface, {.tightness = tightness});
+      if (bound < limit) best = {std::move(*piece), bound};
+    }
+  }
+  return best;
+}
+
+/// Whether it is closed and convex; says whether it is inside out, too.
+bool is_convex(Component& component, double radius) {
+  const Surface& surface = component.piece.surface;
+  const double most = std::max(rounding, hollow * radius);
+  std::map<std::pair<uint32_t, uint32_t>, int> sides;
+  bool above = false, below = false;
+  for (const Triangle& triangle : surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      if (++sides[{from, to}] > 1) return false;
+    }
+    const glm::dvec3 origin(surface.points[a]);
+    const glm::dvec3 normal = glm::normalize(area_normal(origin, surface.points[b], surface.points[c]));
+    for (const glm::ivec3& point : surface.points) {
+      const double height = glm::dot(glm::dvec3(point) - origin, normal);
+      above = above || height > most;
+      below = below || height < -most;
+    }
+    if (above && below) return false;
+  }
+  component.is_inside_out = above;
+  return std::ranges::all_of(sides, [&](const auto& side) {
+    return sides.contains({side.first.second, side.first.first});
+  });
+}
+
+/// With fewer and fewer triangles. A rod on something stands on it, too.
+std::vector<Shapes> shapes_for(bool stands, bool is_rod) {
+  constexpr double quarter = std::numbers::pi / 2;
+  const std::vector<std::array<int, 3>> up = {{0, 1, 2}}, any = {{1, 2, 0}, {0, 2, 1}, {0, 1, 2}};
+  std::vector<Shapes> shapes;
+  // Four sides are nearer, but a third wider from some directions than from others; three sides a fifth. Of
+  // rods side by side that shows.
+  if (!is_rod) shapes.push_back({{prism(4, quarter / 2)}, stands ? up : any});
+  shapes.push_back({{prism(3, 0), prism(3, quarter)}, stands ? up : any});
+  if (stands) {
+    shapes.push_back({{pyramid(0), pyramid(quarter)}, up});
+  } else {
+    shapes.push_back({{tetrahedron()}, up, true});
+  }
+  return shapes;
+}
+
+std::vector<StandIn> stand_ins_of(const Component& component, double max_bound) {
+  const Surface& surface = component.piece.surface;
+  const Frame frame = frame_of(surface, component.base);
+  double area = 0;
+  for (const Triangle& triangle : surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    area += glm::length(area_normal(surface.points[a], surface.points[b], surface.points[c]));
+  }
+  DistanceMeter meter(surface, Colors::ignore);
+  std::vector<StandIn> found;
+  std::array<double, 3> reach = {frame.reach.x, frame.reach.y, frame.reach.z};
+  std::ranges::sort(reach);
+  for (const Shapes& shapes : shapes_for(component.base.has_value(), reach[2] > rod * reach[1])) {
+    auto next = nearest(shapes, component, frame, area, meter, max_bound);
+    if (!next) continue;
+    while (!found.empty() && found.back().bound >= next->bound) found.pop_back();
+    found.push_back(std::move(*next));
+  }
+  return found;
+}
+
+/// The plane in which all held points lie; false if there is none, true without one if none are held.
+bool find_base(Component& component) {
+  const Surface& surface = component.piece.surface;
+  std::vector<uint8_t> held = component.locked;
+  for (const Triangle& triangle : surface.triangles) {
+    if (triangle.material == palette_index(triangle.material)) continue;
+    for (const uint32_t vertex : triangle.vertices) held[vertex] = 1;
+  }
+  if (std::ranges::count(held, 1) == 0) return true;
+  for (const Triangle& triangle : surface.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    const glm::dvec3 origin(surface.points[a]);
+    const glm::dvec3 inward = glm::normalize(area_normal(origin, surface.points[b], surface.points[c])) *
+                              (component.is_inside_out ? 1.0 : -1.0);
+    bool holds_all = true;
+    for (size_t i = 0; i < held.size() && holds_all; ++i)
+      holds_all =
+          !held[i] || std::abs(glm::dot(glm::dvec3(surface.points[i]) - origin, inward)) <= rounding / 2;
+    if (!holds_all) continue;
+    component.base = {origin, inward};
+    return true;
+  }
+  return false;
+}
+
+/// The same stand-ins, for a component that is the other one moved.
+std::vector<StandIn> moved(std::vector<StandIn> stand_ins, const Piece& from, const Piece& to) {
+  tsl::robin_map<uint32_t, uint32_t, KeyHash> twins;
+  for (size_t i = 0; i < from.sources.size(); ++i) twins.insert({from.sources[i], to.sources[i]});
+  for (StandIn& stand_in : stand_ins) {
+    for (uint32_t& source : stand_in.piece.sources) source = twins.at(source);
+    for (glm::ivec3& point : stand_in.piece.surface.points)
+      point += to.surface.points[0] - from.surface.points[0];
+    for (Triangle& triangle : stand_in.piece.surface.triangles) {
+      const uint32_t own = palette_index(triangle.material);
+      triangle.material += palette_index(to.surface.triangles[0].material) - own;
+    }
+  }
+  return stand_ins;
+}
+
+/// What two components have in common that are each other moved.
+std::vector<int32_t> shape_key(const Component& of) {
+  const Piece& component = of.piece;
+  std::vector<int32_t> key(of.locked.begin(), of.locked.end());
+  for (const glm::ivec3& point : component.surface.points) {
+    for (int axis = 0; axis < 3; ++axis) key.push_back(point[axis] - component.surface.points[0][axis]);
+  }
+  for (const Triangle& triangle : component.surface.triangles) {
+    for (const uint32_t vertex : triangle.vertices) key.push_back(static_cast<int32_t>(vertex));
+    key.push_back(static_cast<int32_t>(triangle.material - palette_index(triangle.material)));
+  }
+  return key;
+}
+
+}  // namespace
+
+std::vector<ConvexComponent> convex_components(const Surface& surface, std::span<const uint8_t> locked,
+                                               double max_bound) {
+  if (!surface.colors.empty()) return {};
+  const ComponentCovers covers(surface);
+  std::vector<std::vector<uint32_t>> triangles(covers.covers.size());
+  std::vector<uint8_t> refused(covers.covers.size(), 0);
+  for (uint32_t i = 0; i < surface.triangles.size(); ++i) {
+    const Triangle& triangle = surface.triangles[i];
+    const uint32_t component = covers.component_of[triangle.vertices[0]];
+    std::vector<uint32_t>& own = triangles[component];
+    if (own.size() <= most_triangles) own.push_back(i);
+    if (palette_index(triangle.material) != palette_index(surface.triangles[own.front()].material))
+      refused[component] = 1;
+  }
+  struct Known {
+    size_t component;
+    Piece piece;
+  };
+  std::map<std::vector<int32_t>, Known> known;
+  std::vector<ConvexComponent> found;
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    const Cover& cover = covers.covers[i];
+    if (refused[i] || triangles[i].size() < least_triangles || triangles[i].size() > most_triangles) continue;
+    std::vector<Triangle> own;
+    for (const uint32_t triangle : triangles[i]) own.push_back(surface.triangles[triangle]);
+    Component component{.piece = extract(surface.points, own), .locked = {}, .base = {}};
+    for (const uint32_t source : component.piece.sources)
+      component.locked.push_back(locked.empty() ? 0 : locked[source]);
+    ConvexComponent result{std::move(triangles[i]), cover.thickness, {}};
+    const auto [twin, is_new] = known.try_emplace(shape_key(component), Known{found.size(), component.piece});
+    if (is_new) {
+      if (is_convex(component, cover.radius) && find_base(component))
+        result.stand_ins = stand_ins_of(component, max_bound);
+    } else {
+      const Known& like = twin->second;
+      result.stand_ins = moved(found[like.component].stand_ins, like.piece, component.piece);
+    }
+    found.push_back(std::move(result));
+  }
+  std::erase_if(found, [](const ConvexComponent& component) { return component.stand_ins.empty(); });
+  return found;
+}
+
+}  // namespace triptych
