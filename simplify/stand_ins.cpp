@@ -52,18 +52,6 @@ Shape prism(uint32_t sides, double first_angle) {
   return shape;
 }
 
-/// A pyramid on three corners, its tip at z = 1.
-Shape pyramid(double first_angle) {
-  Shape shape;
-  for (uint32_t i = 0; i < 3; ++i) {
-    const double angle = first_angle + 2 * std::numbers::pi * i / 3;
-    shape.corners.emplace_back(std::cos(angle), std::sin(angle), -1);
-  }
-  shape.corners.emplace_back(0, 0, 1);
-  shape.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  return shape;
-}
-
 Shape tetrahedron() {
   return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
 }
@@ -306,21 +294,15 @@ bool is_convex(Component& component, double radius) {
   });
 }
 
-/// With fewer and fewer triangles. A rod on something stands on it, too.
+/// With fewer and fewer triangles. Four sides are nearer than three, but from some directions two fifths
+/// wider than from others, three sides a sixth: of rods side by side that shows. Three sides are thin in
+/// their middle, which shows where a sleeve is around something.
 std::vector<Shapes> shapes_for(bool stands, bool is_rod) {
   constexpr double quarter = std::numbers::pi / 2;
   const std::vector<std::array<int, 3>> up = {{0, 1, 2}}, any = {{1, 2, 0}, {0, 2, 1}, {0, 1, 2}};
-  std::vector<Shapes> shapes;
-  // Four sides are nearer, but a third wider from some directions than from others; three sides a fifth. Of
-  // rods side by side that shows.
-  if (!is_rod) shapes.push_back({{prism(4, quarter / 2)}, stands ? up : any});
-  shapes.push_back({{prism(3, 0), prism(3, quarter)}, stands ? up : any});
-  if (stands) {
-    shapes.push_back({{pyramid(0), pyramid(quarter)}, up});
-  } else {
-    shapes.push_back({{tetrahedron()}, up, true});
-  }
-  return shapes;
+  if (!is_rod) return {{{prism(4, quarter / 2)}, stands ? up : any}};
+  if (stands) return {};
+  return {{{prism(3, 0), prism(3, quarter)}, any}, {{tetrahedron()}, up, true}};
 }
 
 std::vector<StandIn> stand_ins_of(const Component& component, double max_bound) {
