@@ -22,7 +22,7 @@ const std::vector<std::string>& fault_names() {
       "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
       "shared-shears",     "loose-contacts",    "no-room",
       "untold-layers",     "exact-frustum",     "backs-nearby",
-      "slow-render-node",  "slow-switch-node"};
+      "hidden-occludes",   "slow-render-node",  "slow-switch-node"};
   return names;
 }
 

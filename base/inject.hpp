@@ -35,6 +35,7 @@ enum class Fault {
   untold_layers,     ///< of surfaces in one plane nothing says which lies on which
   exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
   backs_nearby,      ///< backs are left out even where the eye is among them
+  hidden_occludes,   ///< what a person hides is drawn into the occlusion representation once more
   slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change
   slow_switch_node,  ///< the same for switch node 1
 };

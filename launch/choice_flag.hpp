@@ -1,7 +1,7 @@
 // Flags whose value is one of a few words.
 #pragma once
 
-#include "launch/near_words.hpp"
+#include "base/near_words.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

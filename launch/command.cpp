@@ -72,6 +72,13 @@ std::string line_without(const CLI::App& command, const std::vector<std::string>
     if (option->count() == 0) continue;
     if (std::find(left_out.begin(), left_out.end(), option->get_name()) != left_out.end()) continue;
     const bool flag = option->get_expected_max() == 0;
+    if (!option->get_positional() && option->get_delimiter() == '\0' && option->results().size() > 1) {
+      for (const std::string& word : option->results()) {
+        append(option->get_name());
+        append(word);
+      }
+      continue;
+    }
     if (!option->get_positional()) append(option->get_name());
     if (!flag) append(CLI::detail::join(option->results(), ","));
   }

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "launch/near_words.hpp"
+#include "base/near_words.hpp"
 
 #include <algorithm>
 #include <array>

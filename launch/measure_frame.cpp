@@ -1,3 +1,4 @@
+#include "launch/hide_flags.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/text_table.hpp"
@@ -57,7 +58,7 @@ nlohmann::json report_of(const std::vector<FrameStepSamples>& samples) {
 
 int run(const MeasureFrameCommand& command) {
   const Pack pack(command.run.pack);
-  const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+  const std::vector<FrameRequest> frames = load_frames(command.run, pack);
   const ChosenDevice chosen = choose_device(command.run.device);
   PackDevice device(pack, chosen.options);
   nlohmann::json report =
@@ -72,6 +73,7 @@ int run(const MeasureFrameCommand& command) {
   fmt::print("{}", text_table({"step", "us", "median", "p95", "allocations"}, lines));
   add_device(report, chosen.names);
   add_picture(report, command.run);
+  add_hidden(report, frames.empty() ? HiddenName() : frames.front().state.hiding.name);
   write_json(command.run.json, report);
   return 0;
 }
@@ -85,6 +87,7 @@ void add_measure_frame(CLI::App& measure, Action& action) {
   frame->footer("Example: triptych measure frame scene.tpk --path walk.json --json frame.json");
   add_run_flags(*frame, command->run);
   add_picture_flags(*frame, command->run);
+  add_hide_flags(*frame, command->run);
   frame->add_option("--rounds", command->rounds, "How often the path is played; the medians are reported")
       ->check(whole_number(1, 1000))
       ->capture_default_str();

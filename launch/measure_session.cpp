@@ -1,6 +1,7 @@
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
 #include "base/signals.hpp"
+#include "launch/hide_flags.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/session_flags.hpp"
@@ -97,7 +98,7 @@ int run(SessionOptions options) {
   // Opened before the sessions, as they do: pictures are compared with this one, whatever becomes of the
   // file.
   const Pack pack(options.run.pack);
-  std::vector<FrameRequest> requests = played(load_frames(options.run, pack.skeleton()), options.loop);
+  std::vector<FrameRequest> requests = played(load_frames(options.run, pack), options.loop);
   std::vector<SessionOutcome> outcomes = run_sessions(options);
   nlohmann::json batches = nlohmann::json::array();
   for (size_t i = 0; i < outcomes.size(); ++i)
@@ -123,6 +124,7 @@ int run(SessionOptions options) {
   nlohmann::json report = session_report(pack, measurement);
   report["batches"] = batches;
   add_picture(report, options.run);
+  add_hidden(report, outcome.hidden);
   if (batches.size() > 1) print_batches(batches);
   fmt::print(
       "{} frames, median {:.1f} ms (one process {:.1f} ms); {} of {} identical to the un-culled picture\n",

@@ -2,6 +2,7 @@
 #include "base/progress.hpp"
 #include "base/timeline.hpp"
 #include "launch/command.hpp"
+#include "launch/hide_flags.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "measure/frame_series.hpp"
@@ -32,7 +33,7 @@ struct RenderCommand {
 int run(const RenderCommand& command) {
   if (!command.timeline.empty()) start_timeline();
   const Pack pack(command.run.pack);
-  std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+  std::vector<FrameRequest> frames = load_frames(command.run, pack);
   const ChosenDevice device = choose_device(command.run.device);
   OutputFolder claimed(command.output, run_line(*command.words));
   const auto [width, height] = command.run.size;
@@ -75,6 +76,7 @@ int run(const RenderCommand& command) {
       {"peak_rss_bytes", peak_resident_bytes()}};
   add_device(report, device.names);
   add_picture(report, command.run);
+  add_hidden(report, frames.empty() ? HiddenName() : frames.front().state.hiding.name);
   fmt::print(
       "{} frames on {}, median {:.1f} ms, {:.0f} drawables and {:.0f} triangles drawn of a cut of {:.0f}\n",
       records.size(), device_name(device.options.kind), report["frame_ms"]["p50"].get<double>(),
@@ -95,6 +97,7 @@ void add_render(CLI::App& app, Action& action) {
   sub->footer("Example: triptych render scene.tpk --path walk.json -o pictures");
   add_shown_run_flags(*sub, command->run, command->model);
   add_picture_flags(*sub, command->run);
+  add_hide_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
   add_cull_flags(*sub, command->cull);

@@ -62,6 +62,7 @@ class Replayer {
                        {"pixel_error", frame.request.state.pixel_error},
                        {"samples", frame.request.state.samples},
                        {"edges", frame.request.state.edges},
+                       {"hidden", frame.request.state.hiding.name.count},
                        {"visible", frame.visible.size()},
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},
@@ -82,7 +83,7 @@ class Replayer {
 /// Plays one file of the render node; returns where it was cut, if it was and that is allowed.
 std::string play(const ReplayCommand& command, const Pack& pack, RecordingReader& reader,
                  const std::filesystem::path& file, Replayer& replayer) {
-  Replay replay(pack.skeleton(), reader.header().own.pack_hash, file.string());
+  Replay replay(pack, file.string());
   try {
     while (const auto recorded = reader.next()) {
       if (replayer.done()) continue;  // the rest is read nevertheless, to find damage

@@ -1,4 +1,5 @@
 #include "launch/command.hpp"
+#include "launch/hide_flags.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/session_flags.hpp"
 #include "session/role_command.hpp"
@@ -77,6 +78,7 @@ void add_role(CLI::App& app, Action& action) {
   CLI::App* render = role->add_subcommand("render", "The render node: sends cameras, draws pictures");
   add_run_flags(*render, render_command->run);
   add_picture_flags(*render, render_command->run);
+  add_hide_flags(*render, render_command->run);
   add_target_flag(*render, render_command->run);
   add_connection_flags(*render, *render_command);
   render->add_option("-o,--output", render_command->output, "Folder for the PNG files")->type_name("DIR");

@@ -1,4 +1,5 @@
 #include "base/notice.hpp"
+#include "launch/hide_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
 #include "measure/json.hpp"
@@ -62,6 +63,7 @@ int run(const SessionOptions& options, const std::string& line) {
       {"roles", roles}};
   if (!outcome.records.front().device.vendor.empty()) add_device(report, outcome.records.front().device);
   add_picture(report, options.run);
+  add_hidden(report, outcome.hidden);
   if (options.hash) {
     report["pictures"] = nlohmann::json::array();
     for (const FrameRecord& frame : frames)

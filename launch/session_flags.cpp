@@ -1,5 +1,6 @@
 #include "launch/session_flags.hpp"
 
+#include "launch/hide_flags.hpp"
 #include "launch/number_flags.hpp"
 
 namespace triptych {
@@ -40,6 +41,7 @@ void add_until_told_flag(CLI::App& command, bool& until_told) {
 
 void add_session_flags(CLI::App& command, SessionOptions& options) {
   add_picture_flags(command, options.run);
+  add_hide_flags(command, options.run);
   command.add_option("--loop", options.loop, "How often the path is played")
       ->check(whole_number(1, max_frames));
   command.add_option("--rate", options.rate, "Cameras released per second (default: as fast as frames come)")

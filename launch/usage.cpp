@@ -1,6 +1,6 @@
 #include "launch/usage.hpp"
 
-#include "launch/near_words.hpp"
+#include "base/near_words.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -3,6 +3,7 @@
 #include "base/notice.hpp"
 #include "base/signals.hpp"
 #include "launch/command.hpp"
+#include "launch/hide_flags.hpp"
 #include "launch/number_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
@@ -30,7 +31,7 @@ struct ViewCommand {
 int run(const ViewCommand& command) {
   stop_requested();  // installs the handlers: from here on a signal closes the window properly
   const Pack pack(command.run.pack);
-  ViewerOptions options = viewer_options(command.run);
+  ViewerOptions options = viewer_options(command.run, pack);
   options.window.context = command.context;
   options.play = command.play;
   options.rate = command.rate;
@@ -75,6 +76,7 @@ int run(const ViewCommand& command) {
       {"peak_rss_bytes", peak_resident_bytes()}};
   add_device(report, device.names);
   add_picture(report, command.run);
+  add_hidden(report, viewer.hiding().name);
   fmt::print("{} frames on {}, median {:.1f} ms\n", records.size(), device_name(device.options.kind),
              report["frame_ms"]["p50"].get<double>());
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
@@ -90,6 +92,7 @@ void add_view(CLI::App& app, Action& action) {
   sub->footer("Example: triptych view scene.tpk --path walk.json\nKeys:\n" + viewer_help());
   add_shown_run_flags(*sub, command->run, command->model);
   add_picture_flags(*sub, command->run);
+  add_hide_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
   sub->get_option("--frames")->required(false);

@@ -45,6 +45,8 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
 [[gnu::noinline]] DrawableId choose(const FrameView& view, SceneNodeId id, FrustumCulling culling) {
   const Skeleton& skeleton = *view.skeleton;
   const SceneNode& node = skeleton.scene_nodes[id];
+  const HiddenShare hidden = view.hidden(id);
+  if (hidden == HiddenShare::all) return no_id;
   EyeBounds bounds = view.eye_space.bounds(node.box);
   if (bounds.outside) {
     if (culling == FrustumCulling::on) return no_id;
@@ -52,6 +54,8 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
         std::sqrt(static_cast<double>(squared_distance(view.cell, node.box))) * skeleton.lattice().step;
     bounds.stretch = 1;
   }
+  // No drawable of it leaves out what is hidden; those of leaves do, placement by placement.
+  if (hidden == HiddenShare::some && node.child_count > 0) return Cut::inner;
   const DrawableId chosen = view.state.pixel_error > 0 ? coarsest(view, node, bounds) : no_id;
   if (chosen != no_id) return chosen;
   return node.child_count == 0 ? node.first_drawable : Cut::inner;

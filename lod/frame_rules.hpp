@@ -22,6 +22,7 @@ struct FrameRules {
   bool double_bounds = true;       ///< boxes are projected from double-precision coordinates
   // Culling
   bool map_to_cut = true;      ///< the representation is drawn from drawables of the frame's own cut
+  bool hidden_is_gone = true;  ///< what was visible and is hidden now is not drawn into it
   bool retest_hidden = true;   ///< what was hidden one frame ago is tested like everything else
   bool show_all_found = true;  ///< every drawable that is found visible is shown
   // The device

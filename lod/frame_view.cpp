@@ -1,5 +1,6 @@
 #include "lod/frame_view.hpp"
 
+#include "base/error.hpp"
 #include "lod/draw_rank.hpp"
 
 namespace triptych {
@@ -16,6 +17,9 @@ FrameView::FrameView(const Skeleton& of_skeleton, const FrameState& of_state, co
       cell(eye_cell(of_skeleton, of_state.view)),
       focal_length(of_state.view.focal_length()),
       clip(clip_space(of_skeleton, of_state.view, rotation, with_rules.model_units)),
-      eye_space(of_skeleton, of_state.view, rotation, with_rules) {}
+      eye_space(of_skeleton, of_state.view, rotation, with_rules) {
+  if (state.hiding.name.count > 0 && !state.hiding.objects)
+    fail("frame", "{} objects are hidden, and nobody said which", state.hiding.name.count);
+}
 
 }  // namespace triptych

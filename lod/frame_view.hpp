@@ -6,6 +6,7 @@
 #include "lod/eye_space.hpp"
 #include "lod/frame_rules.hpp"
 #include "scene/frame_state.hpp"
+#include "scene/hidden_objects.hpp"
 #include "scene/skeleton.hpp"
 
 #include <glm/mat3x3.hpp>
@@ -14,10 +15,15 @@
 namespace triptych {
 
 /// One frame's view of one skeleton, which must outlive it. A plain value: copying it allocates nothing.
+/// Error (place: frame) where the state names hidden objects without having them.
 struct FrameView {
   FrameView(const Skeleton& skeleton, const FrameState& state, const FrameRules& rules = {});
 
   const View& view() const { return state.view; }
+  /// How much of a scene node is hidden.
+  HiddenShare hidden(SceneNodeId node) const {
+    return state.hiding.objects ? state.hiding.objects->share(node) : HiddenShare::nothing;
+  }
 
   const Skeleton* skeleton;
   FrameState state;

@@ -10,11 +10,17 @@ const std::string& LevelsRepresentation::name() const {
 void LevelsRepresentation::append(DrawableId id, std::vector<DrawItem>& items) {
   const Skeleton& skeleton = hierarchy_.skeleton();
   const std::span<const LatticeBox> boxes = hierarchy_.placed(id).pieces;
+  const std::span<const Placement> placements = hierarchy_.placements_of(id);
+  std::span<const PlacementRun> hidden;
+  if (hidden_) hidden = hidden_->hidden_placements(skeleton.drawables[id].scene_node);
   size_t piece = 0;
-  for (const Placement& placement : hierarchy_.placements_of(id)) {
+  for (uint32_t i = 0; i < placements.size(); ++i) {
+    const Placement& placement = placements[i];
     const size_t pieces = skeleton.pieces_of(placement.chunk).size();
     const uint32_t triangles = skeleton.chunks[placement.chunk].triangle_count;
-    if (triangles > 0) {
+    if (!hidden.empty() && i >= hidden.front().end) hidden = hidden.subspan(1);
+    const bool shows = hidden.empty() || i < hidden.front().first;
+    if (shows && triangles > 0) {
       items.push_back({.drawable = id,
                        .chunk = placement.chunk,
                        .transform = placement.transform,

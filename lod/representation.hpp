@@ -5,6 +5,7 @@
 #include "lod/hierarchy.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,17 +36,18 @@ class Representation {
   virtual void append(DrawableId id, std::vector<DrawItem>& items) = 0;
 };
 
-/// Static levels of detail: each drawable is its placements, whole.
+/// Static levels of detail: each drawable is its placements, whole, without those that are hidden.
 class LevelsRepresentation final : public Representation {
  public:
   explicit LevelsRepresentation(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {}
 
   const std::string& name() const override;
-  void begin(const FrameView&) override {}
+  void begin(const FrameView& view) override { hidden_ = view.state.hiding.objects; }
   void append(DrawableId id, std::vector<DrawItem>& items) override;
 
  private:
   const Hierarchy& hierarchy_;
+  std::shared_ptr<const HiddenObjects> hidden_;  ///< null where nothing is
 };
 
 }  // namespace triptych

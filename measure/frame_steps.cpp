@@ -104,6 +104,7 @@ class FramePlayer final : public CullSink {
     clock_.run(FrameStep::draw_list, [&] {
       items_.clear();
       list_.clear();
+      representation_.begin(view);
       for (const DrawableId id : ordered_) representation_.append(id, items_);
       draw_lists_.begin(view);
       draw_lists_.append(ranges_, items_, list_);

@@ -174,6 +174,18 @@ std::optional<SwitchReport> Inbox::report(uint32_t frame) {
   return found;
 }
 
+std::vector<HiddenSet> Inbox::hidden_sets() {
+  std::vector<HiddenSet> sets;
+  std::erase_if(kept_, [&](Received& received) {
+    auto* set = std::get_if<HiddenSet>(&received.message);
+    if (!set) return false;
+    sets.push_back(std::move(*set));
+    release(received);
+    return true;
+  });
+  return sets;
+}
+
 Ending Inbox::wait_for_end() {
   for (;;) {
     if (auto ending = receive(Role::render)) return std::move(*ending);

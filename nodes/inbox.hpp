@@ -54,6 +54,8 @@ class Inbox {
   double ahead_ms(Role peer) const;
   /// What a switch node reported of the frame, if that has come; drops reports of this and earlier frames.
   std::optional<SwitchReport> report(uint32_t frame);
+  /// The sets of hidden objects that came since the last call, in their order.
+  std::vector<HiddenSet> hidden_sets();
   /// Answers requests until something ends.
   Ending wait_for_end();
   /// Takes what has come, without waiting: a role that has nothing to wait for notices so who is lost.

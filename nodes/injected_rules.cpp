@@ -16,6 +16,7 @@ FrameRules injected_frame_rules() {
           .bounds_margin = !injected(Fault::no_dilation),
           .double_bounds = !injected(Fault::float_bounds),
           .map_to_cut = !injected(Fault::wrong_ancestor),
+          .hidden_is_gone = !injected(Fault::hidden_occludes),
           .retest_hidden = !injected(Fault::carried_hidden),
           .show_all_found = !injected(Fault::withheld_id),
           .non_strict_test = !injected(Fault::strict_depth_test),

@@ -2,6 +2,7 @@
 
 #include "base/notice.hpp"
 #include "base/thread_name.hpp"
+#include "scene/hidden_objects.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -90,10 +91,22 @@ std::optional<Ending> Peers::take_up_search(const FrameRequest& next) {
 
 std::optional<Ending> Peers::warm_up(const FrameRequest& frame) {
   ready_.clear();
+  sent_ = {};
   since_ = Clock::now();
-  const CameraMessage message{frame.number, frame.state, false, true};
+  return send({frame.number, frame.state, false, true});
+}
+
+std::optional<Ending> Peers::send(const CameraMessage& camera) {
+  const Hiding& hiding = camera.state.hiding;
+  std::vector<Message> messages = {camera};
+  if (hiding.objects && hiding.name != sent_) {
+    messages.insert(messages.begin(), HiddenSet{camera.frame, hiding.objects->objects()});
+    sent_ = hiding.name;
+  }
   for (const Role peer : {Role::switch_0, Role::switch_1}) {
-    if (auto lost = mailbox_->send(peer, Channel::camera, message)) return ending_of(std::move(*lost));
+    for (const Message& message : messages) {
+      if (auto lost = mailbox_->send(peer, Channel::camera, message)) return ending_of(std::move(*lost));
+    }
   }
   return std::nullopt;
 }

@@ -38,6 +38,10 @@ class Peers {
   /// How long a frame may take; warm-ups, which draw several and read their geometry, may take far longer.
   void expect_frames_of(std::chrono::milliseconds limit) { frame_limit_ = limit; }
 
+  /// To both of them, during an epoch: the camera, and before it what is hidden in it, unless that was sent
+  /// last.
+  [[nodiscard]] std::optional<Ending> send(const CameraMessage& camera);
+
   /// The peers' messages, during an epoch; otherwise null.
   Inbox* inbox() { return inbox_ ? &*inbox_ : nullptr; }
   const Inbox* inbox() const { return inbox_ ? &*inbox_ : nullptr; }
@@ -68,6 +72,7 @@ class Peers {
   std::unique_ptr<Mailbox> mailbox_;
   std::optional<Inbox> inbox_;
   std::set<Role> ready_;
+  HiddenName sent_;  ///< the set of hidden objects that was sent last to those who are connected
   std::chrono::milliseconds frame_limit_{0};
   std::chrono::steady_clock::time_point since_;  ///< of the warm-up, or of the epoch
   uint32_t short_epochs_ = 0;                    ///< in a row

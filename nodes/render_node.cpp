@@ -159,11 +159,7 @@ class RenderNode {
   [[nodiscard]] std::optional<Ending> send(Released& released) {
     released.sent_ms = clock_.milliseconds() - released.at_ms;
     const FrameRequest& frame = released.request;
-    const CameraMessage message{frame.number, frame.state, frame.number + 1 == numbers_.count};
-    for (const Role peer : {Role::switch_0, Role::switch_1}) {
-      if (auto ending = peers_.inbox()->send(peer, Channel::camera, message)) return ending;
-    }
-    return std::nullopt;
+    return peers_.send({frame.number, frame.state, frame.number + 1 == numbers_.count});
   }
 
   void go_on_alone(uint32_t frame, const std::string& reason) {

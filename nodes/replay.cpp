@@ -9,8 +9,8 @@
 
 namespace triptych {
 
-Replay::Replay(const Skeleton& skeleton, uint64_t pack_hash, std::string place)
-    : skeleton_(skeleton), pack_hash_(pack_hash), place_(std::move(place)) {}
+Replay::Replay(const Pack& pack, std::string place)
+    : skeleton_(pack.skeleton()), pack_hash_(pack.content_hash()), place_(std::move(place)), hidden_(pack) {}
 
 std::string Replay::place(uint32_t frame) const { return fmt::format("{} frame {}", place_, frame); }
 
@@ -21,9 +21,9 @@ void Replay::forget_epoch() {
   current_.reset();
 }
 
-ReplayedFrame Replay::draw_fallback(const CameraMessage& camera) {
+ReplayedFrame Replay::draw_fallback(const FrameRequest& request) {
   forget_epoch();
-  ReplayedFrame frame{{camera.frame, camera.state}, {}, false, true};
+  ReplayedFrame frame{request, {}, false, true};
   frame.visible = select_cut(FrameView(skeleton_, frame.request.state)).drawables;
   std::sort(frame.visible.begin(), frame.visible.end());
   return frame;
@@ -38,12 +38,20 @@ void Replay::keep(const Message& message) {
 std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
   const Message& message = recorded.message;
   if (const auto* camera = std::get_if<CameraMessage>(&message)) {
-    if (recorded.peer == Role::render) return {draw_fallback(*camera)};
+    FrameRequest frame{camera->frame, camera->state};
+    try {
+      hidden_.complete(frame.state);
+    } catch (const Error& error) {
+      fail(place(frame.number), "{}", error.what());
+    }
+    if (recorded.peer == Role::render) return {draw_fallback(frame)};
     if (camera->warm_up) {
       forget_epoch();
     } else {
-      cameras_[camera->frame] = {camera->frame, camera->state};
+      cameras_[frame.number] = std::move(frame);
     }
+  } else if (const auto* set = std::get_if<HiddenSet>(&message)) {
+    hidden_.add(*set);
   } else if (std::holds_alternative<DeltaMessage>(message) || std::holds_alternative<Sentinel>(message) ||
              std::holds_alternative<FullSet>(message)) {
     keep(message);

@@ -1,6 +1,7 @@
 // Replays frames of a session from the recorded messages of its render node.
 #pragma once
 
+#include "nodes/hidden_sets.hpp"
 #include "protocol/recording.hpp"
 #include "scene/frame_state.hpp"
 #include "visibility/visible_stream.hpp"
@@ -25,17 +26,18 @@ struct ReplayedFrame {
 /// matches its digest. Messages of later frames wait, as they did in the session.
 class Replay {
  public:
-  /// place: the recording, for errors. pack_hash: of the pack that the session had.
-  Replay(const Skeleton& skeleton, uint64_t pack_hash, std::string place);
+  /// place: the recording, for errors. pack: the one that the session had; it must outlive this.
+  Replay(const Pack& pack, std::string place);
 
   /// The frames that this message completed. Error (place, frame) for messages that no session can have
-  /// produced: a frame without its camera, a set that does not match its digest.
+  /// produced: a frame without its camera, a set that does not match its digest, a camera without its set of
+  /// hidden objects.
   std::vector<ReplayedFrame> take(const RecordedMessage& recorded);
 
  private:
   void keep(const Message& message);
   void begin(const FrameRequest& frame);
-  ReplayedFrame draw_fallback(const CameraMessage& camera);
+  ReplayedFrame draw_fallback(const FrameRequest& frame);
   void forget_epoch();
   /// Whether that completed the current frame.
   bool feed(const Message& message);
@@ -45,6 +47,7 @@ class Replay {
   const Skeleton& skeleton_;
   uint64_t pack_hash_;
   std::string place_;
+  HiddenSets hidden_;
   std::map<uint32_t, FrameRequest> cameras_;          ///< of frames that are not complete
   std::map<uint32_t, std::deque<Message>> messages_;  ///< of frames that are not current yet
   VisibleSet previous_;                               ///< V(i−1)

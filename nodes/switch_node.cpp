@@ -1,9 +1,11 @@
 #include "nodes/switch_node.hpp"
 
 #include "base/clock.hpp"
+#include "base/error.hpp"
 #include "base/spent_time.hpp"
 #include "base/threads.hpp"
 #include "nodes/frame_intake.hpp"
+#include "nodes/hidden_sets.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 #include "visibility/strategies.hpp"
@@ -20,11 +22,13 @@ struct LastingState {
       : pack(of_pack),
         self(role),
         options(with),
+        hidden(of_pack),
         device(of_pack, with.device),
         strategy(make_exact_strategy(StrategyKind::occlusion, device.hierarchy(), with.cull)) {}
   const Pack& pack;
   Role self;
   const SwitchNodeOptions& options;
+  HiddenSets hidden;
   PackDevice device;
   std::unique_ptr<ExactStrategy> strategy;  ///< a session claims that its pictures are the un-culled ones
   std::unique_ptr<FrameTarget> target;      ///< of the size of the last camera
@@ -41,9 +45,7 @@ class Epoch {
 
   Ending run() {
     for (;;) {
-      const Awaited<CameraMessage> first = inbox_.first_camera();
-      if (!first) return first.ending();
-      camera_ = *first;
+      if (const auto ending = take(inbox_.first_camera())) return *ending;
       if (!camera_.warm_up) break;
       if (const auto ending = warm_up()) return *ending;
     }
@@ -53,9 +55,7 @@ class Epoch {
         if (const auto ending = cull(frame)) return *ending;
         if (camera_.last) return inbox_.wait_for_end();
         // This node is OR in the next frame, and needs its camera next.
-        const Awaited<CameraMessage> next = inbox_.camera(frame + 1);
-        if (!next) return next.ending();
-        camera_ = *next;
+        if (const auto ending = take(inbox_.camera(frame + 1))) return *ending;
       } else {
         if (camera_.last) return inbox_.wait_for_end();
         if (const auto ending = represent(frame)) return *ending;
@@ -65,6 +65,19 @@ class Epoch {
 
  private:
   static FrameRequest request(const CameraMessage& camera) { return {camera.frame, camera.state}; }
+
+  /// The next camera, with what is hidden in it: that set came before it.
+  std::optional<Ending> take(Awaited<CameraMessage> next) {
+    if (!next) return next.ending();
+    camera_ = std::move(*next);
+    try {
+      for (const HiddenSet& set : inbox_.hidden_sets()) node_.hidden.add(set);
+      node_.hidden.complete(camera_.state);
+    } catch (const Error& error) {
+      return ending_of_lost(Role::render, fmt::format("frame {}: {}", camera_.frame, error.what()));
+    }
+    return std::nullopt;
+  }
 
   void begin(const CameraMessage& camera) {
     const View& view = camera.state.view;
@@ -143,9 +156,7 @@ class Epoch {
   std::optional<Ending> represent(uint32_t frame) {
     const FrameRequest current = request(camera_);
     const Stopwatch waiting;
-    const Awaited<CameraMessage> next = inbox_.camera(frame + 1);
-    if (!next) return next.ending();
-    camera_ = *next;
+    if (auto ending = take(inbox_.camera(frame + 1))) return ending;
     const double camera_waiting_ms = waiting.milliseconds();
     const double began_at_ms = steady_milliseconds();
     const StageWatch whole;

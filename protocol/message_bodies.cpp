@@ -29,7 +29,7 @@ constexpr uint32_t samples_shift = 5;
 constexpr uint8_t samples_bits = 3;
 // Another byte of marks follows, which are not all 0. Its lowest bits are the number of section planes.
 constexpr uint8_t more_mark = 128;
-constexpr uint8_t planes_bits = 7, section_box_mark = 8;
+constexpr uint8_t planes_bits = 7, section_box_mark = 8, hidden_mark = 16;
 
 uint8_t samples_marks(uint32_t samples) {
   const auto* const found = std::find(sample_counts.begin(), sample_counts.end(), samples);
@@ -231,6 +231,20 @@ Section read_section(BodyReader& body, uint8_t marks) {
   return section;
 }
 
+uint8_t more_marks(const FrameState& state) {
+  return static_cast<uint8_t>(section_marks(state.section) |
+                              (state.hiding.name == HiddenName() ? 0 : hidden_mark));
+}
+
+template <typename Body>
+void describe_hidden_name(Body& body, auto& name) {
+  body.count(name.count);
+  body.plain(name.hash);
+  if constexpr (Body::reads) {
+    if (name.count == 0) fail(body.place(), "a set of no hidden objects");
+  }
+}
+
 template <typename Body, Either<CameraMessage> M>
 void describe(Body& body, M& message) {
   auto& view = message.state.view;
@@ -239,7 +253,7 @@ void describe(Body& body, M& message) {
       (message.last ? last_mark : 0) | (message.warm_up ? warm_up_mark : 0) |
       (camera.orthographic() ? orthographic_mark : 0) | (is_symmetric(camera) ? symmetric_mark : 0) |
       (message.state.edges ? edges_mark : 0) | samples_marks(message.state.samples) |
-      (message.state.section.keeps_all() ? 0 : more_mark));
+      (more_marks(message.state) == 0 ? 0 : more_mark));
   auto width = static_cast<uint32_t>(view.width), height = static_cast<uint32_t>(view.height);
   body.plain(marks);
   body.count(width);
@@ -281,8 +295,8 @@ void describe(Body& body, M& message) {
     if (!symmetric && is_symmetric(camera)) fail(body.place(), "a symmetric frustum that is not marked");
   }
   if ((marks & more_mark) == 0) return;
-  auto more = section_marks(message.state.section);
-  constexpr uint8_t all_marks = planes_bits | section_box_mark;
+  auto more = more_marks(message.state);
+  constexpr uint8_t all_marks = planes_bits | section_box_mark | hidden_mark;
   body.choice(more, all_marks, "camera mark");
   if constexpr (Body::reads) {
     if (more == 0) fail(body.place(), "marks that mark nothing");
@@ -290,6 +304,7 @@ void describe(Body& body, M& message) {
   } else {
     write_section(body, message.state.section);
   }
+  if ((more & hidden_mark) != 0) describe_hidden_name(body, message.state.hiding.name);
 }
 
 /// Where everything is decided, the type says so, and the watermark is not in the body.
@@ -316,14 +331,28 @@ void describe(Body& body, M& message) {
   body.times({&times.hardware_cull_ms, &times.hardware_cull_cpu_ms, &times.sent_at_ms});
 }
 
-template <typename Body, Either<FullSet> M>
-void describe(Body& body, M& message) {
+/// Ascending ids, as the change of an empty set; they are the rest of the body.
+template <typename Body>
+void describe_set(Body& body, auto& ids) {
   if constexpr (Body::reads) {
     std::vector<std::byte> encoded;
     body.rest(encoded);
-    message.visible = decode_delta(encoded, {}, body.place()).added;
+    ids = decode_delta(encoded, {}, body.place()).added;
   } else {
-    body.rest(encode_delta({message.visible, {}}, {}));
+    body.rest(encode_delta({ids, {}}, {}));
+  }
+}
+
+template <typename Body, Either<FullSet> M>
+void describe(Body& body, M& message) {
+  describe_set(body, message.visible);
+}
+
+template <typename Body, Either<HiddenSet> M>
+void describe(Body& body, M& message) {
+  describe_set(body, message.objects);
+  if constexpr (Body::reads) {
+    if (message.objects.empty()) fail(body.place(), "a set of no hidden objects");
   }
 }
 

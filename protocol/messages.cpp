@@ -19,7 +19,7 @@ uint32_t frame_of(const Message& message) {
 const std::string& message_name(const Message& message) {
   static const std::array<std::string, std::variant_size_v<Message>> names = {
       "hello",         "camera", "delta", "sentinel",      "full set request", "full set",
-      "switch report", "bye",    "ready", "clock request", "clock answer"};
+      "switch report", "bye",    "ready", "clock request", "clock answer",     "hidden set"};
   return names[message.index()];
 }
 

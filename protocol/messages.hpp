@@ -122,8 +122,16 @@ struct ClockAnswer {
   bool operator==(const ClockAnswer&) const = default;
 };
 
+/// From the render node to both switch nodes, before the first camera of an epoch that names the set: the
+/// objects that are hidden from this frame on.
+struct HiddenSet {
+  uint32_t frame = 0;
+  std::vector<uint32_t> objects;  ///< ids of source objects, ascending
+  bool operator==(const HiddenSet&) const = default;
+};
+
 using Message = std::variant<Hello, CameraMessage, DeltaMessage, Sentinel, FullSetRequest, FullSet,
-                             SwitchReport, Bye, Ready, ClockRequest, ClockAnswer>;
+                             SwitchReport, Bye, Ready, ClockRequest, ClockAnswer, HiddenSet>;
 
 /// The frame that a message belongs to; 0 for Hello and Bye.
 uint32_t frame_of(const Message& message);

@@ -1,5 +1,7 @@
 #include "scene/finest_boxes.hpp"
 
+#include "scene/hidden_objects.hpp"
+
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
@@ -21,7 +23,7 @@ Box placed_box(const Skeleton& skeleton, const Placement& placement) {
 
 }  // namespace
 
-std::vector<Box> finest_boxes(const Skeleton& skeleton) {
+std::vector<Box> finest_boxes(const Skeleton& skeleton, const HiddenObjects* hidden) {
   const auto& nodes = skeleton.scene_nodes;
   std::vector<Box> boxes(nodes.size());
   for (size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
@@ -29,20 +31,20 @@ std::vector<Box> finest_boxes(const Skeleton& skeleton) {
     Box& own = boxes[i];
     if (node.child_count == 0) {
       const Drawable& finest = skeleton.drawables[node.first_drawable];
-      for (uint32_t k = 0; k < finest.placement_count; ++k)
+      for (uint32_t k = 0; k < finest.placement_count; ++k) {
+        if (hidden != nullptr && hidden->hides(static_cast<SceneNodeId>(i), k)) continue;
         own.extend(placed_box(skeleton, skeleton.placements[finest.first_placement + k]));
+      }
       const Box all = skeleton.lattice().box(node.box);
       own = {glm::max(own.lo, all.lo), glm::min(own.hi, all.hi)};
     }
-    if (node.parent == no_id) continue;
-    boxes[node.parent].extend(own.lo);
-    boxes[node.parent].extend(own.hi);
+    if (node.parent != no_id) boxes[node.parent].extend(own);
   }
   return boxes;
 }
 
-Box model_box(const Skeleton& skeleton) {
-  return skeleton.scene_nodes.empty() ? Box() : finest_boxes(skeleton).front();
+Box model_box(const Skeleton& skeleton, const HiddenObjects* hidden) {
+  return skeleton.scene_nodes.empty() ? Box() : finest_boxes(skeleton, hidden).front();
 }
 
 }  // namespace triptych

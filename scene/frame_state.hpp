@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/camera.hpp"
+#include "scene/hiding.hpp"
 #include "scene/section.hpp"
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct FrameState {
   uint32_t samples = 1;    ///< of each pixel: 1, 4, 8 or 16 (scene/sample_places.hpp)
   bool edges = false;      ///< drawn as lines (visibility/edge_rule.hpp); changes colours, nothing else
   Section section = {};    ///< what lies outside of it is not there: it neither shows nor hides anything
+  Hiding hiding = {};      ///< objects that are not there either (scene/hidden_objects.hpp)
   bool operator==(const FrameState&) const = default;
 };
 

@@ -133,16 +133,20 @@ const PackObjects::Place* PackObjects::place_of(SceneNodeId node) const {
   return behind == places_.begin() ? nullptr : &behind[-1];
 }
 
-std::vector<ObjectRun> PackObjects::runs_of(SceneNodeId leaf) const {
+LeafRuns PackObjects::stored_runs_of(SceneNodeId leaf) const {
   const Place* const place = place_of(leaf);
   if (!place) return {};
   const HierarchyObjects& hierarchy = hierarchies_[place->hierarchy];
   const SceneNodeId local = leaf - place->first_scene_node;
   const auto found = std::lower_bound(hierarchy.leaves.begin(), hierarchy.leaves.end(), local);
   if (found == hierarchy.leaves.end() || *found != local) return {};
-  const auto stored = hierarchy.runs_of(static_cast<size_t>(found - hierarchy.leaves.begin()));
-  std::vector<ObjectRun> runs(stored.begin(), stored.end());
-  for (ObjectRun& run : runs) run.object = object_in(place->first_object, run.object);
+  return {hierarchy.runs_of(static_cast<size_t>(found - hierarchy.leaves.begin())), place->first_object};
+}
+
+std::vector<ObjectRun> PackObjects::runs_of(SceneNodeId leaf) const {
+  const LeafRuns stored = stored_runs_of(leaf);
+  std::vector<ObjectRun> runs(stored.runs.begin(), stored.runs.end());
+  for (ObjectRun& run : runs) run.object = object_in(stored.first_object, run.object);
   return runs;
 }
 

@@ -11,6 +11,12 @@
 
 namespace triptych {
 
+/// What placements of a leaf belong to, as stored: ids of objects count from the first one (object_in()).
+struct LeafRuns {
+  std::span<const ObjectRun> runs;
+  SourceObjectId first_object = no_id;
+};
+
 /// In ids of the expanded skeleton. A scene node shows several objects, and an object is shown by several
 /// scene nodes; leaves show objects placement by placement, inner scene nodes those of their leaves.
 class PackObjects {
@@ -28,6 +34,8 @@ class PackObjects {
   /// Over the placements of each of a leaf's drawables; empty for an inner scene node, and for a leaf of no
   /// object.
   std::vector<ObjectRun> runs_of(SceneNodeId leaf) const;
+  /// The same without a copy, for callers that look at many.
+  LeafRuns stored_runs_of(SceneNodeId leaf) const;
   /// The object of a triangle of a drawable: of its `placement`, counted from the drawable's first one, the
   /// `triangle` of the chunk. no_id where it belongs to none.
   SourceObjectId object_at(DrawableId drawable, uint32_t placement, uint32_t triangle) const;

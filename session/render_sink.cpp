@@ -1,6 +1,7 @@
 #include "session/render_sink.hpp"
 
 #include "base/hashing.hpp"
+#include "scene/hidden_objects.hpp"
 #include "session/pictures.hpp"
 
 #include <utility>
@@ -20,8 +21,16 @@ RenderSink::RenderSink(const RoleCommand& command, const SessionConnector& conne
 }
 
 void RenderSink::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
-  if (record.fallback) connector_.record_fallback(frame);
+  if (record.fallback) record_fallback(frame);
   if (window_) window_->show(frame, record, stages);
+}
+
+void RenderSink::record_fallback(const FrameRequest& frame) {
+  const Hiding& hiding = frame.state.hiding;
+  if (hiding.objects && hiding.name != recorded_)
+    connector_.record_own(HiddenSet{frame.number, hiding.objects->objects()});
+  recorded_ = hiding.name;
+  connector_.record_own(CameraMessage{frame.number, frame.state});
 }
 
 void RenderSink::picture(FrameRecord record, const FrameTarget& target) {
@@ -39,6 +48,7 @@ void RenderSink::picture(FrameRecord record, const FrameTarget& target) {
 void RenderSink::epoch_ended(const Mailbox& mailbox, const std::string&) {
   add_sockets(record_.sockets, sockets_of(Role::render, mailbox));
   add_backlog(record_.max_backlog, mailbox.max_backlog());
+  recorded_ = {};  // a replay keeps the last few sets, and the epoch may have had many
 }
 
 void RenderSink::add(FrameRecord record) {

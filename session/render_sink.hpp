@@ -32,12 +32,15 @@ class RenderSink : public FrameSink {
 
  private:
   void add(FrameRecord record);
+  /// As a camera that the render node sent to itself, after what is hidden in it, where that is new.
+  void record_fallback(const FrameRequest& frame);
 
   const RoleCommand& command_;
   const SessionConnector& connector_;
   WindowSource* window_;
   std::optional<FrameJournal> journal_;
   RoleRecord record_;
+  HiddenName recorded_;  ///< what is hidden in the last frame that was recorded as drawn alone
   std::optional<Progress> progress_;
   PictureWriter writer_;  ///< last: its thread adds records
 };

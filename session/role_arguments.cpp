@@ -67,6 +67,8 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
   if (options.window) append(words, {"--window"});
   if (options.hash) append(words, {"--hash"});
   if (run.edges) append(words, {"--edges"});
+  for (const std::string& word : run.hide) append(words, {"--hide=" + word});
+  for (const std::string& word : run.isolate) append(words, {"--isolate=" + word});
   return words;
 }
 

@@ -2,6 +2,8 @@
 
 #include "base/error.hpp"
 #include "lod/clip_space.hpp"
+#include "scene/hidden_objects.hpp"
+#include "scene/object_words.hpp"
 #include "scene/path.hpp"
 
 #include <algorithm>
@@ -23,6 +25,30 @@ void check_view(const View& view, const Skeleton& skeleton, const std::string& p
 }
 
 }  // namespace
+
+Hiding load_hiding(const RunOptions& options, const Pack& pack) {
+  if (options.hide.empty() && options.isolate.empty()) return {};
+  const PackObjects objects = pack.read_objects();
+  const SourceObjects& source = objects.source();
+  const auto meant = [&](const std::vector<std::string>& words, const std::string& flag) {
+    std::vector<SourceObjectId> found;
+    for (const std::string& word : words) {
+      const std::vector<SourceObjectId> more = require_objects(source, word, flag);
+      found.insert(found.end(), more.begin(), more.end());
+    }
+    return with_contents(source, found);
+  };
+  ObjectSet hidden = meant(options.hide, "--hide");
+  if (!options.isolate.empty()) hidden = united(hidden, all_but(source, meant(options.isolate, "--isolate")));
+  return hide(pack.skeleton(), objects, std::move(hidden), pack.name());
+}
+
+std::vector<FrameRequest> load_frames(const RunOptions& options, const Pack& pack) {
+  std::vector<FrameRequest> frames = load_frames(options, pack.skeleton());
+  const Hiding hiding = load_hiding(options, pack);
+  for (FrameRequest& frame : frames) frame.state.hiding = hiding;
+  return frames;
+}
 
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {
   const Path path = load_path(options.path);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace triptych {
@@ -27,6 +28,7 @@ struct RunOptions {
   std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
   uint32_t samples = 1;                    ///< a pixel
   bool edges = false;                      ///< drawn as lines
+  std::vector<std::string> hide, isolate;  ///< words that mean objects (scene/object_words.hpp)
   double target_ms = 0;  ///< pixel errors are raised so that frames take no longer; 0: they are not
   DeviceOptions device{.kind = DeviceKind::automatic};
   size_t frames = 0;   ///< only the first ones; 0: all
@@ -34,7 +36,14 @@ struct RunOptions {
   double pixel_error() const { return pixel_errors.front(); }
 };
 
-/// The frames that the options ask for, in order. Error for a path that cannot be used.
+/// What the options hide: all but what is isolated, and what is hidden, each with all that is in it. Error
+/// for a word that means nothing.
+Hiding load_hiding(const RunOptions& options, const Pack& pack);
+
+/// The frames that the options ask for, in order. Error for a path that cannot be used, and as
+/// load_hiding().
+std::vector<FrameRequest> load_frames(const RunOptions& options, const Pack& pack);
+/// The same of a command that hides nothing.
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton);
 
 }  // namespace triptych

@@ -109,13 +109,13 @@ int run_render(const RoleCommand& command) {
   std::unique_ptr<FrameSource> path;
   ChosenDevice device;
   if (command.window) {
-    ViewerOptions options = viewer_options(command.run);
+    ViewerOptions options = viewer_options(command.run, pack);
     if (!command.output.empty()) options.pictures = command.output;
     window = std::make_unique<WindowSource>(pack, options, command.begin);
     device = choose_device(command.run.device, window->names());
   } else {
     device = choose_device(command.run.device);
-    std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+    std::vector<FrameRequest> frames = load_frames(command.run, pack);
     const size_t loop = command.until_told ? max_frames / frames.size() : command.loop;
     path = std::make_unique<PathSource>(std::move(frames), command.begin, loop);
   }

@@ -84,13 +84,13 @@ std::unique_ptr<Mailbox> SessionConnector::connect(const std::function<bool()>& 
   return equip(mailbox_or_error(attempt(stop)));
 }
 
-void SessionConnector::record_fallback(const FrameRequest& frame) const {
+void SessionConnector::record_own(const Message& message) const {
   if (!recording_) return;
   recording_->add({.time_ms = steady_milliseconds(),
                    .sent = true,
                    .peer = own_.role,
                    .channel = Channel::camera,
-                   .message = CameraMessage{frame.number, frame.state, false, false}});
+                   .message = message});
 }
 
 std::unique_ptr<Mailbox> SessionConnector::connect_again(const std::function<bool()>& stop) const {

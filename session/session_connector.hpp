@@ -32,8 +32,8 @@ class SessionConnector {
   /// said on standard error. Error if a peer differs.
   std::unique_ptr<Mailbox> connect_again(const std::function<bool()>& stop) const;
 
-  /// Records a frame that the render node drew by itself, as a camera that it sent to itself.
-  void record_fallback(const FrameRequest& frame) const;
+  /// Records what belongs to a frame that the render node drew by itself, as if sent to itself.
+  void record_own(const Message& message) const;
 
  private:
   ConnectOutcome attempt(const std::function<bool()>& stop) const;

@@ -257,9 +257,11 @@ SessionOutcome run_session(const SessionOptions& options) {
   stop_requested();  // from here on a signal ends the session properly
   // Errors of the input are reported once, here, before any role is started.
   uint64_t pack_hash = 0;
+  HiddenName hidden;
   {
     const Pack pack(options.run.pack);
     pack_hash = pack.content_hash();
+    hidden = load_hiding(options.run, pack).name;
     if (!options.run.path.empty()) load_frames(options.run, pack.skeleton());
   }
   if (!options.output.empty()) make_folder(options.output);
@@ -267,7 +269,9 @@ SessionOutcome run_session(const SessionOptions& options) {
     if (options.record.empty() || recordings_of(role, options.record).empty()) continue;
     fail(options.record.string(), "holds the recording of a session already");
   }
-  return Supervisor(options, pack_hash).run();
+  SessionOutcome outcome = Supervisor(options, pack_hash).run();
+  outcome.hidden = hidden;
+  return outcome;
 }
 
 }  // namespace triptych

@@ -41,6 +41,7 @@ struct SessionOutcome {
   std::vector<std::pair<std::string, pid_t>> roles;  ///< "render", "switch 0", "switch 1"
   std::vector<RoleRecord> records;                   ///< render node, switch node 0, switch node 1
   std::vector<RestartedRole> restarted;
+  HiddenName hidden;     ///< at the beginning
   bool stopped = false;  ///< ended properly by a signal
   int exit_code = 0;     ///< 128 and the signal, where that came before the session was done
 };

@@ -5,7 +5,7 @@
 
 namespace triptych {
 
-ViewerOptions viewer_options(const RunOptions& run) {
+ViewerOptions viewer_options(const RunOptions& run, const Pack& pack) {
   ViewerOptions options;
   options.window.title = run.pack.filename().string();
   options.window.width = run.size.width;
@@ -13,6 +13,7 @@ ViewerOptions viewer_options(const RunOptions& run) {
   options.pixel_error = run.pixel_error();
   options.samples = run.samples;
   options.edges = run.edges;
+  options.hiding = load_hiding(run, pack);
   if (run.path.empty()) return options;
   options.path = load_path(run.path);
   auto& frames = options.path->frames;

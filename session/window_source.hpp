@@ -10,8 +10,9 @@
 
 namespace triptych {
 
-/// The options of a command's viewer: title, size, path, pixel error. Error for a path that cannot be used.
-ViewerOptions viewer_options(const RunOptions& run);
+/// The options of a command's viewer: title, size, path, pixel error, what is hidden. Error for a path that
+/// cannot be used, and as load_hiding().
+ViewerOptions viewer_options(const RunOptions& run, const Pack& pack);
 
 /// Gives the render node a person's cameras, which are not known before they are released, and shows its
 /// pictures in a window. The window's context is current in this thread, and the render node draws in it.

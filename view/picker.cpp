@@ -1,6 +1,7 @@
 #include "view/picker.hpp"
 
 #include "scene/affine.hpp"
+#include "scene/hidden_objects.hpp"
 #include "scene/ray.hpp"
 
 #include <algorithm>
@@ -35,9 +36,11 @@ glm::dvec3 Picker::place_at(const View& view, double x, double y, double depth) 
   return ray.from + depth * ray.way;
 }
 
-std::optional<Picked> Picker::at(const View& view, std::span<const DrawableId> shown, double x, double y) {
+std::optional<Picked> Picker::at(const FrameState& frame, std::span<const DrawableId> shown, double x,
+                                 double y) {
   const Skeleton& skeleton = pack_.skeleton();
-  const Ray ray = Picker::ray(view, x, y);
+  const HiddenObjects* const hidden = frame.hiding.objects.get();
+  const Ray ray = Picker::ray(frame.view, x, y);
   const RaySpan span(ray.from, ray.way, ray.near, infinite);
   std::vector<std::pair<double, DrawableId>> met;  // in the order of their boxes
   for (const DrawableId drawable : shown) {
@@ -51,7 +54,10 @@ std::optional<Picked> Picker::at(const View& view, std::span<const DrawableId> s
   for (const auto& [from, drawable] : met) {
     if (from > nearest) break;
     const uint32_t placements = skeleton.drawables[drawable].placement_count;
-    for (uint32_t i = 0; i < placements; ++i) meet(ray, drawable, i, nearest, found);
+    const SceneNodeId node = skeleton.drawables[drawable].scene_node;
+    for (uint32_t i = 0; i < placements; ++i) {
+      if (hidden == nullptr || !hidden->hides(node, i)) meet(ray, drawable, i, nearest, found);
+    }
   }
   return found;
 }

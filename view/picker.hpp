@@ -1,8 +1,8 @@
 // What is under the cursor, by a ray through the drawables that are shown.
 #pragma once
 
-#include "scene/camera.hpp"
 #include "scene/chunk.hpp"
+#include "scene/frame_state.hpp"
 #include "scene/pack.hpp"
 
 #include <glm/vec3.hpp>
@@ -28,8 +28,9 @@ class Picker {
   explicit Picker(const Pack& pack) : pack_(pack) {}
 
   /// The nearest triangle behind the near plane at a place of the window: pixels from its left and top, whose
-  /// middles are at halves. Nullopt where there is background. Error for a damaged chunk.
-  std::optional<Picked> at(const View& view, std::span<const DrawableId> shown, double x, double y);
+  /// middles are at halves. What is hidden is not met. Nullopt where there is background. Error for a damaged
+  /// chunk.
+  std::optional<Picked> at(const FrameState& frame, std::span<const DrawableId> shown, double x, double y);
   /// What is so deep at a place of the window, model space.
   static glm::dvec3 place_at(const View& view, double x, double y, double depth);
 

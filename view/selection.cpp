@@ -8,8 +8,12 @@
 
 namespace triptych {
 
-Selection Selector::describe(const Picked& picked, const FrameState& frame) {
+const PackObjects& Selector::objects() {
   if (!objects_) objects_.emplace(pack_.read_objects());
+  return *objects_;
+}
+
+Selection Selector::describe(const Picked& picked, const FrameState& frame) {
   const Skeleton& skeleton = pack_.skeleton();
   const Drawable& drawable = skeleton.drawables[picked.drawable];
   const SceneNode& node = skeleton.scene_nodes[drawable.scene_node];
@@ -25,8 +29,9 @@ Selection Selector::describe(const Picked& picked, const FrameState& frame) {
       picked.point.x, picked.point.y, picked.point.z, picked.drawable, drawable.scene_node,
       picked.drawable - node.first_drawable, node.drawable_count, drawable.error,
       std::isfinite(pixels) ? fmt::format(", {:.3g} px", pixels) : "");
-  const SourceObjectId object = objects_->object_at(picked.drawable, picked.placement, picked.triangle);
+  const SourceObjectId object = objects().object_at(picked.drawable, picked.placement, picked.triangle);
   if (object == no_id) return selection;
+  selection.object = object;
   selection.text += object_text(*objects_, object);
   const SourceObjects& source = objects_->source();
   const SourceObject& known = source.objects[object];

@@ -16,7 +16,7 @@ constexpr double stood_still_s = 1, look_every_s = 0.2;
 }  // namespace
 
 Tour::Tour(const Pack& pack, const Walker& start)
-    : box_(model_box(pack.skeleton())), picker_(pack), selector_(pack), walker_(start), home_(start) {}
+    : pack_(pack), picker_(pack), selector_(pack), walker_(start), home_(start) {}
 
 void Tour::saw(const FrameState& frame, VisibleSet visible) {
   frame_ = frame;
@@ -38,7 +38,7 @@ void Tour::saw(const FrameState& frame, VisibleSet visible) {
 
 std::optional<Picked> Tour::under(const CursorPlace& place) {
   if (!frame_) return std::nullopt;
-  return picker_.at(frame_->view, visible_, place.x, place.y);
+  return picker_.at(*frame_, visible_, place.x, place.y);
 }
 
 glm::dvec3 Tour::point_under(const CursorPlace& place) {
@@ -73,12 +73,19 @@ bool Tour::take(const Input& input, int width, int height) {
   return moved;
 }
 
+Box Tour::subject() const {
+  if (selection_) return selection_->box;
+  const Skeleton& skeleton = pack_.skeleton();
+  const Box shown = model_box(skeleton, frame_ ? frame_->hiding.objects.get() : nullptr);
+  return shown.empty() ? model_box(skeleton) : shown;
+}
+
 bool Tour::take(Command command, int width, int height) {
   const Walker was = walker_;
   const double aspect = static_cast<double>(width) / height;
   const auto look_at = [&](Side side) {
     walker_.look_at(side);
-    walker_.frame(selection_ ? selection_->box : box_, aspect);
+    walker_.frame(subject(), aspect);
   };
   switch (command) {
     case Command::home:
@@ -90,7 +97,7 @@ bool Tour::take(Command command, int width, int height) {
       before_.pop_back();
       return true;
     case Command::fit:
-      walker_.frame(selection_ ? selection_->box : box_, aspect);
+      walker_.frame(subject(), aspect);
       break;
     case Command::look_at_front:
       look_at(Side::front);

@@ -27,6 +27,8 @@ class Tour {
   const Walker& walker() const { return walker_; }
   /// What was clicked on last; nullopt where that was the background.
   const std::optional<Selection>& selection() const { return selection_; }
+  /// Of the pack; read when they are first needed.
+  const PackObjects& objects() { return selector_.objects(); }
 
  private:
   std::optional<Picked> under(const CursorPlace& place);
@@ -36,7 +38,10 @@ class Tour {
   /// Keeps where the eye is, for Command::back, if it stood still there.
   void remember();
 
-  const Box box_;  ///< of the model
+  /// What is to fill the window: what is selected, or else all that is shown.
+  Box subject() const;
+
+  const Pack& pack_;
   Picker picker_;
   Selector selector_;
   Walker walker_, home_;

@@ -16,7 +16,8 @@ namespace triptych {
 namespace {
 
 Walker start(const Pack& pack, const ViewerOptions& options, double near) {
-  const Box box = model_box(pack.skeleton());
+  Box box = model_box(pack.skeleton(), options.hiding.objects.get());
+  if (box.empty()) box = model_box(pack.skeleton());
   if (options.path) return {options.path->view(0, 1, 1, near).camera, diagonal(box)};
   return Walker::before(box, near);
 }
@@ -40,7 +41,10 @@ std::string viewer_help() {
          "off\n"
          "  F2                  save the picture               F3                        save and print the "
          "camera\n"
-         "  F4                  record the walk, stop          H or F1, Esc              this help, leave\n";
+         "  H I                 hide, isolate the selection    Ctrl, Alt, both with H I  its layer, storey, "
+         "file\n"
+         "  U                   show all                       Ctrl+Z                    as it was before\n"
+         "  F4                  record the walk, stop          F1, Esc                   this help, leave\n";
 }
 
 Viewer::Viewer(const Pack& pack, ViewerOptions options)
@@ -48,7 +52,8 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
       near_(pack.skeleton().default_near()),
       options_(std::move(options)),
       window_(options_.window),
-      tour_(pack, start(pack, options_, near_)) {
+      tour_(pack, start(pack, options_, near_)),
+      hider_(pack.skeleton(), options_.hiding) {
   if (options_.path) exact_ = options_.path->frames.front();
 }
 
@@ -114,9 +119,15 @@ void Viewer::take(Command command) {
     case Command::help:
       say(viewer_help());
       break;
-    default:  // the tour's
+    default:  // the tour's, and those that hide
+      if (Hider::takes(command)) hide(command);
       break;
   }
+}
+
+void Viewer::hide(Command command) {
+  const auto& selection = tour_.selection();
+  saved_ = hider_.take(command, tour_.objects(), selection ? selection->object : no_id);
 }
 
 void Viewer::save(Command command) {
@@ -153,7 +164,8 @@ FrameRequest Viewer::next_frame() {
   }
   new_frame_ = false;
   if (walk_) walk_->frames.push_back(exact_ ? *exact_ : path_frame(view().camera));
-  return {next_number_++, {view(), options_.pixel_error, options_.samples, options_.edges}};
+  return {next_number_++,
+          {view(), options_.pixel_error, options_.samples, options_.edges, {}, hider_.hiding()}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,
@@ -179,6 +191,8 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
   title +=
       fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
   if (const auto& selection = tour_.selection()) title += ", " + selection->name;
+  if (const uint32_t hidden = frame.state.hiding.name.count; hidden > 0)
+    title += fmt::format(", {} objects hidden", hidden);
   if (!saved_.empty()) title += ", " + std::exchange(saved_, {});
   window_.set_title(title);
 }

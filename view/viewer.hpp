@@ -7,6 +7,7 @@
 #include "scene/pack.hpp"
 #include "scene/path.hpp"
 #include "view/birds_eye.hpp"
+#include "view/hider.hpp"
 #include "view/tour.hpp"
 #include "view/window.hpp"
 
@@ -25,6 +26,7 @@ struct ViewerOptions {
   double pixel_error = 1;
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
+  Hiding hiding = {};    ///< at the beginning
   bool culling = true;
   std::filesystem::path pictures = ".";  ///< where F2 to F4 save files; if they can: no key ends a walk
 };
@@ -47,6 +49,7 @@ class Viewer {
   /// The frame to draw now; each call gives the next number.
   FrameRequest next_frame();
   bool culling() const { return options_.culling; }
+  const Hiding& hiding() const { return hider_.hiding(); }
 
   /// Shows a frame that was drawn: its picture or, if the person wants that, the bird's-eye view of it.
   /// device: any of this pack in the window's context.
@@ -62,12 +65,14 @@ class Viewer {
   /// Whether the path's next camera is due.
   bool plays() const;
   void save(Command command);
+  void hide(Command command);
 
   const Pack& pack_;
   const double near_;  ///< the near plane where the path names none
   ViewerOptions options_;
   Window window_;
   Tour tour_;
+  Hider hider_;
   size_t path_frame_ = 0;  ///< the one to show next
   uint32_t next_number_ = 0;
   bool new_frame_ = true;  ///< whether the window has to be drawn again

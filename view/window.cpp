@@ -39,8 +39,30 @@ class Library {
   Library& operator=(const Library&) = delete;
 };
 
-std::optional<Command> command_of(int key) {
+/// Ctrl, Alt or both, and H or I; shift goes down, and means nothing here.
+std::optional<Command> hiding_command(bool isolates, int modifiers) {
+  switch (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) {
+    case GLFW_MOD_CONTROL:
+      return isolates ? Command::isolate_layer : Command::hide_layer;
+    case GLFW_MOD_ALT:
+      return isolates ? Command::isolate_storey : Command::hide_storey;
+    case GLFW_MOD_CONTROL | GLFW_MOD_ALT:
+      return isolates ? Command::isolate_file : Command::hide_file;
+    default:
+      return isolates ? Command::isolate_object : Command::hide_object;
+  }
+}
+
+std::optional<Command> command_of(int key, int modifiers) {
   switch (key) {
+    case GLFW_KEY_H:
+    case GLFW_KEY_I:
+      return hiding_command(key == GLFW_KEY_I, modifiers);
+    case GLFW_KEY_U:
+      return Command::show_all;
+    case GLFW_KEY_Z:
+      if ((modifiers & GLFW_MOD_CONTROL) != 0) return Command::undo_hiding;
+      return std::nullopt;
     case GLFW_KEY_HOME:
       return Command::home;
     case GLFW_KEY_BACKSPACE:
@@ -83,7 +105,6 @@ std::optional<Command> command_of(int key) {
       return Command::finer;
     case GLFW_KEY_RIGHT_BRACKET:
       return Command::coarser;
-    case GLFW_KEY_H:
     case GLFW_KEY_F1:
       return Command::help;
     default:
@@ -131,8 +152,9 @@ class Window::Implementation {
     glfwSwapInterval(0);
     context.emplace();
     if (!is_graphics_card(context->names())) shared = SharedPicture::make(window);
-    glfwSetKeyCallback(window,
-                       [](GLFWwindow* w, int key, int, int action, int) { of(w).on_key(key, action); });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+      of(w).on_key(key, action, modifiers);
+    });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { of(w).on_wheel(y); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).on_cursor(x, y); });
     glfwSetMouseButtonCallback(
@@ -173,11 +195,11 @@ class Window::Implementation {
     return std::exchange(input, {});
   }
 
-  void on_key(int key, int action) {
+  void on_key(int key, int action, int modifiers) {
     if (action != GLFW_PRESS) return;
     pressed.push_back(key);
     if (key == GLFW_KEY_ESCAPE) input.leave = true;
-    if (const auto command = command_of(key)) input.commands.push_back(*command);
+    if (const auto command = command_of(key, modifiers)) input.commands.push_back(*command);
   }
 
   void on_wheel(double steps) {

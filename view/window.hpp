@@ -40,6 +40,16 @@ enum class Command {
   switch_projection,
   save_camera,
   record_walk,
+  hide_object,  ///< what is selected, with all that is in it
+  hide_layer,   ///< all of its layer
+  hide_storey,
+  hide_file,
+  isolate_object,  ///< hides all the rest
+  isolate_layer,
+  isolate_storey,
+  isolate_file,
+  show_all,
+  undo_hiding,
   help
 };
 

@@ -34,6 +34,10 @@ const std::vector<DrawableId>& CutMapper::map(LazyCut& cut, const VisibleSet& vi
       if (above.drawable_count > 0) add(above.first_drawable + above.drawable_count - 1);
       continue;
     }
+    if (!cut.view().rules.hidden_is_gone && cut.view().hidden(node) == HiddenShare::all) {
+      add(id);
+      continue;
+    }
     if (cut.choice(node) == Cut::inner) {
       add_below(cut, node);
       continue;

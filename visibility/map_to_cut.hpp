@@ -16,8 +16,8 @@ class CutMapper {
   explicit CutMapper(const Skeleton& skeleton);
 
   /// For each drawable its scene node's drawable in the cut (kept, perhaps at another level of detail), or
-  /// its ancestor's there, or all its descendants' there; what left the frustum maps to nothing. In draw
-  /// rank order under the cut's view, each once. Valid until the next call.
+  /// its ancestor's there, or all its descendants' there; what left the frustum, or is hidden now, maps to
+  /// nothing. In draw rank order under the cut's view, each once. Valid until the next call.
   const std::vector<DrawableId>& map(LazyCut& cut, const VisibleSet& visible);
 
  private:

@@ -28,6 +28,8 @@ struct Trial {
   bool closed = false;  ///< at no pixel error may a view show the background where full detail does not
   size_t left_out = 0;  ///< placements that the build has to count as left out
   size_t max_drawables = ~size_t{0};  ///< that the build may come to
+  /// For each view the objects that are hidden, ids of Model::source_objects; nothing where it is empty.
+  std::vector<std::vector<SourceObjectId>> hidden = {};
   /// Another model and other views that must give the same pictures, pixel for pixel.
   std::shared_ptr<Trial> twin = nullptr;
   /// Path files that must be refused with one line that names their frame 0; then there are no views.

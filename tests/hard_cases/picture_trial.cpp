@@ -1,5 +1,6 @@
 // Pictures of every frame, in one process: what was culled against what was not.
 #include "nodes/local_pipeline.hpp"
+#include "scene/hidden_objects.hpp"
 #include "scene/layers.hpp"
 #include "tests/hard_cases/trials.hpp"
 #include "tests/support/pictures.hpp"
@@ -39,7 +40,9 @@ class PictureTrial {
   Problems run() {
     for (size_t i = 0; i < trial_.views.size() && problems_.size() < 5; ++i) {
       frame_ = i;
-      const FrameRequest request{static_cast<uint32_t>(i), {trial_.views[i], trial_.pixel_error}};
+      FrameRequest request{static_cast<uint32_t>(i), {trial_.views[i], trial_.pixel_error}};
+      if (!trial_.hidden.empty())
+        request.state.hiding = hide(built_.pack().skeleton(), objects_, trial_.hidden[i], "trial");
       const FrameRecord record = culled_.draw(request);
       const std::vector<uint8_t> picture = culled_.target().read_colors();
       if (i % 8 == 0) compare_sampled(request);
@@ -178,6 +181,7 @@ class PictureTrial {
   const Trial& trial_;
   const DeviceKind device_kind_;
   BuiltTrial built_;
+  const PackObjects objects_ = built_.pack().read_objects();
   std::optional<BuiltTrial> built_twin_;
   LocalPipeline culled_, whole_, everything_, unbounded_, with_backs_, items_, sampled_, sampled_whole_;
   std::optional<LocalPipeline> twin_;

@@ -1,10 +1,10 @@
 // What is said about command lines that are wrong, and what triptych.toml adds to those that are right.
 #include "launch/usage.hpp"
 
+#include "base/near_words.hpp"
 #include "launch/command.hpp"
 #include "launch/defaults.hpp"
 #include "launch/describe/described_command.hpp"
-#include "launch/near_words.hpp"
 #include "tests/launch/model_files.hpp"
 
 namespace triptych::test {

@@ -112,8 +112,12 @@ class Frames : public FrameSource {
   FrameRequest next(uint32_t number) override {
     state_.view = views_[number % views_.size()];
     next_ = number + 1;
-    return {number, state_};
+    FrameRequest frame{number, state_};
+    if (like_frame) like_frame(frame);
+    return frame;
   }
+  /// What is different in each frame.
+  std::function<void(FrameRequest&)> like_frame;
   /// Whether there is nothing to draw before this frame just now; asked again and again.
   std::function<bool(uint32_t next)> rests;
   bool ready(bool may_wait) override {
@@ -164,7 +168,7 @@ class Roles : public testing::Test {
     static std::array<ContextThread, 3> threads;
     return threads[static_cast<size_t>(role)];
   }
-  static const Pack& pack() { return scenes::pack("room"); }
+  static const Pack& pack() { return scenes::pack_with_objects("room"); }
   static const std::vector<View>& views() {
     static const std::vector<View> found = [] {
       auto all = scenes::path(pack().skeleton(), side, side);
@@ -226,6 +230,7 @@ class Roles : public testing::Test {
       const auto stop = [this] { return stopped(Role::render).load(); };
       Frames frames(views(), first, count, like);
       frames.rests = rests;
+      frames.like_frame = like_frame;
       RenderNodeOptions options;
       options.timeout = timeout;
       options.device = wanted_device();
@@ -277,10 +282,11 @@ class Roles : public testing::Test {
     return "";
   }
 
-  MemoryNetwork::Wrapper spoil;               ///< what becomes of a caller's end
-  std::function<void(Role, Mailbox&)> equip;  ///< what becomes of a mailbox
-  std::function<bool(uint32_t next)> rests;   ///< whether there is nothing to draw before a frame
-  FrameState like;                            ///< how frames are drawn, but for their views
+  MemoryNetwork::Wrapper spoil;                   ///< what becomes of a caller's end
+  std::function<void(Role, Mailbox&)> equip;      ///< what becomes of a mailbox
+  std::function<bool(uint32_t next)> rests;       ///< whether there is nothing to draw before a frame
+  FrameState like;                                ///< how frames are drawn, but for their views
+  std::function<void(FrameRequest&)> like_frame;  ///< what is different in each
   std::array<SessionRules, 3> rules;
   std::chrono::milliseconds timeout = patience;  ///< the render node's, for a frame
   std::chrono::milliseconds gather = patience;   ///< and before the first one

@@ -26,6 +26,9 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
   box.set_box({{0, 0, 0}, {1, 1, 1}}, "test");
   EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, plane}, 99, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, box}, 99, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, {}, {{1, 5}}}, 99, {1, 2, 3}), digest);
+  EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, {}, {{1, 5}}}, 99, {1, 2, 3}),
+            frame_digest(7, {view, 1.0, 1, false, {}, {{1, 6}}}, 99, {1, 2, 3}));
   for (int field = 0; field < 8; ++field) {
     View other = view;
     if (field == 0) other.camera.eye.x = 1.0000000000000002;

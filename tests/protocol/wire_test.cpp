@@ -53,6 +53,32 @@ TEST(Wire, an_orthographic_camera_comes_back_whether_or_not_it_is_the_last) {
   }
 }
 
+TEST(Wire, a_camera_names_what_is_hidden_and_a_section_each_by_itself) {
+  for (const bool hides : {false, true}) {
+    for (const bool cuts : {false, true}) {
+      CameraMessage camera{13, {sample_view(), 1}};
+      if (hides) camera.state.hiding.name = {100'000, 0xfedcba9876543210};
+      if (cuts) camera.state.section = sample_section();
+      EXPECT_TRUE(decode(encode(camera), "peer") == Message(camera)) << hides << cuts;
+    }
+  }
+}
+
+TEST(Wire, a_hidden_set_is_small_where_it_is_one_object_and_where_it_is_every_second) {
+  HiddenSet one{3, {50'000}}, second{3, {}};
+  for (uint32_t id = 0; id < 100'000; id += 2) second.objects.push_back(id);
+  EXPECT_LE(encode(one).size(), header_bytes + 8);
+  EXPECT_LE(encode(second).size(), header_bytes + 2048);
+  EXPECT_TRUE(decode(encode(second), "peer") == Message(second));
+}
+
+TEST(Wire, a_name_or_a_set_of_nothing_hidden_is_refused) {
+  EXPECT_THROW(decode(encode(HiddenSet{3, {}}), "peer"), Error);
+  CameraMessage camera{13, {sample_view(), 1}};
+  camera.state.hiding.name = {0, 7};
+  EXPECT_THROW(decode(encode(camera), "peer"), Error);
+}
+
 RC_GTEST_PROP(Wire, deltas_come_back_with_their_watermark,
               (uint32_t frame, uint64_t distance, uint32_t id, std::set<DrawableId> added)) {
   const auto encoded = encode_delta({{added.begin(), added.end()}, {}}, {});

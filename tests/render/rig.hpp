@@ -30,6 +30,8 @@ class Rig {
     frame.differing_pixels = differing_pixels(culled_.target().read_colors(), whole_.target().read_colors());
     return frame;
   }
+  /// The un-culled picture of the last frame.
+  const FrameTarget& whole() const { return whole_.target(); }
 
  private:
   LocalPipeline culled_, whole_;

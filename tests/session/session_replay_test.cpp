@@ -1,4 +1,5 @@
 // A recorded session shows its frames again, bit for bit, from its messages alone.
+#include "scene/pack_objects.hpp"
 #include "tests/session/scene_files.hpp"
 
 #include <set>
@@ -40,6 +41,39 @@ TEST_F(SessionReplay, shows_every_frame_as_it_was) {
   EXPECT_GT(different.size(), frame_count / 2) << "the path shows hardly anything";
 }
 
+TEST_F(SessionReplay, shows_frames_of_which_something_is_hidden_as_they_were) {
+  scenes::write_pack_with_objects("room", pack);
+  const std::vector<std::string> hide = {"--hide",    "layer:layer 2",   "--hide",    "object 1",
+                                         "--isolate", "storey:storey 0", "--isolate", "storey:storey 2"};
+  record(with({"--json", json}, hide));
+  EXPECT_EQ(json_of(json).at("fallback_frames"), 0);
+  const int hidden = json_of(json).at("hidden_objects").get<int>();
+  EXPECT_GT(hidden, 2);
+  const std::string replayed = folder.file("replayed.json"), alone = folder.file("alone"),
+                    whole = folder.file("whole");
+  run({"replay", recording, "--frames", "all", "-o", again, "--json", replayed});
+  const nlohmann::json report = json_of(replayed);
+  for (const auto& frame : report.at("frames")) EXPECT_EQ(frame.at("hidden"), hidden);
+  const std::vector<std::string> render = {"render", pack, "--path", path, "--size", "160x120", "-o"};
+  run(with(with(render, {alone}), hide));
+  run(with(render, {whole}));
+  size_t different = 0;
+  for (size_t i = 0; i < frame_count; ++i) {
+    EXPECT_EQ(text_of(again + name(i)) == text_of(pictures + name(i)), true) << "frame " << i;
+    EXPECT_EQ(text_of(alone + name(i)) == text_of(pictures + name(i)), true) << "frame " << i;
+    different += text_of(whole + name(i)) != text_of(pictures + name(i));
+  }
+  EXPECT_GT(different, frame_count / 2);
+}
+
+TEST_F(SessionReplay, a_word_that_means_nothing_is_one_line_before_any_role_starts) {
+  scenes::write_pack_with_objects("room", pack);
+  EXPECT_EQ(failure(session({"--hide", "layer:layr 2"})),
+            "triptych: --hide: no object of " +
+                std::to_string(scenes::pack_with_objects("room").read_objects().source().objects.size()) +
+                " is meant by \"layer:layr 2\"; did you mean layer:layer 2?");
+}
+
 TEST_F(SessionReplay, shows_one_frame_as_it_was) {
   record();
   const size_t frame = frame_count / 2;
@@ -61,9 +95,10 @@ TEST_F(SessionReplay, shows_frames_whose_sets_had_to_be_sent_again) {
 }
 
 TEST_F(SessionReplay, shows_frames_that_the_render_node_drew_alone_and_those_after_it) {
-  // A switch node is killed on the way; the others go on, and it comes back.
-  Program program(
-      session({"--loop", "6", "--rate", "40", "--record", recording, "-o", pictures, "--json", json}));
+  // A switch node is killed on the way; the others go on, and it comes back. What is hidden it gets again.
+  scenes::write_pack_with_objects("room", pack);
+  Program program(session({"--loop", "6", "--rate", "40", "--record", recording, "-o", pictures, "--json",
+                           json, "--hide", "layer:layer 1"}));
   const pid_t victim = program.role("switch 1");
   for (int tries = 0; tries < 6000 && !std::filesystem::exists(pictures + name(10)); ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -2,6 +2,7 @@
 
 #include "preprocess/build.hpp"
 #include "tests/support/awkward_meshes.hpp"
+#include "tests/support/object_sets.hpp"
 
 #include <array>
 #include <cmath>
@@ -313,23 +314,40 @@ Model make(const std::string& name) {
   throw std::invalid_argument("no scene is called " + name);
 }
 
-void write_pack(const std::string& name, const std::filesystem::path& file) {
+namespace {
+
+void write(const std::string& name, const Model& model, const std::filesystem::path& file) {
   const uint32_t triangles = name == "dust" ? 12 : 128;
-  build_pack(make(name), {.part_triangles = triangles, .leaf_triangles = triangles, .hlod_triangles = 96},
-             file);
+  build_pack(model, {.part_triangles = triangles, .leaf_triangles = triangles, .hlod_triangles = 96}, file);
+}
+
+using Packs = std::map<std::string, std::unique_ptr<Pack>>;
+
+const Pack& known(Packs& packs, const std::string& name, const Model& model) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
+                                     ("triptych_" + std::to_string(::getpid()) + "_" + name + ".tpk");
+  write(name, model, file);
+  const Pack& pack = *(packs[name] = std::make_unique<Pack>(file));
+  std::filesystem::remove(file);  // the pack keeps it open
+  return pack;
+}
+
+}  // namespace
+
+void write_pack(const std::string& name, const std::filesystem::path& file) { write(name, make(name), file); }
+
+void write_pack_with_objects(const std::string& name, const std::filesystem::path& file) {
+  write(name, test::with_objects(make(name)), file);
 }
 
 const Pack& pack(const std::string& name) {
-  static std::map<std::string, std::unique_ptr<Pack>> packs;
-  std::unique_ptr<Pack>& pack = packs[name];
-  if (!pack) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
-                                       ("triptych_" + std::to_string(::getpid()) + "_" + name + ".tpk");
-    write_pack(name, file);
-    pack = std::make_unique<Pack>(file);
-    std::filesystem::remove(file);  // the pack keeps it open
-  }
-  return *pack;
+  static Packs packs;
+  return packs[name] ? *packs[name] : known(packs, name, make(name));
+}
+
+const Pack& pack_with_objects(const std::string& name) {
+  static Packs packs;
+  return packs[name] ? *packs[name] : known(packs, name, test::with_objects(make(name)));
 }
 
 }  // namespace triptych::scenes

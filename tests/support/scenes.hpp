@@ -49,8 +49,11 @@ Model make(const std::string& name);
 /// The scene's pack, built with small leaves (dust: a box each) so that there is a hierarchy of some depth.
 /// The same pack each time in one process; no file of it is left.
 const Pack& pack(const std::string& name);
+/// The same of a model in which each placement is an object (tests/support/object_sets.hpp).
+const Pack& pack_with_objects(const std::string& name);
 /// Writes the scene's pack to a file.
 void write_pack(const std::string& name, const std::filesystem::path& file);
+void write_pack_with_objects(const std::string& name, const std::filesystem::path& file);
 
 /// A path that tries hard: small steps, turns, jumps, eyes inside boxes and on their faces, near planes that
 /// cut boxes, wide, narrow and lopsided frustums, long lenses from far away, orthographic ones.

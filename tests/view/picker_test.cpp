@@ -45,7 +45,7 @@ TEST(Picker, finds_the_nearest_triangle_of_what_is_shown) {
             if (along >= 0) nearest = std::min(nearest, along);
           }
         }
-        const auto picked = picker.at(view, shown, x, y);
+        const auto picked = picker.at({view}, shown, x, y);
         ASSERT_EQ(picked.has_value(), nearest < 1e300)
             << name << " view " << views << " at " << x << ", " << y;
         if (!picked) continue;

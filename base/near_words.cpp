@@ -1,4 +1,4 @@
-#include "launch/near_words.hpp"
+#include "base/near_words.hpp"
 
 #include <algorithm>
 

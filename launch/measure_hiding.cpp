@@ -1,0 +1,83 @@
+#include "base/distribution.hpp"
+#include "launch/measure.hpp"
+#include "launch/number_flags.hpp"
+#include "launch/text_table.hpp"
+#include "measure/hiding_cost.hpp"
+#include "measure/json.hpp"
+
+#include <fmt/core.h>
+
+namespace triptych {
+
+namespace {
+
+struct MeasureHidingCommand {
+  RunOptions run;
+  CullChoice cull;
+  size_t rounds = 5;
+};
+
+int run(const MeasureHidingCommand& command) {
+  const Pack pack(command.run.pack);
+  const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+  if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
+  const ChosenDevice device = choose_device(command.run.device);
+  const auto [width, height] = command.run.size;
+  LocalPipeline pipeline(pack, {.width = width,
+                                .height = height,
+                                .cull = command.cull.kind,
+                                .min_pixels = command.cull.min_pixels,
+                                .device = device.options});
+  const std::vector<HidingCost> costs = measure_hiding(pack, pipeline, frames, command.rounds);
+  const double without = distribution(costs.front().frame_ms).p50;
+  nlohmann::json rows = nlohmann::json::array();
+  std::vector<std::vector<std::string>> lines;
+  for (const HidingCost& cost : costs) {
+    const double frame = distribution(cost.frame_ms).p50, apply = distribution(cost.apply_ms).p50,
+                 first = distribution(cost.first_picture_ms).p50,
+                 same = distribution(cost.same_picture_ms).p50;
+    rows.push_back({{"hidden", cost.what},
+                    {"objects", cost.objects},
+                    {"message_bytes", cost.message_bytes},
+                    {"apply_ms", to_json(distribution(cost.apply_ms))},
+                    {"first_picture_ms", to_json(distribution(cost.first_picture_ms))},
+                    {"same_picture_ms", to_json(distribution(cost.same_picture_ms))},
+                    {"frame_ms", to_json(distribution(cost.frame_ms))},
+                    {"frame_over_without", frame / without},
+                    {"cut", cost.cut},
+                    {"drawn_triangles", cost.triangles}});
+    lines.push_back({cost.what, in_threes(static_cast<double>(cost.objects)),
+                     in_threes(static_cast<double>(cost.message_bytes)), in_threes(apply, 2),
+                     in_threes(first, 1), in_threes(same, 1), in_threes(frame, 1),
+                     in_threes(frame / without, 2), in_threes(cost.cut), in_threes(cost.triangles)});
+  }
+  fmt::print("{}", text_table({"hidden", "objects", "bytes", "apply ms", "first picture", "the same shown",
+                               "frame ms", "x", "cut", "triangles"},
+                              lines));
+  nlohmann::json report = {{"rows", rows}, {"frames", frames.size()}, {"rounds", command.rounds}};
+  add_device(report, device.names);
+  add_picture(report, command.run);
+  write_json(command.run.json, report);
+  return 0;
+}
+
+}  // namespace
+
+void add_measure_hiding(CLI::App& measure, Action& action) {
+  auto command = std::make_shared<MeasureHidingCommand>();
+  CLI::App* hiding = measure.add_subcommand(
+      "hiding", "What it costs to hide one object, and every second one: the step, and frames after it");
+  hiding->footer("Example: triptych measure hiding scene.tpk --path walk.json --json hiding.json");
+  add_run_flags(*hiding, command->run);
+  add_picture_flags(*hiding, command->run);
+  add_cull_flags(*hiding, command->cull);
+  hiding->add_option("--rounds", command->rounds, "How often each is measured; medians are reported")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  hiding->callback([command, hiding, &action] {
+    check_cull_flags(*hiding, command->cull);
+    action = [command] { return run(*command); };
+  });
+}
+
+}  // namespace triptych
