@@ -25,19 +25,24 @@ double error_of(const FrameView& view, const SceneNode& node, DrawableId id) {
   return std::max(error - of_children, 0.0);
 }
 
-/// Whether what others cover may be seen within the box: the near plane may cut it open.
-bool reveals(const FrameView& view, const LatticeBox& box) {
-  return view.rules.levels_from_outside && !view.eye_space.is_beyond_near(box);
+/// Whether what a drawable leaves out, since others cover it, may be seen: the near plane may cut its box open,
+/// or what covers it is hidden, which is no further from it than its error.
+bool shows_what_it_lacks(const FrameView& view, const SceneNode& node, const Drawable& drawable) {
+  if (!view.rules.levels_from_outside || !is_seen_from_outside(*view.skeleton, drawable)) return false;
+  if (!view.eye_space.is_beyond_near(node.box)) return true;
+  if (!view.state.hiding.objects) return false;
+  const double steps = std::ceil(drawable.error / view.skeleton->lattice().step) + 1;
+  const int reach = static_cast<int>(std::min(steps, 0x1p29));
+  return view.state.hiding.objects->touches({node.box.lo - reach, node.box.hi + reach});
 }
 
 /// The coarsest drawable of the node that keeps the pixel error, or no_id.
 DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBounds& bounds) {
-  const bool revealed = !view.skeleton->seen_from_outside.empty() && reveals(view, node.box);
   for (uint32_t level = node.drawable_count; level-- > 0;) {
     const DrawableId id = node.first_drawable + level;
-    if (revealed && is_seen_from_outside(*view.skeleton, view.skeleton->drawables[id])) continue;
     const double error = error_of(view, node, id);
-    if (projected_error(view.focal_length, error, bounds) <= view.state.pixel_error) return id;
+    if (projected_error(view.focal_length, error, bounds) > view.state.pixel_error) continue;
+    if (!shows_what_it_lacks(view, node, view.skeleton->drawables[id])) return id;
   }
   return no_id;
 }
