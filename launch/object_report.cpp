@@ -4,45 +4,13 @@
 #include "launch/file_report.hpp"
 #include "launch/text_table.hpp"
 #include "scene/file_objects.hpp"
+#include "scene/find_objects.hpp"
 #include "scene/object_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/core.h>
 
 namespace triptych {
-
-namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return lower;
-}
-
-}  // namespace
-
-std::vector<SourceObjectId> find_objects(const SourceObjects& source, std::string_view text) {
-  const std::string wanted = lower_case(text);
-  std::vector<bool> holds(source.texts.size());
-  for (uint32_t i = 0; i < holds.size(); ++i)
-    holds[i] = lower_case(source.texts[i]).find(wanted) != std::string::npos;
-  std::vector<bool> set_holds(source.sets.size());
-  for (uint32_t i = 0; i < set_holds.size(); ++i) {
-    const auto properties = source.properties_of(i);
-    set_holds[i] = std::any_of(properties.begin(), properties.end(),
-                               [&](const SourceProperty& property) { return holds[property.value]; });
-  }
-  std::vector<SourceObjectId> found;
-  for (SourceObjectId id = 0; id < source.objects.size(); ++id) {
-    const auto sets = source.sets_of(id);
-    if (std::any_of(object_texts.begin(), object_texts.end(),
-                    [&](const ObjectText& member) { return holds[source.objects[id].*member.text]; }) ||
-        std::any_of(sets.begin(), sets.end(), [&](uint32_t set) { return set_holds[set]; }))
-      found.push_back(id);
-  }
-  return found;
-}
 
 nlohmann::json to_json(const PackObjects& objects, SourceObjectId id) {
   const SourceObjects& source = objects.source();
@@ -99,7 +67,7 @@ std::string object_table(const PackObjects& objects, std::span<const SourceObjec
 
 void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description) {
   const PackObjects objects = pack.read_objects();
-  const std::vector<SourceObjectId> found = find_objects(objects.source(), find);
+  const std::vector<SourceObjectId> found = ObjectFinder(objects.source()).find(find);
   fmt::print("{} objects", in_threes(static_cast<double>(objects.source().objects.size())));
   if (!find.empty())
     fmt::print(", {} with \"{}\"", in_threes(static_cast<double>(found.size())), one_line(find));

@@ -12,10 +12,6 @@
 
 namespace triptych {
 
-/// The objects of which a name, kind, GUID, layer, storey, number or property value holds the text, whatever
-/// the case of its ASCII letters; all of them for an empty text.
-std::vector<SourceObjectId> find_objects(const SourceObjects& source, std::string_view text);
-
 /// "id", "scene_nodes" (ids of leaves), and where the file says them "name", "type", "layer", "storey",
 /// "guid", "number", "parent" (an id), "path" and "properties" {set: {name: value}}.
 nlohmann::json to_json(const PackObjects& objects, SourceObjectId id);
@@ -23,7 +19,7 @@ nlohmann::json to_json(const PackObjects& objects, SourceObjectId id);
 /// A table of the first objects, one line each, without columns that all of them lack.
 std::string object_table(const PackObjects& objects, std::span<const SourceObjectId> ids);
 
-/// Prints the objects that hold the text (find_objects()), and adds them to the description:
+/// Prints the objects that hold the text (ObjectFinder), and adds them to the description:
 /// "source_object_count" and "source_objects".
 void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description);
 
