@@ -10,6 +10,7 @@
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "model/import/import.hpp"
+#include "model/import/own_system.hpp"
 
 #include <fmt/core.h>
 
@@ -122,6 +123,8 @@ int run(const BuildCommand& command) {
   const double import_seconds = stopwatch.seconds();
   BuildOptions options = command.flags.options();
   options.said = build_words(command.flags);
+  if (const auto system = own_system(command.flags.inputs, command.flags.import))
+    say_system(*system, options.said);
   options.fingerprint = build_fingerprint(command.flags, model.files);
   const std::vector<std::filesystem::path> files = model.files;
   if (cache) options.cache = &*cache;

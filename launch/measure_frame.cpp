@@ -1,6 +1,7 @@
 #include "launch/hide_flags.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/pick_steps.hpp"
 #include "launch/text_table.hpp"
 #include "measure/allocation_count.hpp"
 #include "measure/frame_steps.hpp"
@@ -56,6 +57,17 @@ nlohmann::json report_of(const std::vector<FrameStepSamples>& samples) {
           {"allocations_per_frame", allocations_are_counted() ? nlohmann::json(of_loop) : nlohmann::json()}};
 }
 
+/// What is done when a person clicks or measures, which is no part of a frame.
+void add_picks(const std::vector<PickSamples>& samples, nlohmann::json& rows) {
+  for (size_t step = 0; step < pick_step_names.size(); ++step) {
+    std::vector<double> microseconds;
+    for (const PickSamples& frame : samples) microseconds.push_back(frame[step]);
+    rows.push_back({{"step", pick_step_names[step]},
+                    {"us", to_json(distribution(microseconds))},
+                    {"allocations", nullptr}});
+  }
+}
+
 int run(const MeasureFrameCommand& command) {
   const Pack pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack);
@@ -63,6 +75,7 @@ int run(const MeasureFrameCommand& command) {
   PackDevice device(pack, chosen.options);
   nlohmann::json report =
       report_of(measure_frame_steps(pack, device.hierarchy(), device.device(), frames, command.rounds));
+  add_picks(measure_picks(pack, frames), report["rows"]);
   std::vector<std::vector<std::string>> lines;
   for (const nlohmann::json& line : std::as_const(report)["rows"]) {
     const nlohmann::json& us = line["us"];

@@ -108,8 +108,8 @@ bool is_standard_output(const CLI::Option& option, const std::string& name) {
 }
 
 bool is_written(const CLI::Option& option) {
-  constexpr std::array<std::string_view, 7> flags = {"--json",   "--output",  "--timeline", "--keep-pack",
-                                                     "--record", "--journal", "--cache"};
+  constexpr std::array<std::string_view, 8> flags = {"--json",   "--output",  "--timeline", "--keep-pack",
+                                                     "--record", "--journal", "--cache",    "--place"};
   return std::count(flags.begin(), flags.end(), option.get_name()) > 0;
 }
 

@@ -67,7 +67,7 @@ std::string object_table(const PackObjects& objects, std::span<const SourceObjec
 
 void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description) {
   const PackObjects objects = pack.read_objects();
-  const std::vector<SourceObjectId> found = find_objects(objects.source(), find);
+  const std::vector<SourceObjectId> found = ObjectFinder(objects.source()).find(find);
   fmt::print("{} objects", in_threes(static_cast<double>(objects.source().objects.size())));
   if (!find.empty())
     fmt::print(", {} with \"{}\"", in_threes(static_cast<double>(found.size())), one_line(find));

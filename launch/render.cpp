@@ -14,6 +14,7 @@
 #include "render/png_file.hpp"
 #include "scene/pack.hpp"
 #include "session/pictures.hpp"
+#include "session/viewpoint_frames.hpp"
 
 #include <fmt/core.h>
 
@@ -24,7 +25,7 @@ namespace {
 struct RenderCommand {
   RunOptions run;
   ShownModel model;
-  std::filesystem::path output, timeline;
+  std::filesystem::path output, timeline, bcf;
   CullChoice cull;
   const CLI::App* words = nullptr;  ///< what was parsed
   bool full_detail = false, item_buffer = false;
@@ -33,7 +34,8 @@ struct RenderCommand {
 int run(const RenderCommand& command) {
   if (!command.timeline.empty()) start_timeline();
   const Pack pack(command.run.pack);
-  std::vector<FrameRequest> frames = load_frames(command.run, pack);
+  std::vector<FrameRequest> frames =
+      command.bcf.empty() ? load_frames(command.run, pack) : viewpoint_frames(command.bcf, command.run, pack);
   const ChosenDevice device = choose_device(command.run.device);
   OutputFolder claimed(command.output, run_line(*command.words));
   const auto [width, height] = command.run.size;
@@ -106,8 +108,13 @@ void add_render(CLI::App& app, Action& action) {
       ->excludes("--target-ms");
   sub->add_flag("--item-buffer", command->item_buffer, "Draw each drawable in a colour of its own");
   add_every_flag(*sub, command->run);
+  sub->get_option("--path")->required(false);
+  sub->add_option("--bcf", command->bcf, "Draw the viewpoints of this BCF file instead of a path")
+      ->type_name("FILE")
+      ->excludes("--path");
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
+    require_path(command->run, !command->bcf.empty());
     check_shown_model(*sub, command->model);
     action = [command] {
       command->run.pack = pack_of(command->model, {command->run.json, command->timeline});

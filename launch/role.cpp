@@ -95,6 +95,10 @@ void add_role(CLI::App& app, Action& action) {
       ->check(whole_number(0, max_frames));
   add_until_told_flag(*render, render_command->until_told);
   add_window_flag(*render, render_command->window);
+  render
+      ->add_option("--place", render_command->place,
+                   "Keep where the person at the window stands in this file; begin there if it is there")
+      ->type_name("FILE");
   render->add_flag("--hash", render_command->hash, "Record each picture's hash and visible set");
   render->callback([render_command, &action] {
     if (render_command->listen.empty() && render_command->listen_descriptor < 0)

@@ -10,6 +10,7 @@
 #include "nodes/frame_watch.hpp"
 #include "nodes/local_steering.hpp"
 #include "scene/pack.hpp"
+#include "session/viewpoint_frames.hpp"
 #include "session/window_source.hpp"
 
 #include <fmt/core.h>
@@ -25,7 +26,8 @@ struct ViewCommand {
   std::optional<ContextKind> context;  ///< nullopt: the display's own
   bool play = false;
   double rate = 0;
-  std::filesystem::path pictures = ".";
+  std::filesystem::path pictures = ".", bcf;
+  size_t viewpoint = 1;
 };
 
 int run(const ViewCommand& command) {
@@ -36,6 +38,7 @@ int run(const ViewCommand& command) {
   options.play = command.play;
   options.rate = command.rate;
   options.pictures = command.pictures;
+  if (!command.bcf.empty()) begin_at_viewpoint(command.bcf, command.viewpoint, pack, options);
   if (options.play && !options.path) fail("view", "--play needs a --path to play");
   Viewer viewer(pack, options);
   say(viewer_help());
@@ -105,8 +108,15 @@ void add_view(CLI::App& app, Action& action) {
                   "Cameras of the path a second, while it plays (default: as fast as pictures come)")
       ->check(number_between(0.01, 1000.0));
   sub->add_flag("--play", command->play, "Play the path at once, over and over");
-  sub->add_option("-o,--output", command->pictures, "Folder for pictures that F2 saves")
+  sub->add_option("-o,--output", command->pictures, "Folder for what F2 to F5 save")
       ->type_name("DIR")
+      ->capture_default_str();
+  CLI::Option* bcf = sub->add_option("--bcf", command->bcf, "Begin at a viewpoint of this BCF file")
+                         ->type_name("FILE")
+                         ->excludes("--path");
+  sub->add_option("--viewpoint", command->viewpoint, "Which of them, from 1 on")
+      ->needs(bcf)
+      ->check(whole_number(1, 1'000'000))
       ->capture_default_str();
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);

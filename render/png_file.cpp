@@ -8,7 +8,8 @@
 
 namespace triptych {
 
-void write_png(const std::filesystem::path& file, int width, int height, std::span<const uint8_t> rgba) {
+std::vector<std::byte> encode_png(int width, int height, std::span<const uint8_t> rgba,
+                                  const std::string& place) {
   const auto row_bytes = static_cast<size_t>(width) * 3;
   std::vector<uint8_t> rgb(row_bytes * static_cast<size_t>(height));
   for (size_t pixel = 0; pixel < rgb.size() / 3; ++pixel) {
@@ -24,9 +25,14 @@ void write_png(const std::filesystem::path& file, int width, int height, std::sp
   std::vector<std::byte> bytes(size);
   const auto stride = -static_cast<png_int_32>(row_bytes);  // bottom row first
   if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), stride, nullptr)) {
-    fail(file.string(), "cannot be encoded as PNG: {}", image.message);
+    fail(place, "cannot be encoded as PNG: {}", image.message);
   }
   bytes.resize(size);
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& file, int width, int height, std::span<const uint8_t> rgba) {
+  const std::vector<std::byte> bytes = encode_png(width, height, rgba, file.string());
   AtomicFile output(file);
   output.write(bytes);
   output.commit();

@@ -87,11 +87,10 @@ View Path::view(size_t i, int width, int height, double default_near) const {
 
 namespace {
 
-Path load(const std::filesystem::path& file) {
-  const std::string place = file.string();
+Path parse(const std::string& text, const std::string& place) {
   json document;
   try {
-    document = json::parse(read_text_file(file));
+    document = json::parse(text);
   } catch (const json::exception& error) {
     fail(place, "is no JSON: {}", error.what());
   }
@@ -123,8 +122,10 @@ Path load(const std::filesystem::path& file) {
 
 }  // namespace
 
-Path load_path(const std::filesystem::path& file) {
-  return round_to_nearest([&] { return load(file); });
+Path load_path(const std::filesystem::path& file) { return parse_path(read_text_file(file), file.string()); }
+
+Path parse_path(const std::string& text, const std::string& place) {
+  return round_to_nearest([&] { return parse(text, place); });
 }
 
 std::string path_text(const Path& path) {

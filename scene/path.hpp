@@ -32,6 +32,9 @@ struct Path {
 /// "time_seconds" (a number) and "comment" are allowed at the top and on frames, and are ignored.
 Path load_path(const std::filesystem::path& file);
 
+/// The same of a text. place: what errors name.
+Path parse_path(const std::string& text, const std::string& place);
+
 /// A path file that load_path() reads.
 std::string path_text(const Path& path);
 

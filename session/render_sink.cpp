@@ -45,7 +45,8 @@ void RenderSink::picture(FrameRecord record, const FrameTarget& target) {
               [this, record = std::move(record)] { add(record); });
 }
 
-void RenderSink::epoch_ended(const Mailbox& mailbox, const std::string&) {
+void RenderSink::epoch_ended(const Mailbox& mailbox, const std::string& reason) {
+  if (window_ && !reason.empty()) window_->say_alone(reason);
   add_sockets(record_.sockets, sockets_of(Role::render, mailbox));
   add_backlog(record_.max_backlog, mailbox.max_backlog());
   recorded_ = {};  // a replay keeps the last few sets, and the epoch may have had many

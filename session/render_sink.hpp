@@ -23,7 +23,10 @@ class RenderSink : public FrameSink {
 
   void show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) override;
   void picture(FrameRecord record, const FrameTarget& target) override;
-  void clocks(const std::vector<PeerClock>& clocks) override { record_.clocks = clocks; }
+  void clocks(const std::vector<PeerClock>& clocks) override {
+    record_.clocks = clocks;
+    if (window_) window_->say_together();
+  }
   void epoch_ended(const Mailbox& mailbox, const std::string& reason) override;
 
   /// Waits until every picture is written; Error if one could not be. Then returns the role's record, whose

@@ -64,7 +64,7 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
   if (options.rate > 0) append(words, {"--rate", fmt::format("{}", options.rate)});
   if (!options.output.empty()) append(words, {"-o", options.output.string()});
   if (!setup.path.empty()) append(words, {"--path", setup.path.string()});
-  if (options.window) append(words, {"--window"});
+  if (options.window) append(words, {"--window", "--place", setup.place.string()});
   if (options.hash) append(words, {"--hash"});
   if (run.edges) append(words, {"--edges"});
   for (const std::string& word : run.hide) append(words, {"--hide=" + word});

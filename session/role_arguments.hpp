@@ -19,6 +19,7 @@ struct SessionSetup {
   const Listener* render_listener = nullptr;
   const Listener* switch_listener = nullptr;  ///< used by a session on this machine alone
   std::filesystem::path journal;              ///< of the render node's frames
+  std::filesystem::path place;                ///< where the person at its window stands
 };
 
 /// `role render …`, from the first frame that is not in the journal.

@@ -33,7 +33,8 @@ struct RoleCommand {
   double gather_s = 0;  ///< the first frame waits so long for switch nodes
   uint32_t begin = 0;
   bool hash = false;
-  bool until_told = false;  ///< the path is played until a signal comes, which is no interruption then
+  std::filesystem::path place;  ///< where the person at the window stands, for its successor; empty: not kept
+  bool until_told = false;      ///< the path is played until a signal comes, which is no interruption then
 };
 
 /// Runs a switch node until the session is over, and writes its record. Returns the exit code: that of an

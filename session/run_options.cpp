@@ -30,10 +30,11 @@ Hiding load_hiding(const RunOptions& options, const Pack& pack) {
   if (options.hide.empty() && options.isolate.empty()) return {};
   const PackObjects objects = pack.read_objects();
   const SourceObjects& source = objects.source();
+  const ObjectFinder finder(source);
   const auto meant = [&](const std::vector<std::string>& words, const std::string& flag) {
     std::vector<SourceObjectId> found;
     for (const std::string& word : words) {
-      const std::vector<SourceObjectId> more = require_objects(source, word, flag);
+      const std::vector<SourceObjectId> more = finder.require(word, flag);
       found.insert(found.end(), more.begin(), more.end());
     }
     return with_contents(source, found);

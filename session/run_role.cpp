@@ -111,6 +111,7 @@ int run_render(const RoleCommand& command) {
   if (command.window) {
     ViewerOptions options = viewer_options(command.run, pack);
     if (!command.output.empty()) options.pictures = command.output;
+    options.place = command.place;
     window = std::make_unique<WindowSource>(pack, options, command.begin);
     device = choose_device(command.run.device, window->names());
   } else {

@@ -101,6 +101,7 @@ Supervisor::Supervisor(const SessionOptions& options, uint64_t pack_hash)
   setup_.switch_listener = &switch_listener_;
   setup_.pack_hash = pack_hash;
   setup_.journal = folder_.path() / "frames";
+  setup_.place = folder_.path() / "place.json";
   if (options.run.path.empty()) return;
   // A render node that is started again plays what the first one played, whatever became of the file.
   setup_.path = folder_.path() / "path.json";

@@ -34,7 +34,15 @@ bool WindowSource::ready(bool may_wait) {
   return viewer_.wait_for_frame(may_wait ? patience_s : 0);
 }
 
+void WindowSource::say_alone(const std::string& reason) {
+  const size_t name_end = reason.find(" lost: ");  // "switch node 1 lost: connection closed"
+  viewer_.say_alone(name_end != std::string::npos ? reason.substr(0, name_end) + " is gone: drawing alone"
+                                                  : "drawing alone: " + reason);
+}
+
 void WindowSource::show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages) {
+  if (!record.fallback) say_together();
+  if (record.fallback && !record.lost.empty()) say_alone(record.lost);
   if (viewer_.culling()) return viewer_.show(frame, record, stages.target(), stages.device());
   const View& view = frame.state.view;
   if (!whole_cut_ || whole_cut_->target().width() != view.width ||

@@ -29,6 +29,10 @@ class WindowSource : public FrameSource {
   /// Shows a frame; where culling is off, the whole cut that it was culled from.
   void show(const FrameRequest& frame, const FrameRecord& record, LocalPipeline& stages);
   const DeviceNames& names() const { return viewer_.names(); }
+  /// Both switch nodes are there; or they are not, for a reason that ends an epoch or kept one from
+  /// beginning.
+  void say_together() { viewer_.say_alone(""); }
+  void say_alone(const std::string& reason);
 
  private:
   uint32_t first_;

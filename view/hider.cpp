@@ -51,7 +51,7 @@ std::vector<SourceObjectId> objects_of(const SourceObjects& source, SourceObject
   const bool layer = scope == Scope::layer;
   const std::string name = text_of(source, object, layer ? &SourceObject::layer : &SourceObject::storey);
   if (name.empty()) return {};
-  return find_objects(source, (layer ? "layer:" : "storey:") + name);
+  return ObjectFinder(source).find((layer ? "layer:" : "storey:") + name);
 }
 
 const char* what(Scope scope) {

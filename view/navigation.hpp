@@ -60,6 +60,8 @@ class Walker {
   const glm::dvec3& eye() const { return eye_; }
   const glm::dvec3& up() const { return up_; }
   bool orthographic() const { return projection_ == Projection::orthographic; }
+  double pace() const { return pace_; }
+  void set_pace(double pace) { pace_ = pace; }    ///< positive
   double speed() const { return pace_ * seen_; }  ///< model units a second
   double seen() const { return seen_; }           ///< what see() was told last, model units
 

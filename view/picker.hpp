@@ -1,16 +1,12 @@
 // What is under the cursor, by a ray through the drawables that are shown.
 #pragma once
 
-#include "scene/chunk.hpp"
 #include "scene/frame_state.hpp"
-#include "scene/pack.hpp"
+#include "view/placed_chunk.hpp"
 
 #include <glm/vec3.hpp>
-#include <memory>
 #include <optional>
 #include <span>
-#include <tsl/robin_map.h>
-#include <vector>
 
 namespace triptych {
 
@@ -22,31 +18,29 @@ struct Picked {
   glm::dvec3 point{0};     ///< model space
 };
 
+/// What lies at a place of the window: from + t · way, t >= near. t is the depth along the line of sight.
+struct EyeRay {
+  glm::dvec3 from{0}, way{0};
+  double near = 0;
+};
+/// x, y: pixels from the window's left and top, whose middles are at halves.
+EyeRay eye_ray(const View& view, double x, double y);
+
 /// Keeps the chunks that rays met last. For one thread; the pack must outlive it.
 class Picker {
  public:
-  explicit Picker(const Pack& pack) : pack_(pack) {}
+  explicit Picker(const Pack& pack) : pack_(pack), chunks_(pack) {}
 
-  /// The nearest triangle behind the near plane at a place of the window: pixels from its left and top, whose
-  /// middles are at halves. What is hidden is not met. Nullopt where there is background. Error for a damaged
-  /// chunk.
+  /// The nearest triangle behind the near plane at a place of the window (eye_ray()). What is hidden is not
+  /// met. Nullopt where there is background. Error for a damaged chunk.
   std::optional<Picked> at(const FrameState& frame, std::span<const DrawableId> shown, double x, double y);
   /// What is so deep at a place of the window, model space.
   static glm::dvec3 place_at(const View& view, double x, double y, double depth);
+  ChunkShelf& chunks() { return chunks_; }
 
  private:
-  struct Ray {
-    glm::dvec3 from, way;  ///< way: its part along the line of sight is 1
-    double near;           ///< the first that counts, in lengths of `way`
-  };
-  static Ray ray(const View& view, double x, double y);
-  void meet(const Ray& ray, DrawableId drawable, uint32_t placement, double& nearest,
-            std::optional<Picked>& found);
-  const Chunk& chunk(uint32_t number);
-
   const Pack& pack_;
-  tsl::robin_map<uint32_t, std::shared_ptr<const Chunk>> chunks_;
-  uint64_t kept_triangles_ = 0;
+  ChunkShelf chunks_;
 };
 
 }  // namespace triptych

@@ -13,6 +13,46 @@ const PackObjects& Selector::objects() {
   return *objects_;
 }
 
+std::vector<SourceObjectId> Selector::parts_of(SourceObjectId object) {
+  if (!objects().nodes_of(object).empty()) return {object};
+  const SourceObjects& source = objects().source();
+  std::vector<bool> within(source.objects.size());
+  within[object] = true;
+  std::vector<SourceObjectId> parts;
+  for (SourceObjectId id = object + 1; id < source.objects.size(); ++id) {  // parents come first
+    const SourceObjectId parent = source.objects[id].parent;
+    within[id] = parent != no_id && within[parent];
+    if (within[id] && !objects().nodes_of(id).empty()) parts.push_back(id);
+  }
+  return parts;
+}
+
+void Selector::add_object(SourceObjectId object, Selection& selection) {
+  selection.object = object;
+  selection.text += object_text(objects(), object);
+  const SourceObjects& source = objects().source();
+  const SourceObject& known = source.objects[object];
+  for (const uint32_t text : {known.name, known.type, known.guid}) {
+    if (text == 0) continue;
+    selection.name = in_one_cell(source.texts[text], 60);
+    break;
+  }
+  const Skeleton& skeleton = pack_.skeleton();
+  Box box;
+  for (const SourceObjectId part : parts_of(object)) {
+    for (const SceneNodeId leaf : objects().nodes_of(part))
+      box.extend(skeleton.lattice().box(skeleton.scene_nodes[leaf].box));
+  }
+  selection.box = box;
+}
+
+Selection Selector::describe(SourceObjectId object) {
+  Selection selection;
+  selection.name = fmt::format("object {}", object);
+  add_object(object, selection);
+  return selection;
+}
+
 Selection Selector::describe(const Picked& picked, const FrameState& frame) {
   const Skeleton& skeleton = pack_.skeleton();
   const Drawable& drawable = skeleton.drawables[picked.drawable];
@@ -29,21 +69,9 @@ Selection Selector::describe(const Picked& picked, const FrameState& frame) {
       picked.point.x, picked.point.y, picked.point.z, picked.drawable, drawable.scene_node,
       picked.drawable - node.first_drawable, node.drawable_count, drawable.error,
       std::isfinite(pixels) ? fmt::format(", {:.3g} px", pixels) : "");
+  selection.picked = picked;
   const SourceObjectId object = objects().object_at(picked.drawable, picked.placement, picked.triangle);
-  if (object == no_id) return selection;
-  selection.object = object;
-  selection.text += object_text(*objects_, object);
-  const SourceObjects& source = objects_->source();
-  const SourceObject& known = source.objects[object];
-  for (const uint32_t text : {known.name, known.type, known.guid}) {
-    if (text == 0) continue;
-    selection.name = in_one_cell(source.texts[text], 60);
-    break;
-  }
-  Box box;
-  for (const SceneNodeId leaf : objects_->nodes_of(object))
-    box.extend(skeleton.lattice().box(skeleton.scene_nodes[leaf].box));
-  selection.box = box;
+  if (object != no_id) add_object(object, selection);
   return selection;
 }
 

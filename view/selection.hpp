@@ -1,4 +1,4 @@
-// What a person clicked on, in words.
+// What a person clicked on or searched for, in words.
 #pragma once
 
 #include "scene/frame_state.hpp"
@@ -7,14 +7,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace triptych {
 
 struct Selection {
-  SourceObjectId object = no_id;  ///< no_id where the model's files name none
-  std::string name;               ///< of the object, for a title; where the model names none, of the drawable
-  std::string text;               ///< all that is known, in a few lines
-  Box box;                        ///< of the object, or of the scene node, model space
+  std::string name;  ///< of the object, for a title; where the model names none, of the drawable
+  std::string text;  ///< all that is known, in a few lines
+  Box box;           ///< of the object, or of the scene node, model space; empty where it shows nothing
+  SourceObjectId object = no_id;   ///< no_id where the model's files name none
+  std::optional<Picked> picked{};  ///< where it was clicked on; nullopt where it was searched for
 };
 
 /// Reads the pack's objects when it is first asked. The pack must outlive it.
@@ -23,9 +25,15 @@ class Selector {
   explicit Selector(const Pack& pack) : pack_(pack) {}
   /// frame: the one in which it was picked. Error for a damaged section.
   Selection describe(const Picked& picked, const FrameState& frame);
+  /// An object, wherever it is.
+  Selection describe(SourceObjectId object);
   const PackObjects& objects();
+  /// Those that show it: the object itself, or where it has no geometry of its own what is in it.
+  std::vector<SourceObjectId> parts_of(SourceObjectId object);
 
  private:
+  void add_object(SourceObjectId object, Selection& selection);
+
   const Pack& pack_;
   std::optional<PackObjects> objects_;
 };

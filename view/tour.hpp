@@ -23,12 +23,21 @@ class Tour {
   bool take(Command command, int width, int height);
   /// The eye is moved by something else, as when a path is played.
   void jump_to(const Camera& camera) { walker_.jump_to(camera); }
+  /// As if the person had been here before; Command::home goes back to the start all the same.
+  void begin_at(const Camera& camera, double pace) {
+    walker_.jump_to(camera);
+    walker_.set_pace(pace);
+  }
 
   const Walker& walker() const { return walker_; }
   /// What was clicked on last; nullopt where that was the background.
   const std::optional<Selection>& selection() const { return selection_; }
-  /// Of the pack; read when they are first needed.
-  const PackObjects& objects() { return selector_.objects(); }
+  void select(std::optional<Selection> selection) { selection_ = std::move(selection); }
+  Selector& selector() { return selector_; }
+  Picker& picker() { return picker_; }
+  /// The last picture, and what it shows; null before the first.
+  const FrameState* frame() const { return frame_ ? &*frame_ : nullptr; }
+  const VisibleSet& visible() const { return visible_; }
 
  private:
   std::optional<Picked> under(const CursorPlace& place);

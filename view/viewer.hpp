@@ -8,6 +8,8 @@
 #include "scene/path.hpp"
 #include "view/birds_eye.hpp"
 #include "view/hider.hpp"
+#include "view/inquiry.hpp"
+#include "view/last_place.hpp"
 #include "view/tour.hpp"
 #include "view/window.hpp"
 
@@ -28,7 +30,11 @@ struct ViewerOptions {
   bool edges = false;    ///< drawn as lines
   Hiding hiding = {};    ///< at the beginning
   bool culling = true;
-  std::filesystem::path pictures = ".";  ///< where F2 to F4 save files; if they can: no key ends a walk
+  std::filesystem::path pictures = ".";    ///< where F2 to F5 save files; if they can: no key ends a walk
+  Section section = {};                    ///< what is cut away
+  std::vector<std::string> selected = {};  ///< GUIDs; the first that the model has is selected
+  /// Where a person stands is kept in this file, and a viewer that finds it begins there; none where empty.
+  std::filesystem::path place = {};
 };
 
 /// What the keys do, one line each.
@@ -52,35 +58,54 @@ class Viewer {
   const Hiding& hiding() const { return hider_.hiding(); }
 
   /// Shows a frame that was drawn: its picture or, if the person wants that, the bird's-eye view of it.
-  /// device: any of this pack in the window's context.
+  /// device: any of this pack in the window's context. The picture must stay as it is until the next frame
+  /// is drawn: it is shown again where only what is drawn over it changes.
   void show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture, Device& device);
+
+  /// Why pictures are drawn without the help of other processes, for the title; empty where they help.
+  void say_alone(const std::string& reason);
 
   Window& window() { return window_; }
   const DeviceNames& names() const { return window_.names(); }
 
  private:
-  void take(const Input& input);
+  void take(Input input);
   void take(Command command);
   View view() const;
   /// Whether the path's next camera is due.
   bool plays() const;
   void save(Command command);
   void hide(Command command);
+  void take_camera(const std::string& text);
+  /// The camera as the person sees through it.
+  PathFrame camera() const;
+  void select_first(const std::vector<std::string>& guids);
+  void save_viewpoint(const std::vector<uint8_t>& colors, const FrameState& frame);
+  void begin_at(const LastPlace& place);
+  void keep_place();
+  /// What is drawn over the picture has changed.
+  void show_again();
+  void set_title();
 
   const Pack& pack_;
   const double near_;  ///< the near plane where the path names none
   ViewerOptions options_;
   Window window_;
   Tour tour_;
-  Hider hider_;
   size_t path_frame_ = 0;  ///< the one to show next
   uint32_t next_number_ = 0;
   bool new_frame_ = true;  ///< whether the window has to be drawn again
-  bool left_ = false, birds_eye_wanted_ = false, picture_wanted_ = false;
+  bool left_ = false, birds_eye_wanted_ = false, picture_wanted_ = false, viewpoint_wanted_ = false;
   std::optional<BirdsEye> birds_eye_;
   std::optional<PathFrame> exact_;  ///< the path's camera, until the person moves away from it
   std::optional<Path> walk_;        ///< what is being recorded
   std::string saved_;               ///< the title says it with the next picture
+  Inquiry inquiry_;
+  Hider hider_;
+  const FrameTarget* shown_ = nullptr;  ///< what is in the window; null before the first picture
+  std::string figures_;                 ///< of the last frame, for the title
+  std::string alone_;                   ///< why, for the title
+  PlaceKeeper place_;
   Stopwatch since_path_frame_;
 };
 

@@ -3,12 +3,16 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "nodes/device_choice.hpp"
+#include "raster/lines.hpp"
 #include "render/gl_device.hpp"
+#include "render/window_lines.hpp"
 #include "render/window_picture.hpp"
 #include "view/shared_picture.hpp"
+#include "view/typed_text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -107,6 +111,26 @@ std::optional<Command> command_of(int key, int modifiers) {
       return Command::coarser;
     case GLFW_KEY_F1:
       return Command::help;
+    case GLFW_KEY_F5:
+      return Command::save_viewpoint;
+    case GLFW_KEY_M:
+      return Command::measure;
+    case GLFW_KEY_ESCAPE:
+      return Command::escape;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// With the control key held.
+std::optional<Command> control_command_of(int key) {
+  switch (key) {
+    case GLFW_KEY_F:
+      return Command::search;
+    case GLFW_KEY_C:
+      return Command::copy_camera;
+    case GLFW_KEY_V:
+      return Command::paste_camera;
     default:
       return std::nullopt;
   }
@@ -155,6 +179,7 @@ class Window::Implementation {
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
       of(w).on_key(key, action, modifiers);
     });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code) { of(w).on_letter(code); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { of(w).on_wheel(y); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).on_cursor(x, y); });
     glfwSetMouseButtonCallback(
@@ -178,9 +203,11 @@ class Window::Implementation {
     }
     moving = false;
     for (const Direction& direction : directions()) {
-      const bool held = std::any_of(direction.keys.begin(), direction.keys.end(), [&](int key) {
-        return glfwGetKey(window, key) == GLFW_PRESS || std::count(pressed.begin(), pressed.end(), key) > 0;
-      });
+      const bool held =
+          !reads_text && std::any_of(direction.keys.begin(), direction.keys.end(), [&](int key) {
+            return glfwGetKey(window, key) == GLFW_PRESS ||
+                   std::count(pressed.begin(), pressed.end(), key) > 0;
+          });
       if (!held) continue;
       input.motion.*direction.axis += direction.sign;
       moving = true;
@@ -196,10 +223,35 @@ class Window::Implementation {
   }
 
   void on_key(int key, int action, int modifiers) {
+    if (reads_text) return on_text_key(key, action, modifiers);
     if (action != GLFW_PRESS) return;
+    if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+      if (const auto command = control_command_of(key)) return add(*command);
+    }
     pressed.push_back(key);
-    if (key == GLFW_KEY_ESCAPE) input.leave = true;
-    if (const auto command = command_of(key, modifiers)) input.commands.push_back(*command);
+    if (const auto command = command_of(key, modifiers)) add(*command);
+  }
+
+  void on_text_key(int key, int action, int modifiers) {
+    if (action == GLFW_RELEASE) return;
+    const bool enters = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+    if (enters) input.typed += (modifiers & GLFW_MOD_SHIFT) != 0 ? '\r' : '\n';
+    if (key == GLFW_KEY_BACKSPACE) input.typed += '\b';
+    if (key == GLFW_KEY_ESCAPE) add(Command::escape);
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12 && action == GLFW_PRESS) {
+      if (const auto command = command_of(key, modifiers)) add(*command);
+    }
+  }
+
+  void on_letter(unsigned code) {
+    if (reads_text) return append_letter(input.typed, code);
+    if (code == '/') add(Command::search);
+  }
+
+  void add(Command command) {
+    input.commands.push_back(command);
+    if (command == Command::search) reads_text = true;  // what is typed at once, too
+    if (command == Command::escape) reads_text = false;
   }
 
   void on_wheel(double steps) {
@@ -269,6 +321,9 @@ class Window::Implementation {
   std::optional<WindowPicture> picture;   ///< of targets that are not OpenGL's
   std::unique_ptr<SharedPicture> shared;  ///< of them, too, where OpenGL has no graphics card to copy them
   Input input;
+  std::vector<Rgba> drawn_over;      ///< a picture with lines
+  std::optional<WindowLines> lines;  ///< over pictures that are OpenGL's
+  bool reads_text = false;
   std::vector<int> pressed;  ///< since the last poll, perhaps released already
   bool moving = false;
   static constexpr double click_pixels = 4;  ///< shorter ways of the mouse are none
@@ -285,9 +340,22 @@ Window::~Window() = default;
 
 Input Window::poll(double patience) { return implementation_->poll(patience); }
 
-std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back) {
-  if (!target.copy_to_window(width(), height())) {
-    const std::span<const uint8_t> colors = target.colors_in_memory();
+std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back,
+                                  std::span<const ScreenLine> lines) {
+  if (target.copy_to_window(width(), height())) {
+    if (!lines.empty()) {
+      if (!implementation_->lines) implementation_->lines.emplace();
+      implementation_->lines->draw(lines, target.width(), target.height());
+    }
+  } else {
+    std::span<const uint8_t> colors = target.colors_in_memory();
+    if (!lines.empty()) {
+      std::vector<Rgba>& drawn = implementation_->drawn_over;
+      drawn.resize(colors.size() / sizeof(Rgba));
+      std::memcpy(drawn.data(), colors.data(), drawn.size() * sizeof(Rgba));
+      draw_lines(lines, target.width(), target.height(), drawn);
+      colors = {reinterpret_cast<const uint8_t*>(drawn.data()), colors.size()};
+    }
     const bool fits = target.width() == width() && target.height() == height();
     if (fits && implementation_->shared && implementation_->shared->show(colors, width(), height()))
       return read_back ? std::vector<uint8_t>(colors.begin(), colors.end()) : std::vector<uint8_t>();
@@ -299,6 +367,17 @@ std::vector<uint8_t> Window::show(const FrameTarget& target, bool read_back) {
   if (read_back) colors = read_window(width(), height());
   glfwSwapBuffers(implementation_->window);
   return colors;
+}
+
+void Window::read_text(bool wanted) { implementation_->reads_text = wanted; }
+
+std::string Window::clipboard() const {
+  const char* text = glfwGetClipboardString(implementation_->window);
+  return text ? text : "";
+}
+
+void Window::set_clipboard(const std::string& text) {
+  glfwSetClipboardString(implementation_->window, text.c_str());
 }
 
 void Window::set_title(const std::string& title) {

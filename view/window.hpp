@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,12 @@ enum class Command {
   isolate_file,
   show_all,
   undo_hiding,
+  save_viewpoint,
+  copy_camera,
+  paste_camera,
+  measure,
+  search,  ///< from here on keys are text, until Window::read_text(false)
+  escape,
   help
 };
 
@@ -73,7 +80,9 @@ struct Input {
   CursorPlace cursor;                  ///< where it is now
   std::optional<CursorPlace> clicked;  ///< the left button, without a move
   std::vector<Command> commands;       ///< in the order of their keys
-  bool leave = false;                  ///< Esc, or the window was closed
+  /// Letters, UTF-8, while keys are text; backspace is \b, enter \n, and with shift \r.
+  std::string typed;
+  bool leave = false;  ///< the window was closed
   bool resized = false, damaged = false;
 };
 
@@ -89,9 +98,15 @@ class Window {
   /// Reads input. patience: how many seconds to wait for some if there is none; ignored while a direction is
   /// held.
   Input poll(double patience);
-  /// Copies the target's colours into the window; returns RGBA of what it then shows, bottom row first, if
-  /// `read_back`.
-  std::vector<uint8_t> show(const FrameTarget& target, bool read_back = false);
+  /// Copies the target's colours into the window, with lines over them, which the target has not; returns
+  /// RGBA of what it then shows, bottom row first, if `read_back`.
+  std::vector<uint8_t> show(const FrameTarget& target, bool read_back = false,
+                            std::span<const ScreenLine> lines = {});
+  /// Whether keys are letters of a text, not commands.
+  void read_text(bool wanted);
+  /// The text that was copied last, in whatever program; empty where there is none.
+  std::string clipboard() const;
+  void set_clipboard(const std::string& text);
   void set_title(const std::string& title);
   int width() const;  ///< in pixels; at least 1
   int height() const;

@@ -1,6 +1,8 @@
 #include "visibility/screen_lines.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/matrix.hpp>
 
 namespace triptych {
@@ -11,12 +13,22 @@ glm::vec4 ScreenLines::project(const glm::dvec3& position) const {
   const Camera& camera = view_.camera;
   const double width = camera.right - camera.left, height = camera.top - camera.bottom;
   const glm::dvec3 eye = rotation_ * (position - camera.eye);
+  if (camera.orthographic()) {  // z: how far behind the near plane
+    return glm::vec4((2 * eye.x - (camera.right + camera.left)) / width,
+                     (2 * eye.y - (camera.top + camera.bottom)) / height, -eye.z - camera.near, 1);
+  }
   return glm::vec4((2 * eye.x + (camera.right + camera.left) * eye.z) / width,
                    (2 * eye.y + (camera.top + camera.bottom) * eye.z) / height, camera.near, -eye.z);
 }
 
 void ScreenLines::add_line(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& color) {
-  lines_.push_back({project(from), project(to), color});
+  ScreenLine line{project(from), project(to), color};
+  if (view_.camera.orthographic()) {
+    // What is drawn has 0 <= z <= w: 1 in the near plane, and less behind it, up to the line's farther end.
+    const float reach = std::max({std::abs(line.from.z), std::abs(line.to.z), 1e-30f});
+    for (float* z : {&line.from.z, &line.to.z}) *z = 1 - *z / reach;
+  }
+  lines_.push_back(line);
 }
 
 void ScreenLines::add_box(const Box& box, const glm::vec4& color) {

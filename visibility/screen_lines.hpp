@@ -16,7 +16,7 @@ struct ScreenLine {
   glm::vec4 from, to, color;
 };
 
-/// Gathers lines under one perspective view. Ends are taken relative to the eye in doubles.
+/// Gathers lines under one view, cut at its near plane. Ends are taken relative to the eye in doubles.
 class ScreenLines {
  public:
   explicit ScreenLines(const View& view);

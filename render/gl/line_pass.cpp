@@ -26,10 +26,14 @@ static_assert(sizeof(ScreenLine) == 48);
 }  // namespace
 
 void LinePass::draw(std::span<const ScreenLine> lines, const Framebuffer& framebuffer) {
+  framebuffer.bind();
+  draw(lines);
+}
+
+void LinePass::draw(std::span<const ScreenLine> lines) {
   if (lines.empty()) return;
   if (!program_) program_ = make_program("lines", vertex_source, fragment_source);
   lines_.upload(lines);
-  framebuffer.bind();
   glUseProgram(*program_);
   glBindVertexArray(vertex_array_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, lines_binding, lines_);

@@ -14,6 +14,8 @@ namespace triptych {
 class LinePass {
  public:
   void draw(std::span<const ScreenLine> lines, const Framebuffer& framebuffer);
+  /// Over what is bound, with its viewport.
+  void draw(std::span<const ScreenLine> lines);
 
  private:
   std::optional<GlProgram> program_;  ///< made when lines are first drawn

@@ -29,30 +29,30 @@ SourceObjects some_objects() {
 
 TEST(ObjectWords, a_kind_and_a_name_mean_those_that_are_called_so) {
   const SourceObjects source = some_objects();
-  EXPECT_EQ(find_objects(source, "layer:a-wall"), Ids{1});
-  EXPECT_EQ(find_objects(source, "storey:upper floor"), (Ids{1, 3}));
-  EXPECT_EQ(find_objects(source, "Type:IFCWALL"), (Ids{1, 2}));
-  EXPECT_EQ(find_objects(source, "name:Wall 1"), Ids{1});
-  EXPECT_EQ(find_objects(source, "name:hall.ifc"), (Ids{0, 3}));
-  EXPECT_EQ(find_objects(source, "file:hall.ifc"), Ids{0});
-  EXPECT_EQ(find_objects(source, "guid:2abc"), Ids{2});
-  EXPECT_EQ(find_objects(source, "number:#12"), Ids{3});
-  EXPECT_EQ(find_objects(source, "layer:"), Ids());
+  EXPECT_EQ(ObjectFinder(source).find("layer:a-wall"), Ids{1});
+  EXPECT_EQ(ObjectFinder(source).find("storey:upper floor"), (Ids{1, 3}));
+  EXPECT_EQ(ObjectFinder(source).find("Type:IFCWALL"), (Ids{1, 2}));
+  EXPECT_EQ(ObjectFinder(source).find("name:Wall 1"), Ids{1});
+  EXPECT_EQ(ObjectFinder(source).find("name:hall.ifc"), (Ids{0, 3}));
+  EXPECT_EQ(ObjectFinder(source).find("file:hall.ifc"), Ids{0});
+  EXPECT_EQ(ObjectFinder(source).find("guid:2abc"), Ids{2});
+  EXPECT_EQ(ObjectFinder(source).find("number:#12"), Ids{3});
+  EXPECT_EQ(ObjectFinder(source).find("layer:"), Ids());
 }
 
 TEST(ObjectWords, any_other_word_means_those_that_hold_it) {
   const SourceObjects source = some_objects();
-  EXPECT_EQ(find_objects(source, "wall 1"), (Ids{1, 2}));
-  EXPECT_EQ(find_objects(source, "#12"), Ids{3});
-  EXPECT_EQ(find_objects(source, "color:red"), Ids());
-  EXPECT_EQ(find_objects(source, ""), (Ids{0, 1, 2, 3}));
+  EXPECT_EQ(ObjectFinder(source).find("wall 1"), (Ids{1, 2}));
+  EXPECT_EQ(ObjectFinder(source).find("#12"), Ids{3});
+  EXPECT_EQ(ObjectFinder(source).find("color:red"), Ids());
+  EXPECT_EQ(ObjectFinder(source).find(""), (Ids{0, 1, 2, 3}));
 }
 
 TEST(ObjectWords, a_word_that_means_nothing_is_refused_with_the_nearest_that_does) {
   const SourceObjects source = some_objects();
   const auto error_of = [&](const std::string& word) -> std::string {
     try {
-      require_objects(source, word, "--hide");
+      ObjectFinder(source).require(word, "--hide");
     } catch (const Error& error) {
       return error.what();
     }

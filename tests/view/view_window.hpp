@@ -1,4 +1,4 @@
-// The program's window as a person has it before them, for tests that press keys.
+// The program's window on a display of the test's own, and a person before it.
 #pragma once
 
 #include "tests/session/scene_files.hpp"

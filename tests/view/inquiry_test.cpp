@@ -1,0 +1,183 @@
+// Searches, outlines and words over pictures.
+#include "view/inquiry.hpp"
+
+#include "lod/cut.hpp"
+#include "lod/frame_view.hpp"
+#include "preprocess/build.hpp"
+#include "tests/support/awkward_meshes.hpp"
+#include "view/stroke_font.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace triptych {
+namespace {
+
+/// Three boxes side by side: a door and two walls.
+class NamedBoxes : public testing::Test {
+ protected:
+  NamedBoxes() {
+    Model model;
+    model.materials.emplace_back();
+    SourceObjects& source = model.source_objects;
+    for (const std::string name : {"North wall", "Door 7", "South wall"}) {
+      const auto id = static_cast<SourceObjectId>(source.objects.size());
+      SourceObject object;
+      object.name = source.texts.add(name);
+      object.type = source.texts.add(name.starts_with("Door") ? "IfcDoor" : "IfcWall");
+      source.objects.push_back(object);
+      model.meshes.push_back(awkward::box({3.0 * id, 0, 0}, {3.0 * id + 2, 2, 2}));
+      model.instances.emplace_back(id, Affine(1), id);
+    }
+    SourceObject storey;  // in which nothing stands by itself, but a step
+    storey.name = source.texts.add("Ground floor");
+    source.objects.push_back(storey);
+    SourceObject step;
+    step.name = source.texts.add("Step");
+    step.parent = 3;
+    source.objects.push_back(step);
+    model.meshes.push_back(awkward::box({9, 0, 0}, {10, 1, 1}));
+    model.instances.emplace_back(3, Affine(1), 4);
+    const auto file =
+        std::filesystem::path(testing::TempDir()) / ("triptych_asked_" + std::to_string(::getpid()) + ".tpk");
+    build_pack(std::move(model), {}, file);
+    pack.emplace(file);
+    std::filesystem::remove(file);
+    const Skeleton& skeleton = pack->skeleton();
+    tour.emplace(*pack, Walker::before(skeleton.lattice().box(skeleton.scene_nodes[0].box), 0.01));
+    inquiry.emplace(*pack, *tour);
+    see();
+  }
+
+  void see() {
+    const FrameState frame{tour->walker().view(400, 300), 1};
+    tour->saw(frame, select_cut(FrameView(pack->skeleton(), frame)).drawables);
+  }
+  size_t lines() { return inquiry->lines(tour->frame()->view).size(); }
+  bool give(const std::string& typed, std::vector<Command> commands = {}) {
+    Input input;
+    input.typed = typed;
+    input.commands = std::move(commands);
+    const bool moved = inquiry->take(input, 400, 300);
+    left = input.commands;
+    return moved;
+  }
+
+  std::optional<Pack> pack;
+  std::optional<Tour> tour;
+  std::optional<Inquiry> inquiry;
+  std::vector<Command> left;
+};
+
+TEST_F(NamedBoxes, are_found_by_a_word_one_after_the_other) {
+  give("", {Command::search, Command::fit});
+  EXPECT_EQ(left, std::vector<Command>{Command::fit}) << "what is not answered is left";
+  EXPECT_TRUE(inquiry->reads_text());
+  EXPECT_TRUE(inquiry->changed());
+  give("WAll");
+  EXPECT_NE(inquiry->title().find("search WAll: 2 objects"), std::string::npos) << inquiry->title();
+  const glm::dvec3 eye = tour->walker().eye();
+  EXPECT_TRUE(give("\n"));
+  EXPECT_NE(tour->walker().eye(), eye) << "it is not fitted in";
+  EXPECT_EQ(tour->selection()->name, "North wall");
+  EXPECT_TRUE(give("\n"));
+  EXPECT_EQ(tour->selection()->name, "South wall");
+  EXPECT_NE(inquiry->title().find("2 of 2"), std::string::npos) << inquiry->title();
+  give("\n");
+  EXPECT_EQ(tour->selection()->name, "North wall") << "round and round";
+  give("\r");
+  EXPECT_EQ(tour->selection()->name, "South wall") << "and back";
+  give("\b\b\b\bDoor\n");
+  EXPECT_EQ(tour->selection()->name, "Door 7");
+  give("\b\b\b\bground\n");
+  EXPECT_EQ(tour->selection()->box.lo.x, 9) << "what is in it shows it";
+  give("x");
+  EXPECT_FALSE(give("\n")) << "nothing is found";
+  give("", {Command::escape});
+  EXPECT_TRUE(left.empty());
+  EXPECT_FALSE(inquiry->reads_text());
+  EXPECT_TRUE(tour->selection()) << "what was found stays selected";
+  give("", {Command::escape});
+  EXPECT_TRUE(left.empty());
+  EXPECT_FALSE(tour->selection());
+  give("", {Command::escape});
+  EXPECT_EQ(left.size(), 1u) << "and then the walk is over";
+}
+
+TEST_F(NamedBoxes, are_outlined_when_they_are_selected) {
+  EXPECT_EQ(lines(), 0u);
+  tour->select(tour->selector().describe(SourceObjectId{1}));
+  EXPECT_TRUE(inquiry->changed());
+  EXPECT_EQ(lines(), 12u) << "the edges of a box";
+  EXPECT_FALSE(inquiry->changed());
+  tour->select(std::nullopt);
+  EXPECT_TRUE(inquiry->changed());
+  EXPECT_EQ(lines(), 0u);
+}
+
+TEST_F(NamedBoxes, are_measured_by_clicks_until_escape) {
+  give("", {Command::measure});
+  EXPECT_EQ(inquiry->title(), "measuring: click a point");
+  const PictureSpace space(tour->frame()->view);
+  const auto click = [&](const glm::dvec3& at) {
+    Input input;
+    const glm::dvec2 pixel = space.pixel(space.from_eye(at));
+    input.clicked = input.cursor = CursorPlace{pixel.x + 1, pixel.y - 1};
+    inquiry->take(input, 400, 300);
+    EXPECT_FALSE(input.clicked) << "a point is no selection";
+  };
+  click({0, 2, 2});
+  click({2, 2, 2});
+  EXPECT_NE(inquiry->title().find("distance 2.000 m"), std::string::npos) << inquiry->title();
+  EXPECT_FALSE(tour->selection());
+  EXPECT_GT(lines(), 20u) << "with its number";
+  give("", {Command::back});
+  EXPECT_TRUE(left.empty()) << "Backspace takes a point back";
+  EXPECT_EQ(inquiry->title().find("distance"), std::string::npos);
+  give("", {Command::escape});
+  EXPECT_TRUE(left.empty()) << "Esc ends measuring, not the walk";
+  EXPECT_EQ(lines(), 0u);
+}
+
+TEST(StrokeFont, has_a_picture_of_its_own_for_each_letter) {
+  std::vector<std::vector<Stroke>> seen;
+  for (char letter = '!'; letter <= '~'; ++letter) {
+    const std::vector<Stroke> strokes = strokes_of(std::string(1, letter));
+    ASSERT_FALSE(strokes.empty()) << letter;
+    for (const auto& [from, to] : strokes) {
+      for (const glm::dvec2& place : {from, to}) {
+        EXPECT_TRUE(place.x >= 0 && place.x <= 4 && place.y >= 0 && place.y <= 9) << letter;
+      }
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), strokes), 0) << letter;
+    seen.push_back(strokes);
+  }
+  EXPECT_TRUE(strokes_of(" ").empty());
+  EXPECT_EQ(text_width("ü²x"), 3 * font_advance) << "letters, not bytes";
+  EXPECT_GT(strokes_of("ü").size(), strokes_of("u").size());
+  EXPECT_EQ(strokes_of("\xff"), strokes_of("\xe6\xbc\xa2")) << "a box for what it has not";
+}
+
+TEST(Overlay, cuts_off_what_lies_before_the_near_plane) {
+  for (const bool orthographic : {false, true}) {
+    View view{.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}}, .width = 100, .height = 100};
+    set_field_of_view(view.camera, 90, 1);
+    if (orthographic) set_orthographic_height(view.camera, 2, 1);
+    view.camera.near = 0.5;
+    ScreenLines lines(view);
+    lines.add_line({0, 0, -10}, {0, 0, 10}, word_color);
+    const ScreenLine& line = lines.lines().front();
+    EXPECT_TRUE(line.from.z >= 0 && line.from.z <= line.from.w);
+    EXPECT_GT(line.to.z, line.to.w) << "it is behind the eye";
+    // Where it is cut: at the near plane.
+    const float from = line.from.w - line.from.z, to = line.to.w - line.to.z;
+    EXPECT_NEAR(from / (from - to), 9.5 / 20, 1e-5);
+    Overlay overlay(view);
+    overlay.square({0, 0, 1}, word_color);
+    overlay.words({0, 0, -0.2}, "near", word_color);
+    EXPECT_TRUE(overlay.lines().empty());
+  }
+}
+
+}  // namespace
+}  // namespace triptych

@@ -1,0 +1,239 @@
+#include "view/near_cursor.hpp"
+
+#include "scene/affine.hpp"
+#include "scene/ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+
+namespace triptych {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double distance_to_segment(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {
+  const glm::dvec2 way = b - a;
+  const double square = glm::dot(way, way);
+  const double share = square > 0 ? std::clamp(glm::dot(point - a, way) / square, 0.0, 1.0) : 0;
+  return glm::distance(point, a + share * way);
+}
+
+/// A triangle's part behind the near plane, as it is seen: up to four corners.
+struct SeenPolygon {
+  std::array<glm::dvec2, 4> corners;
+  size_t count = 0;
+
+  double distance(const glm::dvec2& point) const {
+    double least = infinite;
+    int left = 0, right = 0;
+    for (size_t i = 0; i < count; ++i) {
+      const glm::dvec2 a = corners[i], b = corners[(i + 1) % count];
+      least = std::min(least, distance_to_segment(point, a, b));
+      const double side = (b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x);
+      (side < 0 ? left : right) += side != 0;
+    }
+    return count > 0 && (left == 0 || right == 0) && left + right > 0 ? 0 : least;
+  }
+};
+
+SeenPolygon seen(const PictureSpace& space, const std::array<glm::dvec3, 3>& eye) {
+  const double near = space.view().camera.near;
+  SeenPolygon polygon;
+  const auto add = [&](const glm::dvec3& corner) { polygon.corners[polygon.count++] = space.pixel(corner); };
+  for (size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 &a = eye[i], &b = eye[(i + 1) % 3];
+    if (-a.z >= near) add(a);
+    if ((-a.z >= near) != (-b.z >= near)) {
+      glm::dvec3 cut = a + (b - a) * ((-near - a.z) / (b.z - a.z));
+      cut.z = -near;
+      add(cut);
+    }
+  }
+  return polygon;
+}
+
+/// The part of a ray that a section keeps.
+void cut(std::span<const SectionPlane> sides, const EyeRay& ray, double& least, double& most) {
+  for (const SectionPlane& side : sides) {
+    const double at_start = side.distance(ray.from), per_step = glm::dot(side.normal, ray.way);
+    if (per_step > 0) least = std::max(least, -at_start / per_step);
+    if (per_step < 0) most = std::min(most, -at_start / per_step);
+    if (per_step == 0 && at_start < 0) most = -infinite;
+  }
+}
+
+}  // namespace
+
+PictureSpace::PictureSpace(const View& view) : view_(view), rotation_(view.rotation()) {}
+
+glm::dvec2 PictureSpace::pixel(const glm::dvec3& from_eye) const {
+  const Camera& camera = view_.camera;
+  const double depth = camera.orthographic() ? 1 : -from_eye.z;
+  return {(from_eye.x / depth - camera.left) * view_.focal_x(),
+          (camera.top - from_eye.y / depth) * view_.focal_y()};
+}
+
+double PictureSpace::units_a_pixel(double depth) const {
+  const double scale = 1 / std::min(view_.focal_x(), view_.focal_y());
+  return view_.camera.orthographic() ? scale : scale * depth;
+}
+
+glm::dvec3 PictureSpace::sight() const { return -glm::transpose(rotation_)[2]; }
+
+NearCursor::NearCursor(const Skeleton& skeleton, ChunkShelf& chunks, const FrameState& frame,
+                       std::span<const DrawableId> shown, const glm::dvec2& cursor, double pixels)
+    : skeleton_(skeleton),
+      chunks_(chunks),
+      section_(frame.section),
+      space_(frame.view),
+      cursor_(cursor),
+      pixels_(pixels),
+      ray_(eye_ray(frame.view, cursor.x, cursor.y)),
+      sight_(space_.sight()),
+      hit_depth_(infinite) {
+  std::vector<DrawableId> near;
+  for (const DrawableId drawable : shown) {
+    const SceneNode& node = skeleton_.scene_nodes[skeleton_.drawables[drawable].scene_node];
+    if (std::isfinite(entry(skeleton_.lattice().box(node.box), pixels, infinite))) near.push_back(drawable);
+  }
+  hit_ = nearest(collect(near, 0, infinite), ray_, infinite);
+  if (hit_) hit_depth_ = glm::dot(hit_->point - frame.view.camera.eye, space_.sight());
+  // What lies deeper may still hide the end of a surface that lies deeper, too. Of thousands of things within
+  // a few pixels nobody means one.
+  constexpr uint64_t most_triangles = 150'000;
+  for (const double deepest : {infinite, hit_depth_}) {
+    places_ = collect(near, pixels, deepest);
+    uint64_t triangles = 0;
+    for (const Place& place : places_)
+      triangles += skeleton_.chunks[placement_of(place).chunk].triangle_count;
+    if (triangles <= most_triangles) return;
+  }
+  places_.clear();
+}
+
+double NearCursor::entry(const Box& box, double pixels, double deepest) const {
+  const glm::dvec3 middle = center(box), half = box.hi - middle;
+  const double depth = glm::dot(middle - space_.view().camera.eye, sight_) + glm::dot(half, glm::abs(sight_));
+  if (depth < ray_.near) return infinite;
+  // A point at some depth that is seen within the pixels lies so near to the ray's point at that depth.
+  const glm::dvec3 margin(pixels * space_.units_a_pixel(depth));
+  return RaySpan(ray_.from, ray_.way, ray_.near, deepest).entry({box.lo - margin, box.hi + margin});
+}
+
+std::vector<NearCursor::Place> NearCursor::collect(std::span<const DrawableId> shown, double pixels,
+                                                   double deepest) const {
+  std::vector<Place> places;
+  std::vector<SceneNodeId> open;
+  for (const DrawableId drawable : shown) {
+    open.push_back(skeleton_.drawables[drawable].scene_node);
+    while (!open.empty()) {
+      const SceneNode& node = skeleton_.scene_nodes[open.back()];
+      open.pop_back();
+      if (!std::isfinite(entry(skeleton_.lattice().box(node.box), pixels, deepest))) continue;
+      for (uint32_t i = 0; i < node.child_count; ++i) open.push_back(node.first_child + i);
+      if (node.child_count > 0) continue;
+      const Drawable& finest = skeleton_.drawables[node.first_drawable];
+      for (uint32_t i = 0; i < finest.placement_count; ++i) {
+        const Placement& placement = skeleton_.placements[finest.first_placement + i];
+        const ChunkInfo& info = skeleton_.chunks[placement.chunk];
+        const double from = entry(placed_box(skeleton_.transforms[placement.transform],
+                                             skeleton_.lattices[info.lattice].box(info.box)),
+                                  pixels, deepest);
+        if (std::isfinite(from)) places.push_back({from, node.first_drawable, i});
+      }
+    }
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.entry < b.entry; });
+  return places;
+}
+
+const Placement& NearCursor::placement_of(const Place& place) const {
+  return skeleton_.placements[skeleton_.drawables[place.drawable].first_placement + place.placement];
+}
+
+std::optional<Picked> NearCursor::nearest(std::span<const Place> places, const EyeRay& ray,
+                                          double most) const {
+  double least = ray.near;
+  cut(section_.all(), ray, least, most);
+  std::optional<Picked> found;
+  for (const Place& place : places) {
+    if (place.entry > most) break;
+    const auto hit = meet({ray.from, ray.way, least, most}, skeleton_, placement_of(place), chunks_);
+    if (!hit) continue;
+    most = hit->along;
+    found = Picked{place.drawable, place.placement, hit->triangle, ray.from + most * ray.way};
+  }
+  return found;
+}
+
+glm::dvec3 NearCursor::hit_normal() const {
+  if (!hit_) return glm::dvec3(0);
+  const Placement& placement = placement_of({0, hit_->drawable, hit_->placement});
+  const std::shared_ptr<const Chunk> chunk = chunks_.get(placement.chunk);
+  const auto corner = [&](size_t k) {
+    return placed_position(skeleton_, placement, *chunk, chunk->indices[size_t{3} * hit_->triangle + k]);
+  };
+  const glm::dvec3 normal = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+  return glm::dot(normal, ray_.way) > 0 ? -normal : normal;
+}
+
+std::vector<PlacedFacet> NearCursor::facets(size_t most) const {
+  std::vector<PlacedFacet> found;
+  for (const Place& place : places_) {
+    if (place.entry > hit_depth_) break;
+    add_facets(place, found);
+    if (found.size() > most) return {};
+  }
+  return found;
+}
+
+void NearCursor::add_facets(const Place& place, std::vector<PlacedFacet>& facets) const {
+  const Placement& placement = placement_of(place);
+  const std::shared_ptr<const Chunk> chunk = chunks_.get(placement.chunk);
+  std::vector<glm::dvec3> corners, eye;
+  std::vector<glm::dvec2> pixels;
+  for (uint32_t i = 0; i < chunk->vertices.size(); ++i) {
+    corners.push_back(placed_position(skeleton_, placement, *chunk, i));
+    eye.push_back(space_.from_eye(corners.back()));
+    pixels.push_back(space_.pixel(eye.back()));
+  }
+  const double near = space_.view().camera.near;
+  for (uint32_t i = 0; i < chunk->triangle_count(); ++i) {
+    const std::array<uint32_t, 3> at = {chunk->indices[size_t{3} * i], chunk->indices[size_t{3} * i + 1],
+                                        chunk->indices[size_t{3} * i + 2]};
+    const auto behind = std::count_if(at.begin(), at.end(), [&](uint32_t k) { return -eye[k].z < near; });
+    if (behind == 3) continue;
+    if (behind == 0) {  // most lie elsewhere, and are seen to at once
+      const glm::dvec2 lo = glm::min(glm::min(pixels[at[0]], pixels[at[1]]), pixels[at[2]]);
+      const glm::dvec2 hi = glm::max(glm::max(pixels[at[0]], pixels[at[1]]), pixels[at[2]]);
+      if (lo.x > cursor_.x + pixels_ || hi.x < cursor_.x - pixels_ || lo.y > cursor_.y + pixels_ ||
+          hi.y < cursor_.y - pixels_)
+        continue;
+    }
+    if (seen(space_, {eye[at[0]], eye[at[1]], eye[at[2]]}).distance(cursor_) > pixels_) continue;
+    facets.push_back({{corners[at[0]], corners[at[1]], corners[at[2]]}, place.drawable, place.placement, i});
+  }
+}
+
+bool NearCursor::sees(const glm::dvec3& point) const {
+  const double depth = glm::dot(point - space_.view().camera.eye, space_.sight());
+  if (depth < ray_.near) return false;
+  const double nearly_none = skeleton_.lattice().step;
+  for (const SectionPlane& side : section_.all()) {
+    if (side.distance(point) < -nearly_none) return false;
+  }
+  EyeRay ray{ray_.from, ray_.way, ray_.near};
+  if (space_.view().camera.orthographic()) {
+    ray.from = point - depth * ray.way;
+  } else {
+    ray.way = (point - ray.from) / depth;
+  }
+  // What meets in the point, and may be rounded to before it, does not hide it.
+  return !nearest(places_, ray, depth * (1 - 1e-7) - 4 * nearly_none);
+}
+
+}  // namespace triptych

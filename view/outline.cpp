@@ -1,0 +1,82 @@
+#include "view/outline.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace triptych {
+
+namespace {
+
+constexpr double crease = 0.34;        // the sine of 20 degrees
+constexpr double least_turn = 1e-4;    // of what may be seen from the side
+constexpr size_t most_lines = 12'000;  // more would hide what they outline
+
+/// False where that makes more than there may be.
+bool add_placement(const Skeleton& skeleton, ChunkShelf& chunks, DrawableId drawable, uint32_t placement,
+                   std::vector<PlacedFacet>& facets) {
+  const Placement& placed = skeleton.placements[skeleton.drawables[drawable].first_placement + placement];
+  if (facets.size() + skeleton.chunks[placed.chunk].triangle_count > SelectionOutline::most_triangles)
+    return false;
+  const std::shared_ptr<const Chunk> chunk = chunks.get(placed.chunk);
+  for (uint32_t i = 0; i < chunk->triangle_count(); ++i) {
+    PlacedFacet facet{{}, drawable, placement, i};
+    for (size_t k = 0; k < 3; ++k)
+      facet.corners[k] = placed_position(skeleton, placed, *chunk, chunk->indices[size_t{3} * i + k]);
+    facets.push_back(facet);
+  }
+  return true;
+}
+
+std::vector<PlacedFacet> facets_of(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
+                                   const Selection& selection) {
+  std::vector<PlacedFacet> facets;
+  if (selection.object == no_id) {
+    const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[selection.picked->drawable].scene_node];
+    // All drawables of a leaf place the same parts in the same order.
+    if (node.child_count == 0)
+      add_placement(skeleton, chunks, node.first_drawable, selection.picked->placement, facets);
+    return facets;
+  }
+  const PackObjects& objects = selector.objects();
+  for (const SourceObjectId part : selector.parts_of(selection.object)) {
+    for (const SceneNodeId leaf : objects.nodes_of(part)) {
+      uint32_t placement = 0;
+      for (const ObjectRun& run : objects.runs_of(leaf)) {
+        for (uint32_t i = 0; i < run.placements; ++i, ++placement) {
+          if (run.object != part) continue;
+          if (!add_placement(skeleton, chunks, skeleton.scene_nodes[leaf].first_drawable, placement, facets))
+            return {};
+        }
+      }
+    }
+  }
+  return facets;
+}
+
+}  // namespace
+
+SelectionOutline::SelectionOutline(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
+                                   const Selection& selection)
+    : box_(selection.box),
+      edges_(feature_edges(facets_of(skeleton, chunks, selector, selection), skeleton.lattice().step / 2,
+                           least_turn)) {
+  const auto creases = std::count_if(edges_.begin(), edges_.end(),
+                                     [](const FeatureEdge& edge) { return edge.turn >= crease; });
+  if (static_cast<size_t>(creases) > most_lines) edges_.clear();
+}
+
+void SelectionOutline::draw(Overlay& overlay, const View& view) const {
+  if (edges_.empty() && !box_.empty()) return overlay.box(box_, selection_color);
+  const glm::dvec3 eye = view.camera.eye, sight = view.camera.target - eye;
+  const bool orthographic = view.camera.orthographic();
+  size_t lines = 0;
+  for (const FeatureEdge& edge : edges_) {
+    const glm::dvec3 way = orthographic ? sight : edge.from - eye;
+    const bool turns_away = (glm::dot(edge.normals[0], way) < 0) != (glm::dot(edge.normals[1], way) < 0);
+    if (edge.turn < crease && !turns_away) continue;
+    if (++lines > most_lines) break;
+    overlay.thin_line(edge.from, edge.to, selection_color);
+  }
+}
+
+}  // namespace triptych

@@ -1,0 +1,53 @@
+// Chunks where they are placed: kept once they were read, and met by rays.
+#pragma once
+
+#include "scene/chunk.hpp"
+#include "scene/pack.hpp"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <tsl/robin_map.h>
+
+namespace triptych {
+
+/// Keeps the chunks that were asked for last. For one thread; the pack must outlive it.
+class ChunkShelf {
+ public:
+  explicit ChunkShelf(const Pack& pack) : pack_(pack) {}
+  /// Error for a damaged chunk.
+  std::shared_ptr<const Chunk> get(uint32_t number);
+
+ private:
+  const Pack& pack_;
+  tsl::robin_map<uint32_t, std::shared_ptr<const Chunk>> chunks_;
+  uint64_t kept_triangles_ = 0;
+};
+
+/// Points from + t · way, model space, with least <= t < most.
+struct PlacedRay {
+  glm::dvec3 from{0}, way{0};
+  double least = 0, most = 0;
+};
+
+/// Where a ray meets a chunk.
+struct ChunkHit {
+  double along = 0;  ///< t
+  uint32_t triangle = 0;
+};
+
+/// The nearest triangle of a placement that the ray meets. Reads the chunk where the ray meets its box.
+std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, const Placement& placement,
+                             ChunkShelf& chunks);
+
+/// A corner's position, model space.
+inline glm::dvec3 placed_position(const Skeleton& skeleton, const Placement& placement, const Chunk& chunk,
+                                  uint32_t vertex) {
+  const Lattice& lattice = skeleton.lattices[skeleton.chunks[placement.chunk].lattice];
+  const glm::dvec3 position = lattice.position(chunk.vertices[vertex].point);
+  return placement.transform == 0 ? position
+                                  : skeleton.transforms[placement.transform] * glm::dvec4(position, 1);
+}
+
+}  // namespace triptych
