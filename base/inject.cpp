@@ -22,7 +22,8 @@ const std::vector<std::string>& fault_names() {
       "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
       "shared-shears",     "loose-contacts",    "no-room",
       "untold-layers",     "exact-frustum",     "backs-nearby",
-      "hidden-occludes",   "slow-render-node",  "slow-switch-node"};
+      "hidden-occludes",   "hollow-levels",     "slow-render-node",
+      "slow-switch-node"};
   return names;
 }
 

@@ -36,6 +36,7 @@ enum class Fault {
   exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
   backs_nearby,      ///< backs are left out even where the eye is among them
   hidden_occludes,   ///< what a person hides is drawn into the occlusion representation once more
+  hollow_levels,     ///< levels that leave out what others cover are drawn where it may be seen
   slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change
   slow_switch_node,  ///< the same for switch node 1
 };

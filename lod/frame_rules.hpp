@@ -9,13 +9,12 @@ struct FrameRules {
   // Selection of levels
   bool bounds_hold_children = true;  ///< the error of an HLOD is at least those of its children
   bool orthographic_error = true;    ///< orthographic pixel errors do not divide by depth
-  bool min_depth_error = true;  ///< pixel errors divide by a box's least depth, not by the distance to it
-  bool oblique_stretch = true;  ///< pixel errors allow for the stretching of oblique views
-  bool frustum_margin = true;   ///< planes of the frustum have a margin for what rounding may draw
-  bool levels_from_outside =
-      true;                    ///< levels that leave out what is covered are not drawn where it may be seen
-  bool model_units = true;     ///< the unit of eye space on the device is near the model's size
-  bool current_camera = true;  ///< culling is done under the frame's own camera, not the one before
+  bool min_depth_error = true;      ///< pixel errors divide by a box's least depth, not by the distance to it
+  bool oblique_stretch = true;      ///< pixel errors allow for the stretching of oblique views
+  bool frustum_margin = true;       ///< planes of the frustum have a margin for what rounding may draw
+  bool levels_from_outside = true;  ///< where what is covered may be seen no level leaves it out
+  bool model_units = true;          ///< the unit of eye space on the device is near the model's size
+  bool current_camera = true;       ///< culling is done under the frame's own camera, not the one before
   // Bounds on the screen
   bool near_plane_refines = true;  ///< a box that the near plane cuts may be anywhere on the screen
   bool bounds_margin = true;       ///< boxes under test are dilated and moved towards the eye

@@ -10,6 +10,7 @@ FrameRules injected_frame_rules() {
           .min_depth_error = !injected(Fault::euclidean_depth),
           .oblique_stretch = !injected(Fault::dropped_stretch),
           .frustum_margin = !injected(Fault::exact_frustum),
+          .levels_from_outside = !injected(Fault::hollow_levels),
           .model_units = !injected(Fault::fixed_units),
           .current_camera = !injected(Fault::stale_camera),
           .near_plane_refines = !injected(Fault::no_near_rule),
