@@ -176,8 +176,8 @@ glm::dvec3 NearCursor::hit_normal() const {
   return glm::dot(normal, ray_.way) > 0 ? -normal : normal;
 }
 
-std::vector<PlacedFacet> NearCursor::facets(size_t most) const {
-  std::vector<PlacedFacet> found;
+std::vector<NearFacet> NearCursor::facets(size_t most) const {
+  std::vector<NearFacet> found;
   for (const Place& place : places_) {
     if (place.entry > hit_depth_) break;
     add_facets(place, found);
@@ -186,7 +186,7 @@ std::vector<PlacedFacet> NearCursor::facets(size_t most) const {
   return found;
 }
 
-void NearCursor::add_facets(const Place& place, std::vector<PlacedFacet>& facets) const {
+void NearCursor::add_facets(const Place& place, std::vector<NearFacet>& facets) const {
   const Placement& placement = placement_of(place);
   const std::shared_ptr<const Chunk> chunk = chunks_.get(placement.chunk);
   std::vector<glm::dvec3> corners, eye;
