@@ -75,7 +75,7 @@ int run(const MeasureFrameCommand& command) {
   PackDevice device(pack, chosen.options);
   nlohmann::json report =
       report_of(measure_frame_steps(pack, device.hierarchy(), device.device(), frames, command.rounds));
-  add_picks(measure_picks(pack, frames), report["rows"]);
+  add_picks(measure_picks(pack, frames, chosen.options), report["rows"]);
   std::vector<std::vector<std::string>> lines;
   for (const nlohmann::json& line : std::as_const(report)["rows"]) {
     const nlohmann::json& us = line["us"];

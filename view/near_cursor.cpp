@@ -1,19 +1,24 @@
 #include "view/near_cursor.hpp"
 
 #include "scene/affine.hpp"
+#include "scene/hidden_objects.hpp"
 #include "scene/ray.hpp"
+#include "view/shown_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <utility>
 
 namespace triptych {
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Beyond that many times the depth of what is hit nothing is looked at: what lies deeper may be hidden.
+constexpr double deepest_seen = 1.25;
 
 double distance_to_segment(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 way = b - a;
@@ -89,30 +94,21 @@ NearCursor::NearCursor(const Skeleton& skeleton, ChunkShelf& chunks, const Frame
     : skeleton_(skeleton),
       chunks_(chunks),
       section_(frame.section),
+      hidden_(frame.hiding.objects),
       space_(frame.view),
       cursor_(cursor),
       pixels_(pixels),
       ray_(eye_ray(frame.view, cursor.x, cursor.y)),
       sight_(space_.sight()),
       hit_depth_(infinite) {
-  std::vector<DrawableId> near;
-  for (const DrawableId drawable : shown) {
-    const SceneNode& node = skeleton_.scene_nodes[skeleton_.drawables[drawable].scene_node];
-    if (std::isfinite(entry(skeleton_.lattice().box(node.box), pixels, infinite))) near.push_back(drawable);
-  }
-  hit_ = nearest(collect(near, 0, infinite), ray_, infinite);
-  if (hit_) hit_depth_ = glm::dot(hit_->point - frame.view.camera.eye, space_.sight());
-  // What lies deeper may still hide the end of a surface that lies deeper, too. Of thousands of things within
-  // a few pixels nobody means one.
+  hit_ = nearest(collect(shown, 0, infinite), ray_, infinite);
+  if (hit_) hit_depth_ = glm::dot(hit_->point - frame.view.camera.eye, sight_);
+  places_ = collect(shown, pixels, deepest_seen * hit_depth_);
+  // Of thousands of things within a few pixels nobody means one.
   constexpr uint64_t most_triangles = 150'000;
-  for (const double deepest : {infinite, hit_depth_}) {
-    places_ = collect(near, pixels, deepest);
-    uint64_t triangles = 0;
-    for (const Place& place : places_)
-      triangles += skeleton_.chunks[placement_of(place).chunk].triangle_count;
-    if (triangles <= most_triangles) return;
-  }
-  places_.clear();
+  uint64_t triangles = 0;
+  for (const Place& place : places_) triangles += skeleton_.chunks[placement_of(place).chunk].triangle_count;
+  if (triangles > most_triangles) places_.clear();
 }
 
 double NearCursor::entry(const Box& box, double pixels, double deepest) const {
@@ -126,25 +122,27 @@ double NearCursor::entry(const Box& box, double pixels, double deepest) const {
 
 std::vector<NearCursor::Place> NearCursor::collect(std::span<const DrawableId> shown, double pixels,
                                                    double deepest) const {
+  const ShownNodes nodes(skeleton_, shown);
   std::vector<Place> places;
-  std::vector<SceneNodeId> open;
-  for (const DrawableId drawable : shown) {
-    open.push_back(skeleton_.drawables[drawable].scene_node);
-    while (!open.empty()) {
-      const SceneNode& node = skeleton_.scene_nodes[open.back()];
-      open.pop_back();
-      if (!std::isfinite(entry(skeleton_.lattice().box(node.box), pixels, deepest))) continue;
-      for (uint32_t i = 0; i < node.child_count; ++i) open.push_back(node.first_child + i);
-      if (node.child_count > 0) continue;
-      const Drawable& finest = skeleton_.drawables[node.first_drawable];
-      for (uint32_t i = 0; i < finest.placement_count; ++i) {
-        const Placement& placement = skeleton_.placements[finest.first_placement + i];
-        const ChunkInfo& info = skeleton_.chunks[placement.chunk];
-        const double from = entry(placed_box(skeleton_.transforms[placement.transform],
-                                             skeleton_.lattices[info.lattice].box(info.box)),
-                                  pixels, deepest);
-        if (std::isfinite(from)) places.push_back({from, node.first_drawable, i});
-      }
+  std::vector<std::pair<SceneNodeId, bool>> open;  // and whether it is, or is below, one that shows something
+  if (!skeleton_.scene_nodes.empty()) open.emplace_back(0, false);
+  while (!open.empty()) {
+    auto [at, is_shown] = open.back();
+    open.pop_back();
+    const SceneNode& node = skeleton_.scene_nodes[at];
+    if (!std::isfinite(entry(skeleton_.lattice().box(node.box), pixels, deepest))) continue;
+    is_shown = is_shown || nodes.of(at) != no_id;
+    for (uint32_t i = 0; i < node.child_count; ++i) open.emplace_back(node.first_child + i, is_shown);
+    if (node.child_count > 0 || !is_shown) continue;
+    const Drawable& finest = skeleton_.drawables[node.first_drawable];
+    for (uint32_t i = 0; i < finest.placement_count; ++i) {
+      if (hidden_ && hidden_->hides(at, i)) continue;
+      const Placement& placement = skeleton_.placements[finest.first_placement + i];
+      const ChunkInfo& info = skeleton_.chunks[placement.chunk];
+      const double from = entry(placed_box(skeleton_.transforms[placement.transform],
+                                           skeleton_.lattices[info.lattice].box(info.box)),
+                                pixels, deepest);
+      if (std::isfinite(from)) places.push_back({from, node.first_drawable, i});
     }
   }
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.entry < b.entry; });
@@ -181,8 +179,8 @@ glm::dvec3 NearCursor::hit_normal() const {
   return glm::dot(normal, ray_.way) > 0 ? -normal : normal;
 }
 
-std::vector<PlacedFacet> NearCursor::facets(size_t most) const {
-  std::vector<PlacedFacet> found;
+std::vector<NearFacet> NearCursor::facets(size_t most) const {
+  std::vector<NearFacet> found;
   for (const Place& place : places_) {
     if (place.entry > hit_depth_) break;
     add_facets(place, found);
@@ -191,7 +189,7 @@ std::vector<PlacedFacet> NearCursor::facets(size_t most) const {
   return found;
 }
 
-void NearCursor::add_facets(const Place& place, std::vector<PlacedFacet>& facets) const {
+void NearCursor::add_facets(const Place& place, std::vector<NearFacet>& facets) const {
   const Placement& placement = placement_of(place);
   const std::shared_ptr<const Chunk> chunk = chunks_.get(placement.chunk);
   std::vector<glm::dvec3> corners, eye;
@@ -221,7 +219,7 @@ void NearCursor::add_facets(const Place& place, std::vector<PlacedFacet>& facets
 
 bool NearCursor::sees(const glm::dvec3& point) const {
   const double depth = glm::dot(point - space_.view().camera.eye, space_.sight());
-  if (depth < ray_.near) return false;
+  if (depth < ray_.near || depth > deepest_seen * hit_depth_) return false;
   const double nearly_none = skeleton_.lattice().step;
   for (const SectionPlane& side : section_.all()) {
     if (side.distance(point) < -nearly_none) return false;

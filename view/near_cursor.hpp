@@ -5,6 +5,7 @@
 #include "view/picker.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,7 +13,7 @@
 namespace triptych {
 
 /// A triangle of a leaf's finest drawable, model space.
-struct PlacedFacet {
+struct NearFacet {
   std::array<glm::dvec3, 3> corners;
   DrawableId drawable = no_id;
   uint32_t placement = 0, triangle = 0;
@@ -51,7 +52,7 @@ class NearCursor {
   double weld() const { return skeleton_.lattice().step; }
   /// The triangles of leaves no further away than the hit that come within the pixels. Empty where there are
   /// more than `most`: they are smaller than anybody could mean.
-  std::vector<PlacedFacet> facets(size_t most) const;
+  std::vector<NearFacet> facets(size_t most) const;
   /// Whether nothing lies between the eye and a point within the pixels, and the section keeps it.
   bool sees(const glm::dvec3& point) const;
   const PictureSpace& space() const { return space_; }
@@ -68,12 +69,13 @@ class NearCursor {
   /// Placements of leaves below those drawables that such rays may meet no deeper than that, by entry.
   std::vector<Place> collect(std::span<const DrawableId> shown, double pixels, double deepest) const;
   std::optional<Picked> nearest(std::span<const Place> places, const EyeRay& ray, double most) const;
-  void add_facets(const Place& place, std::vector<PlacedFacet>& facets) const;
+  void add_facets(const Place& place, std::vector<NearFacet>& facets) const;
   const Placement& placement_of(const Place& place) const;
 
   const Skeleton& skeleton_;
   ChunkShelf& chunks_;
   SectionSides section_;
+  std::shared_ptr<const HiddenObjects> hidden_;  ///< null where nothing is
   PictureSpace space_;
   glm::dvec2 cursor_;
   double pixels_;

@@ -13,13 +13,13 @@ constexpr size_t most_lines = 12'000;  // more would hide what they outline
 
 /// False where that makes more than there may be.
 bool add_placement(const Skeleton& skeleton, ChunkShelf& chunks, DrawableId drawable, uint32_t placement,
-                   std::vector<PlacedFacet>& facets) {
+                   std::vector<NearFacet>& facets) {
   const Placement& placed = skeleton.placements[skeleton.drawables[drawable].first_placement + placement];
   if (facets.size() + skeleton.chunks[placed.chunk].triangle_count > SelectionOutline::most_triangles)
     return false;
   const std::shared_ptr<const Chunk> chunk = chunks.get(placed.chunk);
   for (uint32_t i = 0; i < chunk->triangle_count(); ++i) {
-    PlacedFacet facet{{}, drawable, placement, i};
+    NearFacet facet{{}, drawable, placement, i};
     for (size_t k = 0; k < 3; ++k)
       facet.corners[k] = placed_position(skeleton, placed, *chunk, chunk->indices[size_t{3} * i + k]);
     facets.push_back(facet);
@@ -27,9 +27,9 @@ bool add_placement(const Skeleton& skeleton, ChunkShelf& chunks, DrawableId draw
   return true;
 }
 
-std::vector<PlacedFacet> facets_of(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
-                                   const Selection& selection) {
-  std::vector<PlacedFacet> facets;
+std::vector<NearFacet> facets_of(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
+                                 const Selection& selection) {
+  std::vector<NearFacet> facets;
   if (selection.object == no_id) {
     const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[selection.picked->drawable].scene_node];
     // All drawables of a leaf place the same parts in the same order.

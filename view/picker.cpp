@@ -2,12 +2,15 @@
 
 #include "scene/hidden_objects.hpp"
 #include "scene/ray.hpp"
+#include "view/shown_nodes.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -34,17 +37,25 @@ std::optional<Picked> Picker::at(const FrameState& frame, std::span<const Drawab
   const HiddenObjects* const hidden = frame.hiding.objects.get();
   const EyeRay ray = eye_ray(frame.view, x, y);
   const RaySpan span(ray.from, ray.way, ray.near, infinite);
-  std::vector<std::pair<double, DrawableId>> met;  // in the order of their boxes
-  for (const DrawableId drawable : shown) {
-    const Box box = skeleton.lattice().box(skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box);
-    const double from = span.entry(box);
-    if (std::isfinite(from)) met.push_back({from, drawable});
-  }
-  std::sort(met.begin(), met.end());
+  const ShownNodes nodes(skeleton, shown);
   double nearest = infinite;
   std::optional<Picked> found;
-  for (const auto& [from, drawable] : met) {
-    if (from > nearest) break;
+  using Entry = std::pair<double, SceneNodeId>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;  // the nearest box first
+  const auto add = [&](SceneNodeId node) {
+    const double entry = span.entry(skeleton.lattice().box(skeleton.scene_nodes[node].box));
+    if (entry <= nearest && std::isfinite(entry)) open.emplace(entry, node);
+  };
+  if (!skeleton.scene_nodes.empty()) add(0);
+  while (!open.empty() && open.top().first <= nearest) {
+    const SceneNodeId at = open.top().second;
+    open.pop();
+    const SceneNode& node = skeleton.scene_nodes[at];
+    const DrawableId drawable = nodes.of(at);
+    if (drawable == no_id) {
+      for (uint32_t i = 0; i < node.child_count; ++i) add(node.first_child + i);
+      continue;
+    }
     const Drawable& placed = skeleton.drawables[drawable];
     for (uint32_t i = 0; i < placed.placement_count; ++i) {
       if (hidden && hidden->hides(placed.scene_node, i)) continue;

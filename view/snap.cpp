@@ -110,7 +110,7 @@ std::optional<Snap> best(std::vector<Candidate> candidates, const NearCursor& ne
   return std::nullopt;
 }
 
-glm::dvec3 normal_of(const PlacedFacet& facet) {
+glm::dvec3 normal_of(const NearFacet& facet) {
   const auto& [a, b, c] = facet.corners;
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double length = glm::length(normal);
@@ -119,11 +119,11 @@ glm::dvec3 normal_of(const PlacedFacet& facet) {
 
 }  // namespace
 
-std::vector<FeatureEdge> feature_edges(const std::vector<PlacedFacet>& facets, double weld, double turn) {
+std::vector<FeatureEdge> feature_edges(const std::vector<NearFacet>& facets, double weld, double turn) {
   Welder welder(weld);
   tsl::robin_map<uint64_t, size_t> known;
   std::vector<FeatureEdge> edges;
-  for (const PlacedFacet& facet : facets) {
+  for (const NearFacet& facet : facets) {
     const glm::dvec3 normal = normal_of(facet);
     if (normal == glm::dvec3(0)) continue;
     std::array<uint32_t, 3> numbers{};
@@ -151,7 +151,7 @@ std::vector<FeatureEdge> feature_edges(const std::vector<PlacedFacet>& facets, d
 }
 
 std::optional<Snap> snap(const NearCursor& near) {
-  const std::vector<PlacedFacet> facets = near.facets(most_facets);
+  const std::vector<NearFacet> facets = near.facets(most_facets);
   const double weld = 0.5 * near.weld();
   const std::vector<FeatureEdge> edges = feature_edges(facets, weld, least_turn);
   if (const auto vertex = best(corners(edges, near, weld), near)) return vertex;

@@ -38,7 +38,6 @@ struct FeatureEdge {
 
 /// Corners that are nearer than `weld` to each other, model units, are one. Edges by which the surface turns
 /// by less than the sine `least_turn` are left out.
-std::vector<FeatureEdge> feature_edges(const std::vector<PlacedFacet>& facets, double weld,
-                                       double least_turn);
+std::vector<FeatureEdge> feature_edges(const std::vector<NearFacet>& facets, double weld, double least_turn);
 
 }  // namespace triptych
