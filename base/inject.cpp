@@ -21,8 +21,8 @@ const std::vector<std::string>& fault_names() {
       "dropped-stretch",   "perspective-rule",  "dropped-singular-value",
       "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
       "shared-shears",     "loose-contacts",    "no-room",
-      "untold-layers",     "exact-frustum",     "backs-nearby",
-      "slow-render-node",  "slow-switch-node"};
+      "untold-layers",     "exact-frustum",     "cut-occludes",
+      "backs-nearby",      "slow-render-node",  "slow-switch-node"};
   return names;
 }
 

@@ -34,6 +34,7 @@ enum class Fault {
   no_room,           ///< what covers others, and what is covered, may be off by any error
   untold_layers,     ///< of surfaces in one plane nothing says which lies on which
   exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
+  cut_occludes,      ///< what a section cuts away still hides what is behind it
   backs_nearby,      ///< backs are left out even where the eye is among them
   slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change
   slow_switch_node,  ///< the same for switch node 1

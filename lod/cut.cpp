@@ -37,6 +37,8 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
 [[gnu::noinline]] DrawableId choose(const FrameView& view, SceneNodeId id, FrustumCulling culling) {
   const Skeleton& skeleton = *view.skeleton;
   const SceneNode& node = skeleton.scene_nodes[id];
+  const SectionPlace place = view.section_place(node.box);
+  if (place.outside) return no_id;
   EyeBounds bounds = view.eye_space.bounds(node.box);
   if (bounds.outside) {
     if (culling == FrustumCulling::on) return no_id;
@@ -44,7 +46,9 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
         std::sqrt(static_cast<double>(squared_distance(view.cell, node.box))) * skeleton.lattice().step;
     bounds.stretch = 1;
   }
-  const DrawableId chosen = view.state.pixel_error > 0 ? coarsest(view, node, bounds) : no_id;
+  // Simplified solids are often not proven closed any more: where something is cut, it is so as it is.
+  const bool may_be_coarse = view.state.pixel_error > 0 && place.inside();
+  const DrawableId chosen = may_be_coarse ? coarsest(view, node, bounds) : no_id;
   if (chosen != no_id) return chosen;
   return node.child_count == 0 ? node.first_drawable : Cut::inner;
 }

@@ -5,11 +5,13 @@
 #include "lod/clip_space.hpp"
 #include "lod/eye_space.hpp"
 #include "lod/frame_rules.hpp"
+#include "lod/section_space.hpp"
 #include "scene/frame_state.hpp"
 #include "scene/skeleton.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace triptych {
 
@@ -18,6 +20,10 @@ struct FrameView {
   FrameView(const Skeleton& skeleton, const FrameState& state, const FrameRules& rules = {});
 
   const View& view() const { return state.view; }
+  /// Where a box lies in the frame's section.
+  SectionPlace section_place(const LatticeBox& box) const;
+  /// The same of the box around several: what is solid may reach from one into another.
+  SectionPlace section_place(std::span<const LatticeBox> boxes) const;
 
   const Skeleton* skeleton;
   FrameState state;
@@ -27,6 +33,7 @@ struct FrameView {
   double focal_length = 1;  ///< pixels; what the pixel error is measured with
   ClipSpace clip;           ///< eye space to clip space
   EyeSpace eye_space;       ///< where boxes lie, for selection
+  SectionSpace section_space;
 
  private:
   FrameView(const NearestRounding&, const Skeleton& skeleton, const FrameState& state,

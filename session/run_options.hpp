@@ -27,6 +27,7 @@ struct RunOptions {
   std::vector<double> pixel_errors = {1};  ///< a list where a command sweeps
   uint32_t samples = 1;                    ///< a pixel
   bool edges = false;                      ///< drawn as lines
+  Section section = {};                    ///< what is shown of the model
   double target_ms = 0;  ///< pixel errors are raised so that frames take no longer; 0: they are not
   DeviceOptions device{.kind = DeviceKind::automatic};
   size_t frames = 0;   ///< only the first ones; 0: all

@@ -13,6 +13,7 @@ ViewerOptions viewer_options(const RunOptions& run) {
   options.pixel_error = run.pixel_error();
   options.samples = run.samples;
   options.edges = run.edges;
+  options.section = run.section;
   if (run.path.empty()) return options;
   options.path = load_path(run.path);
   auto& frames = options.path->frames;

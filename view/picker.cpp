@@ -35,10 +35,29 @@ glm::dvec3 Picker::place_at(const View& view, double x, double y, double depth) 
   return ray.from + depth * ray.way;
 }
 
-std::optional<Picked> Picker::at(const View& view, std::span<const DrawableId> shown, double x, double y) {
+/// Faces that lie in a side are there, as on the screen.
+void Picker::cut(Ray& ray, const Section& section) {
+  constexpr double in_a_side = 1e-6;  // of the distance
+  for (const SectionPlane& side : SectionSides(section).all()) {
+    const double from = side.distance(ray.from), slope = glm::dot(side.normal, ray.way);
+    const double along = -from / slope;
+    if (slope > 0 && along > ray.near) {
+      ray.near = along * (1 - in_a_side);
+      ray.entered = side;
+    } else if (slope < 0) {
+      ray.far = std::min(ray.far, along * (1 + in_a_side));
+    } else if (slope == 0 && from < 0) {
+      ray.far = -infinite;
+    }
+  }
+}
+
+std::optional<Picked> Picker::at(const View& view, std::span<const DrawableId> shown, double x, double y,
+                                 const Section& section) {
   const Skeleton& skeleton = pack_.skeleton();
-  const Ray ray = Picker::ray(view, x, y);
-  const RaySpan span(ray.from, ray.way, ray.near, infinite);
+  Ray ray = Picker::ray(view, x, y);
+  cut(ray, section);
+  const RaySpan span(ray.from, ray.way, ray.near, ray.far);
   std::vector<std::pair<double, DrawableId>> met;  // in the order of their boxes
   for (const DrawableId drawable : shown) {
     const Box box = skeleton.lattice().box(skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box);
@@ -46,7 +65,7 @@ std::optional<Picked> Picker::at(const View& view, std::span<const DrawableId> s
     if (std::isfinite(from)) met.push_back({from, drawable});
   }
   std::sort(met.begin(), met.end());
-  double nearest = infinite;
+  double nearest = ray.far;
   std::optional<Picked> found;
   for (const auto& [from, drawable] : met) {
     if (from > nearest) break;
@@ -72,15 +91,30 @@ void Picker::meet(const Ray& ray, DrawableId drawable, uint32_t placement, doubl
   const glm::dvec3 from = (inverse * (ray.from - transform[3]) - lattice.origin) / lattice.step;
   const glm::dvec3 way = inverse * ray.way / lattice.step;
   const Chunk& geometry = chunk(placed.chunk);
+  const std::vector<bool> outward = ray.entered ? geometry.outward() : std::vector<bool>();
+  // Backs less fronts of what is solid, from where the ray comes in; and the nearest of the backs.
+  int winding = 0;
+  std::pair<double, uint32_t> back{infinite, 0};
   for (uint32_t i = 0; i < geometry.triangle_count(); ++i) {
     const auto corner = [&](size_t k) {
       return glm::dvec3(geometry.vertices[geometry.indices[3 * i + k]].point);
     };
     const auto hit = meet_triangle(from, way, corner(0), corner(1), corner(2));
-    if (!hit || hit->along < ray.near || hit->along >= nearest) continue;
+    if (!hit || hit->along < ray.near) continue;
+    if (ray.entered && outward[i]) {
+      const bool is_back = glm::dot(glm::cross(corner(1) - corner(0), corner(2) - corner(0)), way) > 0;
+      winding += is_back ? 1 : -1;
+      if (is_back) back = std::min(back, {hit->along, i});
+    }
+    if (hit->along >= nearest) continue;
     nearest = hit->along;
-    found = Picked{drawable, placement, i, ray.from + hit->along * ray.way};
+    const glm::dvec3 across = glm::cross(linear * (corner(1) - corner(0)), linear * (corner(2) - corner(0)));
+    const glm::dvec3 normal = glm::normalize(glm::dot(across, ray.way) > 0 ? -across : across);
+    found = Picked{drawable, placement, i, ray.from + hit->along * ray.way, normal};
   }
+  if (winding <= 0) return;
+  nearest = ray.near;
+  found = Picked{drawable, placement, back.second, ray.from + nearest * ray.way, -ray.entered->normal};
 }
 
 const Chunk& Picker::chunk(uint32_t number) {

@@ -38,7 +38,7 @@ void Tour::saw(const FrameState& frame, VisibleSet visible) {
 
 std::optional<Picked> Tour::under(const CursorPlace& place) {
   if (!frame_) return std::nullopt;
-  return picker_.at(frame_->view, visible_, place.x, place.y);
+  return picker_.at(frame_->view, visible_, place.x, place.y, frame_->section);
 }
 
 glm::dvec3 Tour::point_under(const CursorPlace& place) {
@@ -78,7 +78,7 @@ bool Tour::take(Command command, int width, int height) {
   const double aspect = static_cast<double>(width) / height;
   const auto look_at = [&](Side side) {
     walker_.look_at(side);
-    walker_.frame(selection_ ? selection_->box : box_, aspect);
+    walker_.frame(box(), aspect);
   };
   switch (command) {
     case Command::home:
@@ -90,7 +90,7 @@ bool Tour::take(Command command, int width, int height) {
       before_.pop_back();
       return true;
     case Command::fit:
-      walker_.frame(selection_ ? selection_->box : box_, aspect);
+      walker_.frame(box(), aspect);
       break;
     case Command::look_at_front:
       look_at(Side::front);

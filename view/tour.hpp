@@ -27,9 +27,12 @@ class Tour {
   const Walker& walker() const { return walker_; }
   /// What was clicked on last; nullopt where that was the background.
   const std::optional<Selection>& selection() const { return selection_; }
+  /// Of what is selected, or of the model.
+  const Box& box() const { return selection_ ? selection_->box : box_; }
+  /// What the last picture shows there.
+  std::optional<Picked> under(const CursorPlace& place);
 
  private:
-  std::optional<Picked> under(const CursorPlace& place);
   /// Where there is only background a place as far away as what was seen last.
   glm::dvec3 point_under(const CursorPlace& place);
   void select(const CursorPlace& place);

@@ -40,6 +40,12 @@ std::string viewer_help() {
          "off\n"
          "  F2                  save the picture               F3                        save and print the "
          "camera\n"
+         "  X                   cut at the surface under       Page Up, Page Down        move the cut on, "
+         "back (Alt "
+         "+ wheel)\n"
+         "                      the cursor, six times at most  Z, Delete                 flip it, take it "
+         "away\n"
+         "  K                   cut to the box of the selection, or of all; and no longer\n"
          "  F4                  record the walk, stop          H or F1, Esc              this help, leave\n";
 }
 
@@ -48,7 +54,8 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
       near_(pack.skeleton().default_near()),
       options_(std::move(options)),
       window_(options_.window),
-      tour_(pack, start(pack, options_, near_)) {
+      tour_(pack, start(pack, options_, near_)),
+      sections_(options_.section, pack.skeleton().diagonal()) {
   if (options_.path) exact_ = options_.path->frames.front();
 }
 
@@ -76,9 +83,22 @@ void Viewer::take(const Input& input) {
   left_ = left_ || input.leave;
   new_frame_ = new_frame_ || input.resized || input.damaged || input.clicked;
   for (const Command command : input.commands) take(command);
+  cut(input);
   if (!tour_.take(input, window_.width(), window_.height())) return;
   exact_.reset();
   options_.play = false;
+  new_frame_ = true;
+}
+
+void Viewer::cut(const Input& input) {
+  for (const Command command : input.commands) {
+    if (!Sections::is_one(command)) continue;
+    Sections::Scene scene{.eye = tour_.walker().eye(), .under_cursor = std::nullopt, .box = tour_.box()};
+    if (command == Command::begin_section) scene.under_cursor = tour_.under(input.cursor);
+    if (const std::string words = sections_.take(command, scene); !words.empty()) saved_ = words;
+  }
+  if (input.section == 0) return;
+  sections_.move(input.section, tour_.walker().eye());
   new_frame_ = true;
 }
 
@@ -153,7 +173,8 @@ FrameRequest Viewer::next_frame() {
   }
   new_frame_ = false;
   if (walk_) walk_->frames.push_back(exact_ ? *exact_ : path_frame(view().camera));
-  return {next_number_++, {view(), options_.pixel_error, options_.samples, options_.edges}};
+  return {next_number_++,
+          {view(), options_.pixel_error, options_.samples, options_.edges, sections_.section()}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,
@@ -178,6 +199,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
   if (pixel_error > options_.pixel_error) title += fmt::format(" (asked for {:g})", options_.pixel_error);
   title +=
       fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
+  if (const std::string cut = sections_.words(); !cut.empty()) title += ", " + cut;
   if (const auto& selection = tour_.selection()) title += ", " + selection->name;
   if (!saved_.empty()) title += ", " + std::exchange(saved_, {});
   window_.set_title(title);

@@ -7,6 +7,7 @@
 #include "scene/pack.hpp"
 #include "scene/path.hpp"
 #include "view/birds_eye.hpp"
+#include "view/sections.hpp"
 #include "view/tour.hpp"
 #include "view/window.hpp"
 
@@ -25,6 +26,7 @@ struct ViewerOptions {
   double pixel_error = 1;
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
+  Section section = {};  ///< what is shown of the model
   bool culling = true;
   std::filesystem::path pictures = ".";  ///< where F2 to F4 save files; if they can: no key ends a walk
 };
@@ -58,6 +60,7 @@ class Viewer {
  private:
   void take(const Input& input);
   void take(Command command);
+  void cut(const Input& input);
   View view() const;
   /// Whether the path's next camera is due.
   bool plays() const;
@@ -68,6 +71,7 @@ class Viewer {
   ViewerOptions options_;
   Window window_;
   Tour tour_;
+  Sections sections_;
   size_t path_frame_ = 0;  ///< the one to show next
   uint32_t next_number_ = 0;
   bool new_frame_ = true;  ///< whether the window has to be drawn again

@@ -77,6 +77,18 @@ std::optional<Command> command_of(int key) {
       return Command::toggle_play;
     case GLFW_KEY_L:
       return Command::toggle_edges;
+    case GLFW_KEY_X:
+      return Command::begin_section;
+    case GLFW_KEY_Z:
+      return Command::flip_section;
+    case GLFW_KEY_DELETE:
+      return Command::delete_section;
+    case GLFW_KEY_PAGE_UP:
+      return Command::push_section;
+    case GLFW_KEY_PAGE_DOWN:
+      return Command::pull_section;
+    case GLFW_KEY_K:
+      return Command::toggle_section_box;
     case GLFW_KEY_F2:
       return Command::take_picture;
     case GLFW_KEY_LEFT_BRACKET:
@@ -174,16 +186,20 @@ class Window::Implementation {
   }
 
   void on_key(int key, int action) {
-    if (action != GLFW_PRESS) return;
+    const bool moves_on = action == GLFW_REPEAT && (key == GLFW_KEY_PAGE_UP || key == GLFW_KEY_PAGE_DOWN);
+    if (action != GLFW_PRESS && !moves_on) return;
     pressed.push_back(key);
     if (key == GLFW_KEY_ESCAPE) input.leave = true;
     if (const auto command = command_of(key)) input.commands.push_back(*command);
   }
 
   void on_wheel(double steps) {
-    const bool control = glfwGetKey(window, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
-                         glfwGetKey(window, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
-    (control ? input.motion.faster : input.zoom) += steps;
+    const auto held = [&](int left, int right) {
+      return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    };
+    const bool control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+               alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    (control ? input.motion.faster : alt ? input.section : input.zoom) += steps;
   }
 
   /// One button at a time: the first that was pressed counts until it is released.
