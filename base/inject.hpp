@@ -34,6 +34,7 @@ enum class Fault {
   no_room,           ///< what covers others, and what is covered, may be off by any error
   untold_layers,     ///< of surfaces in one plane nothing says which lies on which
   exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
+  cut_occludes,      ///< what a section cuts away still hides what is behind it
   backs_nearby,      ///< backs are left out even where the eye is among them
   hidden_occludes,   ///< what a person hides is drawn into the occlusion representation once more
   hollow_levels,     ///< levels that leave out what others cover are drawn where it may be seen

@@ -4,6 +4,7 @@
 #include "base/threads.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/section_flags.hpp"
 #include "raster/instruction_set.hpp"
 
 #include <algorithm>
@@ -72,7 +73,9 @@ std::string line_without(const CLI::App& command, const std::vector<std::string>
     if (option->count() == 0) continue;
     if (std::find(left_out.begin(), left_out.end(), option->get_name()) != left_out.end()) continue;
     const bool flag = option->get_expected_max() == 0;
-    if (!option->get_positional() && option->get_delimiter() == '\0' && option->results().size() > 1) {
+    // A flag that is given once for each of its values.
+    const bool repeated = !option->get_positional() && option->get_delimiter() == '\0' && option->count() > 1;
+    if (repeated && !flag) {
       for (const std::string& word : option->results()) {
         append(option->get_name());
         append(word);
@@ -242,11 +245,13 @@ void add_picture_flags(CLI::App& command, RunOptions& options) {
       ->type_name("1|4|8|16")
       ->default_str("1");
   command.add_flag("--edges", options.edges, "Draw edges and creases as thin lines");
+  add_section_flags(command, options.section);
 }
 
 void add_picture(nlohmann::json& report, const RunOptions& options) {
   report["samples"] = options.samples;
   report["edges"] = options.edges;
+  report["section"] = section_json(options.section);
 }
 
 void add_every_flag(CLI::App& command, RunOptions& options) {

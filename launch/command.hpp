@@ -43,9 +43,9 @@ void add_drawing_flags(CLI::App& command, RunOptions& options);
 void add_path_flags(CLI::App& command, RunOptions& options);
 /// --sizes: a list, where a command draws the path at several; empty where it is not given.
 void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes);
-/// --samples and --edges: how the frames of a path are drawn.
+/// --samples, --edges, --section and --section-box: how the frames of a path are drawn.
 void add_picture_flags(CLI::App& command, RunOptions& options);
-/// {"samples", "edges"}, into a report.
+/// {"samples", "edges", "section": {"planes", "box"}}, into a report.
 void add_picture(nlohmann::json& report, const RunOptions& options);
 /// --every: only every so many frames of the path.
 void add_every_flag(CLI::App& command, RunOptions& options);

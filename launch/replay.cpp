@@ -7,6 +7,7 @@
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
+#include "launch/section_flags.hpp"
 #include "measure/json.hpp"
 #include "nodes/injected_rules.hpp"
 #include "nodes/pack_device.hpp"
@@ -63,6 +64,7 @@ class Replayer {
                        {"samples", frame.request.state.samples},
                        {"edges", frame.request.state.edges},
                        {"hidden", frame.request.state.hiding.name.count},
+                       {"section", section_json(frame.request.state.section)},
                        {"visible", frame.visible.size()},
                        {"drawn_triangles", picture_->drawn_triangles()},
                        {"digest_mismatch", frame.digest_mismatch},

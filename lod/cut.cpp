@@ -25,15 +25,17 @@ double error_of(const FrameView& view, const SceneNode& node, DrawableId id) {
   return std::max(error - of_children, 0.0);
 }
 
-/// Whether what a drawable leaves out, since others cover it, may be seen: the near plane may cut its box open,
-/// or what covers it is hidden, which is no further from it than its error.
+/// Whether what a drawable leaves out, since others cover it, may be seen: the near plane may cut its box
+/// open, or what covers it is hidden or cut away, which is no further from it than its error.
 bool shows_what_it_lacks(const FrameView& view, const SceneNode& node, const Drawable& drawable) {
   if (!view.rules.levels_from_outside || !is_seen_from_outside(*view.skeleton, drawable)) return false;
   if (!view.eye_space.is_beyond_near(node.box)) return true;
-  if (!view.state.hiding.objects) return false;
+  if (!view.state.hiding.objects && view.section_space.keeps_all()) return false;
   const double steps = std::ceil(drawable.error / view.skeleton->lattice().step) + 1;
   const int reach = static_cast<int>(std::min(steps, 0x1p29));
-  return view.state.hiding.objects->touches({node.box.lo - reach, node.box.hi + reach});
+  const LatticeBox around{node.box.lo - reach, node.box.hi + reach};
+  if (!view.section_place(around).inside()) return true;
+  return view.state.hiding.objects && view.state.hiding.objects->touches(around);
 }
 
 /// The coarsest drawable of the node that keeps the pixel error, or no_id.
@@ -52,6 +54,8 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
   const SceneNode& node = skeleton.scene_nodes[id];
   const HiddenShare hidden = view.hidden(id);
   if (hidden == HiddenShare::all) return no_id;
+  const SectionPlace place = view.section_place(node.box);
+  if (place.outside) return no_id;
   EyeBounds bounds = view.eye_space.bounds(node.box);
   if (bounds.outside) {
     if (culling == FrustumCulling::on) return no_id;
@@ -61,7 +65,9 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
   }
   // No drawable of it leaves out what is hidden; those of leaves do, placement by placement.
   if (hidden == HiddenShare::some && node.child_count > 0) return Cut::inner;
-  const DrawableId chosen = view.state.pixel_error > 0 ? coarsest(view, node, bounds) : no_id;
+  // Simplified solids are often not proven closed any more: where something is cut, it is so as it is.
+  const bool may_be_coarse = view.state.pixel_error > 0 && place.inside();
+  const DrawableId chosen = may_be_coarse ? coarsest(view, node, bounds) : no_id;
   if (chosen != no_id) return chosen;
   return node.child_count == 0 ? node.first_drawable : Cut::inner;
 }

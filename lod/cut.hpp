@@ -14,19 +14,21 @@ namespace triptych {
 /// draw.
 enum class FrustumCulling { on, off };
 
-/// The drawables that cover the view frustum, each the coarsest that keeps the pixel error.
+/// The drawables that cover what the section keeps of the view frustum, each the coarsest that keeps the
+/// pixel error.
 struct Cut {
   static constexpr DrawableId inner = no_id - 1;  ///< the scene node was refined: its children hold the cut
 
   std::vector<DrawableId> drawables;  ///< in draw rank order
   /// For each scene node: its drawable in the cut, `inner`, or no_id where the cut is above it, or it is
-  /// outside the frustum or hidden.
+  /// outside the frustum or the section, or hidden.
   std::vector<DrawableId> choice;
 };
 
-/// What the cut has at a scene node that it reaches: a drawable, Cut::inner, or no_id outside the frustum and
-/// where all of it is hidden. An inner scene node of which some is hidden is refined, whatever its error.
-/// The one rule by which select_cut() and LazyCut choose.
+/// What the cut has at a scene node that it reaches: a drawable, Cut::inner, or no_id outside the frustum,
+/// and outside the section and where all of it is hidden, which no FrustumCulling brings back. An inner scene
+/// node of which some is hidden or cut away is refined, whatever its error. The one rule by which
+/// select_cut() and LazyCut choose.
 DrawableId choose_level(const FrameView& view, SceneNodeId node, FrustumCulling culling = FrustumCulling::on);
 
 /// The whole cut at once: the reference that LazyCut must agree with. Pixel error 0 selects full detail:

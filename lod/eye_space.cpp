@@ -49,6 +49,10 @@ double EyeSpace::rounding(const glm::dvec3& centre, const glm::dvec3& half) cons
   return vertex_rounding * (glm::length(centre) + glm::length(half));
 }
 
+double EyeSpace::rounding(const Box& box) const {
+  return rounding(rotation_ * ((box.lo + box.hi) * 0.5 - eye_), (box.hi - box.lo) * 0.5);
+}
+
 bool EyeSpace::is_beyond_near(const LatticeBox& box) const {
   const Box model_box = lattice_->box(box);
   const glm::dvec3 centre = rotation_ * ((model_box.lo + model_box.hi) * 0.5 - eye_);

@@ -36,6 +36,8 @@ class EyeSpace {
   /// Whether all of the box is beyond the near plane, by more than rounding can bring it back: then the eye
   /// is outside of it, and nothing in it is cut.
   bool is_beyond_near(const LatticeBox& box) const;
+  /// By how much what is drawn of the box may be elsewhere, model units.
+  double rounding(const Box& box) const;
 
  private:
   /// A direction of eye space and, in model axes, its absolute value: a box's reach along it is a dot

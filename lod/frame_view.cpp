@@ -17,9 +17,21 @@ FrameView::FrameView(const Skeleton& of_skeleton, const FrameState& of_state, co
       cell(eye_cell(of_skeleton, of_state.view)),
       focal_length(of_state.view.focal_length()),
       clip(clip_space(of_skeleton, of_state.view, rotation, with_rules.model_units)),
-      eye_space(of_skeleton, of_state.view, rotation, with_rules) {
+      eye_space(of_skeleton, of_state.view, rotation, with_rules),
+      section_space(of_state, clip, focal_length) {
   if (state.hiding.name.count > 0 && !state.hiding.objects)
     fail("frame", "{} objects are hidden, and nobody said which", state.hiding.name.count);
+}
+
+SectionPlace FrameView::section_place(const LatticeBox& box) const { return section_place({&box, 1}); }
+
+[[gnu::noinline]] SectionPlace FrameView::section_place(std::span<const LatticeBox> boxes) const {
+  if (section_space.keeps_all()) return {};
+  const NearestRounding rounding;
+  LatticeBox around;
+  for (const LatticeBox& box : boxes) around.extend(box);
+  const Box box = skeleton->lattice().box(around);
+  return section_space.place(box, eye_space.rounding(box));
 }
 
 }  // namespace triptych

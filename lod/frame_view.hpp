@@ -5,12 +5,14 @@
 #include "lod/clip_space.hpp"
 #include "lod/eye_space.hpp"
 #include "lod/frame_rules.hpp"
+#include "lod/section_space.hpp"
 #include "scene/frame_state.hpp"
 #include "scene/hidden_objects.hpp"
 #include "scene/skeleton.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace triptych {
 
@@ -24,6 +26,10 @@ struct FrameView {
   HiddenShare hidden(SceneNodeId node) const {
     return state.hiding.objects ? state.hiding.objects->share(node) : HiddenShare::nothing;
   }
+  /// Where a box lies in the frame's section.
+  SectionPlace section_place(const LatticeBox& box) const;
+  /// The same of the box around several: what is solid may reach from one into another.
+  SectionPlace section_place(std::span<const LatticeBox> boxes) const;
 
   const Skeleton* skeleton;
   FrameState state;
@@ -33,6 +39,7 @@ struct FrameView {
   double focal_length = 1;  ///< pixels; what the pixel error is measured with
   ClipSpace clip;           ///< eye space to clip space
   EyeSpace eye_space;       ///< where boxes lie, for selection
+  SectionSpace section_space;
 
  private:
   FrameView(const NearestRounding&, const Skeleton& skeleton, const FrameState& state,

@@ -20,6 +20,7 @@ FrameRules injected_frame_rules() {
           .hidden_is_gone = !injected(Fault::hidden_occludes),
           .retest_hidden = !injected(Fault::carried_hidden),
           .show_all_found = !injected(Fault::withheld_id),
+          .cut_occludes_nothing = !injected(Fault::cut_occludes),
           .non_strict_test = !injected(Fault::strict_depth_test),
           .fragment_bound = !injected(Fault::no_fragment_bound),
           .double_positions = !injected(Fault::float_positions),

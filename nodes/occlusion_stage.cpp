@@ -13,6 +13,7 @@ void OcclusionStage::begin(const FrameRequest& frame) {
   frame_ = frame.number;
   FrameState state = frame.state;
   if (!rules_.current_camera && last_camera_) state.view = *last_camera_;
+  if (!rules_.cut_occludes_nothing) state.section = {};
   last_camera_ = frame.state.view;
   view_.emplace(skeleton_, state, rules_);
   if (OcclusionRepresentation* representation = strategy_.representation())

@@ -4,15 +4,17 @@
 
 namespace triptych {
 
-EdgeMarker::EdgeMarker(const VisibilityBuffer& plane, const EdgeRule& rule, const SamplePlace& place)
+EdgeMarker::EdgeMarker(const VisibilityBuffer& plane, const FrameView& view, const EdgeRule& rule,
+                       const SamplePlace& place)
     : plane_(&plane),
       rule_(&rule),
+      caps_(view, place),
       centre_(glm::vec2(0.5 + place.pixels())),
       below_(static_cast<size_t>(plane.width())),
       above_(below_),
-      normals_(count) {
+      faces_(count) {
   // No slot that is looked for in an entry has this number.
-  for (uint32_t i = 0; i < count; ++i) normals_[i].slot = i + 1;
+  for (uint32_t i = 0; i < count; ++i) faces_[i].slot = i + 1;
 }
 
 [[gnu::noinline]] void EdgeMarker::draw(int32_t y, Rgba* row) {
@@ -43,19 +45,31 @@ void EdgeMarker::compare_upwards(int32_t y, std::vector<EdgeOwner>& owners) {
 EdgeOwner EdgeMarker::between(int32_t x, int32_t y, int32_t other_x, int32_t other_y) {
   const auto i = static_cast<size_t>(x), k = static_cast<size_t>(other_x);
   const bool something = plane_->depths(y)[i] != 0, other = plane_->depths(other_y)[k] != 0;
-  // One triangle has no edges within; most pairs are of one.
-  if (something == other && (!something || plane_->slots(y)[i] == plane_->slots(other_y)[k]))
-    return EdgeOwner::none;
+  if (!something && !other) return EdgeOwner::none;
+  // One triangle has no edges within, but where caps of several sides show in its place; most pairs are of
+  // one.
+  const uint32_t slot = plane_->slots(y)[i];
+  if (something && other && slot == plane_->slots(other_y)[k] && !face(slot).capped) return EdgeOwner::none;
   return rule_->between(point(x, y), at(x, y), point(other_x, other_y), at(other_x, other_y));
+}
+
+const EdgeMarker::Face& EdgeMarker::face(uint32_t slot) {
+  Face& face = faces_[slot % count];
+  if (face.slot != slot) {
+    const SlotTable::Triangle shown = plane_->find(slot);
+    face = {slot, TriangleShader::normal(shown), caps_.lie_before(shown)};
+  }
+  return face;
 }
 
 SurfacePoint EdgeMarker::point(int32_t x, int32_t y) {
   const float depth = plane_->depth(x, y);
   if (depth == 0) return {};
-  const uint32_t slot = plane_->slots(y)[static_cast<size_t>(x)];
-  Normal& normal = normals_[slot % count];
-  if (normal.slot != slot) normal = {slot, TriangleShader::normal(plane_->find(slot))};
-  return {depth, normal.of};
+  const Face& seen = face(plane_->slots(y)[static_cast<size_t>(x)]);
+  if (seen.capped) {
+    if (const auto cap = caps_.entry(x, y)) return {cap->depth, caps_.normal(cap->side)};
+  }
+  return {depth, seen.normal};
 }
 
 glm::vec2 EdgeMarker::at(int32_t x, int32_t y) const {

@@ -14,7 +14,8 @@ struct RowSpan {
 };
 RowSpan row_span(const WindowTriangle& triangle, int32_t row);
 
-/// Rows first_row to last_row, both included. write(x, y, depth): called once for each pixel.
+/// Rows first_row to last_row, both included. write(x, y, depth): called once for each pixel that a section
+/// keeps.
 template <typename Write>
 void for_each_pixel(const WindowTriangle& triangle, int32_t first_row, int32_t last_row, const Write& write) {
   const int32_t bottom = triangle.bottom > first_row ? triangle.bottom : first_row;
@@ -28,6 +29,7 @@ void for_each_pixel(const WindowTriangle& triangle, int32_t first_row, int32_t l
         const float limit = limit_at(*triangle.limit, x, y);
         depth = limit < depth ? limit : depth;
       }
+      if (triangle.sides != nullptr && !keeps(*triangle.sides, triangle.cut, x, y, depth)) continue;
       write(x, y, depth);
     }
   }

@@ -14,6 +14,13 @@ struct DepthLimit {
   float nearest;
 };
 
+/// The sides of a section as plain numbers (PixelSide), of one sample of each pixel.
+struct SectionSidesOver {
+  static constexpr int32_t max = 12;
+  float x[max], y[max], at[max], of_depth[max];
+  int32_t count;
+};
+
 /// A triangle whose box holds at least one pixel centre of the picture. Pixel (left + i, bottom + j) is
 /// covered where all of edge[k] + step_x[k] · i + step_y[k] · j ≥ 0; an edge's own pixels belong to it where
 /// it is a left or a top one (y up). Its depth there is
@@ -23,6 +30,8 @@ struct DepthLimit {
 /// in this order, in floats. Where those might be too coarse, as for slivers and for what the near plane
 /// cuts, it is `precise`: the sum is made in doubles, of the precise slopes, and rounded to a float once.
 /// Where it is not proven to keep the limit of its piece, `limit` has that, and the farther of both counts.
+/// Where a section may cut it, it is drawn at those depths that all of the sides keep whose bits are in
+/// `cut`.
 struct FillTriangle {
   int64_t edge[3];
   int32_t step_x[3], step_y[3];
@@ -33,7 +42,9 @@ struct FillTriangle {
   uint32_t slot;
   bool precise;
   double precise_x, precise_y;
-  const DepthLimit* limit;  ///< or null
+  const DepthLimit* limit;        ///< or null
+  const SectionSidesOver* sides;  ///< or null, where `cut` is 0
+  uint32_t cut;
 };
 
 /// What triangles are filled into (PixelPlane).

@@ -52,6 +52,7 @@ void add(const WindowTriangle& triangle, StretchTriangles& result) {
 struct Drawn {
   uint32_t slot;
   uint32_t layer;
+  uint32_t cut;
   ExactPlane plane = {};  ///< where layer > 0
 };
 
@@ -65,6 +66,10 @@ void add_window(const GeometryTerms& terms, std::array<WindowVertex, 3> window, 
   }
   if (!set_up(window, terms.limits, triangle, drawn.layer > 0)) return;
   triangle.slot = drawn.slot;
+  if (drawn.cut != 0) {
+    triangle.sides = &terms.sides;
+    triangle.cut = drawn.cut;
+  }
   if (drawn.layer > 1) put_below(drawn.layer - 1, terms.layers, triangle);
   hold_to(limit, std::min({slack(limit, window[0]), slack(limit, window[1]), slack(limit, window[2])}),
           triangle);
@@ -92,7 +97,8 @@ GeometryTerms::GeometryTerms(const FrameView& view, const BoxProjector& of_view,
       layers(view),
       sample(place),
       window(view.view().width, view.view().height, place),
-      limits{view.view().width, view.view().height} {}
+      limits{view.view().width, view.view().height},
+      sides(sides_over(PixelSides(view, place))) {}
 
 template <typename Position>
 Position VertexStage::to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const {
@@ -191,7 +197,7 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
 
 [[gnu::noinline]] void make_triangles(const GeometryTerms& terms, const DrawnRange& range,
                                       std::span<const LatticeBox> pieces, const DepthSource& drawn,
-                                      StretchTriangles& result) {
+                                      StretchTriangles& result, bool outward_alone) {
   result.small.clear();
   result.large.clear();
   result.limits.clear();
@@ -208,10 +214,11 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
   const size_t found = find_candidates(terms, range, drawn, stage);
   for (size_t candidate = 0; candidate < found; ++candidate) {
     const uint32_t i = stage.candidates[candidate], triangle = range.first_triangle + i;
+    if (outward_alone && !chunk.is_outward(triangle)) continue;
     const std::array<uint32_t, 3> corners = {chunk.corner[0][triangle], chunk.corner[1][triangle],
                                              chunk.corner[2][triangle]};
     const DepthLimit& limit = result.limits[chunk.piece[corners[0]]];
-    Drawn own{range.first_slot + i, chunk.layer(triangle)};
+    Drawn own{range.first_slot + i, chunk.layer(triangle), range.cut};
     if (own.layer > 0) {
       const auto exact = [&](size_t k) { return terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k]); };
       own.plane = ExactPlane({exact(0), exact(1), exact(2)}, terms.window);

@@ -39,15 +39,17 @@ struct GeometryTerms : VertexStage {
   SamplePlace sample;
   WindowTransform window;
   PictureLimits limits;
+  SectionSidesOver sides;  ///< of the section, if there is one
 
   /// For the kernels of an instruction set.
   TransformTerms transform_terms(const PlacedLattice& placed) const;
 };
 
-/// range: numbered. pieces: boxes of the chunk's pieces, placed. Depths of `triangles` keep the limits of
-/// their piece: by a proof, or by FillTriangle::limit. Those that lie behind what is drawn already may be
-/// left out. A function of its arguments alone.
+/// outward_alone: only those of solids (Chunk::outward). range: numbered. pieces: boxes of the chunk's
+/// pieces, placed. Depths of `triangles` keep the limits of their piece: by a proof, or by
+/// FillTriangle::limit. Those that lie behind what is drawn already may be left out. A function of its
+/// arguments alone.
 void make_triangles(const GeometryTerms& terms, const DrawnRange& range, std::span<const LatticeBox> pieces,
-                    const DepthSource& drawn, StretchTriangles& result);
+                    const DepthSource& drawn, StretchTriangles& result, bool outward_alone = false);
 
 }  // namespace triptych

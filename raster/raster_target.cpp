@@ -45,6 +45,8 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   uint64_t triangles = 0;
   auto rank = ranks_.begin();
   for (const DrawItem& item : items_) {
+    const SectionPlace place = view_->section_place(item.pieces);
+    if (place.outside) continue;
     const bool same = !stretches_.empty() && stretches_.back().rank.id == item.drawable;
     while (rank->id != item.drawable) ++rank;
     PlacedStretch stretch{.rank = *rank,
@@ -54,6 +56,7 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
                           .triangle_count = item.index_count / 3,
                           .placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice),
                           .front = 0,
+                          .cut = place.cut,
                           .pieces = item.pieces};
     if (stretch.chunk->has_outward)
       stretch.front = outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);

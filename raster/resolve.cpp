@@ -23,7 +23,7 @@ class BandResolver {
     if (!view.state.edges) return;
     rule_.emplace(view);
     const auto places = sample_places(view.state.samples);
-    for (size_t i = 0; i < planes.size(); ++i) edges_.emplace_back(planes[i], *rule_, places[i]);
+    for (size_t i = 0; i < planes.size(); ++i) edges_.emplace_back(planes[i], view, *rule_, places[i]);
   }
 
   [[gnu::noinline]] void make(int32_t y, Rgba* picture_row) {

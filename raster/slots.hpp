@@ -20,6 +20,7 @@ struct DrawnRange {
   uint32_t triangle_count = 0;
   uint32_t first_slot = 0;
   int32_t front = 0;  ///< outward_front()
+  uint32_t cut = 0;   ///< SectionPlace::cut
   const RasterChunk* chunk = nullptr;
   PlacedLattice placed = {};
 };

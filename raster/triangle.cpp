@@ -76,6 +76,9 @@ bool set_up(const std::array<WindowVertex, 3>& corners, const PictureLimits& lim
   triangle.precise = false;
   triangle.precise_x = triangle.precise_y = 0;
   triangle.limit = nullptr;
+  triangle.sides = nullptr;
+  triangle.cut = 0;
+  triangle.clockwise = area < 0;
   triangle.slot = 0;
   triangle.first_x = a.x;
   triangle.first_y = a.y;
@@ -123,6 +126,20 @@ DepthLimit depth_limit(const PixelDepthBound& bound, const SamplePlace& place) {
   }
   limit.nearest = bound.at.w;
   return limit;
+}
+
+SectionSidesOver sides_over(const PixelSides& sides) {
+  static_assert(SectionSidesOver::max == Section::max_sides);
+  SectionSidesOver over{};
+  over.count = static_cast<int32_t>(sides.all().size());
+  for (size_t i = 0; i < sides.all().size(); ++i) {
+    const PixelSide& side = sides.all()[i];
+    over.x[i] = side.x;
+    over.y[i] = side.y;
+    over.at[i] = side.at;
+    over.of_depth[i] = side.of_depth;
+  }
+  return over;
 }
 
 float slack(const DepthLimit& limit, const WindowVertex& corner) {

@@ -5,6 +5,7 @@
 #include "raster/window.hpp"
 #include "visibility/depth_bound.hpp"
 #include "visibility/layer_offset.hpp"
+#include "visibility/pixel_sides.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +18,11 @@ struct PictureLimits {
   int width = 0, height = 0;
 };
 
-/// A triangle, and what computing its depth at a pixel that it covers may be off by.
+/// A triangle, what computing its depth at a pixel that it covers may be off by, and how its corners went
+/// round.
 struct WindowTriangle : FillTriangle {
   float error;
+  bool clockwise;
 
   /// Without its limit.
   float depth_at(int32_t x, int32_t y) const {
@@ -74,6 +77,32 @@ inline float limit_at(const DepthLimit& limit, int32_t x, int32_t y) {
     depth = plane < depth ? plane : depth;
   }
   return depth;
+}
+
+/// As it is over a picture.
+SectionSidesOver sides_over(const PixelSides& sides);
+/// Whether the sides in `cut` keep what is so deep at the centre of a pixel.
+inline bool keeps(const SectionSidesOver& sides, uint32_t cut, int32_t x, int32_t y, float depth) {
+  const float px = static_cast<float>(x) + 0.5f, py = static_cast<float>(y) + 0.5f;
+  for (int i = 0; cut != 0; ++i, cut >>= 1) {
+    const float along = (sides.x[i] * px + sides.y[i] * py) + sides.at[i];
+    if ((cut & 1) != 0 && !(along + sides.of_depth[i] * depth >= 0)) return false;
+  }
+  return true;
+}
+
+/// As deep as the ray through the centre of a pixel comes into what all sides keep, at that side which it
+/// passes last; beyond all depths where that is the near plane.
+inline float entry_depth(const SectionSidesOver& sides, int32_t x, int32_t y) {
+  const float px = static_cast<float>(x) + 0.5f, py = static_cast<float>(y) + 0.5f;
+  float entry = 2;
+  for (int i = 0; i < sides.count; ++i) {
+    const float along = (sides.x[i] * px + sides.y[i] * py) + sides.at[i];
+    if (!(along + sides.of_depth[i] < 0)) continue;
+    const float depth = along / -sides.of_depth[i];
+    entry = depth < entry ? depth : entry;
+  }
+  return entry;
 }
 
 }  // namespace triptych

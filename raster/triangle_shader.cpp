@@ -49,15 +49,21 @@ TriangleShader::TriangleShader(const FrameView& view)
     : palette_(view.skeleton->palette),
       light_(light_direction(view)),
       stage_(view),
+      caps_(view),
       width_(view.view().width),
       height_(view.view().height) {}
 
-Rgba TriangleShader::operator()(const SlotTable::Triangle& shown) const {
-  const float lit = light_on(shown);
+Rgba TriangleShader::flat(const SlotTable::Triangle& shown, float lit) const {
   Rgba color{0, 0, 0, 255};
   const std::array<uint8_t, 4>& base = palette_[shown.range->chunk->color[shown.triangle]];
   for (size_t i = 0; i < 3; ++i) color[i] = to_byte(static_cast<float>(base[i]) / 255.0f * lit);
   return color;
+}
+
+Rgba TriangleShader::cap(const SlotTable::Triangle& shown, uint32_t side, const float (&lit_color)[3]) const {
+  const float from_lit = caps_.light(side) / light_on(shown);
+  return {to_byte(lit_color[0] * from_lit), to_byte(lit_color[1] * from_lit),
+          to_byte(lit_color[2] * from_lit), 255};
 }
 
 InterpolatedColors TriangleShader::varying(const SlotTable::Triangle& shown) const {
@@ -84,6 +90,9 @@ KeptShades::KeptShades(const VisibilityBuffer& buffer, const TriangleShader& sha
 }
 
 Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
+  const Entry& kept = entry(slot);
+  const auto cap = kept.capped ? shader_.caps().entry(x, y) : std::nullopt;
+  if (!kept.varies) return cap ? shader_.cap(buffer_.find(slot), cap->side) : kept.color;
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
@@ -91,6 +100,7 @@ Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   }
   float color[3];
   varying.colors.at(x, y, color);
+  if (cap) return shader_.cap(buffer_.find(slot), cap->side, color);
   return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
 }
 
@@ -99,9 +109,9 @@ const KeptShades::Entry& KeptShades::entry(uint32_t slot) {
   if (entry.slot != slot) {
     const SlotTable::Triangle shown = buffer_.find(slot);
     const bool varies = TriangleShader::varies(shown);
-    entry = {slot, varies ? Rgba{} : shader_(shown), varies};
+    entry = {slot, varies ? Rgba{} : shader_(shown), varies, shader_.caps().lie_before(shown)};
   }
-  any_varies_ |= entry.varies;
+  any_varies_ |= entry.varies || entry.capped;
   return entry;
 }
 

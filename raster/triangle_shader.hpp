@@ -1,6 +1,7 @@
 // What triangles of a visibility buffer look like: their colours, and their normals.
 #pragma once
 
+#include "raster/caps.hpp"
 #include "raster/corner_colors.hpp"
 #include "raster/visibility_buffer.hpp"
 
@@ -18,18 +19,24 @@ class TriangleShader {
   explicit TriangleShader(const FrameView& view);
 
   /// Of a triangle whose chunk has no colours of its own.
-  Rgba operator()(const SlotTable::Triangle& shown) const;
+  Rgba operator()(const SlotTable::Triangle& shown) const { return flat(shown, light_on(shown)); }
+  /// Of a cap at a side that shows in place of the triangle, with the colours of its corners if it has any.
+  Rgba cap(const SlotTable::Triangle& shown, uint32_t side) const { return flat(shown, caps_.light(side)); }
+  Rgba cap(const SlotTable::Triangle& shown, uint32_t side, const float (&lit_color)[3]) const;
+  const Caps& caps() const { return caps_; }
   static bool varies(const SlotTable::Triangle& shown) { return !shown.range->chunk->vertex_color.empty(); }
   InterpolatedColors varying(const SlotTable::Triangle& shown) const;
   /// Of either side, eye space, unit length; 0 of a triangle without area.
   static glm::vec3 normal(const SlotTable::Triangle& shown);
 
  private:
+  Rgba flat(const SlotTable::Triangle& shown, float lit) const;
   float light_on(const SlotTable::Triangle& shown) const;
 
   const std::vector<std::array<uint8_t, 4>>& palette_;
   glm::vec3 light_;
   VertexStage stage_;
+  Caps caps_;
   int width_, height_;
 };
 
@@ -44,8 +51,9 @@ class KeptShades {
   bool any_varies() const { return any_varies_; }
   void begin_row() { any_varies_ = false; }
 
-  /// Whether the colours of the slot's triangle vary, and what they are at a pixel's centre.
-  bool varies(uint32_t slot) { return entry(slot).varies; }
+  /// Whether the colours of the slot's triangle vary, as where caps show in its place; and what they are at a
+  /// pixel's centre.
+  bool varies(uint32_t slot) { return entry(slot).varies || entry(slot).capped; }
   Rgba of(uint32_t slot, int32_t x, int32_t y);
 
  private:
@@ -53,7 +61,7 @@ class KeptShades {
   struct Entry {
     uint32_t slot;
     Rgba color;
-    bool varies;
+    bool varies, capped;
   };
   struct Varying {
     uint32_t slot;

@@ -1,6 +1,7 @@
 #include "raster/visibility_buffer.hpp"
 
 #include "base/threads.hpp"
+#include "raster/cap_fill.hpp"
 #include "raster/float_state.hpp"
 #include "raster/instruction_set.hpp"
 
@@ -60,6 +61,53 @@ void VisibilityBuffer::draw(const GeometryTerms& terms, std::span<const PlacedSt
     }
   }
   draw_batch(terms);
+  if (terms.sides.count > 0) draw_caps(terms, stretches);
+}
+
+/// Each stretch as a whole: its surfaces are closed.
+void VisibilityBuffer::draw_caps(const GeometryTerms& terms, std::span<const PlacedStretch> stretches) {
+  if (!nothing_) nothing_.emplace(width_, height_);
+  for (const PlacedStretch& stretch : stretches) {
+    if (!may_have_caps(*stretch.chunk, stretch.cut)) continue;
+    if (table_.left() < stretch.triangle_count) {
+      draw_cap_batch(terms);
+      if (!depth_alone_) table_.compact(depths_, slots_);
+    }
+    number(stretch, 0, stretch.triangle_count);
+    if (batch_triangles_ >= batch_size) draw_cap_batch(terms);
+  }
+  draw_cap_batch(terms);
+}
+
+void VisibilityBuffer::draw_cap_batch(const GeometryTerms& terms) {
+  if (batch_.empty()) return;
+  if (triangles_.size() < batch_.size()) triangles_.resize(batch_.size());
+  DepthSource nothing = source();
+  nothing_->hand_out(nothing);
+  const bool side_by_side = thread_count() > 1 && batch_triangles_ >= worth_sharing;
+  const auto make = [&](size_t i) {
+    const FloatState state;
+    make_triangles(terms, batch_[i].range, batch_[i].pieces, nothing, triangles_[i], true);
+  };
+  if (side_by_side) {
+    parallel_for(batch_.size(), make);
+  } else {
+    for (size_t i = 0; i < batch_.size(); ++i) make(i);
+  }
+  for (size_t i = 0; i < batch_.size(); ++i) {
+    if (triangles_[i].bottom <= triangles_[i].top) tiles_.touch_rows(triangles_[i].bottom, triangles_[i].top);
+  }
+  const FillTarget into = target();
+  for_each_band(side_by_side, [&](int32_t first, int32_t last) {
+    for (size_t i = 0; i < batch_.size(); ++i) {
+      if (triangles_[i].bottom <= last && triangles_[i].top >= first)
+        fill_caps(terms, batch_[i].range, triangles_[i], first, last, into);
+    }
+    tiles_.refresh_rows(depths_, first, last);
+  });
+  tiles_.refresh_blocks();
+  batch_.clear();
+  batch_triangles_ = 0;
 }
 
 void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint32_t count) {
@@ -68,6 +116,7 @@ void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint
                    .first_triangle = stretch.first_triangle + first,
                    .triangle_count = count,
                    .front = stretch.front,
+                   .cut = stretch.cut,
                    .chunk = stretch.chunk,
                    .placed = stretch.placed};
   if (!depth_alone_) range.first_slot = table_.add(range);

@@ -22,6 +22,7 @@ struct PlacedStretch {
   uint32_t first_triangle = 0, triangle_count = 0;
   PlacedLattice placed = {};
   int32_t front = 0;  ///< DrawnRange::front
+  uint32_t cut = 0;   ///< DrawnRange::cut
   std::span<const LatticeBox> pieces;
 };
 
@@ -60,6 +61,8 @@ class VisibilityBuffer {
  private:
   void number(const PlacedStretch& stretch, uint32_t first, uint32_t count);
   void draw_batch(const GeometryTerms& terms);
+  void draw_caps(const GeometryTerms& terms, std::span<const PlacedStretch> stretches);
+  void draw_cap_batch(const GeometryTerms& terms);
   void sort_large();
   void fill_rows(int32_t first, int32_t last);
   FillTarget target();
@@ -70,6 +73,7 @@ class VisibilityBuffer {
   PixelPlane depths_;
   PixelPlane slots_;  ///< empty where depth_alone_
   DepthTiles tiles_;
+  std::optional<DepthTiles> nothing_;  ///< tiles of an empty buffer
   SlotTable table_;
   struct BatchEntry {
     DrawnRange range;

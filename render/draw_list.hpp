@@ -1,5 +1,5 @@
 // Drawables as OpenGL draws them: one record per placement, in the order given, the bounds of its pieces, and
-// an indirect command; several where backs of some of its triangles are left out.
+// an indirect command; several where backs of some of its triangles are left out, or show cut surfaces.
 #pragma once
 
 #include "lod/representation.hpp"
@@ -27,6 +27,10 @@ struct DrawRecord {
   glm::ivec3 cell;
   uint32_t item;
   uint32_t first_bound;  ///< of the chunk's first piece; those of the others follow
+  uint32_t cut;          ///< SectionPlace::cut, and the two bits below where it is not 0
+
+  static constexpr uint32_t outward = 1u << 30;   ///< its triangles are (Chunk::outward)
+  static constexpr uint32_t mirrored = 1u << 31;  ///< their fronts go round clockwise
 };
 
 struct DrawCommand {
@@ -39,6 +43,8 @@ struct DrawCommand {
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
   bool colored = false;
+  /// What is outward of one placement that a section may cut: it has cut surfaces.
+  enum class Caps : uint8_t { none, plain, mirrored } caps = Caps::none;
   uint32_t count = 0;
 };
 
@@ -63,8 +69,10 @@ class DrawListBuilder {
   void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, DrawList& list);
 
  private:
-  static void add_command(const ChunkRange& range, int32_t front, uint32_t first_triangle, uint32_t end,
-                          DrawList& list);
+  static void add_command(const ChunkRange& range, const DrawGroup& group, uint32_t first_triangle,
+                          uint32_t end, DrawList& list);
+  static void add_solid(const ChunkRange& range, bool mirrored, uint32_t first_triangle, uint32_t end,
+                        DrawList& list);
 
   const Skeleton& skeleton_;
   LatticePlacer placer_;

@@ -4,6 +4,7 @@
 #include "base/threads.hpp"
 #include "measure/frame_journal.hpp"
 #include "raster/instruction_set.hpp"
+#include "scene/section_text.hpp"
 
 namespace triptych {
 
@@ -69,6 +70,8 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
   if (run.edges) append(words, {"--edges"});
   for (const std::string& word : run.hide) append(words, {"--hide=" + word});
   for (const std::string& word : run.isolate) append(words, {"--isolate=" + word});
+  for (const SectionPlane& plane : run.section.planes()) append(words, {"--section", section_words(plane)});
+  if (run.section.box()) append(words, {"--section-box", section_words(*run.section.box())});
   return words;
 }
 

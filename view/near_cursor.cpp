@@ -61,16 +61,6 @@ SeenPolygon seen(const PictureSpace& space, const std::array<glm::dvec3, 3>& eye
   return polygon;
 }
 
-/// The part of a ray that a section keeps.
-void cut(std::span<const SectionPlane> sides, const EyeRay& ray, double& least, double& most) {
-  for (const SectionPlane& side : sides) {
-    const double at_start = side.distance(ray.from), per_step = glm::dot(side.normal, ray.way);
-    if (per_step > 0) least = std::max(least, -at_start / per_step);
-    if (per_step < 0) most = std::min(most, -at_start / per_step);
-    if (per_step == 0 && at_start < 0) most = -infinite;
-  }
-}
-
 }  // namespace
 
 PictureSpace::PictureSpace(const View& view) : view_(view), rotation_(view.rotation()) {}
@@ -153,30 +143,20 @@ const Placement& NearCursor::placement_of(const Place& place) const {
   return skeleton_.placements[skeleton_.drawables[place.drawable].first_placement + place.placement];
 }
 
-std::optional<Picked> NearCursor::nearest(std::span<const Place> places, const EyeRay& ray,
+std::optional<Picked> NearCursor::nearest(std::span<const Place> places, const EyeRay& eye,
                                           double most) const {
-  double least = ray.near;
-  cut(section_.all(), ray, least, most);
+  PlacedRay ray = kept_part(eye.from, eye.way, eye.near, section_);
+  ray.most = std::min(ray.most, most);
   std::optional<Picked> found;
   for (const Place& place : places) {
-    if (place.entry > most) break;
-    const auto hit = meet({ray.from, ray.way, least, most}, skeleton_, placement_of(place), chunks_);
+    if (place.entry > ray.most) break;
+    const auto hit = meet(ray, skeleton_, placement_of(place), chunks_);
     if (!hit) continue;
-    most = hit->along;
-    found = Picked{place.drawable, place.placement, hit->triangle, ray.from + most * ray.way};
+    ray.most = hit->along;
+    found =
+        Picked{place.drawable, place.placement, hit->triangle, ray.from + hit->along * ray.way, hit->normal};
   }
   return found;
-}
-
-glm::dvec3 NearCursor::hit_normal() const {
-  if (!hit_) return glm::dvec3(0);
-  const Placement& placement = placement_of({0, hit_->drawable, hit_->placement});
-  const std::shared_ptr<const Chunk> chunk = chunks_.get(placement.chunk);
-  const auto corner = [&](size_t k) {
-    return placed_position(skeleton_, placement, *chunk, chunk->indices[size_t{3} * hit_->triangle + k]);
-  };
-  const glm::dvec3 normal = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
-  return glm::dot(normal, ray_.way) > 0 ? -normal : normal;
 }
 
 std::vector<NearFacet> NearCursor::facets(size_t most) const {

@@ -46,8 +46,6 @@ class NearCursor {
 
   /// The nearest triangle of finest drawables that the section keeps; nullopt where there is background.
   const std::optional<Picked>& hit() const { return hit_; }
-  /// Of the triangle that was hit, length 1, towards the eye.
-  glm::dvec3 hit_normal() const;
   /// The step of the model's lattice: corners that are nearer to each other are one.
   double weld() const { return skeleton_.lattice().step; }
   /// The triangles of leaves no further away than the hit that come within the pixels. Empty where there are

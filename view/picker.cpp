@@ -8,7 +8,6 @@
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -32,22 +31,21 @@ glm::dvec3 Picker::place_at(const View& view, double x, double y, double depth) 
 
 std::optional<Picked> Picker::at(const FrameState& frame, std::span<const DrawableId> shown, double x,
                                  double y) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   const Skeleton& skeleton = pack_.skeleton();
   const HiddenObjects* const hidden = frame.hiding.objects.get();
-  const EyeRay ray = eye_ray(frame.view, x, y);
-  const RaySpan span(ray.from, ray.way, ray.near, infinite);
+  const EyeRay eye = eye_ray(frame.view, x, y);
+  PlacedRay ray = kept_part(eye.from, eye.way, eye.near, SectionSides(frame.section));
+  const RaySpan span(ray.from, ray.way, ray.least, ray.most);
   const ShownNodes nodes(skeleton, shown);
-  double nearest = infinite;
   std::optional<Picked> found;
   using Entry = std::pair<double, SceneNodeId>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;  // the nearest box first
   const auto add = [&](SceneNodeId node) {
     const double entry = span.entry(skeleton.lattice().box(skeleton.scene_nodes[node].box));
-    if (entry <= nearest && std::isfinite(entry)) open.emplace(entry, node);
+    if (entry <= ray.most && std::isfinite(entry)) open.emplace(entry, node);
   };
   if (!skeleton.scene_nodes.empty()) add(0);
-  while (!open.empty() && open.top().first <= nearest) {
+  while (!open.empty() && open.top().first <= ray.most) {
     const SceneNodeId at = open.top().second;
     open.pop();
     const SceneNode& node = skeleton.scene_nodes[at];
@@ -59,11 +57,10 @@ std::optional<Picked> Picker::at(const FrameState& frame, std::span<const Drawab
     const Drawable& placed = skeleton.drawables[drawable];
     for (uint32_t i = 0; i < placed.placement_count; ++i) {
       if (hidden && hidden->hides(placed.scene_node, i)) continue;
-      const auto hit = meet({ray.from, ray.way, ray.near, nearest}, skeleton,
-                            skeleton.placements[placed.first_placement + i], chunks_);
+      const auto hit = meet(ray, skeleton, skeleton.placements[placed.first_placement + i], chunks_);
       if (!hit) continue;
-      nearest = hit->along;
-      found = Picked{drawable, i, hit->triangle, ray.from + nearest * ray.way};
+      ray.most = hit->along;
+      found = Picked{drawable, i, hit->triangle, ray.from + hit->along * ray.way, hit->normal};
     }
   }
   return found;

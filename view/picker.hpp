@@ -16,6 +16,7 @@ struct Picked {
   uint32_t placement = 0;  ///< counted from the drawable's first one
   uint32_t triangle = 0;   ///< of the chunk that it places
   glm::dvec3 point{0};     ///< model space
+  glm::dvec3 normal{0};    ///< of the surface there, towards the eye; length 1
 };
 
 /// What lies at a place of the window: from + t · way, t >= near. t is the depth along the line of sight.
@@ -31,8 +32,9 @@ class Picker {
  public:
   explicit Picker(const Pack& pack) : pack_(pack), chunks_(pack) {}
 
-  /// The nearest triangle behind the near plane at a place of the window (eye_ray()). What is hidden is not
-  /// met. Nullopt where there is background. Error for a damaged chunk.
+  /// The nearest triangle behind the near plane at a place of the window (eye_ray()). What is hidden or cut
+  /// away is not met; where a section shows a cut surface, the place is there, and the triangle the back
+  /// behind it. Nullopt where there is background. Error for a damaged chunk.
   std::optional<Picked> at(const FrameState& frame, std::span<const DrawableId> shown, double x, double y);
   /// What is so deep at a place of the window, model space.
   static glm::dvec3 place_at(const View& view, double x, double y, double depth);

@@ -3,15 +3,39 @@
 #include "scene/affine.hpp"
 #include "scene/ray.hpp"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace triptych {
 
 namespace {
 constexpr uint64_t most_kept_triangles = 500'000;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 }  // namespace
+
+PlacedRay kept_part(const glm::dvec3& from, const glm::dvec3& way, double least,
+                    const SectionSides& section) {
+  constexpr double in_a_side = 1e-6;  // of the distance
+  PlacedRay ray{from, way, least, infinite};
+  for (const SectionPlane& side : section.all()) {
+    const double at_start = side.distance(from), slope = glm::dot(side.normal, way);
+    const double along = -at_start / slope;
+    if (slope > 0 && along > ray.least) {
+      ray.least = along * (1 - in_a_side);
+      ray.entered = side;
+    } else if (slope < 0) {
+      ray.most = std::min(ray.most, along * (1 + in_a_side));
+    } else if (slope == 0 && at_start < 0) {
+      ray.most = -infinite;
+    }
+  }
+  return ray;
+}
 
 std::shared_ptr<const Chunk> ChunkShelf::get(uint32_t number) {
   const auto known = chunks_.find(number);
@@ -39,17 +63,30 @@ std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, con
   const glm::dvec3 from = (inverse * (ray.from - transform[3]) - lattice.origin) / lattice.step;
   const glm::dvec3 way = inverse * ray.way / lattice.step;
   const std::shared_ptr<const Chunk> chunk = chunks.get(placement.chunk);
+  const std::vector<bool> outward = ray.entered ? chunk->outward() : std::vector<bool>();
   std::optional<ChunkHit> found;
   double nearest = ray.most;
+  // Backs less fronts of what is solid, from where the ray comes in; and the nearest of the backs.
+  int winding = 0;
+  std::pair<double, uint32_t> back{infinite, 0};
   for (uint32_t i = 0; i < chunk->triangle_count(); ++i) {
     const auto corner = [&](size_t k) {
       return glm::dvec3(chunk->vertices[chunk->indices[3 * i + k]].point);
     };
     const auto hit = meet_triangle(from, way, corner(0), corner(1), corner(2));
-    if (!hit || hit->along < ray.least || hit->along >= nearest) continue;
+    if (!hit || hit->along < ray.least) continue;
+    if (ray.entered && outward[i]) {
+      const bool is_back = glm::dot(glm::cross(corner(1) - corner(0), corner(2) - corner(0)), way) > 0;
+      winding += is_back ? 1 : -1;
+      if (is_back) back = std::min(back, {hit->along, i});
+    }
+    if (hit->along >= nearest) continue;
     nearest = hit->along;
-    found = ChunkHit{nearest, i};
+    const glm::dvec3 across =
+        glm::normalize(glm::cross(linear * (corner(1) - corner(0)), linear * (corner(2) - corner(0))));
+    found = ChunkHit{nearest, i, glm::dot(across, ray.way) > 0 ? -across : across};
   }
+  if (winding > 0) return ChunkHit{ray.least, back.second, -ray.entered->normal};
   return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include "scene/chunk.hpp"
 #include "scene/pack.hpp"
+#include "scene/section.hpp"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -29,15 +30,23 @@ class ChunkShelf {
 struct PlacedRay {
   glm::dvec3 from{0}, way{0};
   double least = 0, most = 0;
+  std::optional<SectionPlane> entered = std::nullopt;  ///< the side of a section at which it begins
 };
+
+/// The part of a ray from `least` on that a section keeps, up to infinity. Faces that lie in a side are
+/// there, as on the screen.
+PlacedRay kept_part(const glm::dvec3& from, const glm::dvec3& way, double least, const SectionSides& section);
 
 /// Where a ray meets a chunk.
 struct ChunkHit {
   double along = 0;  ///< t
   uint32_t triangle = 0;
+  glm::dvec3 normal{0};  ///< of the surface there, against the ray; length 1
 };
 
-/// The nearest triangle of a placement that the ray meets. Reads the chunk where the ray meets its box.
+/// The nearest triangle of a placement that the ray meets. Where a section opens what is solid (its outward
+/// triangles), the ray meets the cut surface at its beginning, and the triangle is the back behind it. Reads
+/// the chunk where the ray meets its box.
 std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, const Placement& placement,
                              ChunkShelf& chunks);
 

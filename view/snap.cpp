@@ -162,7 +162,7 @@ std::optional<Snap> snap(const NearCursor& near) {
   if (const auto edge = best(std::move(on_edges), near)) return edge;
   if (!near.hit()) return std::nullopt;
   Snap face{SnapKind::face, near.hit()->point, {}, {}, {}, near.hit()->drawable};
-  face.normal = near.hit_normal();
+  face.normal = near.hit()->normal;
   return face;
 }
 

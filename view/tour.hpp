@@ -38,17 +38,17 @@ class Tour {
   /// The last picture, and what it shows; null before the first.
   const FrameState* frame() const { return frame_ ? &*frame_ : nullptr; }
   const VisibleSet& visible() const { return visible_; }
+  /// Of what is selected, or else of all that is shown.
+  Box subject() const;
+  /// What the last picture shows there.
+  std::optional<Picked> under(const CursorPlace& place);
 
  private:
-  std::optional<Picked> under(const CursorPlace& place);
   /// Where there is only background a place as far away as what was seen last.
   glm::dvec3 point_under(const CursorPlace& place);
   void select(const CursorPlace& place);
   /// Keeps where the eye is, for Command::back, if it stood still there.
   void remember();
-
-  /// What is to fill the window: what is selected, or else all that is shown.
-  Box subject() const;
 
   const Pack& pack_;
   Picker picker_;

@@ -50,6 +50,12 @@ std::string viewer_help() {
          "  H I                 hide, isolate the selection    Ctrl, Alt, both with H I  its layer, storey, "
          "file\n"
          "  U                   show all                       Ctrl+Z                    as it was before\n"
+         "  X                   cut at the surface under       Page Up, Page Down        move the cut on, "
+         "back (Alt "
+         "+ wheel)\n"
+         "                      the cursor, six times at most  Z, Delete                 flip it, take it "
+         "away\n"
+         "  K                   cut to the box of the selection, or of all; and no longer\n"
          "  F4                  record the walk, stop          F5                        save a viewpoint "
          "(BCF)\n"
          "  Ctrl+C, Ctrl+V      copy the camera, take one\n"
@@ -65,6 +71,7 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
       tour_(pack, start(pack, options_, near_)),
       inquiry_(pack, tour_),
       hider_(pack.skeleton(), options_.hiding),
+      sections_(options_.section, pack.skeleton().diagonal()),
       place_(options_.place) {
   if (options_.path) exact_ = options_.path->frames.front();
   select_first(options_.selected);
@@ -126,9 +133,22 @@ void Viewer::take(Input input) {
   window_.read_text(inquiry_.reads_text());
   new_frame_ = new_frame_ || input.resized || input.damaged;
   for (const Command command : input.commands) take(command);
+  cut(input);
   if (!tour_.take(input, window_.width(), window_.height()) && !sought) return;
   exact_.reset();
   options_.play = false;
+  new_frame_ = true;
+}
+
+void Viewer::cut(const Input& input) {
+  for (const Command command : input.commands) {
+    if (!Sections::is_one(command)) continue;
+    Sections::Scene scene{.eye = tour_.walker().eye(), .under_cursor = std::nullopt, .box = tour_.subject()};
+    if (command == Command::begin_section) scene.under_cursor = tour_.under(input.cursor);
+    if (const std::string words = sections_.take(command, scene); !words.empty()) saved_ = words;
+  }
+  if (input.section == 0) return;
+  sections_.move(input.section, tour_.walker().eye());
   new_frame_ = true;
 }
 
@@ -253,7 +273,7 @@ FrameRequest Viewer::next_frame() {
   if (walk_) walk_->frames.push_back(camera());
   return {
       next_number_++,
-      {view(), options_.pixel_error, options_.samples, options_.edges, options_.section, hider_.hiding()}};
+      {view(), options_.pixel_error, options_.samples, options_.edges, sections_.section(), hider_.hiding()}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,
@@ -296,6 +316,7 @@ void Viewer::set_title() {
   std::string title = figures_;
   title +=
       fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
+  if (const std::string cut = sections_.words(); !cut.empty()) title += ", " + cut;
   if (const auto& selection = tour_.selection()) title += ", " + selection->name;
   if (const uint32_t hidden = hiding().name.count; hidden > 0)
     title += fmt::format(", {} objects hidden", hidden);

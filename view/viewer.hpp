@@ -10,6 +10,7 @@
 #include "view/hider.hpp"
 #include "view/inquiry.hpp"
 #include "view/last_place.hpp"
+#include "view/sections.hpp"
 #include "view/tour.hpp"
 #include "view/window.hpp"
 
@@ -71,6 +72,7 @@ class Viewer {
  private:
   void take(Input input);
   void take(Command command);
+  void cut(const Input& input);
   View view() const;
   /// Whether the path's next camera is due.
   bool plays() const;
@@ -102,6 +104,7 @@ class Viewer {
   std::string saved_;               ///< the title says it with the next picture
   Inquiry inquiry_;
   Hider hider_;
+  Sections sections_;
   const FrameTarget* shown_ = nullptr;  ///< what is in the window; null before the first picture
   std::string figures_;                 ///< of the last frame, for the title
   std::string alone_;                   ///< why, for the title

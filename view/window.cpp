@@ -65,8 +65,7 @@ std::optional<Command> command_of(int key, int modifiers) {
     case GLFW_KEY_U:
       return Command::show_all;
     case GLFW_KEY_Z:
-      if ((modifiers & GLFW_MOD_CONTROL) != 0) return Command::undo_hiding;
-      return std::nullopt;
+      return (modifiers & GLFW_MOD_CONTROL) != 0 ? Command::undo_hiding : Command::flip_section;
     case GLFW_KEY_HOME:
       return Command::home;
     case GLFW_KEY_BACKSPACE:
@@ -103,6 +102,16 @@ std::optional<Command> command_of(int key, int modifiers) {
       return Command::toggle_play;
     case GLFW_KEY_L:
       return Command::toggle_edges;
+    case GLFW_KEY_X:
+      return Command::begin_section;
+    case GLFW_KEY_DELETE:
+      return Command::delete_section;
+    case GLFW_KEY_PAGE_UP:
+      return Command::push_section;
+    case GLFW_KEY_PAGE_DOWN:
+      return Command::pull_section;
+    case GLFW_KEY_K:
+      return Command::toggle_section_box;
     case GLFW_KEY_F2:
       return Command::take_picture;
     case GLFW_KEY_LEFT_BRACKET:
@@ -224,7 +233,8 @@ class Window::Implementation {
 
   void on_key(int key, int action, int modifiers) {
     if (reads_text) return on_text_key(key, action, modifiers);
-    if (action != GLFW_PRESS) return;
+    const bool moves_on = action == GLFW_REPEAT && (key == GLFW_KEY_PAGE_UP || key == GLFW_KEY_PAGE_DOWN);
+    if (action != GLFW_PRESS && !moves_on) return;
     if ((modifiers & GLFW_MOD_CONTROL) != 0) {
       if (const auto command = control_command_of(key)) return add(*command);
     }
@@ -255,9 +265,12 @@ class Window::Implementation {
   }
 
   void on_wheel(double steps) {
-    const bool control = glfwGetKey(window, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
-                         glfwGetKey(window, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
-    (control ? input.motion.faster : input.zoom) += steps;
+    const auto held = [&](int left, int right) {
+      return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    };
+    const bool control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+               alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    (control ? input.motion.faster : alt ? input.section : input.zoom) += steps;
   }
 
   /// One button at a time: the first that was pressed counts until it is released.

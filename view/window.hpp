@@ -27,6 +27,12 @@ enum class Command {
   toggle_birds_eye,
   toggle_play,
   toggle_edges,
+  begin_section,  ///< a plane in the surface under the cursor
+  flip_section,   ///< of section planes: the last one
+  delete_section,
+  push_section,
+  pull_section,
+  toggle_section_box,
   take_picture,
   finer,
   coarser,
@@ -77,6 +83,7 @@ struct Input {
   double seconds = 0;  ///< how long the motion's directions were held
   Drag orbit, pan;
   double zoom = 0;                     ///< steps of the wheel, away from the person
+  double section = 0;                  ///< the same with Alt held
   CursorPlace cursor;                  ///< where it is now
   std::optional<CursorPlace> clicked;  ///< the left button, without a move
   std::vector<Command> commands;       ///< in the order of their keys

@@ -10,6 +10,7 @@ namespace triptych {
 
 int32_t outward_front(const FrameView& view, const Affine& transform, std::span<const LatticeBox> boxes) {
   if (!view.rules.leave_out_backs) return 0;
+  if (!view.section_place(boxes).inside()) return 0;
   const NearestRounding rounding;
   const bool is_clear = std::all_of(
       boxes.begin(), boxes.end(), [&](const LatticeBox& box) { return view.eye_space.is_beyond_near(box); });

@@ -70,7 +70,7 @@ template <bool plain>
 void fill(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target) {
   const int32_t bottom = greater(triangle.bottom, first_row), top = lesser(triangle.top, last_row);
   if (bottom > top) return;
-  if (!triangle.precise && triangle.limit == nullptr) {
+  if (!triangle.precise && triangle.limit == nullptr && triangle.sides == nullptr) {
     fill_any<true>(triangle, bottom, top, target);
   } else {
     fill_any<false>(triangle, bottom, top, target);

@@ -15,7 +15,7 @@ namespace {
   return select(depth < low, low, select(depth > high, high, depth));
 }
 
-/// plain: neither precise nor limited.
+/// plain: neither precise nor limited nor cut.
 template <bool plain>
 class RowDepth {
  public:
@@ -34,20 +34,35 @@ class RowDepth {
     precise_start_ = double{triangle_.z} + triangle_.precise_y * dy;
   }
 
-  /// The bits of the depths of some columns of that row.
+  /// The bits of the depths of some columns of that row; 0, which is nothing, where a section keeps none.
   [[gnu::always_inline]] Ints at(Ints column) const {
     const Ints dx = column * 256 + to_first_;
     Floats depth = !plain && triangle_.precise ? precise(dx) : start_ + slope_ * to_float(dx);
     depth = select(depth < low_, low_, select(depth > high_, high_, depth));
-    if (plain || triangle_.limit == nullptr) return bits_of(depth);
-    const Floats limit = limit_of(*triangle_.limit, to_float(column) + 0.5f);
-    return bits_of(select(limit < depth, limit, depth));
+    if (plain) return bits_of(depth);
+    const Floats x = to_float(column) + 0.5f;
+    if (triangle_.limit != nullptr) {
+      const Floats limit = limit_of(*triangle_.limit, x);
+      depth = select(limit < depth, limit, depth);
+    }
+    if (triangle_.sides == nullptr) return bits_of(depth);
+    return bits_of(depth) & kept(*triangle_.sides, x, depth);
   }
 
  private:
   [[gnu::always_inline]] Floats precise(Ints dx) const {
     return to_float(precise_start_ + triangle_.precise_x * half(dx, false),
                     precise_start_ + triangle_.precise_x * half(dx, true));
+  }
+  [[gnu::always_inline]] Ints kept(const SectionSidesOver& sides, Floats x, Floats depth) const {
+    const float y = static_cast<float>(y_) + 0.5f;
+    Ints kept = splat(-1);
+    for (uint32_t cut = triangle_.cut; cut != 0; cut &= cut - 1) {
+      const int i = __builtin_ctz(cut);
+      const Floats along = (sides.x[i] * x + sides.y[i] * y) + sides.at[i];
+      kept &= (Ints)(along + sides.of_depth[i] * depth >= 0);
+    }
+    return kept;
   }
   [[gnu::always_inline]] Floats limit_of(const DepthLimit& limit, Floats x) const {
     const float y = static_cast<float>(y_) + 0.5f;

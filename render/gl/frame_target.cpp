@@ -18,14 +18,15 @@ void GlFrameTarget::begin(const FrameView& view) {
   }
   view_ = view;
   const FramebufferLayout wanted{.samples = view.state.samples,
-                                 .normals = view.state.edges && planes_->has_colors()};
+                                 .normals = view.state.edges && planes_->has_colors(),
+                                 .stencil = !view.section_space.keeps_all()};
   if (!(planes_->layout() == wanted)) {
     const TargetKind own_kind = kind();
     const int own_width = width(), own_height = height();
     planes_.reset();
     picture_.reset();
     planes_.emplace(own_kind, own_width, own_height, wanted);
-    if (planes_->has_colors() && !(wanted == FramebufferLayout{}))
+    if (planes_->has_colors() && (wanted.samples > 1 || wanted.normals))
       picture_.emplace(TargetKind::color, own_width, own_height);
   }
   planes_->clear();

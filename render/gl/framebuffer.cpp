@@ -18,7 +18,11 @@ Framebuffer::Framebuffer(TargetKind kind, int width, int height, const Framebuff
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   if (width > limit || height > limit)
     fail("OpenGL", "{}x{} pixels are more than its limit of {}", width, height, limit);
-  attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
+  if (layout.stencil) {
+    attach(depth_, GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH32F_STENCIL8);
+  } else {
+    attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
+  }
   // A program writes its first output to the first of these.
   std::vector<GLenum> draw_buffers;
   const auto attach_drawn = [&](const GlTextureArray& texture, GLenum attachment, GLenum format) {
@@ -54,7 +58,11 @@ void Framebuffer::clear() const {
   const float far_away = 0;
   const GLuint nothing[4] = {0, 0, 0, 0};
   for (const GlFramebuffer& plane : planes_) {
-    glClearNamedFramebufferfv(plane, GL_DEPTH, 0, &far_away);
+    if (layout_.stencil) {
+      glClearNamedFramebufferfi(plane, GL_DEPTH_STENCIL, 0, far_away, winding_zero);
+    } else {
+      glClearNamedFramebufferfv(plane, GL_DEPTH, 0, &far_away);
+    }
     if (has_colors()) glClearNamedFramebufferfv(plane, GL_COLOR, 0, background_color);
     if (has_items()) glClearNamedFramebufferuiv(plane, GL_COLOR, has_colors() ? 1 : 0, nothing);
   }

@@ -10,10 +10,14 @@
 
 namespace triptych {
 
+/// What the stencil holds where no winding number was counted, so that they may be negative.
+inline constexpr GLint winding_zero = 128;
+
 /// What a framebuffer has beyond one plane of colours or ids.
 struct FramebufferLayout {
   uint32_t samples = 1;  ///< planes of each, one for each sample of a pixel
   bool normals = false;  ///< of faces, beside colours; for edges
+  bool stencil = false;  ///< beside depth: winding numbers, for cut surfaces
   bool operator==(const FramebufferLayout&) const = default;
 };
 

@@ -147,7 +147,8 @@ double passes_that_disagree() {
                                    {0x1.1p-27f, -0x1.3p-25f, 0x1.2p-20f, -0.003f}},
                           .cell = {17, -29, 5},
                           .item = 0,
-                          .first_bound = 0};
+                          .first_bound = 0,
+                          .cut = 0};
   const PixelDepthBound bound{.x = {}, .y = {}, .at = glm::vec4(1)};
   const glm::vec4 white(1);
   GlVertexArray vertex_array;
@@ -163,7 +164,7 @@ double passes_that_disagree() {
   const Framebuffer target(TargetKind::color_and_item, side, side);
   const auto draw = [&](const std::string& fragments) {
     const GlProgram program =
-        make_program("probe of passes", geometry_vertex_shader(Projection::perspective), fragments);
+        make_program("probe of passes", geometry_vertex_shader(Projection::perspective, {}), fragments);
     glUseProgram(program);
     glUniform4f(glGetUniformLocation(program, "frustum"), 1.37f, 1.11f, 0.01f, 0.02f);
     glUniform2f(glGetUniformLocation(program, "depth"), 0.013f, 0);
@@ -175,13 +176,13 @@ double passes_that_disagree() {
   };
   target.clear();
   glDepthFunc(GL_GREATER);
-  draw(depth_fragment_shader());
+  draw(depth_fragment_shader({}));
   const std::vector<float> depths = target.read_depths();
   double covered = 0, met = 0;
   for (const float depth : depths) covered += depth > 0;
   glDepthFunc(GL_EQUAL);
   glDepthMask(GL_FALSE);
-  draw(color_and_item_fragment_shader());
+  draw(color_and_item_fragment_shader({}));
   glDepthMask(GL_TRUE);
   for (const uint32_t item : target.read_items()) met += item == 1;
   return covered > 0 ? covered - met : 1;  // nothing drawn proves nothing

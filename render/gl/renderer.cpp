@@ -6,19 +6,19 @@
 namespace triptych {
 
 namespace {
-GlProgram make_pass(TargetKind kind, Projection projection, BaseColors colors, Layers layers, bool normals) {
-  const std::string vertex = geometry_vertex_shader(projection, colors, layers);
+GlProgram make_pass(TargetKind kind, Projection projection, const ShaderVariant& variant) {
+  const std::string vertex = geometry_vertex_shader(projection, variant);
   switch (kind) {
     case TargetKind::color:
-      return make_program("colour", vertex, color_fragment_shader(colors, layers, normals));
+      return make_program("colour", vertex, color_fragment_shader(variant));
     case TargetKind::item:
-      return make_program("item", vertex, item_fragment_shader(layers));
+      return make_program("item", vertex, item_fragment_shader(variant));
     case TargetKind::depth_only:
-      return make_program("depth", vertex, depth_fragment_shader(layers));
+      return make_program("depth", vertex, depth_fragment_shader(variant));
     case TargetKind::color_and_item:
       break;
   }
-  return make_program("colour and item", vertex, color_and_item_fragment_shader(colors, layers, normals));
+  return make_program("colour and item", vertex, color_and_item_fragment_shader(variant));
 }
 
 /// Of triangles whose fronts go round so; 0: both.
@@ -34,17 +34,29 @@ void show_sides(int32_t front) {
 }  // namespace
 
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
-    : layers_(has_layers(skeleton.effects) ? Layers::some : Layers::none),
+    : layers_(has_layers(skeleton.effects)),
       geometry_(skeleton, residency),
       representation_(representation),
       builder_(skeleton) {}
 
-Renderer::Pass& Renderer::pass(TargetKind kind, BaseColors colors, bool normals) {
+Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
   const Projection projection = view_->view().camera.projection;
-  std::optional<Pass>& pass = passes_[normals ? 1 : 0][static_cast<size_t>(colors)]
-                                     [static_cast<size_t>(projection)][static_cast<size_t>(kind)];
+  std::optional<Pass>& pass =
+      passes_[variant.sections ? 1 : 0][variant.caps ? 1 : 0][variant.normals ? 1 : 0][static_cast<size_t>(
+          variant.colors)][static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
-  pass.emplace(make_pass(kind, projection, colors, layers_, normals));
+  pass.emplace(make_pass(kind, projection, variant));
+  return *pass;
+}
+
+Renderer::Pass& Renderer::winding_pass() {
+  const Projection projection = view_->view().camera.projection;
+  std::optional<Pass>& pass = winding_passes_[static_cast<size_t>(projection)];
+  if (!pass) {
+    const ShaderVariant variant{.layers = layers_, .sections = true};
+    pass.emplace(
+        make_program("winding", geometry_vertex_shader(projection, variant), winding_fragment_shader()));
+  }
   return *pass;
 }
 
@@ -74,12 +86,26 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
 
 void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const SamplePlace& place) {
   const TargetKind kind = framebuffer.kind();
-  const auto use = [&](bool colored) {
-    const BaseColors colors =
-        colored && framebuffer.has_colors() ? BaseColors::vertices : BaseColors::palette;
-    const Pass& used = pass(kind, colors, framebuffer.has_colors() && framebuffer.layout().normals);
+  const Pass *surfaces = nullptr, *caps = nullptr, *winding = nullptr;
+  const auto prepared = [&](const Pass& used) {
     glUseProgram(used.program);
     used.uniforms.set(*view_, place);
+    return &used;
+  };
+  const auto use = [&](bool colored) {
+    ShaderVariant variant{
+        .colors = colored && framebuffer.has_colors() ? BaseColors::vertices : BaseColors::palette,
+        .layers = layers_,
+        .sections = !view_->section_space.keeps_all(),
+        .normals = framebuffer.has_colors() && framebuffer.layout().normals};
+    if (variant.sections) {
+      variant.caps = true;
+      bind_nearest_backs(framebuffer.width(), framebuffer.height());
+      winding = prepared(winding_pass());
+      caps = prepared(pass(kind, variant));
+      variant.caps = false;
+    }
+    surfaces = prepared(pass(kind, variant));
     geometry_.bind(records_, colored);
   };
   bool colored = list_.groups.front().colored;
@@ -95,9 +121,62 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     show_sides(group.front);
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
                                 static_cast<GLsizei>(group.count), 0);
+    if (group.caps != DrawGroup::Caps::none) {
+      draw_caps(group, offset, *winding, *caps);
+      glUseProgram(surfaces->program);
+    }
     offset += group.count * sizeof(DrawCommand);
   }
   show_sides(0);
+}
+
+void Renderer::bind_nearest_backs(int width, int height) {
+  if (!nearest_backs_ || nearest_backs_->width != width || nearest_backs_->height != height) {
+    nearest_backs_.emplace(width, height);
+    glTextureStorage2D(nearest_backs_->texture, 1, GL_R32UI, width, height);
+    glClearTexImage(nearest_backs_->texture, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  }
+  glBindImageTexture(nearest_backs_image, nearest_backs_->texture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+}
+
+/// Of the closed surfaces of one placement: counts in the stencil what rays pass beyond where they come into
+/// the section, backs less fronts; draws before the nearest back where that is above 0; and forgets both.
+void Renderer::draw_caps(const DrawGroup& group, uintptr_t offset, const Pass& winding, const Pass& caps) {
+  const auto draw = [&] {
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
+                                static_cast<GLsizei>(group.count), 0);
+  };
+  const auto write = [](GLboolean on) {
+    glColorMask(on, on, on, on);
+    glDepthMask(on);
+    glDepthFunc(on ? GL_GREATER : GL_ALWAYS);
+  };
+  const bool mirrored = group.caps == DrawGroup::Caps::mirrored;
+  glEnable(GL_STENCIL_TEST);
+  glUseProgram(winding.program);
+  const GLint forget = glGetUniformLocation(winding.program, "forget");
+  glUniform1i(forget, 0);
+  write(GL_FALSE);
+  glStencilFunc(GL_ALWAYS, winding_zero, 0xff);
+  glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, mirrored ? GL_INCR_WRAP : GL_DECR_WRAP);
+  glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, mirrored ? GL_DECR_WRAP : GL_INCR_WRAP);
+  draw();
+  glUseProgram(caps.program);
+  write(GL_TRUE);
+  glStencilFunc(GL_LESS, winding_zero, 0xff);  // zero is less than what is there
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  show_sides(mirrored ? 1 : -1);
+  draw();
+  show_sides(0);
+  glUseProgram(winding.program);
+  glUniform1i(forget, 1);
+  write(GL_FALSE);
+  glStencilFunc(GL_ALWAYS, winding_zero, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  draw();
+  write(GL_TRUE);
+  glDisable(GL_STENCIL_TEST);
 }
 
 }  // namespace triptych

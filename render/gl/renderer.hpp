@@ -31,14 +31,24 @@ class Renderer {
     GlProgram program;
     ViewUniforms uniforms;
   };
-  Pass& pass(TargetKind kind, BaseColors colors, bool normals);
+  Pass& pass(TargetKind kind, const ShaderVariant& variant);
+  Pass& winding_pass();
   /// Into one plane of the framebuffer, whose pixel centres lie at this sample of each pixel.
   void draw_list(const Framebuffer& framebuffer, uint32_t plane, const SamplePlace& place);
+  void bind_nearest_backs(int width, int height);
+  void draw_caps(const DrawGroup& group, uintptr_t offset, const Pass& winding, const Pass& caps);
 
-  Layers layers_;
+  bool layers_;
   Geometry geometry_;
-  /// By normals, base colours, projection and kind; made when first used.
-  std::optional<Pass> passes_[2][2][2][4];
+  /// By sections, caps, normals, base colours, projection and kind; made when first used.
+  std::optional<Pass> passes_[2][2][2][2][2][4];
+  std::optional<Pass> winding_passes_[2];  ///< by projection
+  /// Of a picture: the bits of depths of the nearest backs of what draw_caps() counts, 0 between its uses.
+  struct NearestBacks {
+    int width, height;
+    GlTexture texture = {};
+  };
+  std::optional<NearestBacks> nearest_backs_;
   Representation& representation_;
   DrawListBuilder builder_;
   std::vector<DrawItem> items_;

@@ -2,6 +2,7 @@
 
 #include "scene/sample_places.hpp"
 #include "visibility/edge_rule.hpp"
+#include "visibility/pixel_sides.hpp"
 
 #include <fmt/core.h>
 #include <vector>
@@ -36,21 +37,35 @@ bool leaves(float p, vec3 normal, vec3 at_p, float q, vec3 at_q) {
 )";
 }
 
-// EdgeRule::between, asked of a pixel about each of its neighbours.
-std::string edges(Projection projection) {
-  return fmt::format("const float crease_cosine = {};\n", crease_cosine) + R"(
+// Of what shows; where that is the cut surface at a side of the section, of that.
+const char* const surface_source = R"(
 layout(binding = 1) uniform sampler2DArray depths;
 layout(binding = 2) uniform sampler2DArray normals;
 uniform vec4 rays;
 uniform vec2 places[16];  // of each plane's samples, pixels
+uniform vec4 sides[12];   // PixelSide
+float depth_at(ivec3 at) {
+  float depth = texelFetch(depths, at, 0).r;
+  float side = texelFetch(normals, at, 0).a * 16.0;
+  if (depth == 0.0 || side > 12.0) return depth;
+  vec4 cap = sides[int(side + 0.5)];
+  vec2 place = vec2(at.xy) + places[at.z];
+  return (cap.x * place.x + cap.y * place.y + cap.z) / -cap.w;
+}
+)";
+
+// EdgeRule::between, asked of a pixel about each of its neighbours.
+std::string edges(Projection projection) {
+  return fmt::format("const float crease_cosine = {};\n", crease_cosine) + R"(
 uniform float tolerance, depth_scale;
-)" + leaves(projection) +
+)" + surface_source +
+         leaves(projection) +
          R"(
 vec3 ray(ivec2 pixel, int plane) { return vec3((vec2(pixel) + places[plane]) * rays.xy + rays.zw, -1.0); }
 vec3 normal_at(ivec3 at) { return texelFetch(normals, at, 0).xyz * 2.0 - 1.0; }
 bool owns(ivec2 pixel, ivec2 other, int plane, float here, vec3 normal, bool first) {
   if (any(lessThan(other, ivec2(0))) || any(greaterThanEqual(other, textureSize(depths, 0).xy))) return false;
-  float there = texelFetch(depths, ivec3(other, plane), 0).r;
+  float there = depth_at(ivec3(other, plane));
   if (there == 0.0) return true;
   vec3 other_normal = normal_at(ivec3(other, plane)), from = ray(pixel, plane), to = ray(other, plane);
   if (leaves(here, normal, from, there, to) && leaves(there, other_normal, to, here, from))
@@ -58,7 +73,7 @@ bool owns(ivec2 pixel, ivec2 other, int plane, float here, vec3 normal, bool fir
   return first && abs(dot(normal, other_normal)) < crease_cosine;
 }
 bool is_edge(ivec2 pixel, int plane) {
-  float here = texelFetch(depths, ivec3(pixel, plane), 0).r;
+  float here = depth_at(ivec3(pixel, plane));
   if (here == 0.0) return false;
   vec3 normal = normal_at(ivec3(pixel, plane));
   return owns(pixel, pixel + ivec2(1, 0), plane, here, normal, true) ||
@@ -105,6 +120,10 @@ void ResolvePass::draw(const FrameView& view, const Framebuffer& planes, const F
     for (const SamplePlace& place : sample_places(planes.layout().samples))
       places.emplace_back(0.5 + place.pixels());
     glUniform2fv(glGetUniformLocation(*program, "places"), static_cast<GLsizei>(places.size()), &places[0].x);
+    const PixelSides sides(view);
+    if (!sides.all().empty())
+      glUniform4fv(glGetUniformLocation(*program, "sides"), static_cast<GLsizei>(sides.all().size()),
+                   &sides.all()[0].x);
     glUniform1f(glGetUniformLocation(*program, "tolerance"), rule.tolerance());
     glUniform1f(glGetUniformLocation(*program, "depth_scale"), rule.depth_scale());
     glBindTextureUnit(depths_unit, planes.depths());

@@ -1,6 +1,8 @@
 #include "render/gl/shaders.hpp"
 
+#include "render/draw_list.hpp"
 #include "visibility/layer_offset.hpp"
+#include "visibility/pixel_sides.hpp"
 #include "visibility/shading.hpp"
 
 #include <fmt/core.h>
@@ -21,6 +23,7 @@ layout(location = 4) in vec4 row_z;
 layout(location = 5) in ivec3 cell;  // the eye's cell, negated
 layout(location = 6) in uint drawable;
 layout(location = 7) in uint first_bound;
+layout(location = 8) in uint cut_of_record;
 // No fragment of a piece is nearer than any of three planes over pixel coordinates, nor than at.w.
 struct BoundRecord { vec4 x, y, at; };
 layout(std430, binding = 4) readonly buffer Bounds { BoundRecord bounds[]; };
@@ -59,7 +62,93 @@ void place_fragment() {
 }
 )";
 const std::string not_layered = "void place_fragment() {}\n";
-std::string placed(Layers layers) { return layers == Layers::some ? layered : not_layered; }
+
+// Fragments that a section does not keep are dropped (PixelSides). Where the back of an outward triangle is
+// left, the cut surface shows of that side at which the ray came in last.
+const std::string cut_away =
+    fmt::format("const uint outward = {}u, mirrored = {}u;\n", DrawRecord::outward, DrawRecord::mirrored) +
+    R"(
+flat in uint cut;
+uniform vec4 sides[12];
+uniform vec3 side_normals[12];
+uniform int side_count;
+float along(vec4 side) { return side.x * gl_FragCoord.x + side.y * gl_FragCoord.y + side.z; }
+void cut_fragment() {
+  for (uint rest = cut & 0xfffu; rest != 0u; rest &= rest - 1u) {
+    vec4 side = sides[findLSB(rest)];
+    if (!(along(side) + side.w * gl_FragCoord.z >= 0.0)) discard;
+  }
+}
+int capped_side() {
+  if ((cut & outward) == 0u || gl_FrontFacing == ((cut & mirrored) == 0u)) return -1;
+  int last = -1;
+  float depth = 0.0;
+  for (int i = 0; i < side_count; ++i) {
+    float r = along(sides[i]);
+    if (!(r + sides[i].w < 0.0)) continue;
+    float entry = r / -sides[i].w;
+    if (last < 0 || entry < depth) {
+      last = i;
+      depth = entry;
+    }
+  }
+  return last;
+}
+)";
+const std::string not_cut = R"(
+void cut_fragment() {}
+const vec3 side_normals[1] = vec3[1](vec3(0.0));
+int capped_side() { return -1; }
+)";
+
+// Of the sides that may cut a drawable, those at which its ray comes in: whether there are any, and all keep
+// it.
+const std::string nearest_backs = fmt::format(
+    "layout(r32ui, binding = {}) coherent uniform uimage2D nearest_backs;\n", nearest_backs_image);
+const std::string counted = nearest_backs + R"(
+uniform bool forget;
+void main() {
+  bool entered = false;
+  for (uint rest = cut & 0xfffu; rest != 0u; rest &= rest - 1u) {
+    vec4 side = sides[findLSB(rest)];
+    float r = along(side);
+    if (!(r + side.w < 0.0)) continue;
+    if (!(r + side.w * gl_FragCoord.z >= 0.0)) discard;
+    entered = true;
+  }
+  if (!entered) discard;
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (forget) imageStore(nearest_backs, pixel, uvec4(0u));
+  else if (gl_FrontFacing == ((cut & mirrored) != 0u))
+    imageAtomicMax(nearest_backs, pixel, floatBitsToUint(gl_FragCoord.z));
+}
+)";
+
+// The cut surface before the nearest back: as deep as the ray comes in, and held to the bound of the back's
+// piece.
+const std::string capped = nearest_backs + R"(
+flat in vec3 bound_x, bound_y;
+flat in vec4 bound_at;
+void keep_fragment() {
+  int side = capped_side();
+  if (side < 0 || imageLoad(nearest_backs, ivec2(gl_FragCoord.xy)).r != floatBitsToUint(gl_FragCoord.z)) discard;
+  vec3 planes = bound_x * gl_FragCoord.x + bound_y * gl_FragCoord.y + bound_at.xyz;
+  float limit = min(min(planes.x, planes.y), min(planes.z, bound_at.w));
+  gl_FragDepth = min(along(sides[side]) / -sides[side].w, limit);
+}
+)";
+
+/// What all passes do with a fragment.
+std::string kept(const ShaderVariant& variant) {
+  if (variant.caps) return cut_away + capped;
+  return bounded + (variant.layers ? layered : not_layered) + (variant.sections ? cut_away : not_cut) + R"(
+void keep_fragment() {
+  place_fragment();
+  bound_fragment();
+  cut_fragment();
+}
+)";
+}
 
 /// Of the base colour, between vertices.
 std::string flatness(BaseColors colors) { return colors == BaseColors::palette ? "flat " : ""; }
@@ -69,9 +158,12 @@ std::string flatness(BaseColors colors) { return colors == BaseColors::palette ?
 std::string shaded(BaseColors colors, std::optional<int> normal_location = std::nullopt) {
   const std::string declared =
       normal_location ? fmt::format("layout(location = {}) out vec4 face_normal;\n", *normal_location) : "";
-  const std::string written = normal_location ? "  face_normal = vec4(normal * 0.5 + 0.5, 1.0);\n" : "";
-  return fmt::format("const float ambient = {}, diffuse = {}, head = {};\n{}in vec4 base_color;\n",
-                     ambient_light, diffuse_light, head_light, flatness(colors)) +
+  const std::string written =
+      normal_location ? "  face_normal = vec4(normal * 0.5 + 0.5, side < 0 ? 1.0 : float(side) / 16.0);\n"
+                      : "";
+  return fmt::format(
+             "const float ambient = {}, diffuse = {}, head = {}, cap_tone = {};\n{}in vec4 base_color;\n",
+             ambient_light, diffuse_light, head_light, cap_tone, flatness(colors)) +
          declared + R"(
 in vec3 eye_position;
 uniform vec3 light;  // direction to the light, eye space
@@ -80,8 +172,11 @@ void shade_fragment() {
   vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
   float length_squared = dot(normal, normal);
   normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
+  int side = capped_side();
+  if (side >= 0) normal = side_normals[side];
 )" + written +
-         R"(  color = vec4(base_color.rgb * (ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z)), 1.0);
+         R"(  float tone = side < 0 ? 1.0 : cap_tone;
+  color = vec4(base_color.rgb * tone * (ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z)), 1.0);
 }
 )";
 }
@@ -131,11 +226,11 @@ bool counts() {
 
 }  // namespace
 
-std::string geometry_vertex_shader(Projection projection, BaseColors colors, Layers layers) {
-  const bool palette = colors == BaseColors::palette;
-  return version + draw_record + frustum_uniforms + flatness(colors) + "out vec4 base_color;\n" +
+std::string geometry_vertex_shader(Projection projection, const ShaderVariant& variant) {
+  const bool palette = variant.colors == BaseColors::palette;
+  return version + draw_record + frustum_uniforms + flatness(variant.colors) + "out vec4 base_color;\n" +
          (palette ? "layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };\n"
-                  : "layout(location = 8) in vec4 vertex_color;\n") +
+                  : "layout(location = 9) in vec4 vertex_color;\n") +
          R"(
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
@@ -145,7 +240,8 @@ out vec3 eye_position;
 flat out vec3 bound_x, bound_y;
 flat out vec4 bound_at;
 flat out uint item;
-)" + (layers == Layers::some ? "flat out uint layers;\n" : "") +
+)" + (variant.layers ? "flat out uint layers;\n" : "") +
+         (variant.sections ? "flat out uint cut;\n" : "") +
          R"(
 void main() {
   // Integers are added exactly and converted once: shared vertices come out bit-equal whichever chunk brings them.
@@ -160,48 +256,45 @@ void main() {
   bound_y = bound.y.xyz;
   bound_at = bound.at + vec4(bound.x.xyz * sample_place.x + bound.y.xyz * sample_place.y, 0.0);
   item = drawable;
-)" + (layers == Layers::some ? "  layers = max(color_and_piece >> 20 & 15u, 1u) - 1u;\n}\n" : "}\n");
+)" + (variant.layers ? "  layers = max(color_and_piece >> 20 & 15u, 1u) - 1u;\n" : "") +
+         (variant.sections ? "  cut = cut_of_record;\n}\n" : "}\n");
 }
 
-std::string depth_fragment_shader(Layers layers) {
-  return version + bounded + placed(layers) + R"(
-void main() {
-  place_fragment();
-  bound_fragment();
-}
-)";
+std::string depth_fragment_shader(const ShaderVariant& variant) {
+  return version + kept(variant) + "void main() { keep_fragment(); }\n";
 }
 
-std::string color_fragment_shader(BaseColors colors, Layers layers, bool normals) {
-  return version + bounded + placed(layers) + shaded(colors, normals ? std::optional(1) : std::nullopt) + R"(
+std::string winding_fragment_shader() { return version + cut_away + counted; }
+
+std::string color_fragment_shader(const ShaderVariant& variant) {
+  return version + kept(variant) + shaded(variant.colors, variant.normals ? std::optional(1) : std::nullopt) +
+         R"(
 void main() {
-  place_fragment();
-  bound_fragment();
+  keep_fragment();
   shade_fragment();
 }
 )";
 }
 
-std::string color_and_item_fragment_shader(BaseColors colors, Layers layers, bool normals) {
-  return version + bounded + placed(layers) + shaded(colors, normals ? std::optional(2) : std::nullopt) + R"(
+std::string color_and_item_fragment_shader(const ShaderVariant& variant) {
+  return version + kept(variant) + shaded(variant.colors, variant.normals ? std::optional(2) : std::nullopt) +
+         R"(
 flat in uint item;
 layout(location = 1) out uint id;
 void main() {
-  place_fragment();
-  bound_fragment();
+  keep_fragment();
   shade_fragment();
   id = item + 1u;
 }
 )";
 }
 
-std::string item_fragment_shader(Layers layers) {
-  return version + bounded + placed(layers) + R"(
+std::string item_fragment_shader(const ShaderVariant& variant) {
+  return version + kept(variant) + R"(
 flat in uint item;
 out uint id;
 void main() {
-  place_fragment();
-  bound_fragment();
+  keep_fragment();
   id = item + 1u;
 }
 )";
@@ -224,7 +317,7 @@ void main() {
 }
 
 std::string flat_model_fragment_shader() {
-  return version + shaded(BaseColors::palette) + "void main() { shade_fragment(); }\n";
+  return version + not_cut + shaded(BaseColors::palette) + "void main() { shade_fragment(); }\n";
 }
 
 std::string rectangle_vertex_shader() {

@@ -17,22 +17,32 @@ inline constexpr GLuint bounds_binding = 4;      ///< storage: one PixelDepthBou
 /// Where base colours come from: the palette, the same for a whole triangle; or the vertices, interpolated.
 enum class BaseColors { palette, vertices };
 
-/// Whether any surface of the model lies on another one in its plane (scene/layers.hpp).
-enum class Layers { none, some };
+/// What a pass over geometry has besides depth and what it writes: each of it only where something calls for
+/// it.
+struct ShaderVariant {
+  BaseColors colors = BaseColors::palette;
+  bool layers = false;    ///< some surface of the model lies on another one in its plane (scene/layers.hpp)
+  bool sections = false;  ///< the view has a section
+  bool caps = false;      ///< not surfaces, but the cut surfaces before their backs
+  /// At the location after the others: half of the face's normal and a half; and of which side of the section
+  /// it is the cut surface, in sixteenths, or 1.
+  bool normals = false;
+};
 
 /// For perspective views, or for orthographic ones, whose w is 1 and whose depth is linear.
-std::string geometry_vertex_shader(Projection projection, BaseColors colors = BaseColors::palette,
-                                   Layers layers = Layers::none);
+std::string geometry_vertex_shader(Projection projection, const ShaderVariant& variant);
 /// Only depth, flat-shaded base colours, and drawable ids; all drop fragments nearer than their piece's
-/// bound.
-std::string depth_fragment_shader(Layers layers = Layers::none);
-/// normals: at the location after the others, half of the face's and a half.
-std::string color_fragment_shader(BaseColors colors = BaseColors::palette, Layers layers = Layers::none,
-                                  bool normals = false);
-std::string item_fragment_shader(Layers layers = Layers::none);
+/// bound, and those that a section does not keep.
+std::string depth_fragment_shader(const ShaderVariant& variant);
+std::string color_fragment_shader(const ShaderVariant& variant);
+std::string item_fragment_shader(const ShaderVariant& variant);
+inline constexpr GLuint nearest_backs_image = 0;  ///< 32-bit integers, one a pixel
+
+/// Writes no output: drops what does not lie beyond where rays come into a section, and keeps the bits of the
+/// nearest backs' depths in the image; with the uniform `forget` it writes 0 there.
+std::string winding_fragment_shader();
 /// Colours and ids in one pass, at locations 0 and 1.
-std::string color_and_item_fragment_shader(BaseColors colors = BaseColors::palette,
-                                           Layers layers = Layers::none, bool normals = false);
+std::string color_and_item_fragment_shader(const ShaderVariant& variant);
 
 /// Of a whole model in floats (FlatVertex), one transform for all of it; the same shading and no bounds.
 std::string flat_model_vertex_shader(Projection projection);

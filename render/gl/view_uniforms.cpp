@@ -1,6 +1,7 @@
 #include "render/gl/view_uniforms.hpp"
 
 #include "visibility/layer_offset.hpp"
+#include "visibility/pixel_sides.hpp"
 #include "visibility/shading.hpp"
 #include "visibility/vertex_terms.hpp"
 
@@ -12,7 +13,10 @@ ViewUniforms::ViewUniforms(GLuint program)
       sample_place_(glGetUniformLocation(program, "sample_place")),
       light_(glGetUniformLocation(program, "light")),
       layer_view_(glGetUniformLocation(program, "layer_view")),
-      layer_step_(glGetUniformLocation(program, "layer_step")) {}
+      layer_step_(glGetUniformLocation(program, "layer_step")),
+      sides_(glGetUniformLocation(program, "sides")),
+      side_normals_(glGetUniformLocation(program, "side_normals")),
+      side_count_(glGetUniformLocation(program, "side_count")) {}
 
 void ViewUniforms::set(const FrameView& view, const SamplePlace& place) const {
   const auto [frustum, depth] = clip_terms(view, place);
@@ -27,6 +31,13 @@ void ViewUniforms::set(const FrameView& view, const SamplePlace& place) const {
     const LayerOffset offset(view, 1.0 / 192);
     glUniform4f(layer_view_, offset.focal_x, offset.focal_y, offset.axis_x, offset.axis_y);
     glUniform3f(layer_step_, offset.step, offset.snapped, offset.parallel);
+  }
+  if (sides_ >= 0) {
+    const PixelSides sides(view, place);
+    const auto count = static_cast<GLsizei>(sides.all().size());
+    glUniform4fv(sides_, count, &sides.all()[0].x);
+    if (side_normals_ >= 0) glUniform3fv(side_normals_, count, &sides.normal(0).x);
+    if (side_count_ >= 0) glUniform1i(side_count_, count);
   }
   if (light_ >= 0) {
     const glm::vec3 light = light_direction(view);

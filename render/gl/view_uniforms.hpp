@@ -9,7 +9,7 @@
 namespace triptych {
 
 /// The uniforms `frustum`, `depth`, `sample_place`, `light`, `layer_view` and `layer_step` of shaders that
-/// draw geometry; the last four where it has them.
+/// draw geometry, and those of sections: what they have of them.
 class ViewUniforms {
  public:
   explicit ViewUniforms(GLuint program);
@@ -17,7 +17,7 @@ class ViewUniforms {
   void set(const FrameView& view, const SamplePlace& place = {}) const;
 
  private:
-  GLint frustum_, depth_, sample_place_, light_, layer_view_, layer_step_;
+  GLint frustum_, depth_, sample_place_, light_, layer_view_, layer_step_, sides_, side_normals_, side_count_;
 };
 
 }  // namespace triptych

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "preprocess/build.hpp"
 #include "scene/camera.hpp"
+#include "scene/section.hpp"
 
 #include <functional>
 #include <memory>
@@ -17,6 +18,11 @@ struct Trial {
   Model model;
   std::vector<View> views;
   double pixel_error = 1;
+  /// Of the views by turns; none: nothing is cut. Pictures alone are tried under them.
+  std::vector<Section> sections = {};
+  Section section_of(size_t view) const {
+    return sections.empty() ? Section() : sections[view % sections.size()];
+  }
   BuildOptions build{.part_triangles = 64, .leaf_triangles = 64, .hlod_triangles = 48};
   bool may_be_empty = false;  ///< no frame has to show anything
   bool stands_still = false;  ///< all views are the same: nothing may change after the first frames
@@ -38,7 +44,7 @@ struct Trial {
 
 struct HardCase {
   std::string name;    ///< of its file
-  std::string group;   ///< far, depth, boxes, views, occlusion, geometry, touching, numbers
+  std::string group;   ///< far, depth, boxes, views, occlusion, geometry, touching, sections, numbers
   std::string breaks;  ///< one sentence: what breaks there
   /// Names for --inject; joined by + where it takes several at once. The case must fail under each.
   std::vector<std::string> faults;

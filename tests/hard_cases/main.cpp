@@ -45,7 +45,9 @@ int thumbnails(const std::filesystem::path& folder) {
     view.width = width;
     view.height = height;
     LocalPipeline pipeline(built.pack(), {.width = width, .height = height, .device = test::device()});
-    pipeline.draw({0, {view, trial.pixel_error}});
+    FrameState state{view, trial.pixel_error};
+    state.section = trial.section_of(trial.views.size() / 2);
+    pipeline.draw({0, state});
     write_png(folder / (entry.name + ".png"), width, height, pipeline.target().read_colors());
   }
   return 0;

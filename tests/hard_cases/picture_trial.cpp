@@ -40,9 +40,11 @@ class PictureTrial {
   Problems run() {
     for (size_t i = 0; i < trial_.views.size() && problems_.size() < 5; ++i) {
       frame_ = i;
-      FrameRequest request{static_cast<uint32_t>(i), {trial_.views[i], trial_.pixel_error}};
+      FrameState state{trial_.views[i], trial_.pixel_error};
+      state.section = trial_.section_of(i);
       if (!trial_.hidden.empty())
-        request.state.hiding = hide(built_.pack().skeleton(), objects_, trial_.hidden[i], "trial");
+        state.hiding = hide(built_.pack().skeleton(), objects_, trial_.hidden[i], "trial");
+      const FrameRequest request{static_cast<uint32_t>(i), state};
       const FrameRecord record = culled_.draw(request);
       const std::vector<uint8_t> picture = culled_.target().read_colors();
       if (i % 8 == 0) compare_sampled(request);
@@ -52,8 +54,8 @@ class PictureTrial {
       }
       compare(picture, whole_, request, "the un-culled picture");
       compare(picture, everything_, request, "the picture of the whole model");
-      // The rasteriser's depths keep their bounds of themselves, those of slivers too.
-      if (!trial_.slivers || device_kind_ == DeviceKind::cpu)
+      // The rasteriser's depths keep their bounds of themselves, those of slivers too; cut surfaces do not.
+      if ((!trial_.slivers || device_kind_ == DeviceKind::cpu) && trial_.sections.empty())
         compare(picture, unbounded_, request, "the picture without a bound of fragments");
       compare_with_backs(picture, request);
       items_.draw(request);

@@ -32,11 +32,18 @@ class RandomTrial {
                                                       : HierarchyKind::partition_cluster_partition};
     trial.pixel_error = std::exp2(random_.number(-3, 4));
     add_views(trial);
+    const std::vector<SectionPlane> planes = random_planes();
     const double scale = random_.index(3) == 0 ? std::exp2(std::floor(random_.number(-40, 40))) : 1;
     const glm::dvec3 place =
         random_.index(3) == 0 ? random_.vector(-1, 1) * std::exp2(random_.number(0, 24)) : glm::dvec3(0);
     trial.model = scaled(moved(std::move(trial.model), place), scale);
     trial.views = scaled(moved(std::move(trial.views), place), scale);
+    for (const SectionPlane& plane : planes) {
+      Section& section = trial.sections.emplace_back();
+      section.add_plane({plane.normal, scale * (plane.offset + glm::dot(plane.normal, place))}, "stress");
+      if (random_.index(3) == 0)
+        section.add_plane({-plane.normal, -section.planes()[0].offset - 2 * scale}, "stress");
+    }
     return trial;
   }
 
@@ -78,6 +85,16 @@ class RandomTrial {
           maker_.box(corner, corner + glm::ceil(random_.vector(0, 2)));
         }
     }
+  }
+
+  /// For half of the trials none.
+  std::vector<SectionPlane> random_planes() {
+    std::vector<SectionPlane> planes;
+    for (uint32_t count = random_.index(2) * random_.index(6); count > 0; --count) {
+      const glm::dvec3 normal = glm::normalize(random_.vector(-1, 1) + glm::dvec3(0, 0, 1e-3));
+      planes.push_back({normal, glm::dot(normal, random_.vector(-4, 4))});
+    }
+    return planes;
   }
 
   void flat_box(double size) {

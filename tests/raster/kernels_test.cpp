@@ -56,15 +56,31 @@ DepthLimit random_limit(Random& random) {
   return limit;
 }
 
+/// Sides of a section that keep some of the depths, here and there.
+SectionSidesOver random_sides(Random& random) {
+  SectionSidesOver sides{};
+  for (int i = 0; i < SectionSidesOver::max; ++i) {
+    sides.x[i] = static_cast<float>(random.number(-0.02, 0.02));
+    sides.y[i] = static_cast<float>(random.number(-0.02, 0.02));
+    sides.at[i] = static_cast<float>(random.number(-0.1, 0.5));
+    sides.of_depth[i] = static_cast<float>(random.number(-0.5, 0.5));
+  }
+  return sides;
+}
+
 /// Triangles with their slots; some come twice, and meet themselves at equal depths. Every third has to keep
-/// the limit.
+/// the limit, and every fourth is cut by some of the sides.
 std::vector<WindowTriangle> random_triangles(Random& random, const Size& size, int count,
-                                             const DepthLimit& limit) {
+                                             const DepthLimit& limit, const SectionSidesOver& sides) {
   std::vector<WindowTriangle> triangles;
   for (int i = 0; i < count; ++i) {
     WindowTriangle triangle;
     if (!set_up(random_corners(random, i, size), {size.width, size.height}, triangle)) continue;
     if (i % 3 == 0) triangle.limit = &limit;
+    if (i % 4 == 0) {
+      triangle.sides = &sides;
+      triangle.cut = 1u << random.index(12) | 1u << random.index(12);
+    }
     for (int copies = i % 5 == 0 ? 2 : 1; copies > 0; --copies) {
       triangle.slot = static_cast<uint32_t>(triangles.size());
       triangles.push_back(triangle);
@@ -164,7 +180,8 @@ TEST_P(RasterKernelsOf, fill_as_the_scalar_code_does_and_keep_tiles_true) {
     const bool depth_alone = round % 3 == 0, later_wins = round % 2 == 0;
     Picture expected(size, depth_alone, later_wins), found(size, depth_alone, later_wins);
     const DepthLimit limit = random_limit(random);
-    for (const WindowTriangle& triangle : random_triangles(random, size, count, limit)) {
+    const SectionSidesOver sides = random_sides(random);
+    for (const WindowTriangle& triangle : random_triangles(random, size, count, limit, sides)) {
       if (triangle.top < first || triangle.bottom > last) continue;
       precise += triangle.precise;
       fill(triangle, first, last, expected.target);

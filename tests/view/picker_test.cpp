@@ -6,6 +6,7 @@
 #include "lod/frame_view.hpp"
 #include "tests/support/drawable_triangles.hpp"
 #include "tests/support/scenes.hpp"
+#include "view/sections.hpp"
 #include "view/tour.hpp"
 
 #include <glm/geometric.hpp>
@@ -62,6 +63,80 @@ TEST(Picker, finds_the_nearest_triangle_of_what_is_shown) {
     }
     EXPECT_GT(hits, views / 2) << name;
   }
+}
+
+TEST(Picker, finds_nothing_that_a_section_cuts_away) {
+  const Pack& pack = scenes::pack("room");
+  const Skeleton& skeleton = pack.skeleton();
+  const Box box = skeleton.lattice().box(skeleton.scene_nodes.front().box);
+  Picker picker(pack);
+  scenes::Random random(4);
+  int kept = 0, caps = 0, gone = 0;
+  for (const View& view : scenes::random_views(skeleton, 40, 30, 60, 7)) {
+    FrameState state{view, 0};
+    const glm::dvec3 normal = glm::normalize(random.vector(-1, 1) + glm::dvec3(0, 0, 1e-3));
+    state.section.add_plane({normal, glm::dot(normal, box.lo + (box.hi - box.lo) * random.vector(0.2, 0.8))},
+                            "test");
+    const SectionPlane plane = state.section.planes()[0];
+    const std::vector<DrawableId> shown = select_cut(FrameView(skeleton, state)).drawables;
+    const glm::dvec3 near = Picker::place_at(view, 20, 15, view.camera.near);
+    const glm::dvec3 way = Picker::place_at(view, 20, 15, view.camera.near + 1) - near;
+    double nearest = 1e300;
+    for (const DrawableId id : shown) {
+      for (const judge::Corners& corners : judge::triangles_of(pack, id)) {
+        const double along = meet(near, way, corners);
+        if (along >= 0 && along < 1e300 && plane.distance(near + along * way) >= 0)
+          nearest = std::min(nearest, along);
+      }
+    }
+    const auto picked = picker.at(view, shown, 20, 15, state.section);
+    ASSERT_EQ(picked.has_value(), nearest < 1e300);
+    gone += !picked;
+    if (!picked) continue;
+    const double size = glm::length(near) + nearest;
+    EXPECT_GE(plane.distance(picked->point), -1e-5 * size);
+    EXPECT_LE(glm::dot(picked->normal, way), 0) << "normals are towards the eye";
+    const double along = glm::dot(picked->point - near, way) / glm::dot(way, way);
+    if (std::abs(along - nearest) <= 1e-6 * size) {
+      ++kept;
+    } else {  // before it, where the ray comes in
+      ++caps;
+      EXPECT_LT(along, nearest);
+      EXPECT_NEAR(plane.distance(picked->point), 0, 1e-5 * size);
+    }
+  }
+  EXPECT_GT(kept, 10);
+  EXPECT_GT(caps, 2);
+  EXPECT_GT(gone, 0);
+}
+
+TEST(Sections, begin_under_the_cursor_are_moved_flipped_and_taken_away) {
+  Sections sections({}, 10);
+  Sections::Scene scene{.eye = {0, 0, 5}, .under_cursor = std::nullopt, .box = {{0, 0, 0}, {1, 2, 3}}};
+  EXPECT_FALSE(sections.take(Command::begin_section, scene).empty()) << "there is nothing under the cursor";
+  EXPECT_FALSE(sections.take(Command::flip_section, scene).empty()) << "there is no plane";
+  EXPECT_EQ(sections.words(), "");
+  scene.under_cursor = Picked{.point = {0, 0, 1}, .normal = {0.01, 0, 0.99995}};
+  EXPECT_EQ(sections.take(Command::begin_section, scene), "");
+  ASSERT_EQ(sections.section().planes().size(), 1u);
+  EXPECT_EQ(sections.section().planes()[0], (SectionPlane{{0, 0, -1}, -1}))
+      << "what the surface hides is kept";
+  EXPECT_EQ(sections.words(), "cut by 1 plane");
+  sections.move(5, scene.eye);
+  EXPECT_NEAR(sections.section().planes()[0].offset, -1 + 5 * 4.0 / 50, 1e-9);
+  sections.take(Command::pull_section, scene);
+  EXPECT_LT(sections.section().planes()[0].offset, -1 + 5 * 4.0 / 50);
+  sections.take(Command::flip_section, scene);
+  EXPECT_EQ(sections.section().planes()[0].normal, glm::dvec3(0, 0, 1));
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(sections.take(Command::begin_section, scene), "");
+  EXPECT_FALSE(sections.take(Command::begin_section, scene).empty()) << "a seventh";
+  sections.take(Command::toggle_section_box, scene);
+  EXPECT_EQ(sections.section().box(), scene.box);
+  EXPECT_EQ(sections.words(), "cut by 6 planes and a box");
+  for (int i = 0; i < 6; ++i) sections.take(Command::delete_section, scene);
+  EXPECT_EQ(sections.words(), "cut by a box");
+  sections.take(Command::toggle_section_box, scene);
+  EXPECT_TRUE(sections.section().keeps_all());
 }
 
 TEST(Picker, what_is_near_the_middle_of_the_picture_lies_on_the_line_of_sight) {

@@ -172,6 +172,62 @@ TEST_F(ViewWindow, names_what_is_clicked_on_and_saves_cameras_and_walks) {
   EXPECT_EQ(last_of("walk-001.json"), last) << "a walk that was being recorded at the end";
 }
 
+TEST_F(ViewWindow, cuts_at_what_is_under_the_cursor_and_moves_the_cut) {
+  Program program(view());
+  find_window();
+  const Picture first = look();
+  xdotool("mousemove 160 120 sleep 0.2 key x");
+  look();  // a face that lies in the cut is still there
+  EXPECT_NE(title().find("cut by 1 plane"), std::string::npos) << title();
+  xdotool("key Prior key Prior key Prior");
+  const Picture pushed = look();
+  EXPECT_NE(pushed, first) << "Page Up does not move the cut";
+  EXPECT_GT(colors_in(pushed), 2u);
+  xdotool("key Next key Next key Next key Next key Next key Next");
+  EXPECT_EQ(look(), first) << "before what is seen it cuts nothing off";
+  xdotool("key Prior key Prior key Prior");
+  EXPECT_EQ(look(), pushed);
+  xdotool("key c");
+  EXPECT_EQ(look(), pushed) << "the culled picture is not the un-culled one";
+  xdotool("key c keydown alt click 4 keyup alt sleep 0.2");
+  const Picture further = look();
+  EXPECT_NE(further, pushed) << "the wheel with Alt does not move the cut";
+  xdotool("key z");
+  EXPECT_NE(look(), further) << "Z does not flip the cut";
+  xdotool("key Delete");
+  EXPECT_EQ(look(), first) << "Delete does not take it away";
+  EXPECT_EQ(title().find("cut by"), std::string::npos) << title();
+  xdotool("mousemove 160 120 sleep 0.1 click 1 sleep 0.3 key k");
+  EXPECT_NE(look(), first) << "K cuts off what is outside of the selection's box";
+  EXPECT_NE(title().find("cut by a box"), std::string::npos) << title();
+  xdotool("key k");
+  EXPECT_EQ(look(), first);
+  xdotool("key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+}
+
+TEST_F(ViewWindow, of_a_session_cuts_and_its_recording_has_the_cuts) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--record", folder.file("recording"), "--gather", "60", "-o", folder.file("pictures")});
+  find_window();
+  const Picture first = look();
+  xdotool(
+      "mousemove 160 120 sleep 0.2 key x sleep 0.2 key Prior sleep 0.2 key Prior sleep 0.2 key Prior sleep "
+      "0.3");
+  const Picture cut = look();
+  EXPECT_NE(cut, first);
+  EXPECT_NE(title().find("cut by 1 plane"), std::string::npos) << title();
+  xdotool("key c");
+  EXPECT_EQ(look(), cut) << "the culled picture is not the un-culled one";
+  xdotool("key c sleep 0.3 key Escape");
+  const nlohmann::json report = whole_session(program);
+  run({"replay", folder.file("recording"), "--frames", "all", "-o", folder.file("replayed")});
+  char last[32];
+  std::snprintf(last, sizeof(last), "replayed/%06d.png", report["frames"].get<int>() - 1);
+  EXPECT_EQ(read_picture(folder.file("replayed/000000.png")), first);
+  EXPECT_EQ(read_picture(folder.file(last)), cut);
+}
+
 TEST_F(ViewWindow, of_a_session_shows_what_three_processes_make_of_a_person_s_cameras) {
   Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
                    "--record", folder.file("recording"), "--gather", "60"});

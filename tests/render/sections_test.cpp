@@ -1,0 +1,204 @@
+// Sections: what is cut away hides nothing, culled pictures are the un-culled ones under any section, and
+// what is solid shows its cut surface.
+#include "base/inject.hpp"
+#include "preprocess/build.hpp"
+#include "tests/render/rig.hpp"
+#include "tests/support/awkward_meshes.hpp"
+#include "tests/support/scenes.hpp"
+#include "visibility/pixel_sides.hpp"
+#include "visibility/shading.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace triptych {
+namespace {
+
+Section random_section(const Box& box, scenes::Random& random) {
+  const auto inside = [&] { return box.lo + (box.hi - box.lo) * random.vector(-0.1, 1.1); };
+  Section section;
+  for (uint32_t planes = random.index(random.index(4) == 0 ? 7 : 3); planes > 0; --planes) {
+    glm::dvec3 normal = random.vector(-1, 1) + glm::dvec3(0, 0, 1e-3);
+    if (random.index(3) == 0) {
+      normal = {0, 0, 0};
+      normal[static_cast<int>(random.index(3))] = random.index(2) == 0 ? 1 : -1;
+    }
+    const glm::dvec3 at = random.index(4) == 0 ? glm::floor(inside()) : inside();
+    section.add_plane({glm::normalize(normal), glm::dot(glm::normalize(normal), at)}, "test");
+  }
+  if (section.keeps_all() || random.index(3) == 0) {
+    const glm::dvec3 a = inside(), b = inside();
+    section.set_box({glm::min(a, b), glm::max(a, b)}, "test");
+  }
+  return section;
+}
+
+class UnderRandomSections : public testing::TestWithParam<std::string> {};
+
+TEST_P(UnderRandomSections, culled_pictures_equal_the_un_culled_ones_in_every_pixel) {
+  const Pack& pack = scenes::pack(GetParam());
+  const Skeleton& skeleton = pack.skeleton();
+  const Box box = skeleton.lattice().box(skeleton.scene_nodes.front().box);
+  constexpr int width = 72, height = 56;
+  const size_t states = test::on_gl() ? 60 : 720;
+  Rig rig(pack, width, height);
+  scenes::Random random(17);
+  const std::vector<View> views = scenes::random_views(skeleton, width, height, states, 23);
+  size_t drawn = 0, cut = 0;
+  Section section;
+  for (size_t i = 0; i < states; ++i) {
+    // Some frames keep the section, or the view, of the one before.
+    if (i % 4 != 1) section = random_section(box, random);
+    FrameState state{views[i % 4 == 2 ? i - 1 : i], scenes::pixel_error(i)};
+    state.section = section;
+    if (i % 10 == 0) state.samples = 4;
+    state.edges = i % 6 == 0;
+    const Rig::Frame frame = rig.draw({static_cast<uint32_t>(i), state});
+    ASSERT_EQ(frame.differing_pixels, 0u) << "frame " << i;
+    drawn += frame.record.visible.size();
+    cut += frame.record.cut_drawables;
+  }
+  RecordProperty("drawn", std::to_string(drawn));
+  RecordProperty("cut", std::to_string(cut));
+  EXPECT_LE(drawn, cut);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, UnderRandomSections,
+                         testing::Values("room", "flat", "coplanar", "world", "instances", "storeys",
+                                         "painted"),
+                         [](const auto& scene) { return scene.param; });
+
+/// A wall, and a box behind it: both solid.
+Model wall_and_box() {
+  Mesh wall = awkward::box({-4, 0, -1}, {4, 3, 1}, 0), behind = awkward::box({-1, 0, -9}, {1, 2, -7}, 1);
+  Model model = awkward::model_of({wall, behind});
+  model.materials = {{.base_color = {0.75, 0.5, 0.25, 1}}, {.base_color = {0.25, 0.75, 0.5, 1}}};
+  return model;
+}
+
+class CutSurfaces : public testing::Test {
+ protected:
+  static constexpr size_t wall = 0, box = 1;  ///< of the palette
+  static const Pack& pack() {
+    static const Pack built = [] {
+      const std::filesystem::path file =
+          std::filesystem::path(testing::TempDir()) / "triptych_cut_surfaces.tpk";
+      build_pack(wall_and_box(), {.part_triangles = 64, .leaf_triangles = 12}, file);
+      return Pack(file);
+    }();
+    return built;
+  }
+  static FrameState state() {
+    View view{
+        .camera = {.eye = {0, 1.5, 12}, .target = {0, 1.5, 0}, .near = 0.1}, .width = 120, .height = 90};
+    set_field_of_view(view.camera, 50, 4.0 / 3);
+    return {view, 1};
+  }
+};
+
+/// What the material of a palette's entry shows on a face with this normal (eye space).
+glm::ivec3 lit(const Pack& pack, size_t color, const glm::dvec3& normal, const FrameState& state,
+               double tone) {
+  const FrameView view(pack.skeleton(), state);
+  const double light = ambient_light +
+                       diffuse_light * std::abs(glm::dot(normal, glm::dvec3(light_direction(view)))) +
+                       head_light * std::abs(normal.z);
+  const auto& base = pack.skeleton().palette[color];
+  return glm::ivec3(glm::round(glm::dvec3(base[0], base[1], base[2]) * light * tone));
+}
+
+struct Shown {
+  glm::ivec3 middle;
+  VisibleSet visible;
+};
+
+/// After some frames of it, so that what is represented counts.
+Shown show(LocalPipeline& pipeline, const FrameState& state) {
+  for (uint32_t i = 0; i < 3; ++i) pipeline.draw({i, state});
+  const FrameTarget& target = pipeline.target();
+  const std::vector<uint8_t> colors = target.read_colors();
+  const size_t at = 4 * static_cast<size_t>(target.height() / 2 * target.width() + target.width() / 2);
+  return {{colors[at], colors[at + 1], colors[at + 2]}, pipeline.draw({3, state}).visible};
+}
+
+bool alike(const glm::ivec3& a, const glm::ivec3& b) {
+  const glm::ivec3 apart = glm::abs(a - b);
+  return apart.x <= 1 && apart.y <= 1 && apart.z <= 1;
+}
+
+TEST_F(CutSurfaces, show_where_a_side_goes_through_something_solid) {
+  LocalPipeline pipeline(pack(), {.width = 120, .height = 90, .device = test::device()});
+  for (const bool orthographic : {false, true}) {
+    for (const uint32_t samples : {1u, 4u}) {
+      FrameState frame = state();
+      if (orthographic) set_orthographic_height(frame.view.camera, 12, 4.0 / 3);
+      frame.samples = samples;
+      frame.edges = samples == 4;
+      const Shown whole = show(pipeline, frame);
+      EXPECT_TRUE(alike(whole.middle, lit(pack(), wall, {0, 0, 1}, frame, 1)));
+      frame.section.add_plane({{0, 0, -1}, 0}, "test");
+      const Shown cut = show(pipeline, frame);
+      EXPECT_TRUE(alike(cut.middle, lit(pack(), wall, {0, 0, 1}, frame, cap_tone)))
+          << cut.middle.x << " " << cut.middle.y << " " << cut.middle.z;
+      EXPECT_EQ(cut.visible.size(), 1u) << "the wall still hides what is behind it";
+    }
+  }
+}
+
+TEST_F(CutSurfaces, of_what_is_cut_obliquely_have_the_light_of_the_side) {
+  LocalPipeline pipeline(pack(), {.width = 120, .height = 90, .device = test::device()});
+  FrameState frame = state();
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, -0.2, -1));
+  frame.section.add_plane({normal, glm::dot(normal, glm::dvec3(0, 1.5, 0.1))}, "test");
+  EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), wall, normal, frame, cap_tone)));
+}
+
+TEST_F(CutSurfaces, do_not_show_of_what_is_cut_away_and_it_hides_nothing) {
+  LocalPipeline pipeline(pack(), {.width = 120, .height = 90, .device = test::device()});
+  FrameState frame = state();
+  ASSERT_EQ(show(pipeline, frame).visible.size(), 1u);
+  frame.section.add_plane({{0, 0, -1}, 2}, "test");
+  const Shown behind = show(pipeline, frame);
+  EXPECT_TRUE(alike(behind.middle, lit(pack(), box, {0, 0, 1}, frame, 1)));
+  EXPECT_EQ(behind.visible.size(), 1u);
+  frame.section = {};
+  frame.section.set_box({{-9, -9, -8}, {9, 9, -2}}, "test");
+  EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), box, {0, 0, 1}, frame, 1)));
+  frame.section.set_box({{-9, -9, -8.5}, {9, 9, -8}}, "test");
+  EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), box, {0, 0, 1}, frame, cap_tone)));
+}
+
+TEST_F(CutSurfaces, show_to_an_eye_that_is_where_something_was_cut_away) {
+  LocalPipeline pipeline(pack(), {.width = 120, .height = 90, .device = test::device()});
+  FrameState frame = state();
+  frame.view.camera.eye = {0, 1.5, 0.5};  // in the wall
+  frame.section.add_plane({{0, 0, -1}, 0}, "test");
+  EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), wall, {0, 0, 1}, frame, cap_tone)));
+  frame.section = {};
+  EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), wall, {0, 0, 1}, frame, 1)))
+      << "cut open by the near plane it shows what is within";
+}
+
+TEST(CutAway, that_still_hides_what_is_behind_it_is_noticed) {
+  const Pack& pack = scenes::pack("room");
+  const Box box = pack.skeleton().lattice().box(pack.skeleton().scene_nodes.front().box);
+  const std::vector<View> views = scenes::random_views(pack.skeleton(), 72, 56, 40, 23);
+  const auto differing = [&] {
+    Rig rig(pack, 72, 56);
+    scenes::Random random(17);
+    size_t pixels = 0;
+    for (size_t i = 0; i < views.size(); ++i) {
+      FrameState state{views[i / 2 * 2], 1};
+      if (i % 2 == 1) state.section = random_section(box, random);
+      pixels += rig.draw({static_cast<uint32_t>(i), state}).differing_pixels;
+    }
+    return pixels;
+  };
+  EXPECT_EQ(differing(), 0u);
+  ASSERT_TRUE(inject("cut-occludes"));
+  EXPECT_GT(differing(), 100u);
+  clear_injected();
+}
+
+}  // namespace
+}  // namespace triptych

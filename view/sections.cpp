@@ -1,0 +1,92 @@
+#include "view/sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace triptych {
+
+namespace {
+
+/// Normals that are this near to an axis are meant to be along it: the cosine of five degrees.
+constexpr double along_axis_cosine = 0.9962;
+constexpr double step_share = 1.0 / 50, least_step = 1.0 / 5000;
+const std::string place = "section";
+
+glm::dvec3 straightened(const glm::dvec3& normal) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) < along_axis_cosine) continue;
+    glm::dvec3 along(0);
+    along[axis] = normal[axis] > 0 ? 1 : -1;
+    return along;
+  }
+  return normal;
+}
+
+}  // namespace
+
+bool Sections::is_one(Command command) {
+  return command == Command::begin_section || command == Command::flip_section ||
+         command == Command::delete_section || command == Command::push_section ||
+         command == Command::pull_section || command == Command::toggle_section_box;
+}
+
+std::string Sections::take(Command command, const Scene& scene) {
+  const std::span<const SectionPlane> planes = section_.planes();
+  if (command == Command::toggle_section_box) {
+    if (section_.box())
+      section_.remove_box();
+    else
+      section_.set_box(scene.box, place);
+    return {};
+  }
+  if (command == Command::begin_section) {
+    if (planes.size() == Section::max_planes)
+      return fmt::format("there are {} planes already", planes.size());
+    return scene.under_cursor ? begin(*scene.under_cursor) : "there is nothing under the cursor to cut at";
+  }
+  if (planes.empty()) return "there is no section plane; X begins one under the cursor";
+  const SectionPlane last = planes.back();
+  if (command == Command::flip_section) {
+    replace_last({-last.normal, -last.offset});
+  } else if (command == Command::delete_section) {
+    section_.remove_plane(static_cast<uint32_t>(planes.size() - 1));
+    begun_at_.reset();
+  } else {
+    move(command == Command::push_section ? 1 : -1, scene.eye);
+  }
+  return {};
+}
+
+/// What the surface hides is kept: the plane is pushed into it from there.
+std::string Sections::begin(const Picked& under) {
+  const glm::dvec3 normal = -straightened(under.normal);
+  section_.add_plane({normal, glm::dot(normal, under.point)}, place);
+  begun_at_ = under.point;
+  return {};
+}
+
+void Sections::move(double steps, const glm::dvec3& eye) {
+  if (section_.planes().empty()) return;
+  const SectionPlane last = section_.planes().back();
+  if (!begun_at_) begun_at_ = eye - last.distance(eye) * last.normal;
+  const double step = std::max(step_share * glm::distance(*begun_at_, eye), least_step * size_);
+  *begun_at_ += steps * step * last.normal;
+  replace_last({last.normal, glm::dot(last.normal, *begun_at_)});
+}
+
+void Sections::replace_last(const SectionPlane& plane) {
+  section_.remove_plane(static_cast<uint32_t>(section_.planes().size() - 1));
+  section_.add_plane(plane, place);
+}
+
+std::string Sections::words() const {
+  const size_t count = section_.planes().size();
+  std::string words = count == 0 ? "" : count == 1 ? "1 plane" : fmt::format("{} planes", count);
+  if (section_.box()) words += words.empty() ? "a box" : " and a box";
+  return words.empty() ? words : "cut by " + words;
+}
+
+}  // namespace triptych

@@ -1,0 +1,46 @@
+// What a person cuts away, to look inside.
+#pragma once
+
+#include "scene/section.hpp"
+#include "view/picker.hpp"
+#include "view/window.hpp"
+
+#include <optional>
+#include <string>
+
+namespace triptych {
+
+/// The section of a view, changed by keys and wheel. Of several planes the last one is in hand.
+class Sections {
+ public:
+  /// size: of the model, its diagonal.
+  Sections(const Section& section, double size) : section_(section), size_(size) {}
+
+  const Section& section() const { return section_; }
+
+  /// What the commands act on.
+  struct Scene {
+    glm::dvec3 eye;
+    std::optional<Picked> under_cursor;
+    Box box;  ///< of what is selected, or of the model
+  };
+  static bool is_one(Command command);
+  /// What there is to say of it; empty: nothing.
+  std::string take(Command command, const Scene& scene);
+  /// Moves the plane in hand so many steps towards what it keeps: each a fiftieth of its distance from the
+  /// eye, which is measured where it was begun, or a 5,000th of the model's size if that is more.
+  void move(double steps, const glm::dvec3& eye);
+
+  /// "cut by 2 planes and a box", for a title; empty where nothing is cut.
+  std::string words() const;
+
+ private:
+  void replace_last(const SectionPlane& plane);
+  std::string begin(const Picked& under);
+
+  Section section_;
+  double size_;
+  std::optional<glm::dvec3> begun_at_;  ///< on the plane in hand
+};
+
+}  // namespace triptych
