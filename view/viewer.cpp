@@ -192,7 +192,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
       fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
   if (const auto& selection = tour_.selection()) title += ", " + selection->name;
   if (const uint32_t hidden = frame.state.hiding.name.count; hidden > 0)
-    title += fmt::format(", {} objects hidden", hidden);
+    title += fmt::format(", {} object{} hidden", hidden, hidden == 1 ? "" : "s");
   if (!saved_.empty()) title += ", " + std::exchange(saved_, {});
   window_.set_title(title);
 }
