@@ -1,9 +1,9 @@
 #include "measure/hiding_cost.hpp"
 
-#include "base/clock.hpp"
 #include "base/distribution.hpp"
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "base/spent_time.hpp"
 #include "protocol/wire.hpp"
 
 #include <utility>
@@ -27,6 +27,11 @@ ObjectSet every_second(const ObjectSet& objects) {
   return found;
 }
 
+void add(CostTimes& times, const SpentTime& spent) {
+  times.wall_ms.push_back(spent.wall_ms);
+  times.cpu_ms.push_back(spent.cpu_ms);
+}
+
 class HidingTrial {
  public:
   HidingTrial(const Pack& pack, LocalPipeline& pipeline, const std::vector<FrameRequest>& frames)
@@ -40,8 +45,7 @@ class HidingTrial {
         {"one object", {shown[shown.size() / 2]}},
         {"every second object", every_second(shown)}};
     std::vector<HidingCost> costs(sets.size());
-    std::vector<std::vector<std::vector<double>>> times(sets.size(),
-                                                        std::vector<std::vector<double>>(frames_.size()));
+    std::vector<std::vector<CostTimes>> times(sets.size(), std::vector<CostTimes>(frames_.size()));
     Progress progress("rounds", rounds * sets.size());
     for (size_t round = 0; round < rounds; ++round) {
       for (size_t i = 0; i < sets.size(); ++i) {
@@ -54,39 +58,42 @@ class HidingTrial {
     }
     for (size_t i = 0; i < sets.size(); ++i) {
       if (costs[i].objects > 0) costs[i].message_bytes = encode(HiddenSet{0, sets[i].second}).size();
-      for (const auto& of_frame : times[i]) costs[i].frame_ms.push_back(distribution(of_frame).p50);
+      for (const CostTimes& of_frame : times[i]) {
+        costs[i].frame.wall_ms.push_back(distribution(of_frame.wall_ms).p50);
+        costs[i].frame.cpu_ms.push_back(distribution(of_frame.cpu_ms).p50);
+      }
     }
     return costs;
   }
 
  private:
-  double timed(FrameRequest frame, const Hiding& hiding) {
-    const Stopwatch stopwatch;
+  const FrameRecord& draw(FrameRequest frame, const Hiding& hiding) {
     frame.state.hiding = hiding;
-    pipeline_.draw(frame);
-    return stopwatch.milliseconds();
+    return pipeline_.draw(frame);
   }
 
   /// A picture that rests, then one from which the objects are gone.
   void hide_in_the_middle(const ObjectSet& set, HidingCost& cost) {
     const FrameRequest& frame = frames_[frames_.size() / 2];
-    timed(frame, {});
-    cost.same_picture_ms.push_back(timed(frame, {}));
-    const Stopwatch stopwatch;
+    draw(frame, {});
+    draw(frame, {});
+    const StageWatch same;
+    draw(frame, {});
+    add(cost.same_picture, same.spent());
+    const StageWatch first;
     const Hiding hiding = hide(pack_.skeleton(), objects_, set, "measure hiding");
-    cost.apply_ms.push_back(stopwatch.milliseconds());
-    timed(frame, hiding);
-    cost.first_picture_ms.push_back(stopwatch.milliseconds());
+    add(cost.apply, first.spent());
+    draw(frame, hiding);
+    add(cost.first_picture, first.spent());
   }
 
-  void play(const Hiding& hiding, HidingCost& cost, std::vector<std::vector<double>>& times) {
+  void play(const Hiding& hiding, HidingCost& cost, std::vector<CostTimes>& times) {
     pipeline_.forget();
     cost.cut = cost.triangles = 0;
     for (size_t i = 0; i < frames_.size(); ++i) {
-      FrameRequest frame = frames_[i];
-      frame.state.hiding = hiding;
-      const FrameRecord& record = pipeline_.draw(frame);
-      times[i].push_back(record.frame_ms);
+      const StageWatch watch;
+      const FrameRecord& record = draw(frames_[i], hiding);
+      add(times[i], watch.spent());
       cost.cut += static_cast<double>(record.cut_drawables) / static_cast<double>(frames_.size());
       cost.triangles += static_cast<double>(record.drawn_triangles) / static_cast<double>(frames_.size());
     }

@@ -319,7 +319,7 @@ void Viewer::set_title() {
   if (const std::string cut = sections_.words(); !cut.empty()) title += ", " + cut;
   if (const auto& selection = tour_.selection()) title += ", " + selection->name;
   if (const uint32_t hidden = hiding().name.count; hidden > 0)
-    title += fmt::format(", {} objects hidden", hidden);
+    title += fmt::format(", {} object{} hidden", hidden, hidden == 1 ? "" : "s");
   if (const std::string asked = inquiry_.title(); !asked.empty()) title += ", " + asked;
   if (!alone_.empty()) title += ", " + alone_;
   if (!saved_.empty()) title += ", " + std::exchange(saved_, {});

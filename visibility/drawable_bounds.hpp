@@ -2,8 +2,10 @@
 #pragma once
 
 #include "lod/hierarchy.hpp"
+#include "scene/hidden_objects.hpp"
 #include "visibility/screen_bounds.hpp"
 
+#include <span>
 #include <vector>
 
 namespace triptych {
@@ -16,15 +18,17 @@ bool has_pieces(const Hierarchy& hierarchy, DrawableId id);
 /// for a drawable of more than 32 placements, one for its scene node's box. Returns `unbounded` where any
 /// box is, `off_screen` where all are, and `rectangle` otherwise: what of the content is not hidden is within
 /// the rectangles. Boxes that `tester`, if there is one, knows to be hidden have none; `hidden` where no
-/// other is on the screen.
+/// other is on the screen. `gone`: placements that are not there, ascending, which have no boxes either.
 ScreenBounds::Kind append_placement_bounds(const Hierarchy& hierarchy, const BoxProjector& projector,
                                            DrawableId id, const ExtentTester* tester,
-                                           std::vector<ScreenRectangle>& rectangles);
+                                           std::vector<ScreenRectangle>& rectangles,
+                                           std::span<const PlacementRun> gone = {});
 
 /// The same for each piece on the screen, if has_pieces(); append_placement_bounds() otherwise. No tester is
 /// asked.
 ScreenBounds::Kind append_drawable_bounds(const Hierarchy& hierarchy, const BoxProjector& projector,
-                                          DrawableId id, std::vector<ScreenRectangle>& rectangles);
+                                          DrawableId id, std::vector<ScreenRectangle>& rectangles,
+                                          std::span<const PlacementRun> gone = {});
 
 /// The same two, for callers that look at one drawable.
 struct DrawableBounds {

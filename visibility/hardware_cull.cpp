@@ -155,17 +155,19 @@ ScreenBounds::Kind HardwareCull::append_bounds(QueueEntry& entry, bool inner) {
 /// was visible one frame ago, those of its pieces: the largest first.
 ScreenBounds::Kind HardwareCull::append_bounds_of(QueueEntry& entry) {
   const DrawableId id = cut_->choice(entry.node);
+  const HiddenObjects* const hidden = view_->state.hiding.objects.get();
+  const auto gone = hidden ? hidden->hidden_placements(entry.node) : std::span<const PlacementRun>();
   if (!has_pieces(hierarchy_, id)) {
     entry.boxes = Boxes::all;
-    return append_placement_bounds(hierarchy_, *projector_, id, tester_, rectangles_);
+    return append_placement_bounds(hierarchy_, *projector_, id, tester_, rectangles_, gone);
   }
   const size_t first = rectangles_.size();
   if (entry.boxes == Boxes::placements && !was_visible_.marked(id)) {
     const ScreenBounds::Kind kind =
-        append_placement_bounds(hierarchy_, *projector_, id, tester_, rectangles_);
+        append_placement_bounds(hierarchy_, *projector_, id, tester_, rectangles_, gone);
     if (kind != ScreenBounds::Kind::unbounded) return kind;
   }
-  const ScreenBounds::Kind kind = append_drawable_bounds(hierarchy_, *projector_, id, rectangles_);
+  const ScreenBounds::Kind kind = append_drawable_bounds(hierarchy_, *projector_, id, rectangles_, gone);
   if (entry.boxes == Boxes::all || rectangles_.size() - first <= 2 * largest_pieces) {
     entry.boxes = Boxes::all;
   } else {
