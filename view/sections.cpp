@@ -45,15 +45,17 @@ std::string Sections::take(Command command, const Scene& scene) {
   if (command == Command::begin_section) {
     if (planes.size() == Section::max_planes)
       return fmt::format("there are {} planes already", planes.size());
-    return scene.under_cursor ? begin(*scene.under_cursor) : "there is nothing under the cursor to cut at";
+    return scene.under_cursor ? begin(*scene.under_cursor, scene.eye)
+                              : "there is nothing under the cursor to cut at";
   }
   if (planes.empty()) return "there is no section plane; X begins one under the cursor";
   const SectionPlane last = planes.back();
   if (command == Command::flip_section) {
+    if (hand_) hand_ = Hand{hand_->at + hand_->steps * hand_->step * last.normal, hand_->step};
     replace_last({-last.normal, -last.offset});
   } else if (command == Command::delete_section) {
     section_.remove_plane(static_cast<uint32_t>(planes.size() - 1));
-    begun_at_.reset();
+    hand_.reset();
   } else {
     move(command == Command::push_section ? 1 : -1, scene.eye);
   }
@@ -61,20 +63,23 @@ std::string Sections::take(Command command, const Scene& scene) {
 }
 
 /// What the surface hides is kept: the plane is pushed into it from there.
-std::string Sections::begin(const Picked& under) {
-  const glm::dvec3 normal = -straightened(under.normal);
+std::string Sections::begin(const Picked& under, const glm::dvec3& eye) {
+  const glm::dvec3 normal = glm::dvec3(0) - straightened(under.normal);
   section_.add_plane({normal, glm::dot(normal, under.point)}, place);
-  begun_at_ = under.point;
+  hand_ = hand(under.point, eye);
   return {};
 }
 
 void Sections::move(double steps, const glm::dvec3& eye) {
   if (section_.planes().empty()) return;
   const SectionPlane last = section_.planes().back();
-  if (!begun_at_) begun_at_ = eye - last.distance(eye) * last.normal;
-  const double step = std::max(step_share * glm::distance(*begun_at_, eye), least_step * size_);
-  *begun_at_ += steps * step * last.normal;
-  replace_last({last.normal, glm::dot(last.normal, *begun_at_)});
+  if (!hand_) hand_ = hand(eye - last.distance(eye) * last.normal, eye);
+  hand_->steps += steps;
+  replace_last({last.normal, glm::dot(last.normal, hand_->at) + hand_->steps * hand_->step});
+}
+
+Sections::Hand Sections::hand(const glm::dvec3& at, const glm::dvec3& eye) const {
+  return {at, std::max(step_share * glm::distance(at, eye), least_step * size_)};
 }
 
 void Sections::replace_last(const SectionPlane& plane) {

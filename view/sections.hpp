@@ -35,12 +35,19 @@ class Sections {
   std::string words() const;
 
  private:
+  /// The plane in hand: where it was begun, and how far it was moved since.
+  struct Hand {
+    glm::dvec3 at;
+    double step;  ///< model units
+    double steps = 0;
+  };
+  Hand hand(const glm::dvec3& at, const glm::dvec3& eye) const;
   void replace_last(const SectionPlane& plane);
-  std::string begin(const Picked& under);
+  std::string begin(const Picked& under, const glm::dvec3& eye);
 
   Section section_;
   double size_;
-  std::optional<glm::dvec3> begun_at_;  ///< on the plane in hand
+  std::optional<Hand> hand_;
 };
 
 }  // namespace triptych

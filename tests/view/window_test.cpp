@@ -177,14 +177,14 @@ TEST_F(ViewWindow, cuts_at_what_is_under_the_cursor_and_moves_the_cut) {
   find_window();
   const Picture first = look();
   xdotool("mousemove 160 120 sleep 0.2 key x");
-  look();  // a face that lies in the cut is still there
+  const Picture begun = look();
   EXPECT_NE(title().find("cut by 1 plane"), std::string::npos) << title();
   xdotool("key Prior key Prior key Prior");
   const Picture pushed = look();
   EXPECT_NE(pushed, first) << "Page Up does not move the cut";
   EXPECT_GT(colors_in(pushed), 2u);
-  xdotool("key Next key Next key Next key Next key Next key Next");
-  EXPECT_EQ(look(), first) << "before what is seen it cuts nothing off";
+  xdotool("key Next key Next key Next");
+  EXPECT_EQ(look(), begun) << "Page Down does not move it back";
   xdotool("key Prior key Prior key Prior");
   EXPECT_EQ(look(), pushed);
   xdotool("key c");
