@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file_access.hpp"
+#include "base/partial_files.hpp"
 
 #include <array>
 #include <atomic>
@@ -80,9 +81,10 @@ void make_folder(const std::filesystem::path& folder) {
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
   check_replaceable(path_);
-  partial_ = path_.string() + ".partial-" + std::to_string(::getpid());
+  remove_forsaken_partial_files_once(path_.parent_path());
+  partial_ = partial_name(path_);
   noted_ = note_unwanted(partial_.string());
-  file_ = std::fopen(partial_.c_str(), "wb");
+  file_ = open_partial_file(partial_);
   if (!file_) {
     const int problem = errno;
     forget_unwanted(noted_);
@@ -137,13 +139,13 @@ void AtomicFile::write_at(uint64_t offset, std::span<const std::byte> bytes) {
 
 void AtomicFile::commit() {
   const bool flushed = std::fflush(file_) == 0 && ::fsync(::fileno(file_)) == 0;
-  const int flush_error = errno;
-  std::fclose(file_);
-  file_ = nullptr;
-  if (!flushed) fail(path_.string(), "cannot be written: {}", std::strerror(flush_error));
+  if (!flushed) fail(path_.string(), "cannot be written: {}", std::strerror(errno));
+  // Open until it has its name: closed, it would look forsaken.
   if (std::rename(partial_.c_str(), path_.c_str()) != 0) {
     fail(path_.string(), "cannot be put in place: {}", std::strerror(errno));
   }
+  std::fclose(file_);
+  file_ = nullptr;
   forget_unwanted(noted_);
   partial_.clear();
 }

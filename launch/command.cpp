@@ -93,7 +93,7 @@ std::string line_without(const CLI::App& command, const std::vector<std::string>
 std::string command_line(const CLI::App& command) { return line_without(command, {}); }
 
 std::string run_line(const CLI::App& command) {
-  return line_without(command, {"--json", "--timeline", "--threads"});
+  return line_without(command, {"--begin", "--json", "--threads", "--timeline"});
 }
 
 void add_common_flags(CLI::App& command, std::filesystem::path& json) {
@@ -261,8 +261,8 @@ void add_every_flag(CLI::App& command, RunOptions& options) {
       ->check(whole_number(1, max_frames));
 }
 
-void add_target_flag(CLI::App& command, RunOptions& options) {
-  command
+CLI::Option* add_target_flag(CLI::App& command, RunOptions& options) {
+  return command
       .add_option("--target-ms", options.target_ms,
                   "Raise the pixel error where it must be so that frames take no longer, in milliseconds")
       ->check(positive_number())

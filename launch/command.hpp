@@ -50,7 +50,7 @@ void add_picture(nlohmann::json& report, const RunOptions& options);
 /// --every: only every so many frames of the path.
 void add_every_flag(CLI::App& command, RunOptions& options);
 /// --target-ms: a frame time to keep by raising the pixel error.
-void add_target_flag(CLI::App& command, RunOptions& options);
+CLI::Option* add_target_flag(CLI::App& command, RunOptions& options);
 /// add_common_flags, add_drawing_flags and add_path_flags.
 void add_run_flags(CLI::App& command, RunOptions& options);
 /// The same for a command that also takes model files (launch/shown_model.hpp), without the pack.
@@ -72,8 +72,8 @@ void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);
 /// The words of a command that was parsed, as a shell takes them: for reports that name the command that
 /// printed them.
 std::string command_line(const CLI::App& command);
-/// The same without flags that do not decide what pictures show: --json, --timeline,
-/// --threads. Two runs with equal words make the same (launch/output_folder.hpp).
+/// The same without flags that do not decide what pictures show: --begin, --json,
+/// --threads, --timeline. Two runs with equal words make the same (launch/output_folder.hpp).
 std::string run_line(const CLI::App& command);
 
 void add_sample(CLI::App& app, Action& action);

@@ -73,7 +73,10 @@ class DefaultsFile {
     try {
       table = toml::parse(text);
     } catch (const toml::parse_error& error) {
-      fail(file_.string(), "line {}: {}", error.source().begin.line, error.description());
+      // TOML has no words without quotes.
+      const bool unquoted = error.description().find("determine value type") != std::string_view::npos;
+      fail(file_.string(), "line {}: {}{}", error.source().begin.line, error.description(),
+           unquoted ? "; text stands in quotes, as in device = \"cpu\"" : "");
     }
     // What is said of one command counts before what is said of all.
     read_tables(app, table, "");

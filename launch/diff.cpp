@@ -2,6 +2,7 @@
 
 #include "base/one_line.hpp"
 #include "launch/build_flags.hpp"
+#include "launch/built_otherwise.hpp"
 #include "launch/text_table.hpp"
 #include "measure/difference/difference_model.hpp"
 #include "measure/json.hpp"
@@ -117,6 +118,8 @@ nlohmann::json report_json(const Difference& difference) {
     if (change.differs()) objects.push_back(to_json(difference, change));
   }
   return {{"equal", difference.found.equal()},
+          {"built_otherwise", to_json(built_otherwise(difference.before.pack.read_options(),
+                                                      difference.after.pack.read_options()))},
           {"counts", to_json(count_all(difference))},
           {"types", types},
           {"objects", objects}};
@@ -170,6 +173,8 @@ void print(const Difference& difference) {
   for (const auto& [type, counts] : count_by_type(difference)) rows.push_back(row_of(one_line(type), counts));
   if (rows.size() != 1) rows.push_back(row_of("all", count_all(difference)));
   fmt::print("{}{}", listed > 0 ? "\n" : "", text_table(head, rows));
+  fmt::print("{}", told(built_otherwise(difference.before.pack.read_options(),
+                                        difference.after.pack.read_options())));
   fmt::print("\nthe packs hold {}\n", difference.found.equal() ? "the same model" : "different models");
 }
 

@@ -92,7 +92,9 @@ std::optional<int> parse(CLI::App& app, std::vector<std::string> words) {
   const triptych::WordsRead line = triptych::read_words(app, words);
   const std::string name = triptych::command_name(*line.command);
   if (!line.complaint.empty()) {
-    triptych::notice("{0}: {1}; {0} --help lists them", name, line.complaint);
+    // Where --help was meant, that is said once.
+    const bool meant = line.complaint.ends_with("did you mean --help?");
+    triptych::notice("{}: {}{}", name, line.complaint, meant ? "" : "; " + name + " --help lists them");
     return usage;
   }
   triptych::Defaults defaults;

@@ -6,19 +6,15 @@
 #include "base/hashing.hpp"
 #include "base/inject.hpp"
 #include "base/notice.hpp"
+#include "launch/entry_lock.hpp"
 #include "launch/run_program.hpp"
 #include "scene/pack.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
-#include <fcntl.h>
 #include <map>
 #include <optional>
-#include <sys/file.h>
-#include <sys/stat.h>
 
 namespace triptych {
 
@@ -67,40 +63,6 @@ std::string key_of(const BuildFlags& flags, const Files& files, const std::files
   return key;
 }
 
-constexpr const char* lock_name = "lock";
-
-/// Held while one process looks at an entry of the cache, builds it or removes it. Its file's time says when
-/// the entry was wanted last.
-class EntryLock {
- public:
-  explicit EntryLock(const std::filesystem::path& entry) : file_name_((entry / lock_name).string()) {
-    file_ = Descriptor(::open(file_name_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666));
-    // What is ready may be used from a folder that cannot be written.
-    if (!file_.is_open()) file_ = Descriptor(::open(file_name_.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file_.is_open()) fail(file_name_, "cannot be opened: {}", std::strerror(errno));
-  }
-
-  /// Whether no other process holds it.
-  bool try_now() const { return ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0; }
-  /// Whether it still has its name: an entry that was unused for long is removed.
-  bool is_there() const {
-    struct stat locked {
-    }, named{};
-    return ::fstat(file_.number(), &locked) == 0 && ::stat(file_name_.c_str(), &named) == 0 &&
-           locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
-  }
-  void wait() const {
-    while (::flock(file_.number(), LOCK_EX) != 0) {
-      if (errno != EINTR) fail(file_name_, "cannot be locked: {}", std::strerror(errno));
-    }
-  }
-  void note_use() const { ::futimens(file_.number(), nullptr); }
-
- private:
-  std::string file_name_;
-  Descriptor file_;
-};
-
 /// Whether the folder is an entry of the cache: NAME-0123456789abcdef, with a lock.
 bool is_entry(const std::filesystem::path& folder) {
   constexpr size_t digits = 16;
@@ -108,7 +70,7 @@ bool is_entry(const std::filesystem::path& folder) {
   std::error_code error;
   return name.size() > digits && name[name.size() - digits - 1] == '-' &&
          name.find_first_not_of("0123456789abcdef", name.size() - digits) == std::string::npos &&
-         std::filesystem::is_regular_file(folder / lock_name, error);
+         std::filesystem::is_regular_file(folder / EntryLock::name, error);
 }
 
 /// Removes entries that nobody has wanted for a long time, such as those of earlier versions of the program.
@@ -120,7 +82,7 @@ void remove_unused(const std::filesystem::path& cache) {
   for (std::filesystem::directory_iterator entry(cache, error), end; !error && entry != end;
        entry.increment(error)) {
     if (is_entry(entry->path()) &&
-        std::filesystem::last_write_time(entry->path() / lock_name, error) < long_ago)
+        std::filesystem::last_write_time(entry->path() / EntryLock::name, error) < long_ago)
       unused.push_back(entry->path());
   }
   for (const auto& folder : unused) {
@@ -158,11 +120,15 @@ class Entry {
     }
   }
 
-  void build(const BuildFlags& flags, const Files& known) const {
+  void build(const BuildFlags& flags, const Files& known, const EntryLock& lock) const {
     std::error_code error;
     std::filesystem::remove(said(), error);
     // A signal ends this process as it would without the build; the child gets its own when this one is gone.
-    const json report = run_build(flags, pack_, [] { return false; });
+    const json report = [&] {
+      const EntryLock::Shared shared(lock);
+      return run_build(
+          flags, pack_, [] { return false; }, [&](pid_t builder) { shared.note_builder(builder); });
+    }();
     std::map<std::string, std::string> read;
     for (const std::string name : report.at("files")) {
       const auto relative = std::filesystem::absolute(name).lexically_relative(models_);
@@ -209,10 +175,7 @@ std::filesystem::path cached_pack(const BuildFlags& flags) {
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);  // the lock says what is wrong
     lock.emplace(folder);
-    if (!lock->try_now()) {
-      notice("{}: another process builds this pack; waiting for it", folder.string());
-      lock->wait();
-    }
+    lock->wait();
   } while (!lock->is_there());
   lock->note_use();
   const Entry entry(folder, key, models, name);
@@ -221,7 +184,7 @@ std::filesystem::path cached_pack(const BuildFlags& flags) {
     notice("{}{}: building a pack, which is kept as {}", flags.inputs.front().string(),
            flags.inputs.size() > 1 ? fmt::format(" and {} more", flags.inputs.size() - 1) : "",
            entry.pack().string());
-    entry.build(flags, files);
+    entry.build(flags, files, *lock);
   }
   return entry.pack();
 }

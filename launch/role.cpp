@@ -1,12 +1,23 @@
 #include "launch/command.hpp"
 #include "launch/hide_flags.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
 #include "session/role_command.hpp"
 
 namespace triptych {
 
 namespace {
+
+/// A session has claimed the folder for its roles, which inherit a socket from it.
+int run_claimed(const RoleCommand& command, const std::string& line) {
+  if (command.output.empty() || command.listen_descriptor >= 0) return run_render(command);
+  OutputFolder claimed(command.output, line);
+  const int code = run_render(command);
+  // Those before --begin are an earlier process's.
+  if (code == 0 && command.begin == 0) claimed.finish();
+  return code;
+}
 
 void add_connection_flags(CLI::App& role, RoleCommand& command) {
   auto* listen = role.add_option("--listen", command.listen, "The address at which this role listens")
@@ -100,11 +111,11 @@ void add_role(CLI::App& app, Action& action) {
                    "Keep where the person at the window stands in this file; begin there if it is there")
       ->type_name("FILE");
   render->add_flag("--hash", render_command->hash, "Record each picture's hash and visible set");
-  render->callback([render_command, &action] {
+  render->callback([render_command, render, &action] {
     if (render_command->listen.empty() && render_command->listen_descriptor < 0)
       throw CLI::RequiredError("--listen");
     require_path(render_command->run, render_command->window);
-    action = [render_command] { return run_render(*render_command); };
+    action = [render_command, render] { return run_claimed(*render_command, run_line(*render)); };
   });
 }
 

@@ -9,7 +9,8 @@
 namespace triptych {
 
 nlohmann::json run_program(const std::string& name, std::vector<std::string> arguments,
-                           const std::filesystem::path& folder, bool (*stop)()) {
+                           const std::filesystem::path& folder, bool (*stop)(),
+                           const std::function<void(pid_t)>& started) {
   const std::filesystem::path json = folder / (name + ".json");
   arguments.insert(arguments.end(), {"--json", json.string()});
   if (const unsigned threads = thread_count_limit())
@@ -17,7 +18,8 @@ nlohmann::json run_program(const std::string& name, std::vector<std::string> arg
   for (const std::string& fault : injected_names()) arguments.insert(arguments.end(), {"--inject", fault});
   stop();  // may install handlers: from here on a signal ends the child first
   ChildProcesses child;
-  child.start(name, arguments, ChildProcesses::Output::as_error);
+  const pid_t process = child.start(name, arguments, ChildProcesses::Output::as_error);
+  if (started) started(process);
   if (!child.wait(stop)) fail(name, "was told to end");
   try {
     return nlohmann::json::parse(read_text_file(json));
@@ -26,11 +28,12 @@ nlohmann::json run_program(const std::string& name, std::vector<std::string> arg
   }
 }
 
-nlohmann::json run_build(const BuildFlags& flags, const std::filesystem::path& pack, bool (*stop)()) {
+nlohmann::json run_build(const BuildFlags& flags, const std::filesystem::path& pack, bool (*stop)(),
+                         const std::function<void(pid_t)>& started) {
   std::vector<std::string> arguments = {"build"};
   for (const std::string& argument : build_arguments(flags)) arguments.push_back(argument);
   arguments.insert(arguments.end(), {"-o", pack.string()});
-  return run_program("build", arguments, pack.parent_path(), stop);
+  return run_program("build", arguments, pack.parent_path(), stop, started);
 }
 
 }  // namespace triptych

@@ -44,6 +44,12 @@ std::string wall_text(const json& share, size_t undisturbed) {
 
 }  // namespace
 
+json coefficients_json(const CostCoefficients& coefficients) {
+  json named = json::object();
+  for (size_t i = 0; i < coefficients.size(); ++i) named[FrameWork::names()[i]] = coefficients[i];
+  return named;
+}
+
 std::string add_steering(json& report, const std::vector<FrameRecord>& records, double target_ms,
                          const std::string& measure, const CostCoefficients& coefficients) {
   Frames frames, undisturbed;
@@ -57,8 +63,6 @@ std::string add_steering(json& report, const std::vector<FrameRecord>& records, 
   const auto wall = [](const SteeredFrame& frame) { return frame.wall_ms; };
   const auto pixel_error = [](const SteeredFrame& frame) { return frame.pixel_error; };
   const auto count = [&](auto predicate) { return std::count_if(frames.begin(), frames.end(), predicate); };
-  json named = json::object();
-  for (size_t i = 0; i < coefficients.size(); ++i) named[FrameWork::names()[i]] = coefficients[i];
   const json within = share_within(frames, target_ms, cost),
              wall_within = share_within(undisturbed, target_ms, wall);
   const auto raised =
@@ -81,7 +85,7 @@ std::string add_steering(json& report, const std::vector<FrameRecord>& records, 
                         {"out_of_reach_frames", out_of_reach},
                         {"max_pixel_error", max_raised_pixel_error},
                         {"prediction_error", errors},
-                        {"coefficients_ms", named}};
+                        {"coefficients_ms", coefficients_json(coefficients)}};
   report["series"]["pixel_error"] = series(frames, pixel_error);
   report["series"]["aim_ms"] = series(frames, aim);
   report["series"]["cost_ms"] = series(frames, cost);

@@ -9,6 +9,9 @@
 
 namespace triptych {
 
+/// {"megapixels" …}: milliseconds for one of each.
+nlohmann::json coefficients_json(const CostCoefficients& coefficients);
+
 /// Adds the keys of docs/using.md for --target-ms: `target_ms`, `pixel_error`, `steering`, and in `series`
 /// `pixel_error`, `aim_ms`, `cost_ms` and `predicted_ms`. frames: those that were steered count, the others
 /// are left out. measure: what their cost is. Returns a summary of one line, for people.

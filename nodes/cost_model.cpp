@@ -9,12 +9,12 @@ namespace {
 
 /// Microseconds a triangle would be a thousandth of these.
 constexpr CostCoefficients first_guess = {2, 0.2, 30e-6, 100e-6, 5e-3, 500e-6};
-/// How much of its weight a frame keeps when the next one comes: half of it after 23.
-constexpr double fading = 0.97;
+/// How much of its weight a frame keeps when the next one comes: half of it after 5.
+constexpr double fading = 0.87;
 /// A coefficient that is off by all of itself weighs as much as this relative error, squared.
-constexpr double hold = 0.005;
+constexpr double hold = 0.002;
 /// How fast the factor follows; how far, so that a frame that was disturbed counts little; and its limits.
-constexpr double following = 0.5, max_change = 1.5, max_factor = 8;
+constexpr double following = 0.15, max_change = 1.5, max_factor = 8;
 constexpr double min_ms = 1e-6;
 
 bool all_finite(const FrameWork::Values& values) {

@@ -54,6 +54,9 @@ class FrameSteering {
   /// time and disturbance.
   SteeredFrame drawn(uint32_t number, const VisibleSet& visible, double cost_ms);
 
+  /// What was estimated of the frame of the last drawn(), which must have been steered.
+  const FrameWork& work_of_drawn() const { return unlearnt_->work; }
+
   const CostModel& model() const { return model_; }
   const SteeringOptions& options() const { return options_; }
 

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
+#include "base/partial_files.hpp"
 #include "base/signals.hpp"
 #include "measure/frame_journal.hpp"
 #include "measure/json.hpp"
@@ -22,16 +23,6 @@
 namespace triptych {
 
 namespace {
-
-/// Removes pictures that a killed render node left half written.
-void remove_partial_pictures(const std::filesystem::path& folder, pid_t pid) {
-  if (folder.empty()) return;
-  const std::string end = fmt::format(".partial-{}", pid);
-  std::error_code ignored;  // the folder may be gone
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (entry.path().string().ends_with(end)) std::filesystem::remove(entry.path(), ignored);
-  }
-}
 
 /// Starts each role, again where it is killed, and gathers what all of its processes recorded.
 class Supervisor {
@@ -142,7 +133,8 @@ bool Supervisor::take_end(Role role, const ChildProcesses::Ended& ended) {
     lose_switch_node(role, ended);
     return false;
   }
-  remove_partial_pictures(options_.output, ended.pid);
+  // Pictures that it left half written.
+  if (!options_.output.empty()) remove_forsaken_partial_files(options_.output);
   constexpr int by_signal = 128;
   if (ended.signal == 0 && ended.exit_code > by_signal) {
     notice("session: {} was told to end", ended.place);
@@ -230,7 +222,8 @@ void Supervisor::write_timeline() const {
 
 SessionOutcome Supervisor::run() {
   for (const Role role : all_roles) start(role);
-  constexpr std::chrono::milliseconds grace(1000);
+  // On a machine that is busy with other things the last pictures take a while.
+  constexpr std::chrono::milliseconds grace(3000);
   for (bool over = false; !over;) {
     if (stop_requested()) {
       outcome_.stopped = true;
@@ -252,10 +245,20 @@ SessionOutcome Supervisor::run() {
   return std::move(outcome_);
 }
 
+/// What the roles of this machine draw with, so that a machine without OpenGL is told so once, and not by
+/// each of them. A window has OpenGL of its own, and other machines may.
+DeviceKind device_of_all(const SessionOptions& options) {
+  const DeviceKind wanted = options.run.device.kind;
+  if (options.window || wanted == DeviceKind::cpu) return wanted;
+  const ChosenDevice chosen = choose_device(options.run.device);
+  return options.hosts.empty() ? chosen.options.kind : wanted;
+}
+
 }  // namespace
 
-SessionOutcome run_session(const SessionOptions& options) {
+SessionOutcome run_session(const SessionOptions& asked) {
   stop_requested();  // from here on a signal ends the session properly
+  SessionOptions options = asked;
   // Errors of the input are reported once, here, before any role is started.
   uint64_t pack_hash = 0;
   HiddenName hidden;
@@ -265,6 +268,7 @@ SessionOutcome run_session(const SessionOptions& options) {
     hidden = load_hiding(options.run, pack).name;
     if (!options.run.path.empty()) load_frames(options.run, pack.skeleton());
   }
+  options.run.device.kind = device_of_all(options);
   if (!options.output.empty()) make_folder(options.output);
   for (const Role role : all_roles) {
     if (options.record.empty() || recordings_of(role, options.record).empty()) continue;

@@ -63,11 +63,11 @@ std::string zsh_function(const DescribedCommand& command) {
   return text + " \\\n    '*:file:_files'\n}\n";
 }
 
-/// The condition under which fish completes what is below a command.
-std::string fish_condition(const DescribedCommand& command) {
+/// The condition under which fish completes flags of a command, and the subcommands below it.
+std::string fish_condition(const DescribedCommand& command, bool subcommands) {
   if (command.path.empty()) return "__fish_use_subcommand";
   // The words that were typed, in their order: `measure session` is not `session`.
-  return "__triptych_command " + command.words();
+  return (subcommands ? "__triptych_at " : "__triptych_command ") + command.words();
 }
 
 }  // namespace
@@ -133,8 +133,11 @@ std::string fish_completion(const std::vector<DescribedCommand>& commands) {
       "# Completes command lines of triptych in fish. Made by `triptych describe fish`.\n"
       "function __triptych_command\n"
       "  set -l typed (commandline -opc)\n"
-      "  test (count $typed) -gt (count $argv); and test \"$typed[2..(math (count $argv) + 1)]\" = "
-      "\"$argv\"\n"
+      "  set -l last (math (count $argv) + 1)\n"
+      "  test (count $typed) -ge $last; and test \"$typed[2..$last]\" = \"$argv\"\n"
+      "end\n"
+      "function __triptych_at\n"
+      "  __triptych_command $argv; and test (count (commandline -opc)) -eq (math (count $argv) + 1)\n"
       "end\n";
   for (const DescribedCommand& command : commands) {
     for (const std::string& sub : command.subcommands) {
@@ -143,12 +146,13 @@ std::string fish_completion(const std::vector<DescribedCommand>& commands) {
       const auto found =
           std::find_if(commands.begin(), commands.end(),
                        [&](const DescribedCommand& candidate) { return candidate.path == path; });
-      script += fmt::format("complete -c triptych -n {} -f -a {} -d {}\n", quoted(fish_condition(command)),
-                            sub, quoted(short_description(found->description)));
+      script +=
+          fmt::format("complete -c triptych -n {} -f -a {} -d {}\n", quoted(fish_condition(command, true)),
+                      sub, quoted(short_description(found->description)));
     }
     for (const DescribedFlag& flag : command.flags) {
       if (flag.positional) continue;
-      script += "complete -c triptych -n " + quoted(fish_condition(command));
+      script += "complete -c triptych -n " + quoted(fish_condition(command, false));
       for (const std::string& name : flag.names)
         script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (!flag.choices.empty()) {

@@ -13,11 +13,15 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <future>
 #include <string>
 #include <string_view>
 #include <sys/mman.h>
 #include <sys/wait.h>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace triptych {
 
@@ -47,6 +51,25 @@ class CurrentProduct {
  private:
   Descriptor word_;
 };
+
+/// Node waits forever for threads that it could not start. Error where it would.
+void check_threads() {
+  constexpr size_t of_node = 12;
+  std::promise<void> over;
+  const std::shared_future<void> end = over.get_future().share();
+  std::vector<std::thread> threads;
+  bool all = true;
+  try {
+    while (threads.size() < of_node) threads.emplace_back([end] { end.wait(); });
+  } catch (const std::system_error&) {
+    all = false;
+  }
+  over.set_value();
+  for (std::thread& thread : threads) thread.join();
+  if (!all)
+    fail("Node", "needs {} threads, and no more can be started: processes (ulimit -u) are too limited",
+         of_node);
+}
 
 Program node_program(uint64_t memory, const std::string& file, int current) {
   const std::string node = find_program("node");
@@ -96,6 +119,7 @@ int read_with_node(uint64_t memory, const std::string& file, double patience) {
   constexpr size_t max_skipped = 50;
   limit_data(memory, name);
   ::unsetenv("NODE_OPTIONS");
+  check_threads();
   const CurrentProduct current;
   Program program = node_program(memory, file, current.descriptor());
   for (size_t skipped = 0;; ++skipped) {

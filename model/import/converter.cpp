@@ -16,6 +16,7 @@
 #include <cstring>
 #include <optional>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -86,9 +87,20 @@ std::string plain(std::string_view line) { return one_line(std::string(line.subs
 
 /// Last words of Node where the kernel gives it no memory.
 bool is_of_memory(std::string_view line) {
-  constexpr std::array<std::string_view, 3> words = {"out of memory", "bad_alloc", "SetPermissions"};
+  constexpr std::array<std::string_view, 5> words = {"out of memory", "bad_alloc", "SetPermissions",
+                                                     "process OOM", "uv_thread_create"};
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return line.find(word) != std::string_view::npos; });
+}
+
+constexpr const char* needs_memory = "needs more memory to read than it is given";
+
+/// The complaint, and what else its reader may lack than memory.
+std::string explained(const std::string& complaint) {
+  rlimit limit{};
+  const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  if (complaint != needs_memory || !limited) return complaint;
+  return complaint + ": address space is limited (ulimit -v), of which a reader reserves more than it uses";
 }
 
 /// What the child prints on its standard error, line by line.
@@ -141,7 +153,7 @@ class Talk {
     } else if (line.starts_with(complaint_prefix)) {
       complaint = plain(line.substr(complaint_prefix.size()));
     } else if (complaint.empty() && is_of_memory(line)) {
-      complaint = "needs more memory to read than it is given";
+      complaint = needs_memory;
     }
     return false;
   }
@@ -199,12 +211,12 @@ Converted convert_model(const std::filesystem::path& file, const PackedFile* unp
   if (!ended) fail(place, "takes more than {} s to read; it was given up", options.converter_seconds);
   const int status = *ended;
   if (WIFSIGNALED(status)) {
-    if (!talk.complaint.empty()) fail(place, "{}", talk.complaint);
+    if (!talk.complaint.empty()) fail(place, "{}", explained(talk.complaint));
     fail(place, "makes its reader crash (signal {}, {}); the file is damaged, or {} cannot read it",
          WTERMSIG(status), ::strsignal(WTERMSIG(status)), converter.library);
   }
   if (WEXITSTATUS(status) != 0) {
-    if (!talk.complaint.empty()) fail(place, "{}", talk.complaint);
+    if (!talk.complaint.empty()) fail(place, "{}", explained(talk.complaint));
     fail(place, "its reader ended with exit code {}; the file is damaged, or {} cannot read it",
          WEXITSTATUS(status), converter.library);
   }

@@ -25,7 +25,19 @@ std::vector<std::string> build_arguments(const std::string& model, const std::st
   return {"build", model, "-o", pack, "--memory", "128M"};
 }
 
-/// A build that is killed when a good part of it is done.
+/// Whether the build has left a good part of its work, and not its pack.
+bool is_half_done(const std::string& pack) {
+  std::error_code none;
+  if (std::filesystem::exists(pack)) return false;
+  for (const char* name : {"journal", "parts", "surfaces", "pack", "pack.pieces"}) {
+    const uint64_t size = std::filesystem::file_size(pack + ".work/" + name, none);
+    if (none || size <= 2000) return false;
+  }
+  return true;
+}
+
+/// A build that is killed when a good part of it is done. Where the machine is busy it may be over by then,
+/// or be putting its work away: it is begun anew.
 void kill_late(const std::string& model, const std::string& pack) {
   while (true) {
     Program build(build_arguments(model, pack));
@@ -38,8 +50,9 @@ void kill_late(const std::string& model, const std::string& pack) {
     while (!late() && !std::filesystem::exists(pack))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     build.signal(SIGKILL);
-    if (build.wait() == -SIGKILL) return;
+    if (build.wait() == -SIGKILL && is_half_done(pack)) return;
     std::filesystem::remove(pack);
+    std::filesystem::remove_all(pack + ".work");
   }
 }
 

@@ -66,6 +66,21 @@ TEST_F(Diff, says_by_its_exit_code_whether_packs_are_equal_or_something_failed) 
   EXPECT_EQ(code({one, other}), 2) << "damage";
 }
 
+TEST_F(Diff, says_with_which_options_packs_were_built_otherwise) {
+  const std::string one = build("one", usual), same = build("same", usual),
+                    other = build("other", usual, {"--keep", "none"}),
+                    coarse = build("coarse", usual, {"--chord", "0.5"}), json = folder.file("diff.json");
+  EXPECT_EQ(code({one, same, "--json", json}), 0);
+  EXPECT_EQ(json_of(json)["built_otherwise"].size(), 0u);
+  EXPECT_EQ(code({one, other, "--json", json}), 0);
+  EXPECT_EQ(json_of(json)["built_otherwise"],
+            nlohmann::json::parse(
+                R"([{"option": "keep", "before": "cover,order,planes,touching", "after": "none"}])"));
+  EXPECT_EQ(code({one, coarse, "--json", json}), 0);
+  EXPECT_EQ(json_of(json)["built_otherwise"],
+            nlohmann::json::parse(R"([{"option": "chord", "before": null, "after": "0.5"}])"));
+}
+
 TEST_F(Diff, json_has_counts_types_and_every_object_that_changed) {
   const std::string one = build("one", usual);
   const std::string other = build("other", {{"floor", 0, "red"}, {"door", 4.5}, {"lamp", 9}});

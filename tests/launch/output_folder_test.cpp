@@ -133,6 +133,59 @@ TEST_F(OutputFolders, a_sample_overwrites_samples_and_nothing_else) {
   EXPECT_GT(text_of(where + "/scene.ply").size(), 1000u);
 }
 
+TEST_F(OutputFolders, a_role_that_is_started_by_hand_claims_its_folder_as_others_do) {
+  run({"build", model, "-o", folder.file("box.tpk")});
+  const std::string port = "127.0.0.1:" + std::to_string(12000 + 2 * (::getpid() % 8000));
+  const auto role = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"role",          "render",   folder.file("box.tpk"),
+                                      "--path",        path,       "--size",
+                                      "64x64",         "--device", "cpu",
+                                      "--listen",      port,       "-o",
+                                      folder.file("p")};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  run(role({}));
+  const std::string picture_before = picture("p");
+  Program other(role({"--pixel-error", "9"}));
+  EXPECT_EQ(other.wait(), 0) << other.errors();
+  EXPECT_NE(other.errors().find("2 pictures that are not of this command are now in "), std::string::npos)
+      << other.errors();
+  EXPECT_EQ(picture("p/earlier-1"), picture_before);
+  Program successor(role({"--pixel-error", "9", "--begin", "1"}));
+  EXPECT_EQ(successor.wait(), 0) << successor.errors();
+  EXPECT_TRUE(std::filesystem::exists(folder.file("p/000000.png"))) << "what was drawn before --begin stays";
+  const OutputFolder held(folder.file("p"), "a run");
+  EXPECT_NE(failure(role({})).find("another run writes into it (a run)"), std::string::npos);
+}
+
+TEST_F(OutputFolders, what_a_killed_run_left_half_written_the_next_one_removes) {
+  std::filesystem::create_directories(folder.file("p"));
+  std::ofstream(folder.file("p/000001.png.partial-12")) << "half";
+  draws_after_a_build({model}, "p");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("p/000001.png.partial-12")));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("p/000001.png")));
+}
+
+TEST_F(OutputFolders, of_a_session_without_egl_it_is_said_once) {
+  const Variable device("TRIPTYCH_DEVICE", "");
+  const Variable drivers("__EGL_VENDOR_LIBRARY_FILENAMES", "/none.json");
+  const auto lines_with_egl = [](const std::string& errors) {
+    std::istringstream in(errors);
+    int count = 0;
+    for (std::string line; std::getline(in, line);) count += line.find("EGL") != std::string::npos;
+    return count;
+  };
+  std::vector<std::string> words = {"session", model, "--path", path, "--size", "64x64"};
+  Program automatic(words);
+  EXPECT_EQ(automatic.wait(), 0) << automatic.errors();
+  EXPECT_EQ(lines_with_egl(automatic.errors()), 1) << automatic.errors();
+  words.insert(words.end(), {"--device", "gl"});
+  Program gl(words);
+  EXPECT_EQ(gl.wait(), 1) << gl.errors();
+  EXPECT_EQ(lines_with_egl(gl.errors()), 1) << gl.errors();
+}
+
 TEST_F(OutputFolders, without_egl_the_program_draws_by_itself_and_says_so) {
   const Variable device("TRIPTYCH_DEVICE", "");
   const Variable drivers("__EGL_VENDOR_LIBRARY_FILENAMES", "/none.json");

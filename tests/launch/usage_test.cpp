@@ -36,6 +36,8 @@ TEST_F(Usage, a_flag_that_is_not_known_is_named_before_one_that_is_missing) {
   EXPECT_EQ(said,
             "triptych render: there is no flag --pixle-error; did you mean --pixel-error?; triptych render "
             "--help lists them\n");
+  EXPECT_EQ(usage_error({"render", "--hlep"}),
+            "triptych render: there is no flag --hlep; did you mean --help?\n");
   EXPECT_NE(usage_error({"build", "-q"}).find("there is no flag -q;"), std::string::npos);
   EXPECT_NE(usage_error({"rendre"}).find("there is no subcommand \"rendre\"; did you mean render?"),
             std::string::npos);
@@ -112,7 +114,10 @@ TEST_F(Usage, a_file_of_defaults_that_is_wrong_is_named_with_line_and_key) {
         {"[render]\nsize = 'small'\n", ": line 2: size: --size: \"small\" is no WxH"},
         {"[render]\nedges = 3\n", ": line 2: edges: is true or false"},
         {"[role]\ndevice = 'cpu'\n", ": line 1: [role]: gets its flags from its session alone"},
-        {"size = \n", ": line 1: "}}) {
+        {"size = \n", ": line 1: "},
+        {"device = cpu\n",
+         ": line 1: Error while parsing value: could not determine value type; text stands in quotes, as in "
+         "device = \"cpu\""}}) {
     std::ofstream(file) << text;
     const std::string error = usage_error({"render", model, "--path", path, "-o", folder.file("p")});
     EXPECT_EQ(error.rfind("triptych: " + file + said, 0), 0u) << error;

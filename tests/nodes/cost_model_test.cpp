@@ -45,7 +45,7 @@ TEST(CostModel, what_every_frame_costs_alike_is_learnt_term_by_term) {
     const FrameWork frame = work.next();
     EXPECT_NEAR(model.predict(frame) / true_cost(frame), 1, 0.12);
   }
-  EXPECT_NEAR(model.coefficients()[2] / truth[2], 1, 0.1) << "of a triangle";
+  EXPECT_NEAR(model.coefficients()[2] / truth[2], 1, 0.2) << "of a triangle";
 }
 
 TEST(CostModel, a_machine_that_turns_three_times_slower_is_followed_within_ten_frames) {
@@ -62,6 +62,20 @@ TEST(CostModel, a_machine_that_turns_three_times_slower_is_followed_within_ten_f
   }
   const FrameWork frame = work.next();
   EXPECT_NEAR(model.predict(frame) / (3 * true_cost(frame)), 1, 0.2);
+}
+
+TEST(CostModel, one_frame_that_was_disturbed_hardly_moves_predictions) {
+  CostModel model;
+  RandomWork work;
+  for (int i = 0; i < 100; ++i) {
+    const FrameWork frame = work.next();
+    model.learn(frame, true_cost(frame));
+  }
+  model.end_calibration();
+  const FrameWork frame = work.next();
+  const double before = model.predict(frame);
+  model.learn(frame, 5 * true_cost(frame));
+  EXPECT_NEAR(model.predict(frame) / before, 1, 0.27);
 }
 
 TEST(CostModel, more_work_never_costs_less) {

@@ -21,10 +21,8 @@ class SessionChaos : public SessionRecovery {
     return std::distance(std::filesystem::directory_iterator(open), {});
   }
   /// A session without an end; its searches are short, so that a hang is longer than many of them.
-  std::vector<std::string> endless(std::vector<std::string> more = {}) const {
-    return with(session({"--until-told", "--rate", "150", "--hash", "--json", json, "--restarts", "100000",
-                         "--connect-timeout", "0.4"}),
-                std::move(more));
+  std::vector<std::string> enduring(std::vector<std::string> more = {}) const {
+    return with(endless({"--restarts", "100000", "--connect-timeout", "0.4"}), std::move(more));
   }
   /// It is there to be told to end, and showed nothing wrong.
   nlohmann::json expect_a_good_end(Program& program) const {
@@ -44,7 +42,7 @@ class SessionChaos : public SessionRecovery {
 };
 
 TEST_F(SessionChaos, roles_killed_paused_and_hung_at_random_leave_nothing_wrong) {
-  Program program(endless());
+  Program program(enduring());
   wait_until_under_way(program);
   const auto before = descriptors(program.pid());
   std::mt19937 random(static_cast<unsigned>(number_of("TRIPTYCH_CHAOS_SEED", 7)));
@@ -89,7 +87,7 @@ TEST_F(SessionChaos, sessions_begin_without_switch_nodes_and_take_them_in_whenev
     SCOPED_TRACE(round);
     std::filesystem::remove(json);
     std::filesystem::remove_all(folder.file("pictures"));
-    Program program(endless({"--gather", "0", "-o", folder.file("pictures")}));
+    Program program(enduring({"--gather", "0", "-o", folder.file("pictures")}));
     std::vector<pid_t> hung = {program.role(round % 2 ? "switch 0" : "switch 1")};
     if (round % 3 == 2) hung.push_back(program.role(round % 2 ? "switch 1" : "switch 0"));
     for (const pid_t pid : hung) ::kill(pid, SIGSTOP);

@@ -83,10 +83,8 @@ TEST_F(SessionEnd, a_signal_ends_every_role_in_good_order) {
     std::filesystem::remove_all(folder.file("pictures"));
     Program program(endless({"-o", folder.file("pictures"), "--json", json}));
     wait_for_pictures(program);
-    const auto start = std::chrono::steady_clock::now();
     ::kill(to_all ? -program.pid() : program.pid(), signal);
     EXPECT_EQ(program.wait(std::chrono::seconds(30)), 128 + signal) << program.errors();
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
     EXPECT_FALSE(program.anybody_left());
     EXPECT_TRUE(program.complaints().empty()) << program.errors();
     for (const char* done : {"of them by itself", "switch node 0: ", "switch node 1: "})

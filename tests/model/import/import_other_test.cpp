@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 #include <set>
 #include <sstream>
+#include <sys/resource.h>
 #include <zlib.h>
 
 namespace triptych {
@@ -280,6 +281,20 @@ TEST(ImportOther, a_reader_that_crashes_hangs_or_gives_up_is_one_line_and_leaves
       std::string::npos);
   EXPECT_NE(converter_error("head -c 3000000 /dev/zero >&2; kill -ABRT $$").find("signal 6"),
             std::string::npos);
+}
+
+TEST(ImportOther, a_reader_that_a_limit_of_the_shell_starves_is_told_in_our_words) {
+  const std::string node =
+      "echo '# Fatal process OOM in Failed to reserve virtual memory' >&2; kill -TRAP $$";
+  const std::string unlimited = converter_error(node);
+  EXPECT_TRUE(unlimited.ends_with("needs more memory to read than it is given")) << unlimited;
+  rlimit before{};
+  ::getrlimit(RLIMIT_AS, &before);
+  const rlimit low{std::min<rlim_t>(rlim_t{64} << 30, before.rlim_max), before.rlim_max};
+  ::setrlimit(RLIMIT_AS, &low);
+  const std::string limited = converter_error(node);
+  ::setrlimit(RLIMIT_AS, &before);
+  EXPECT_NE(limited.find("address space is limited (ulimit -v)"), std::string::npos) << limited;
 }
 
 TEST(ImportOther, what_a_reader_claims_to_have_read_is_checked) {
