@@ -2,10 +2,14 @@
 
 #include "base/bytes.hpp"
 #include "base/error.hpp"
+#include "base/file_access.hpp"
 #include "base/hashing.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <fcntl.h>
 #include <fstream>
 
@@ -20,6 +24,28 @@ struct CacheHeader {
   ContentKey program;
   uint64_t index_offset = 0, index_count = 0, index_checksum = 0;
 };
+
+constexpr const char* place = "a build's cache";
+
+/// Removes what builds that were killed had written beside the file (FILE.partial-PID, AtomicFile).
+void remove_partial_files_of_the_dead(const std::filesystem::path& file) {
+  const std::string beginning = file.filename().string() + ".partial-";
+  std::error_code error;
+  std::vector<std::filesystem::path> left;
+  const std::filesystem::path folder = std::filesystem::absolute(file, error).parent_path();
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(beginning)) continue;
+    pid_t process = 0;
+    const char* const last = name.data() + name.size();
+    const auto number = std::from_chars(name.data() + beginning.size(), last, process);
+    if (number.ec == std::errc() && number.ptr == last && process > 0 && ::kill(process, 0) != 0 &&
+        errno == ESRCH)
+      left.push_back(entry->path());
+  }
+  for (const auto& partial : left) std::filesystem::remove(partial, error);
+}
 
 /// Error for a file with something else in it than a cache, which would be lost.
 const std::filesystem::path& checked(const std::filesystem::path& file) {
@@ -38,6 +64,7 @@ const std::filesystem::path& checked(const std::filesystem::path& file) {
 
 BuildCache::BuildCache(const std::filesystem::path& file, const ContentKey& program)
     : program_(program), file_(checked(file)) {
+  remove_partial_files_of_the_dead(file);
   const CacheHeader unfinished{.magic = {}, .program = {}};
   file_.write(std::as_bytes(std::span(&unfinished, 1)));
   open_old(file);
@@ -67,38 +94,93 @@ void BuildCache::open_old(const std::filesystem::path& file) {
   old_ = std::move(old);
 }
 
-bool BuildCache::read_old(const ContentKey& key, std::vector<std::byte>& bytes) const {
+const BuildCache::Entry* BuildCache::old_entry(const ContentKey& key) const {
   const auto found = old_entries_.find(key);
-  if (found == old_entries_.end()) return false;
-  const Entry& entry = found->second;
-  bytes.resize(entry.size);
+  return found == old_entries_.end() ? nullptr : &found->second;
+}
+
+std::optional<std::vector<std::byte>> BuildCache::find(const ContentKey& key) const {
+  const Entry* const entry = old_entry(key);
+  if (!entry) return std::nullopt;
+  std::vector<std::byte> bytes(entry->size);
   try {
-    read_at(old_.number(), entry.offset, bytes, "a build's cache");
+    read_at(old_.number(), entry->offset, bytes, place);
   } catch (const Error&) {
-    return false;
+    return std::nullopt;
   }
-  return hash_bytes(bytes) == entry.checksum;
+  if (hash_bytes(bytes) != entry->checksum) return std::nullopt;
+  return bytes;
+}
+
+bool BuildCache::read(const ContentKey& key,
+                      const std::function<void(std::span<const std::byte>)>& take) const {
+  const Entry* const entry = old_entry(key);
+  if (!entry) return false;
+  StreamHash hash;
+  std::vector<std::byte> stretch;
+  for (uint64_t done = 0; done < entry->size; done += stretch.size()) {
+    stretch.resize(std::min<uint64_t>(entry->size - done, uint64_t{1} << 20));
+    try {
+      read_at(old_.number(), entry->offset + done, stretch, place);
+    } catch (const Error&) {
+      return false;
+    }
+    hash.add(stretch);
+    take(stretch);
+  }
+  return hash.checksum() == entry->checksum;
+}
+
+void BuildCache::add(const ContentKey& key, const std::function<void()>& write) {
+  if (!problem_.empty()) return;
+  const auto [at, is_new] = entries_.try_emplace(key);
+  if (!is_new) return;
+  at->second = {key, file_.size(), 0, 0};
+  try {
+    write();
+  } catch (const Error& error) {
+    problem_ = error.what();
+  }
+  at->second.size = file_.size() - at->second.offset;
 }
 
 void BuildCache::keep(const ContentKey& key, std::span<const std::byte> bytes) {
-  const auto [at, is_new] = entries_.try_emplace(key);
-  if (!is_new) return;
-  at->second = {key, file_.size(), bytes.size(), hash_bytes(bytes)};
-  file_.write(bytes);
+  const std::lock_guard lock(mutex_);
+  add(key, [&] {
+    file_.write(bytes);
+    entries_[key].checksum = hash_bytes(bytes);
+  });
+}
+
+void BuildCache::keep_file(const ContentKey& key, const std::filesystem::path& file) {
+  const std::lock_guard lock(mutex_);
+  add(key, [&] {
+    const Descriptor opened = open_to_read(file);
+    StreamHash hash;
+    read_in_stretches(opened.number(), size_of(opened.number(), file.string()), file.string(),
+                      [&](std::span<const std::byte> bytes) {
+                        file_.write(bytes);
+                        hash.add(bytes);
+                      });
+    entries_[key].checksum = hash.checksum();
+  });
 }
 
 std::vector<std::byte> BuildCache::get(const ContentKey& key,
                                        const std::function<std::vector<std::byte>()>& make) {
-  std::vector<std::byte> bytes;
-  const bool found = read_old(key, bytes);
-  if (!found) bytes = make();
-  const std::lock_guard lock(mutex_);
-  ++(found ? found_ : made_);
+  std::optional<std::vector<std::byte>> known = find(key);
+  const bool found = known.has_value();
+  std::vector<std::byte> bytes = found ? std::move(*known) : make();
+  {
+    const std::lock_guard lock(mutex_);
+    ++(found ? found_ : made_);
+  }
   keep(key, bytes);
   return bytes;
 }
 
 void BuildCache::commit() {
+  if (!problem_.empty()) fail(place, "{}", problem_);
   std::vector<Entry> index;
   for (const auto& [key, entry] : entries_) index.push_back(entry);
   const auto bytes = std::as_bytes(std::span<const Entry>(index));

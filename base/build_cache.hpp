@@ -11,24 +11,39 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace triptych {
 
 /// The file is replaced as a whole by what one build asked for, so that it never holds more than that. Two
-/// builds with one file do not disturb each other: the later end wins.
+/// builds with one file do not disturb each other: the later end wins. What a killed build had written beside
+/// it is removed by the next one.
 class BuildCache {
  public:
   /// Opens what an earlier build left, if there is any. What another `program` made is not used, nor what is
   /// damaged: it is made again. Error (file) if its folder cannot be written.
   BuildCache(const std::filesystem::path& file, const ContentKey& program);
 
-  /// What is kept under the key, or else what `make` gives, which is kept. Safe on several threads.
+  /// What is kept under the key, or else what `make` gives, which is kept. Safe on several threads. A disk
+  /// that is full is no error before commit().
   std::vector<std::byte> get(const ContentKey& key, const std::function<std::vector<std::byte>()>& make);
   /// How often get() found something, and how often it did not.
   uint64_t found() const { return found_; }
   uint64_t made() const { return made_; }
-  /// Puts what was asked for in the file's place. Error if the disk is full.
+
+  /// What an earlier build kept under the key; it is kept further only by keep().
+  std::optional<std::vector<std::byte>> find(const ContentKey& key) const;
+  /// Hands it out a megabyte at a time. False where there is nothing, or where it is damaged: what was handed
+  /// out then is worth nothing.
+  bool read(const ContentKey& key, const std::function<void(std::span<const std::byte>)>& take) const;
+  /// The first one under a key stays.
+  void keep(const ContentKey& key, std::span<const std::byte> bytes);
+  void keep_file(const ContentKey& key, const std::filesystem::path& file);
+
+  /// Puts what was asked for in the file's place. Error if the disk is or was full; the file then stays as it
+  /// was.
   void commit();
 
  private:
@@ -36,9 +51,10 @@ class BuildCache {
     ContentKey key;
     uint64_t offset = 0, size = 0, checksum = 0;
   };
+  const Entry* old_entry(const ContentKey& key) const;
   void open_old(const std::filesystem::path& file);
-  bool read_old(const ContentKey& key, std::vector<std::byte>& bytes) const;
-  void keep(const ContentKey& key, std::span<const std::byte> bytes);
+  /// Writes what `write` does to the file's end, as the entry of the key.
+  void add(const ContentKey& key, const std::function<void()>& write);
 
   ContentKey program_;
   Descriptor old_;
@@ -46,6 +62,7 @@ class BuildCache {
   std::mutex mutex_;  ///< of what follows
   AtomicFile file_;
   std::map<ContentKey, Entry> entries_;
+  std::string problem_;  ///< why nothing more is written; empty: none
   uint64_t found_ = 0, made_ = 0;
 };
 

@@ -2,11 +2,14 @@
 
 #include "base/build_cache.hpp"
 #include "base/clock.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "launch/build_flags.hpp"
 #include "launch/command.hpp"
 #include "launch/import_flags.hpp"
+#include "launch/kept_build.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "model/import/import.hpp"
@@ -23,38 +26,43 @@ struct BuildCommand {
   std::filesystem::path output, json, cache;
 };
 
-void print(const BuildReport& report, const std::filesystem::path& output) {
-  for (const std::string& warning : report.import.warnings) notice("warning: {}", warning);
+/// What it says to a user; `report`: as report_json() made it.
+void print(const nlohmann::json& report, const std::filesystem::path& output) {
+  const auto count = [&](const char* key) { return report.at(key).get<uint64_t>(); };
+  const nlohmann::json& import = report.at("import");
+  const auto imported = [&](const char* key) { return import.at(key).get<uint64_t>(); };
+  const auto warnings = import.at("warnings").get<std::vector<std::string>>();
+  for (const std::string& warning : warnings) notice("warning: {}", warning);
   fmt::print("{}: {} drawables on {} levels, {} source and {} placed triangles, {} bytes\n", output.string(),
-             report.drawables, report.levels, report.source_triangles, report.placed_triangles,
-             in_threes(static_cast<double>(report.pack_bytes)));
+             count("drawables"), count("levels"), count("source_triangles"), count("placed_triangles"),
+             in_threes(static_cast<double>(count("pack_bytes"))));
   fmt::print("dropped triangles {}, welded vertices {}, repaired edges {}, stuck groups {}, warnings {}\n",
-             report.import.dropped_triangles, report.import.welded_vertices, report.import.repaired_edges,
-             report.import.stuck_groups, report.import.warnings.size());
-  if (report.covered.triangles > 0) {
+             imported("dropped_triangles"), imported("welded_vertices"), imported("repaired_edges"),
+             imported("stuck_groups"), warnings.size());
+  if (count("covered_triangles") > 0) {
     fmt::print("{} triangles lie right beneath others: {} parts keep their distance, or leave them out\n",
-               report.covered.triangles, report.covered.parts);
+               count("covered_triangles"), count("covering_parts"));
   }
-  if (report.layers.facets > 0) {
+  if (count("layered_facets") > 0) {
     fmt::print(
         "{} flat faces have others on them in their plane, in up to {} layers: those are drawn in front\n",
-        report.layers.facets, report.layers.most);
+        count("layered_facets"), count("most_layers"));
   }
-  if (report.layers.crowded_parts > 0) {
+  if (count("crowded_planes") > 0) {
     fmt::print("{} parts overlap so many larger ones that not all faces in one plane were looked for\n",
-               report.layers.crowded_parts);
+               count("crowded_planes"));
   }
-  if (report.contacts.contacts > 0) {
+  if (count("contacts") > 0) {
     fmt::print(
         "{} parts touch others at {} places: their levels of detail hold those; {} more chains for "
         "placements "
         "that touch nothing\n",
-        report.contacts.held_parts, report.contacts.contacts, report.contacts.added_chains);
+        count("contact_parts"), count("contacts"), count("contact_chains"));
   }
-  if (report.contacts.crowded_parts > 0) {
+  if (count("crowded_parts") > 0) {
     fmt::print(
         "{} parts touch or overlap so many larger ones that not all places where they touch are held\n",
-        report.contacts.crowded_parts);
+        count("crowded_parts"));
   }
 }
 
@@ -65,23 +73,11 @@ ContentKey this_program() {
   return writer.key();
 }
 
-/// What was taken from the cache and what was added to it, which is put in place. A build that was resumed
-/// knows only the rest: then the file stays as it was.
-nlohmann::json end_cache(BuildCache& cache, const std::filesystem::path& file, const BuildReport& report) {
-  const uint64_t all = cache.found() + cache.made();
-  fmt::print("{}: {} of {} pieces of work were done before\n", file.string(), cache.found(), all);
-  if (report.resumed_units == 0) cache.commit();
-  return {{"found", cache.found()},
-          {"made", cache.made()},
-          {"bytes", std::filesystem::exists(file) ? std::filesystem::file_size(file) : 0}};
-}
-
+/// What of a report holds for every build of the same model.
 nlohmann::json report_json(const BuildReport& report, const BuildOptions& options,
-                           const std::vector<std::filesystem::path>& files, double seconds) {
-  nlohmann::json stages = nlohmann::json::array(), names = stages;
+                           const std::vector<std::filesystem::path>& files) {
+  std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.string());
-  for (const BuildStage& stage : report.stages)
-    stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
   return {{"source_triangles", report.source_triangles},
           {"placed_triangles", report.placed_triangles},
           {"drawables", report.drawables},
@@ -89,36 +85,97 @@ nlohmann::json report_json(const BuildReport& report, const BuildOptions& option
           {"instances", report.instances},
           {"levels", report.levels},
           {"pack_bytes", report.pack_bytes},
-          {"peak_rss_bytes", peak_resident_bytes()},
           {"keep", name_of(options.keep)},
           {"covered_triangles", report.covered.triangles},
           {"covering_parts", report.covered.parts},
           {"layered_facets", report.layers.facets},
           {"layered_triangles", report.layers.triangles},
           {"most_layers", report.layers.most},
+          {"crowded_planes", report.layers.crowded_parts},
           {"contacts", report.contacts.contacts},
           {"contact_parts", report.contacts.held_parts},
           {"contact_chains", report.contacts.added_chains},
-          {"resumed_units", report.resumed_units},
-          {"seconds", seconds},
-          {"stages", stages},
+          {"crowded_parts", report.contacts.crowded_parts},
           {"files", names},
           {"import", to_json(report.import)}};
 }
+
+/// Adds what this run took.
+void add_run(nlohmann::json& report, const std::vector<BuildStage>& stages, uint64_t resumed_units,
+             double seconds) {
+  report["stages"] = nlohmann::json::array();
+  for (const BuildStage& stage : stages)
+    report["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  report["resumed_units"] = resumed_units;
+  report["peak_rss_bytes"] = peak_resident_bytes();
+  report["seconds"] = seconds;
+}
+
+/// The cache of a build, if it has one.
+class UsedCache {
+ public:
+  explicit UsedCache(const BuildCommand& command) : file_(command.cache) {
+    if (file_.empty()) return;
+    cache_.emplace(file_, this_program());
+    build_.emplace(*cache_, command.flags);
+  }
+
+  BuildCache* cache() { return cache_ ? &*cache_ : nullptr; }
+
+  /// KeptBuild::take(); what there is in the cache then stays.
+  std::optional<nlohmann::json> take(const std::filesystem::path& output) const {
+    auto report = build_ ? build_->take(output) : std::nullopt;
+    if (report) (*report)["cache"] = figures(1, 0);
+    return report;
+  }
+
+  /// Puts in place what was taken from the cache and what was added to it, and the whole build. One that was
+  /// resumed knows only the rest: then the file stays as it was. Returns figures.
+  nlohmann::json end(const nlohmann::json& report, bool is_resumed, const std::filesystem::path& output) {
+    try {
+      if (!is_resumed) {
+        build_->keep(report, output);
+        cache_->commit();
+      }
+    } catch (const Error& error) {
+      notice("warning: the cache stays as it was: {}", error.what());
+    }
+    fmt::print("{}: {} of {} pieces of work were done before\n", file_.string(), cache_->found(),
+               cache_->found() + cache_->made());
+    return figures(cache_->found(), cache_->made());
+  }
+
+ private:
+  nlohmann::json figures(uint64_t found, uint64_t made) const {
+    return {{"found", found},
+            {"made", made},
+            {"bytes", std::filesystem::exists(file_) ? std::filesystem::file_size(file_) : 0}};
+  }
+
+  std::filesystem::path file_;
+  std::optional<BuildCache> cache_;
+  std::optional<KeptBuild> build_;
+};
 
 int run(const BuildCommand& command) {
   check_are_no_packs(command.flags.inputs);
   check_is_no_model_file({command.output, command.json, command.cache}, command.flags.inputs);
   check_may_become_pack(command.output);
   const Stopwatch stopwatch;
+  UsedCache kept(command);
+  if (auto report = kept.take(command.output)) {
+    print(*report, command.output);
+    fmt::print("{}: nothing has changed since that pack was built\n", command.cache.string());
+    add_run(*report, {{"copy", stopwatch.seconds()}}, 0, stopwatch.seconds());
+    write_json(command.json, *report);
+    return 0;
+  }
   ImportOptions import = command.flags.import;
   import.temporary_folder = std::filesystem::absolute(command.output).parent_path();
   const uint64_t memory = command.flags.options().memory;
   keep_freed_memory_below(memory / 16);
   import.held_bytes = memory / 8;
   import.position_cache_bytes = memory / 16;
-  std::optional<BuildCache> cache;
-  if (!command.cache.empty()) cache.emplace(command.cache, this_program());
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
   BuildOptions options = command.flags.options();
@@ -127,17 +184,20 @@ int run(const BuildCommand& command) {
     say_system(*system, options.said);
   options.fingerprint = build_fingerprint(command.flags, model.files);
   const std::vector<std::filesystem::path> files = model.files;
-  if (cache) options.cache = &*cache;
-  BuildReport report = build_pack(std::move(model), options, command.output);
-  report.stages.insert(report.stages.begin(), {"import", import_seconds});
+  options.cache = kept.cache();
+  const BuildReport report = build_pack(std::move(model), options, command.output);
+  nlohmann::json json = report_json(report, options, files);
+  const nlohmann::json for_every_build = json;
   const uint64_t peak = peak_resident_bytes();
   if (peak > options.memory) {
-    report.import.warnings.push_back(
+    json["import"]["warnings"].push_back(
         fmt::format("the build took {} MiB, more than --memory's {}", peak >> 20, options.memory >> 20));
   }
-  print(report, command.output);
-  nlohmann::json json = report_json(report, options, files, stopwatch.seconds());
-  if (cache) json["cache"] = end_cache(*cache, command.cache, report);
+  print(json, command.output);
+  if (kept.cache()) json["cache"] = kept.end(for_every_build, report.resumed_units > 0, command.output);
+  std::vector<BuildStage> stages = {{"import", import_seconds}};
+  stages.insert(stages.end(), report.stages.begin(), report.stages.end());
+  add_run(json, stages, report.resumed_units, stopwatch.seconds());
   write_json(command.json, json);
   return 0;
 }

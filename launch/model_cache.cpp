@@ -4,9 +4,9 @@
 #include "base/file.hpp"
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
-#include "base/inject.hpp"
 #include "base/notice.hpp"
 #include "launch/entry_lock.hpp"
+#include "launch/model_content.hpp"
 #include "launch/run_program.hpp"
 #include "scene/pack.hpp"
 
@@ -21,7 +21,6 @@ namespace triptych {
 namespace {
 
 using nlohmann::json;
-using Files = std::vector<std::filesystem::path>;
 
 /// A variable of the environment that is set and not empty.
 std::filesystem::path variable(const char* name) {
@@ -29,39 +28,6 @@ std::filesystem::path variable(const char* name) {
   return value ? value : "";
 }
 
-/// The checksum of what is in the file, as text; "missing" where there is none.
-std::string content_of(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) return "missing";
-  const Descriptor opened = open_to_read(file);
-  StreamHash hash;
-  read_in_stretches(opened.number(), size_of(opened.number(), file.string()), file.string(),
-                    [&](std::span<const std::byte> bytes) { hash.add(bytes); });
-  return fmt::format("{:016x}", hash.checksum());
-}
-
-/// What decides what the pack is, in words. Files are named as they lie from the first model on.
-/// Any name, also one that is no UTF-8, as JSON can hold it.
-std::string in_ascii(const std::string& name) {
-  std::string text;
-  for (const char letter : name) {
-    const auto byte = static_cast<unsigned char>(letter);
-    text +=
-        byte >= 0x20 && byte < 0x7f && letter != '%' ? std::string(1, letter) : fmt::format("%{:02x}", byte);
-  }
-  return text;
-}
-
-std::string key_of(const BuildFlags& flags, const Files& files, const std::filesystem::path& folder) {
-  std::string key = "program " + content_of("/proc/self/exe") + "\n";
-  for (const auto& [flag, value] : build_words(flags)) key += flag + " " + value + "\n";
-  for (const std::string& fault : injected_names()) key += "fault " + fault + "\n";
-  key += fmt::format("{} models\n", flags.inputs.size());
-  for (const auto& file : files)
-    key += content_of(file) + " " +
-           in_ascii(std::filesystem::absolute(file).lexically_relative(folder).string()) + "\n";
-  return key;
-}
 
 /// Whether the folder is an entry of the cache: NAME-0123456789abcdef, with a lock.
 bool is_entry(const std::filesystem::path& folder) {
@@ -95,9 +61,8 @@ void remove_unused(const std::filesystem::path& cache) {
 /// and the files that were read beside those of the key, relative to the first model.
 class Entry {
  public:
-  Entry(const std::filesystem::path& folder, std::string key, std::filesystem::path models,
-        const std::string& name)
-      : folder_(folder), key_(std::move(key)), models_(std::move(models)), pack_(folder / (name + ".tpk")) {}
+  Entry(const std::filesystem::path& folder, const ModelContent& content, const std::string& name)
+      : folder_(folder), content_(content), pack_(folder / (name + ".tpk")) {}
 
   const std::filesystem::path& pack() const { return pack_; }
 
@@ -107,10 +72,9 @@ class Entry {
       return false;
     try {
       const json said_then = json::parse(read_text_file(said()));
-      if (said_then.at("key") != key_) return false;
-      for (const auto& [name, content] : said_then.at("read").items()) {
-        if (content != content_of(models_ / name)) return false;
-      }
+      if (said_then.at("key") != content_.key() ||
+          !content_.still_holds(said_then.at("read").get<ModelContent::Files>()))
+        return false;
       Pack{pack_};  // reads all but the geometry
       return true;
     } catch (const json::exception&) {
@@ -120,7 +84,7 @@ class Entry {
     }
   }
 
-  void build(const BuildFlags& flags, const Files& known, const EntryLock& lock) const {
+  void build(const BuildFlags& flags, const EntryLock& lock) const {
     std::error_code error;
     std::filesystem::remove(said(), error);
     // A signal ends this process as it would without the build; the child gets its own when this one is gone.
@@ -129,29 +93,23 @@ class Entry {
       return run_build(
           flags, pack_, [] { return false; }, [&](pid_t builder) { shared.note_builder(builder); });
     }();
-    std::map<std::string, std::string> read;
-    for (const std::string name : report.at("files")) {
-      const auto relative = std::filesystem::absolute(name).lexically_relative(models_);
-      const auto is_it = [&](const std::filesystem::path& file) {
-        return std::filesystem::absolute(file).lexically_relative(models_) == relative;
-      };
-      if (std::none_of(known.begin(), known.end(), is_it)) read[relative.string()] = content_of(name);
-    }
-    if (key_of(flags, known, models_) != key_) {
+    const ModelContent::Files read = content_.opened(report.at("files").get<std::vector<std::string>>());
+    if (content_.key_now() != content_.key()) {
       std::filesystem::remove(pack_, error);
       fail(flags.inputs.front().string(), "or a file that it names changed while a pack of it was built");
     }
     write_file(
         said(),
-        json({{"key", key_}, {"read", read}}).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+        json({{"key", content_.key()}, {"read", read}}).dump(2, ' ', false, json::error_handler_t::replace) +
+            "\n");
   }
 
  private:
   std::filesystem::path said() const { return folder_ / "key.json"; }
 
   std::filesystem::path folder_;
-  std::string key_;
-  std::filesystem::path models_, pack_;
+  const ModelContent& content_;
+  std::filesystem::path pack_;
 };
 
 }  // namespace
@@ -165,9 +123,8 @@ std::filesystem::path cache_folder() {
 }
 
 std::filesystem::path cached_pack(const BuildFlags& flags) {
-  const Files files = files_of_models(flags.inputs);
-  const std::filesystem::path models = std::filesystem::absolute(flags.inputs.front()).parent_path();
-  const std::string key = key_of(flags, files, models), name = flags.inputs.front().stem().string();
+  const ModelContent content(flags);
+  const std::string key = content.key(), name = flags.inputs.front().stem().string();
   const std::filesystem::path folder =
       cache_folder() / fmt::format("{}-{:016x}", name, hash_values(std::span<const char>(key)));
   std::optional<EntryLock> lock;
@@ -178,13 +135,13 @@ std::filesystem::path cached_pack(const BuildFlags& flags) {
     lock->wait();
   } while (!lock->is_there());
   lock->note_use();
-  const Entry entry(folder, key, models, name);
+  const Entry entry(folder, content, name);
   if (!entry.holds()) {
     remove_unused(cache_folder());
     notice("{}{}: building a pack, which is kept as {}", flags.inputs.front().string(),
            flags.inputs.size() > 1 ? fmt::format(" and {} more", flags.inputs.size() - 1) : "",
            entry.pack().string());
-    entry.build(flags, files, *lock);
+    entry.build(flags, *lock);
   }
   return entry.pack();
 }

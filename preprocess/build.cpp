@@ -15,7 +15,9 @@
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
 #include "preprocess/parts.hpp"
+#include "preprocess/placed_cache.hpp"
 #include "scene/expand.hpp"
+#include "scene/file_objects.hpp"
 
 #include <algorithm>
 
@@ -55,18 +57,18 @@ struct Hierarchies {
   void make_nodes(HierarchyKind kind) {
     for (const Objects& own : objects) {
       nodes.emplace_back();
-      if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind, own.leaves);
+      if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind, own.leaves, own.files);
     }
   }
 
   /// For each hierarchy where its placed parts touch.
   std::vector<FoundContacts> contacts(const Parts& parts, const SpoolFile& geometry,
-                                      const BuildOptions& options) const {
+                                      const BuildOptions& options, const PlacedCache& kept) const {
     std::vector<FoundContacts> found;
     for (uint32_t i = 0; i < nodes.size(); ++i) {
       const PlacedParts& placed = parts.hierarchies[i];
       found.push_back(find_contacts(parts, placed, leaf_places(objects[i], nodes[i], placed.placed.size()),
-                                    geometry, options.memory / 4));
+                                    geometry, options.memory / 4, kept));
     }
     return found;
   }
@@ -236,18 +238,23 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
         [&] { parts = make_parts(model, std::move(plan), options, work, skeleton.import); });
   SourceObjects source_objects = std::move(model.source_objects);
   model = {};
-  stage("cluster and partition", [&] { hierarchies.objects = make_objects(parts, options); });
+  stage("cluster and partition", [&] {
+    const bool several = file_objects(source_objects).size() > 1;
+    hierarchies.objects =
+        make_objects(parts, options, several ? files_of_objects(source_objects) : std::vector<uint32_t>());
+  });
   stage("hierarchy", [&] { hierarchies.make_nodes(options.hierarchy); });
+  const PlacedCache kept(options.cache, parts, work.parts());
   if (options.keeps_order())
-    stage("covered", [&] { report.covered = make_room(parts, work.parts(), options.memory / 4); });
+    stage("covered", [&] { report.covered = make_room(parts, work.parts(), options.memory / 4, kept); });
   if (options.makes_layers()) {
-    stage("layers", [&] { report.layers = make_layers(parts, work.parts(), options.memory / 4); });
+    stage("layers", [&] { report.layers = make_layers(parts, work.parts(), options.memory / 4, kept); });
     if (report.layers.facets > 0) skeleton.effects.push_back(layers_effect);
   }
   if (options.holds_contacts()) {
     stage("contacts", [&] {
       report.contacts =
-          hold_contacts(parts, hierarchies.contacts(parts, work.parts(), options), work.parts());
+          hold_contacts(parts, hierarchies.contacts(parts, work.parts(), options, kept), work.parts());
     });
   }
   stage("leaf LODs",

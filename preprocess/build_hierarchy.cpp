@@ -1,5 +1,6 @@
 #include "preprocess/build_hierarchy.hpp"
 
+#include "preprocess/joint_ranges.hpp"
 #include "simplify/median_split.hpp"
 
 #include <algorithm>
@@ -101,8 +102,10 @@ std::vector<Range> quarters(const Splitter& splitter, Range range) {
 }  // namespace
 
 std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects, HierarchyKind kind,
-                                           std::span<const uint64_t> leaves) {
+                                           std::span<const uint64_t> leaves,
+                                           std::span<const uint32_t> files) {
   const Splitter splitter(objects, leaves);
+  const JointRanges joint(objects, leaves, files);
   std::vector<uint32_t> order(objects.size());
   std::iota(order.begin(), order.end(), 0u);
   std::vector<HierarchyNode> nodes(1);
@@ -116,8 +119,9 @@ std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects
       continue;
     }
     nodes[i].first_child = static_cast<uint32_t>(nodes.size());
-    const std::vector<Range> children =
-        kind == HierarchyKind::median_split ? splitter.halves(range) : quarters(splitter, range);
+    const std::vector<Range> children = kind == HierarchyKind::median_split ? splitter.halves(range)
+                                        : joint.is_joint(range)             ? joint.split(range)
+                                                                            : quarters(splitter, range);
     for (const Range child : children) {
       HierarchyNode& node = nodes.emplace_back();
       node.parent = static_cast<uint32_t>(i);

@@ -31,9 +31,11 @@ struct HierarchyNode {
 /// children. With HierarchyKind::median_split each split is along the longest axis and makes one level. At
 /// least one object must be given; a single one gives a root that is a leaf. `leaves`: how many leaves of the
 /// whole tree each object stands for; empty if each is one. An object that stands for a sub-hierarchy counts
-/// with all its leaves, and so is as near to the root as its size requires.
+/// with all its leaves, and so is as near to the root as its size requires. `files`: which file of the model
+/// each is of; empty if there is one. Ranges of several files are split as preprocess/joint_ranges.hpp says.
 std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects,
                                            HierarchyKind kind = HierarchyKind::partition_cluster_partition,
-                                           std::span<const uint64_t> leaves = {});
+                                           std::span<const uint64_t> leaves = {},
+                                           std::span<const uint32_t> files = {});
 
 }  // namespace triptych

@@ -89,8 +89,9 @@ Baked bake(std::span<const HlodSource> sources, double error, const HlodPlace& w
 
 UnitResult hlod_unit(std::vector<HlodSource> sources, double error, uint32_t first_place, uint32_t end_place,
                      const std::vector<ErrorGap>& gaps, const HlodPlace& where) {
-  Relocation place(first_place);
-  for (const HlodSource& source : sources) place.take_in(source.objects);
+  Relocation place(first_place, end_place);
+  for (const HlodSource& source : sources) place.take_in(source.spans, source.objects);
+  place.finish();
   for (HlodSource& source : sources) place.to_own(source.spans, source.objects);
   const uint32_t leaves = end_place - first_place;
   ContentKeyWriter key;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <glm/vec4.hpp>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -44,6 +45,11 @@ double even_diagonal(std::span<const ObjectExtent> extents, uint64_t leaf_triang
   return std::max(weighted_median(std::move(places)), 2 * weighted_median(std::move(parts)));
 }
 
+/// The file of a source object; what belongs to none is of the first.
+uint32_t file_at(std::span<const uint32_t> file_of, SourceObjectId object) {
+  return object < file_of.size() ? file_of[object] : 0;
+}
+
 /// Placed parts come instance by instance.
 Objects original_objects(const PlacedParts& parts, std::span<const ObjectExtent> extents) {
   Objects objects;
@@ -61,17 +67,17 @@ Objects original_objects(const PlacedParts& parts, std::span<const ObjectExtent>
   return objects;
 }
 
-/// Clusters the parts of one hierarchy.
-Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>& extents,
-                      const BuildOptions& options) {
-  if (extents.empty()) return {};
+/// Clusters some of a hierarchy's placed parts, `own`, and adds what they become.
+void cluster_parts(const std::vector<ObjectExtent>& all, std::span<const uint32_t> own,
+                   const BuildOptions& options, Objects& objects) {
+  std::vector<ObjectExtent> extents, small_extents;
   std::vector<uint32_t> small;
-  std::vector<ObjectExtent> small_extents;
   std::vector<std::vector<uint32_t>> clusters;
-  for (uint32_t i = 0; i < extents.size(); ++i) {
-    if (extents[i].triangles <= options.leaf_triangles / 2) {
+  for (const uint32_t i : own) {
+    extents.push_back(all[i]);
+    if (all[i].triangles <= options.leaf_triangles / 2) {
       small.push_back(i);
-      small_extents.push_back(extents[i]);
+      small_extents.push_back(all[i]);
     } else {
       clusters.push_back({i});
     }
@@ -85,11 +91,23 @@ Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>&
     for (const uint32_t index : cluster) members.push_back(small[index]);
   }
   std::sort(clusters.begin(), clusters.end());
-
-  Objects objects;
   for (const auto& cluster : clusters) {
-    auto pieces = partition_objects(extents, cluster, options.leaf_triangles);
+    auto pieces = partition_objects(all, cluster, options.leaf_triangles);
     std::move(pieces.begin(), pieces.end(), std::back_inserter(objects.members));
+  }
+  objects.counts.clusters += clusters.size();
+}
+
+/// Clusters the parts of one hierarchy, those of each file by themselves. files: of each placed part; empty
+/// where there is one.
+Objects cluster_by_file(const PlacedParts& parts, const std::vector<ObjectExtent>& extents,
+                        std::span<const uint32_t> files, const BuildOptions& options) {
+  std::map<uint32_t, std::vector<uint32_t>> by_file;
+  for (uint32_t i = 0; i < extents.size(); ++i) by_file[files.empty() ? 0 : files[i]].push_back(i);
+  Objects objects;
+  for (const auto& [file, own] : by_file) {
+    cluster_parts(extents, own, options, objects);
+    if (!files.empty()) objects.files.resize(objects.members.size(), file);
   }
   for (const auto& members : objects.members) {
     ObjectExtent& extent = objects.extents.emplace_back();
@@ -98,12 +116,15 @@ Objects cluster_parts(const PlacedParts& parts, const std::vector<ObjectExtent>&
       extent.triangles += extents[member].triangles;
     }
   }
-  objects.counts = {parts.instances, parts.placed.size(), clusters.size(), objects.members.size()};
+  objects.counts.initial = parts.instances;
+  objects.counts.partition1 = parts.placed.size();
+  objects.counts.partition2 = objects.members.size();
   return objects;
 }
 
 /// Adds the placed sub-hierarchies that are not empty.
-void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> before, Objects& objects) {
+void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> before,
+                         std::span<const uint32_t> file_of, Objects& objects) {
   objects.leaves.assign(objects.extents.size(), 1);
   for (uint32_t i = 0; i < parts.sub_hierarchies.size(); ++i) {
     const PlannedSubHierarchy& placed = parts.sub_hierarchies[i];
@@ -115,6 +136,7 @@ void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> befo
     if (extent.triangles == 0) continue;
     objects.sub_hierarchies.push_back(i);
     objects.extents.push_back(extent);
+    if (!file_of.empty()) objects.files.push_back(file_at(file_of, placed.first_object));
     const std::vector<uint64_t>& inner = before[placed.hierarchy].leaves;
     objects.leaves.push_back(std::accumulate(inner.begin(), inner.end(), uint64_t{0}));
   }
@@ -122,17 +144,24 @@ void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> befo
 
 }  // namespace
 
-std::vector<Objects> make_objects(const Parts& parts, const BuildOptions& options) {
+std::vector<Objects> make_objects(const Parts& parts, const BuildOptions& options,
+                                  std::span<const uint32_t> file_of) {
   std::vector<Objects> all;
   for (const PlacedParts& placed : parts.hierarchies) {
+    // What repeats is of one file.
+    const bool is_joint = &placed == &parts.hierarchies.back() && !file_of.empty() &&
+                          options.hierarchy == HierarchyKind::partition_cluster_partition;
     std::vector<ObjectExtent> extents(placed.placed.size());
+    std::vector<uint32_t> files;
     for (size_t i = 0; i < extents.size(); ++i) {
       extents[i].box = parts.lattices[placed.lattice].box(placed.boxes[i]);
       extents[i].triangles = parts.parts[placed.placed[i].part].triangles;
+      if (is_joint) files.push_back(file_at(file_of, placed.objects[placed.placed[i].instance]));
     }
-    all.push_back(options.hierarchy == HierarchyKind::median_split ? original_objects(placed, extents)
-                                                                   : cluster_parts(placed, extents, options));
-    add_sub_hierarchies(placed, all, all.back());
+    all.push_back(options.hierarchy == HierarchyKind::median_split
+                      ? original_objects(placed, extents)
+                      : cluster_by_file(placed, extents, files, options));
+    add_sub_hierarchies(placed, all, is_joint ? file_of : std::span<const uint32_t>(), all.back());
   }
   return all;
 }

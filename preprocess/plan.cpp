@@ -1,6 +1,7 @@
 #include "preprocess/plan.hpp"
 
 #include "base/error.hpp"
+#include "base/hashing.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
 #include "model/import/display_color.hpp"
@@ -9,8 +10,10 @@
 #include "preprocess/placements.hpp"
 #include "preprocess/strays.hpp"
 #include "preprocess/transforms.hpp"
+#include "scene/file_objects.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <fmt/ranges.h>
 #include <glm/glm.hpp>
@@ -39,17 +42,37 @@ Box box_of(const Mesh& mesh, const Affine& transform) {
   return box;
 }
 
-void make_palette(const std::vector<Material>& materials, BuildPlan& plan) {
+std::array<uint8_t, 4> display_color(const Material& material) {
+  const glm::vec4& factor = material.base_color;
+  return {display_byte(factor.r), display_byte(factor.g), display_byte(factor.b),
+          static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
+}
+
+/// Colours in the order of the materials. Of a model of several files, whose later ones would be renumbered
+/// with each new colour of an earlier one, each has the place that its hash says, or the next that is free,
+/// in a table with room to spare.
+void make_palette(const Model& model, BuildPlan& plan) {
   std::map<std::array<uint8_t, 4>, uint32_t> indices;
-  for (const Material& material : materials) {
-    const glm::vec4& factor = material.base_color;
-    const std::array<uint8_t, 4> color = {
-        display_byte(factor.r), display_byte(factor.g), display_byte(factor.b),
-        static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
-    const auto [found, inserted] = indices.try_emplace(color, static_cast<uint32_t>(plan.palette.size()));
-    if (inserted) plan.palette.push_back(color);
-    if (plan.palette.size() > max_colors) fail("build", "the model has more than {} colours", max_colors);
-    plan.colors.push_back(found->second);
+  for (const Material& material : model.materials) indices[display_color(material)] = no_id;
+  if (indices.size() > max_colors) fail("build", "the model has more than {} colours", max_colors);
+  constexpr size_t room = 8;
+  const size_t places = std::bit_ceil(room * indices.size());
+  const bool by_hash = file_objects(model.source_objects).size() > 1 && places <= max_colors;
+  if (by_hash) plan.palette.resize(places);
+  std::vector<uint8_t> taken(plan.palette.size(), 0);
+  for (const Material& material : model.materials) {
+    const std::array<uint8_t, 4> color = display_color(material);
+    uint32_t& index = indices[color];
+    if (index == no_id && by_hash) {
+      index = static_cast<uint32_t>(hash_values(std::span<const uint8_t>(color)) % places);
+      while (taken[index]) index = static_cast<uint32_t>((index + 1) % places);
+      taken[index] = 1;
+      plan.palette[index] = color;
+    } else if (index == no_id) {
+      index = static_cast<uint32_t>(plan.palette.size());
+      plan.palette.push_back(color);
+    }
+    plan.colors.push_back(index);
   }
 }
 
@@ -180,7 +203,7 @@ void make_lattices(BuildPlan& plan) {
 
 BuildPlan make_plan(const Model& model, const BuildOptions& options) {
   BuildPlan plan;
-  make_palette(model.materials, plan);
+  make_palette(model, plan);
   plan.tint = VertexTint(model.materials);
   Planner(model, options, plan).run();
   Progress progress("measuring meshes", plan.meshes.size());

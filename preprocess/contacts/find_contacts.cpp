@@ -90,49 +90,148 @@ void merge(std::vector<Contact>& contacts) {
   contacts.resize(kept);
 }
 
+/// What a group of placed parts has in contact with larger ones.
+struct FoundPair {
+  uint32_t member = 0;     ///< index in the group
+  uint32_t neighbour = 0;  ///< index among those that the member was compared with
+  float reach = 0;
+  std::vector<uint32_t> of_member, of_neighbour;  ///< points
+};
+struct GroupContacts {
+  std::vector<FoundPair> pairs;
+  uint64_t crowded = 0;
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<FoundPair> = std::tuple(&FoundPair::member, &FoundPair::neighbour,
+                                                             &FoundPair::reach, &FoundPair::of_member,
+                                                             &FoundPair::of_neighbour);
+template <>
+inline constexpr auto record_members<GroupContacts> = std::tuple(&GroupContacts::pairs,
+                                                                 &GroupContacts::crowded);
+
+namespace {
+
+class ContactFinder {
+ public:
+  ContactFinder(const Parts& parts, const PlacedParts& hierarchy, const SpoolFile& geometry, uint64_t memory,
+                const PlacedCache& kept)
+      : hierarchy_(hierarchy),
+        lattice_(parts.lattices[hierarchy.lattice]),
+        tolerance_(contact_steps * lattice_.step),
+        kept_(kept),
+        boxes_(boxes_of(hierarchy, lattice_, tolerance_)),
+        larger_boxes_(boxes_),
+        cache_(parts, geometry, memory) {}
+
+  /// Of the parts from `first` up to `end`.
+  std::vector<Contact> look_at(uint32_t first, uint32_t end, const std::vector<uint32_t>& places,
+                               std::atomic<uint64_t>& crowded) {
+    std::vector<std::vector<uint32_t>> larger;
+    for (uint32_t number = first; number < end; ++number) larger.push_back(larger_than(number));
+    const auto found = group(first, larger);
+    crowded += found.crowded;
+    std::vector<Contact> contacts;
+    for (const FoundPair& pair : found.pairs) {
+      const uint32_t number = first + pair.member, other = larger.at(pair.member).at(pair.neighbour);
+      for (const uint32_t point : pair.of_member)
+        contacts.push_back({number, point, {places[other], places[other], pair.reach}});
+      for (const uint32_t point : pair.of_neighbour)
+        contacts.push_back({other, point, {places[number], places[number], pair.reach}});
+    }
+    merge(contacts);
+    return contacts;
+  }
+
+ private:
+  static constexpr size_t most_touched = 32, most_tried = 1024;
+
+  static std::vector<Box> boxes_of(const PlacedParts& hierarchy, const Lattice& lattice, double tolerance) {
+    std::vector<Box> boxes;
+    for (const LatticeBox& box : hierarchy.boxes) boxes.push_back(grown(lattice.box(box), tolerance));
+    return boxes;
+  }
+
+  /// The larger parts of other instances that this one may touch, ascending; one more than are tried where
+  /// there are more.
+  std::vector<uint32_t> larger_than(uint32_t number) const {
+    // Of what is smaller the tolerance cannot tell which points touch.
+    constexpr double least_diagonal = 8;
+    std::vector<uint32_t> found;
+    if (diagonal(lattice_.box(hierarchy_.boxes[number])) < least_diagonal * tolerance_) return found;
+    larger_boxes_.visit(number, [&](uint32_t larger) {
+      if (hierarchy_.placed[larger].instance != hierarchy_.placed[number].instance) found.push_back(larger);
+      return found.size() <= most_tried;
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  GroupContacts group(uint32_t first, const std::vector<std::vector<uint32_t>>& larger) {
+    const auto make = [&] {
+      GroupContacts result;
+      for (uint32_t i = 0; i < larger.size(); ++i) compare(first + i, i, larger[i], result);
+      return result;
+    };
+    const bool is_any = std::any_of(larger.begin(), larger.end(), [](auto& own) { return !own.empty(); });
+    if (!is_any || !kept_.is_used()) return make();
+    ContentKeyWriter key;
+    kept_.begin(key, "contacts", hierarchy_);
+    for (uint32_t i = 0; i < larger.size(); ++i) {
+      key.write(uint64_t{larger[i].size()});
+      if (larger[i].empty()) continue;
+      kept_.add(key, hierarchy_, first + i);
+      for (const uint32_t other : larger[i]) kept_.add(key, hierarchy_, other);
+    }
+    return kept_.get<GroupContacts>(key, make);
+  }
+
+  void compare(uint32_t number, uint32_t member, const std::vector<uint32_t>& larger, GroupContacts& found) {
+    std::optional<Placed> own;
+    size_t touched = 0;
+    for (uint32_t i = 0; i < larger.size(); ++i) {
+      if (touched == most_touched || i == most_tried) {
+        ++found.crowded;
+        return;
+      }
+      if (!own) own.emplace(hierarchy_, number, cache_);
+      const Box both{glm::max(boxes_[number].lo, boxes_[larger[i]].lo),
+                     glm::min(boxes_[number].hi, boxes_[larger[i]].hi)};
+      Touching pair = touching(*own, Placed(hierarchy_, larger[i], cache_), both, tolerance_);
+      if (pair.of_first.empty() && pair.of_second.empty()) continue;
+      ++touched;
+      const auto reach = static_cast<float>(diagonal(pair.places) / lattice_.step);
+      found.pairs.push_back({member, i, reach, std::move(pair.of_first), std::move(pair.of_second)});
+    }
+  }
+
+  const PlacedParts& hierarchy_;
+  const Lattice& lattice_;
+  double tolerance_;
+  const PlacedCache& kept_;
+  std::vector<Box> boxes_;
+  LargerBoxes larger_boxes_;
+  RimCache cache_;
+};
+
 }  // namespace
 
 FoundContacts find_contacts(const Parts& parts, const PlacedParts& hierarchy,
-                            const std::vector<uint32_t>& places, const SpoolFile& geometry, uint64_t memory) {
-  constexpr size_t most_touched = 32, most_tried = 1024, merged_at_once = 256;
-  // Of what is smaller the tolerance cannot tell which points touch.
-  constexpr double least_diagonal = 8;
-  const Lattice& lattice = parts.lattices[hierarchy.lattice];
-  const double tolerance = contact_steps * lattice.step;
-  std::vector<Box> boxes;
-  for (const LatticeBox& box : hierarchy.boxes) boxes.push_back(grown(lattice.box(box), tolerance));
-  const LargerBoxes larger_boxes(boxes);
-  RimCache cache(parts, geometry, memory);
+                            const std::vector<uint32_t>& places, const SpoolFile& geometry, uint64_t memory,
+                            const PlacedCache& kept) {
+  constexpr size_t merged_at_once = 16;
+  ContactFinder finder(parts, hierarchy, geometry, memory, kept);
+  const std::vector<uint32_t> ends = kept.group_ends(hierarchy);
   FoundContacts found;
   std::atomic<uint64_t> crowded = 0;
   size_t merged = size_t{1} << 16;  // how many contacts there were when they were merged last
-  for (size_t first = 0; first < boxes.size(); first += merged_at_once) {
-    std::vector<std::vector<Contact>> batch(std::min(merged_at_once, boxes.size() - first));
+  for (size_t first = 0; first < ends.size(); first += merged_at_once) {
+    std::vector<std::vector<Contact>> batch(std::min(merged_at_once, ends.size() - first));
     parallel_for(batch.size(), [&](size_t index) {
-      const auto number = static_cast<uint32_t>(first + index);
-      if (diagonal(lattice.box(hierarchy.boxes[number])) < least_diagonal * tolerance) return;
-      std::optional<Placed> own;
-      size_t touched = 0, tried = 0;
-      larger_boxes.visit(number, [&](uint32_t larger) {
-        if (hierarchy.placed[larger].instance == hierarchy.placed[number].instance) return true;
-        if (touched == most_touched || tried++ == most_tried) {
-          ++crowded;
-          return false;
-        }
-        if (!own) own.emplace(hierarchy, number, cache);
-        const Box both{glm::max(boxes[number].lo, boxes[larger].lo),
-                       glm::min(boxes[number].hi, boxes[larger].hi)};
-        const Touching pair = touching(*own, Placed(hierarchy, larger, cache), both, tolerance);
-        if (pair.of_first.empty() && pair.of_second.empty()) return true;
-        ++touched;
-        const auto reach = static_cast<float>(diagonal(pair.places) / lattice.step);
-        for (const uint32_t point : pair.of_first)
-          batch[index].push_back({number, point, {places[larger], places[larger], reach}});
-        for (const uint32_t point : pair.of_second)
-          batch[index].push_back({larger, point, {places[number], places[number], reach}});
-        return true;
-      });
-      merge(batch[index]);
+      const size_t group = first + index;
+      batch[index] = finder.look_at(group == 0 ? 0 : ends[group - 1], ends[group], places, crowded);
     });
     for (const auto& contacts : batch)
       found.contacts.insert(found.contacts.end(), contacts.begin(), contacts.end());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preprocess/parts.hpp"
+#include "preprocess/placed_cache.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -29,8 +30,9 @@ struct FoundContacts {
 /// overlap its own.
 ///
 /// places: for each placed part that of its leaf. Reads the parts' geometry from the file; run on all cores.
-/// `memory`: bytes that geometry may take at a time, roughly.
+/// `memory`: bytes that geometry may take at a time, roughly. kept: what earlier builds found.
 FoundContacts find_contacts(const Parts& parts, const PlacedParts& hierarchy,
-                            const std::vector<uint32_t>& places, const SpoolFile& geometry, uint64_t memory);
+                            const std::vector<uint32_t>& places, const SpoolFile& geometry, uint64_t memory,
+                            const PlacedCache& kept);
 
 }  // namespace triptych

@@ -29,12 +29,34 @@ bool each_sample(const std::array<glm::dvec3, 3>& corners, int n, const Take& ta
   return true;
 }
 
+/// What lies over a region in one of the placements: its number in what stands around that, and how near it
+/// comes.
+struct FoundCover {
+  uint64_t neighbour = 0;
+  double clearance = 0;
+};
+/// What was found in some of a part's placements, one after the other.
+struct FoundBlock {
+  std::vector<uint32_t> left;  ///< regions that are covered in all of them, and in those before
+  /// For each placement, and in it for each region that is left.
+  std::vector<std::vector<std::vector<FoundCover>>> covers;
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<FoundBlock> = std::tuple(&FoundBlock::left, &FoundBlock::covers);
+
+namespace {
+
 class CoveredFinder {
  public:
-  CoveredFinder(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache)
+  CoveredFinder(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache,
+                const PlacedCache& kept)
       : parts_(parts),
         hierarchy_(hierarchy),
         cache_(cache),
+        kept_(kept),
         tolerance_(contact_steps * parts.lattices[hierarchy.lattice].step),
         boxes_(boxes_of(parts, hierarchy)),
         tree_(boxes_) {}
@@ -70,11 +92,16 @@ class CoveredFinder {
   struct Neighborhood {
     std::vector<std::pair<RelativePlace, uint32_t>> placed;  // ascending
 
-    std::optional<uint32_t> at(const RelativePlace& place) const {
+    /// The index in `placed` of what stands there.
+    std::optional<size_t> at(const RelativePlace& place) const {
       const auto found =
           std::ranges::lower_bound(placed, place, {}, &std::pair<RelativePlace, uint32_t>::first);
       if (found == placed.end() || found->first != place) return std::nullopt;
-      return found->second;
+      return static_cast<size_t>(found - placed.begin());
+    }
+    size_t index_of(uint32_t number) const {
+      const auto found = std::ranges::find(placed, number, &std::pair<RelativePlace, uint32_t>::second);
+      return static_cast<size_t>(found - placed.begin());
     }
   };
   Neighborhood neighborhood(uint32_t number) const {
@@ -92,49 +119,122 @@ class CoveredFinder {
   struct Proof {
     std::vector<std::pair<RelativePlace, double>> covers;  // with clearances
   };
-  static std::optional<Covers> covers_by(const Proof& proof, const Neighborhood& around) {
-    Covers covers;
+  using Proofs = std::map<uint32_t, std::vector<Proof>>;  // by region
+
+  static std::optional<std::vector<FoundCover>> covers_by(const Proof& proof, const Neighborhood& around) {
+    std::vector<FoundCover> covers;
     for (const auto& [place, clearance] : proof.covers) {
-      const auto placed = around.at(place);
-      if (!placed) return std::nullopt;
-      covers.push_back({*placed, clearance});
+      const auto neighbour = around.at(place);
+      if (!neighbour) return std::nullopt;
+      covers.push_back({*neighbour, clearance});
     }
+    return covers;
+  }
+
+  /// All placements of one part: the first, then more and more at once, while any region is left.
+  std::vector<CoveredRegion> look_at(const std::vector<uint32_t>& placements) const {
+    constexpr size_t growth = 4, most = 64;
+    std::vector<uint32_t> left;  // set by the first block
+    Proofs proofs;
+    std::vector<std::vector<std::pair<uint32_t, Covers>>> covers;  // of each placement, by region
+    ContentKey before;                                             // of the blocks before
+    for (size_t first = 0, size = 1; first < placements.size() && (first == 0 || !left.empty());
+         first += size, size = std::min(growth * size, most)) {
+      const auto block = std::span(placements).subspan(first, std::min(size, placements.size() - first));
+      std::vector<Neighborhood> around;
+      for (const uint32_t placed : block) around.push_back(neighborhood(placed));
+      const FoundBlock found = find(block, around, first == 0, left, proofs, before);
+      left = found.left;
+      for (size_t k = 0; k < found.covers.size(); ++k) {
+        auto& own = covers.emplace_back();
+        for (size_t i = 0; i < left.size(); ++i) {
+          Covers over = covers_in(around[k], found.covers[k].at(i));
+          note_proof(around[k], found.covers[k][i], proofs[left[i]]);
+          own.push_back({left[i], std::move(over)});
+        }
+      }
+    }
+    std::vector<CoveredRegion> result;
+    for (size_t k = 0; k < placements.size() && !left.empty(); ++k) {
+      for (auto& [region, over] : covers.at(k)) {
+        if (std::binary_search(left.begin(), left.end(), region))
+          result.push_back({placements[k], region, std::move(over)});
+      }
+    }
+    return result;
+  }
+
+  /// What find_in() gives, or gave. `before` becomes the key of this block.
+  FoundBlock find(std::span<const uint32_t> block, const std::vector<Neighborhood>& around, bool is_first,
+                  const std::vector<uint32_t>& left, const Proofs& proofs, ContentKey& before) const {
+    const auto make = [&] { return find_in(block, around, is_first, left, proofs); };
+    if (!kept_.is_used()) return make();
+    ContentKeyWriter key;
+    kept_.begin(key, "covered", hierarchy_);
+    key.write(before);
+    for (size_t k = 0; k < block.size(); ++k) {
+      kept_.add(key, hierarchy_, block[k]);
+      key.write(uint64_t{around[k].placed.size()});
+      for (const auto& [place, other] : around[k].placed) kept_.add(key, hierarchy_, other);
+    }
+    before = key.key();
+    return kept_.get<FoundBlock>(key, make);
+  }
+
+  FoundBlock find_in(std::span<const uint32_t> block, const std::vector<Neighborhood>& around, bool is_first,
+                     std::vector<uint32_t> left, Proofs proofs) const {
+    if (is_first) {
+      left.resize(cache_.get(part_of(block.front()))->regions.size());
+      std::iota(left.begin(), left.end(), 0u);
+    }
+    std::vector<std::map<uint32_t, std::vector<FoundCover>>> covers(block.size());
+    for (size_t k = 0; k < block.size() && !left.empty(); ++k) {
+      Looker looker(*this, block[k], around[k]);
+      std::erase_if(left, [&](uint32_t region) {
+        auto found = looker.covers_of(region, proofs[region]);
+        if (!found) return true;
+        note_proof(around[k], *found, proofs[region]);
+        covers[k][region] = std::move(*found);
+        return false;
+      });
+    }
+    FoundBlock result{left, {}};
+    for (size_t k = 0; k < block.size() && !left.empty(); ++k) {
+      auto& own = result.covers.emplace_back();
+      for (const uint32_t region : left) own.push_back(std::move(covers[k].at(region)));
+    }
+    return result;
+  }
+
+  static Covers covers_in(const Neighborhood& around, const std::vector<FoundCover>& found) {
+    Covers covers;
+    for (const FoundCover& cover : found)
+      covers.push_back({around.placed.at(cover.neighbour).second, cover.clearance});
     std::ranges::sort(covers, {}, &RegionCover::placed);
     return covers;
   }
 
-  /// All placements of one part.
-  std::vector<CoveredRegion> look_at(const std::vector<uint32_t>& placements) const {
-    const auto regions = cache_.get(part_of(placements.front()));
-    std::vector<uint32_t> left(regions->regions.size());
-    std::iota(left.begin(), left.end(), 0u);
-    std::vector<std::vector<Proof>> proofs(left.size());
-    std::vector<std::vector<Covers>> covers(placements.size());  // by region
-    for (size_t k = 0; k < placements.size() && !left.empty(); ++k) {
-      Looker looker(*this, placements[k]);
-      covers[k].resize(proofs.size());
-      std::erase_if(left, [&](uint32_t region) {
-        auto found = looker.covers_of(region, proofs[region]);
-        if (found) covers[k][region] = std::move(*found);
-        return !found;
-      });
-    }
-    std::vector<CoveredRegion> result;
-    for (size_t k = 0; k < placements.size() && !left.empty(); ++k) {
-      for (const uint32_t region : left)
-        result.push_back({placements[k], region, std::move(covers[k][region])});
-    }
-    return result;
+  /// Adds a way in which a region is covered to its proofs, unless it is there.
+  static void note_proof(const Neighborhood& around, const std::vector<FoundCover>& found,
+                         std::vector<Proof>& proofs) {
+    constexpr size_t most_proofs = 16;
+    if (proofs.size() >= most_proofs) return;
+    const bool is_known =
+        std::ranges::any_of(proofs, [&](const Proof& proof) { return covers_by(proof, around).has_value(); });
+    if (is_known) return;
+    Proof& proof = proofs.emplace_back();
+    for (const FoundCover& cover : found)
+      proof.covers.push_back({around.placed.at(cover.neighbour).first, cover.clearance});
   }
 
   /// A placement among what stands around it, which is loaded where it is needed.
   class Looker {
    public:
-    Looker(const CoveredFinder& finder, uint32_t placed)
-        : finder_(finder), number_(placed), around_(finder.neighborhood(placed)) {}
+    Looker(const CoveredFinder& finder, uint32_t placed, const Neighborhood& around)
+        : finder_(finder), number_(placed), around_(around) {}
 
-    /// Nothing where the region is not covered all over. New ways in which it is go to the proofs.
-    std::optional<Covers> covers_of(uint32_t region, std::vector<Proof>& proofs) {
+    /// Nothing where the region is not covered all over.
+    std::optional<std::vector<FoundCover>> covers_of(uint32_t region, const std::vector<Proof>& proofs) {
       for (const Proof& proof : proofs) {
         if (auto covers = covers_by(proof, around_)) return covers;
       }
@@ -144,23 +244,18 @@ class CoveredFinder {
         surroundings_.emplace(finder_.parts_, finder_.hierarchy_, finder_.cache_, number_, others,
                               finder_.tolerance_);
       }
-      auto covers = finder_.look_over(*surroundings_, region);
-      constexpr size_t most_proofs = 16;
-      if (covers && proofs.size() < most_proofs) {
-        Proof& proof = proofs.emplace_back();
-        for (const RegionCover& cover : *covers) {
-          const RelativePlace place =
-              relative_place(surroundings_->own(), finder_.hierarchy_, cover.placed, finder_.tolerance_);
-          proof.covers.push_back({place, cover.clearance});
-        }
-      }
-      return covers;
+      const auto covers = finder_.look_over(*surroundings_, region);
+      if (!covers) return std::nullopt;
+      std::vector<FoundCover> found;
+      for (const RegionCover& cover : *covers)
+        found.push_back({around_.index_of(cover.placed), cover.clearance});
+      return found;
     }
 
    private:
     const CoveredFinder& finder_;
     uint32_t number_;
-    Neighborhood around_;
+    const Neighborhood& around_;
     std::optional<Surroundings> surroundings_;
   };
 
@@ -204,6 +299,7 @@ class CoveredFinder {
   const Parts& parts_;
   const PlacedParts& hierarchy_;
   PartCache<PartRegions>& cache_;
+  const PlacedCache& kept_;
   double tolerance_;
   std::vector<Box> boxes_;  ///< of placed parts
   BoxTree tree_;
@@ -212,8 +308,8 @@ class CoveredFinder {
 }  // namespace
 
 std::vector<CoveredRegion> find_covered(const Parts& parts, const PlacedParts& hierarchy,
-                                        PartCache<PartRegions>& regions) {
-  return CoveredFinder(parts, hierarchy, regions).run();
+                                        PartCache<PartRegions>& regions, const PlacedCache& kept) {
+  return CoveredFinder(parts, hierarchy, regions, kept).run();
 }
 
 }  // namespace triptych

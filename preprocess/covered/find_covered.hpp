@@ -5,6 +5,7 @@
 #include "preprocess/covered/surroundings.hpp"
 #include "preprocess/part_cache.hpp"
 #include "preprocess/parts.hpp"
+#include "preprocess/placed_cache.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -22,8 +23,9 @@ struct CoveredRegion {
 /// along its normals: it is covered if each of them meets another surface within 1/16 of the region's
 /// diagonal, or lies inside a body that it leaves within the diagonal; the corner of one that a part's border
 /// cut off may lie deeper, but must be hidden from the sides. Only regions of meshes that enclose bodies,
-/// whose backs nobody sees. A part's region counts if it is covered in each of its placements.
+/// whose backs nobody sees. A part's region counts if it is covered in each of its placements. kept: what
+/// earlier builds found.
 std::vector<CoveredRegion> find_covered(const Parts& parts, const PlacedParts& hierarchy,
-                                        PartCache<PartRegions>& regions);
+                                        PartCache<PartRegions>& regions, const PlacedCache& kept);
 
 }  // namespace triptych

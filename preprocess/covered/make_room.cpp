@@ -22,8 +22,8 @@ using CoveredParts = std::map<uint32_t, CoveredPart>;  // by placed part
 
 class RoomMaker {
  public:
-  RoomMaker(Parts& parts, const SpoolFile& geometry, uint64_t memory)
-      : parts_(parts), cache_(parts, geometry, memory) {}
+  RoomMaker(Parts& parts, const SpoolFile& geometry, uint64_t memory, const PlacedCache& kept)
+      : parts_(parts), kept_(kept), cache_(parts, geometry, memory) {}
 
   CoveredReport run() {
     for (PlacedParts& hierarchy : parts_.hierarchies) look_into(hierarchy);
@@ -47,7 +47,7 @@ class RoomMaker {
 
   void look_into(PlacedParts& hierarchy) {
     CoveredParts covered;
-    for (CoveredRegion& region : find_covered(parts_, hierarchy, cache_))
+    for (CoveredRegion& region : find_covered(parts_, hierarchy, cache_, kept_))
       covered[region.placed][region.region] = std::move(region.covers);
     if (covered.empty()) return;
     const std::map<uint32_t, RegionClasses> classes = classes_of(hierarchy, covered);
@@ -103,7 +103,7 @@ class RoomMaker {
     std::vector<uint32_t> list;
     for (const auto& [places, placed] : alike) list.push_back(placed);
     std::vector<std::map<uint32_t, double>> distances(list.size());
-    parallel_for(list.size(), [&](size_t i) { distances[i] = distances_of(list[i], hierarchy, covered); });
+    parallel_for(list.size(), [&](size_t i) { distances[i] = kept_distances(list[i], hierarchy, covered); });
     std::map<uint32_t, std::map<uint32_t, double>> furthest;
     for (size_t i = 0; i < list.size(); ++i) {
       for (const auto& [region, distance] : distances[i]) {
@@ -121,6 +121,11 @@ class RoomMaker {
   }
 
   static constexpr double no_distance = 1e300;
+
+  struct RegionDistance {
+    uint64_t region = 0;
+    double distance = 0;
+  };
 
   double contact_tolerance(const PlacedParts& hierarchy) const {
     return contact_steps * parts_.lattices[hierarchy.lattice].step;
@@ -140,6 +145,31 @@ class RoomMaker {
       }
     }
     return near;
+  }
+
+  /// distances_of(), or what it gave.
+  std::map<uint32_t, double> kept_distances(uint32_t placed, const PlacedParts& hierarchy,
+                                            const CoveredParts& covered) const {
+    if (!kept_.is_used()) return distances_of(placed, hierarchy, covered);
+    ContentKeyWriter key;
+    kept_.begin(key, "distances of what is covered", hierarchy);
+    for (const uint32_t member : with_covers(placed, covered)) {
+      kept_.add(key, hierarchy, member);
+      key.write(member == placed);
+      const auto found = covered.find(member);
+      key.write(uint64_t{found == covered.end() ? 0 : found->second.size()});
+      if (found == covered.end()) continue;
+      for (const auto& [region, covers] : found->second) key.write(region);
+    }
+    const auto distances = kept_.get<std::vector<RegionDistance>>(key, [&] {
+      std::vector<RegionDistance> list;
+      for (const auto& [region, distance] : distances_of(placed, hierarchy, covered))
+        list.push_back({region, distance});
+      return list;
+    });
+    std::map<uint32_t, double> result;
+    for (const RegionDistance& of : distances) result[static_cast<uint32_t>(of.region)] = of.distance;
+    return result;
   }
 
   /// For each covered region of a placed part a bound of its distance from what is not covered: of the part
@@ -197,13 +227,14 @@ class RoomMaker {
   }
 
   Parts& parts_;
+  const PlacedCache& kept_;
   mutable PartCache<PartRegions> cache_;
 };
 
 }  // namespace
 
-CoveredReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory) {
-  return RoomMaker(parts, geometry, memory).run();
+CoveredReport make_room(Parts& parts, const SpoolFile& geometry, uint64_t memory, const PlacedCache& kept) {
+  return RoomMaker(parts, geometry, memory, kept).run();
 }
 
 }  // namespace triptych

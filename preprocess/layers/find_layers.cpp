@@ -115,44 +115,46 @@ bool facets_overlap(const Placed& a, const Facet& of_a, const Placed& b, const F
   });
 }
 
+/// An overlap that a group of placed parts has with larger ones, or one of them with itself.
+struct FoundOverlap {
+  uint32_t member = 0;         ///< index in the group
+  uint32_t neighbour = no_id;  ///< index among those that the member was compared with; no_id: itself
+  uint32_t facet_a = 0, facet_b = 0;
+  double span_a = 0, area_a = 0, span_b = 0, area_b = 0;
+};
+
 class LayerFinder {
  public:
-  LayerFinder(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartFacets>& cache)
+  LayerFinder(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartFacets>& cache,
+              const PlacedCache& kept)
       : parts_(parts),
         hierarchy_(hierarchy),
         cache_(cache),
-        tolerance_(contact_steps * parts.lattices[hierarchy.lattice].step) {
-    const Lattice& lattice = parts.lattices[hierarchy.lattice];
+        kept_(kept),
+        tolerance_(contact_steps * parts.lattices[hierarchy.lattice].step),
+        boxes_(boxes_of(parts, hierarchy, tolerance_)),
+        larger_boxes_(boxes_) {
     uint32_t instances = 0;
     for (const PlacedPart& placed : hierarchy.placed) instances = std::max(instances, placed.instance + 1);
     members_.resize(instances);
     tsl::robin_set<uint32_t> seen;
     for (size_t i = 0; i < hierarchy.placed.size(); ++i) {
-      boxes_.push_back(grown(lattice.box(hierarchy.boxes[i]), tolerance_));
       members_[hierarchy.placed[i].instance].push_back(static_cast<uint32_t>(i));
       is_first_.push_back(seen.insert(hierarchy.placed[i].part).second);
     }
   }
 
   std::vector<FacetOverlap> run(uint64_t& crowded) {
-    constexpr size_t most_tried = 1024, at_once = 1024;
-    const LargerBoxes larger_boxes(boxes_);
+    constexpr size_t at_once = 64;
+    const std::vector<uint32_t> ends = kept_.group_ends(hierarchy_);
+    if (kept_.is_used()) name_instances();
     std::atomic<uint64_t> left_out = 0;
     std::vector<FacetOverlap> found;
-    for (size_t first = 0; first < boxes_.size(); first += at_once) {
-      std::vector<std::vector<FacetOverlap>> batch(std::min(at_once, boxes_.size() - first));
+    for (size_t first = 0; first < ends.size(); first += at_once) {
+      std::vector<std::vector<FacetOverlap>> batch(std::min(at_once, ends.size() - first));
       parallel_for(batch.size(), [&](size_t index) {
-        const auto number = static_cast<uint32_t>(first + index);
-        size_t tried = 0;
-        if (is_first_[number]) within(number, batch[index]);
-        larger_boxes.visit(number, [&](uint32_t larger) {
-          if (tried++ == most_tried) {
-            ++left_out;
-            return false;
-          }
-          if (may_differ(number, larger)) between(number, larger, batch[index]);
-          return true;
-        });
+        const size_t group = first + index;
+        batch[index] = look_at(group == 0 ? 0 : ends[group - 1], ends[group], left_out);
       });
       for (const auto& overlaps : batch) found.insert(found.end(), overlaps.begin(), overlaps.end());
     }
@@ -161,6 +163,95 @@ class LayerFinder {
   }
 
  private:
+  static std::vector<Box> boxes_of(const Parts& parts, const PlacedParts& hierarchy, double tolerance) {
+    const Lattice& lattice = parts.lattices[hierarchy.lattice];
+    std::vector<Box> boxes;
+    for (const LatticeBox& box : hierarchy.boxes) boxes.push_back(grown(lattice.box(box), tolerance));
+    return boxes;
+  }
+
+  /// Keys of what span_of() reads.
+  void name_instances() {
+    for (const std::vector<uint32_t>& members : members_) {
+      ContentKeyWriter key;
+      key.write(uint64_t{members.size()});
+      if (members.size() <= many) {
+        for (const uint32_t member : members) kept_.add(key, hierarchy_, member);
+      }
+      instance_keys_.push_back(key.key());
+    }
+  }
+
+  /// What a placed part is compared with: larger ones, ascending, and itself if it has several colours.
+  struct Compared {
+    std::vector<uint32_t> larger;
+    bool itself = false;
+    bool is_nothing() const { return larger.empty() && !itself; }
+  };
+  Compared compared_with(uint32_t number, std::atomic<uint64_t>& left_out) const {
+    constexpr size_t most_tried = 1024;
+    Compared with;
+    with.itself = is_first_[number] && color_of(number) == no_id;
+    size_t tried = 0;
+    larger_boxes_.visit(number, [&](uint32_t larger) {
+      if (tried++ == most_tried) {
+        ++left_out;
+        return false;
+      }
+      if (may_differ(number, larger)) with.larger.push_back(larger);
+      return true;
+    });
+    std::sort(with.larger.begin(), with.larger.end());
+    return with;
+  }
+
+  /// The parts from `first` up to `end`.
+  std::vector<FacetOverlap> look_at(uint32_t first, uint32_t end, std::atomic<uint64_t>& left_out) const {
+    std::vector<Compared> with;
+    for (uint32_t number = first; number < end; ++number) with.push_back(compared_with(number, left_out));
+    std::vector<FacetOverlap> overlaps;
+    for (const FoundOverlap& found : group(first, with)) {
+      const uint32_t a = first + found.member;
+      const uint32_t b = found.neighbour == no_id ? a : with.at(found.member).larger.at(found.neighbour);
+      overlaps.push_back({describe(a, found.facet_a, found.span_a, found.area_a),
+                          describe(b, found.facet_b, found.span_b, found.area_b)});
+    }
+    return overlaps;
+  }
+
+  std::vector<FoundOverlap> group(uint32_t first, const std::vector<Compared>& with) const {
+    const auto make = [&] {
+      std::vector<FoundOverlap> found;
+      for (uint32_t i = 0; i < with.size(); ++i) {
+        const auto begin = found.size();
+        if (with[i].itself) within(first + i, found);
+        for (uint32_t k = 0; k < with[i].larger.size(); ++k) {
+          const auto begin_of_pair = found.size();
+          between(first + i, with[i].larger[k], found);
+          for (auto at = begin_of_pair; at < found.size(); ++at) found[at].neighbour = k;
+        }
+        for (auto at = begin; at < found.size(); ++at) found[at].member = i;
+      }
+      return found;
+    };
+    const bool is_any = std::any_of(with.begin(), with.end(), [](auto& own) { return !own.is_nothing(); });
+    if (!is_any || !kept_.is_used()) return make();
+    ContentKeyWriter key;
+    kept_.begin(key, "layers", hierarchy_);
+    for (uint32_t i = 0; i < with.size(); ++i) {
+      key.write(uint64_t{with[i].larger.size()});
+      key.write(with[i].itself);
+      if (with[i].is_nothing()) continue;
+      add_to(key, first + i);
+      for (const uint32_t other : with[i].larger) add_to(key, other);
+    }
+    return kept_.get<std::vector<FoundOverlap>>(key, make);
+  }
+  void add_to(ContentKeyWriter& key, uint32_t placed) const {
+    kept_.add(key, hierarchy_, placed);
+    key.write(instance_keys_[hierarchy_.placed[placed].instance]);
+  }
+
   uint32_t color_of(uint32_t placed) const { return parts_.parts[hierarchy_.placed[placed].part].color; }
   bool may_differ(uint32_t a, uint32_t b) const { return color_of(a) == no_id || color_of(a) != color_of(b); }
   Placed placed(uint32_t number) const { return Placed(parts_, hierarchy_, number, cache_); }
@@ -169,13 +260,12 @@ class LayerFinder {
     return diagonal(facet.box) < least_diagonal * tolerance_;
   }
 
-  PlacedFacet describe(const Placed& placed, uint32_t facet) const {
-    const Facet& of = placed.facets->facets[facet];
-    return {placed.part, facet, placed.instance, span_of(placed, of), of.area};
+  PlacedFacet describe(uint32_t placed, uint32_t facet, double span, double area) const {
+    const PlacedPart& of = hierarchy_.placed[placed];
+    return {of.part, facet, of.instance, span, area};
   }
 
   double span_of(const Placed& own, const Facet& facet) const {
-    constexpr size_t many = 64;
     const std::vector<uint32_t>& members = members_[own.instance];
     if (members.size() > many) return std::numeric_limits<double>::infinity();
     const glm::dvec3 point = own.out(facet.point), normal = own.normal_out(facet.normal);
@@ -192,14 +282,15 @@ class LayerFinder {
   }
 
   void add(const Placed& a, uint32_t of_a, const Placed& b, uint32_t of_b,
-           std::vector<FacetOverlap>& found) const {
+           std::vector<FoundOverlap>& found) const {
     const Facet &facet_a = a.facets->facets[of_a], &facet_b = b.facets->facets[of_b];
     if (is_too_small(facet_a) || is_too_small(facet_b)) return;
     if (facets_overlap(a, facet_a, b, facet_b, tolerance_))
-      found.push_back({describe(a, of_a), describe(b, of_b)});
+      found.push_back(
+          {0, no_id, of_a, of_b, span_of(a, facet_a), facet_a.area, span_of(b, facet_b), facet_b.area});
   }
 
-  void between(uint32_t first, uint32_t second, std::vector<FacetOverlap>& found) const {
+  void between(uint32_t first, uint32_t second, std::vector<FoundOverlap>& found) const {
     const Placed a = placed(first), b = placed(second);
     const Box both{glm::max(boxes_[first].lo, boxes_[second].lo),
                    glm::min(boxes_[first].hi, boxes_[second].hi)};
@@ -214,8 +305,7 @@ class LayerFinder {
   }
 
   /// Of a part that has several colours: between its own facets.
-  void within(uint32_t number, std::vector<FacetOverlap>& found) const {
-    if (color_of(number) != no_id) return;
+  void within(uint32_t number, std::vector<FoundOverlap>& found) const {
     const Placed own = placed(number);
     for (uint32_t facet = 0; facet < own.facets->facets.size(); ++facet) {
       const Facet& of = own.facets->facets[facet];
@@ -225,11 +315,16 @@ class LayerFinder {
     }
   }
 
+  static constexpr size_t many = 64;  ///< parts of an instance: they are not looked at for its span
+
   const Parts& parts_;
   const PlacedParts& hierarchy_;
   PartCache<PartFacets>& cache_;
+  const PlacedCache& kept_;
   double tolerance_;
-  std::vector<Box> boxes_;                      ///< of placed parts
+  std::vector<Box> boxes_;  ///< of placed parts
+  LargerBoxes larger_boxes_;
+  std::vector<ContentKey> instance_keys_;
   std::vector<bool> is_first_;                  ///< placement of its part
   std::vector<std::vector<uint32_t>> members_;  ///< for each instance its placed parts
 };
@@ -237,8 +332,9 @@ class LayerFinder {
 }  // namespace
 
 std::vector<FacetOverlap> find_layers(const Parts& parts, const PlacedParts& hierarchy,
-                                      PartCache<PartFacets>& facets, uint64_t& crowded) {
-  return LayerFinder(parts, hierarchy, facets).run(crowded);
+                                      PartCache<PartFacets>& facets, const PlacedCache& kept,
+                                      uint64_t& crowded) {
+  return LayerFinder(parts, hierarchy, facets, kept).run(crowded);
 }
 
 }  // namespace triptych

@@ -4,6 +4,7 @@
 #include "preprocess/layers/part_facets.hpp"
 #include "preprocess/part_cache.hpp"
 #include "preprocess/parts.hpp"
+#include "preprocess/placed_cache.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -27,8 +28,9 @@ struct FacetOverlap {
 /// the model alone. Two facets overlap where they lie in one plane, within contact_steps, and their triangles
 /// overlap there by more than that. Those that show their fronts to each other's backs, as bodies do that
 /// touch, are none: neither is seen. `crowded`: placed parts whose boxes overlap more than 1,024 larger ones,
-/// the others of which were not looked at, are added.
+/// the others of which were not looked at, are added. kept: what earlier builds found.
 std::vector<FacetOverlap> find_layers(const Parts& parts, const PlacedParts& hierarchy,
-                                      PartCache<PartFacets>& facets, uint64_t& crowded);
+                                      PartCache<PartFacets>& facets, const PlacedCache& kept,
+                                      uint64_t& crowded);
 
 }  // namespace triptych

@@ -67,27 +67,56 @@ std::vector<LayeredFacet> layer_facets(const std::vector<FacetOverlap>& overlaps
   return result;
 }
 
-LayerReport make_layers(Parts& parts, const SpoolFile& geometry, uint64_t memory) {
+namespace {
+
+/// The triangles of a part's facets.
+struct FacetTriangles {
+  std::vector<uint32_t> ends;     ///< of each facet in `numbers`; they come one after the other
+  std::vector<uint32_t> numbers;  ///< in the part
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<FacetTriangles> = std::tuple(&FacetTriangles::ends,
+                                                                  &FacetTriangles::numbers);
+
+LayerReport make_layers(Parts& parts, const SpoolFile& geometry, uint64_t memory, const PlacedCache& kept) {
   LayerReport report;
   PartCache<PartFacets> cache(parts, geometry, memory);
   std::vector<FacetOverlap> overlaps;
   for (const PlacedParts& hierarchy : parts.hierarchies) {
-    const auto found = find_layers(parts, hierarchy, cache, report.crowded_parts);
+    const auto found = find_layers(parts, hierarchy, cache, kept, report.crowded_parts);
     overlaps.insert(overlaps.end(), found.begin(), found.end());
   }
+  const auto triangles_of = [&](uint32_t part) {
+    ContentKeyWriter key;
+    if (kept.is_used()) {
+      kept.begin(key, "facets", parts.hierarchies.back());
+      kept.add_part(key, part);
+    }
+    return kept.get<FacetTriangles>(key, [&] {
+      const auto facets = cache.get(part);
+      FacetTriangles triangles{{}, facets->numbers};
+      for (const Facet& facet : facets->facets) triangles.ends.push_back(facet.first + facet.count);
+      return triangles;
+    });
+  };
+  FacetTriangles facets;
+  uint32_t part = no_id;  // that they are of
   for (const LayeredFacet& layered : layer_facets(overlaps)) {
-    const auto facets = cache.get(layered.part);
-    const Facet& facet = facets->facets[layered.facet];
+    if (layered.part != std::exchange(part, layered.part)) facets = triangles_of(part);
+    const uint32_t first = layered.facet == 0 ? 0 : facets.ends.at(layered.facet - 1);
+    const uint32_t end = facets.ends.at(layered.facet);
     std::vector<LayeredTriangle>& own = parts.parts[layered.part].layers;
-    for (uint32_t i = facet.first; i < facet.first + facet.count; ++i)
-      own.push_back({facets->numbers[i], layered.layer});
+    for (uint32_t i = first; i < end; ++i) own.push_back({facets.numbers.at(i), layered.layer});
     if (layered.layer == 1) continue;
     ++report.facets;
-    report.triangles += facet.count;
+    report.triangles += end - first;
     report.most = std::max(report.most, layered.layer);
   }
-  for (PartInfo& part : parts.parts) {
-    std::sort(part.layers.begin(), part.layers.end(),
+  for (PartInfo& info : parts.parts) {
+    std::sort(info.layers.begin(), info.layers.end(),
               [](const LayeredTriangle& a, const LayeredTriangle& b) { return a.triangle < b.triangle; });
   }
   return report;

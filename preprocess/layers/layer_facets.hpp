@@ -20,7 +20,7 @@ struct LayeredFacet {
 std::vector<LayeredFacet> layer_facets(const std::vector<FacetOverlap>& overlaps);
 
 /// Finds the layers of all hierarchies, and gives them to the parts (PartInfo::layers). `memory`: bytes that
-/// geometry may take at a time, roughly.
-LayerReport make_layers(Parts& parts, const SpoolFile& geometry, uint64_t memory);
+/// geometry may take at a time, roughly. kept: what earlier builds found.
+LayerReport make_layers(Parts& parts, const SpoolFile& geometry, uint64_t memory, const PlacedCache& kept);
 
 }  // namespace triptych

@@ -3,9 +3,12 @@
 
 #include "base/error.hpp"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace triptych {
@@ -90,6 +93,63 @@ TEST_F(Cache, is_written_over_no_file_of_another_kind) {
   std::string text;
   std::getline(kept, text);
   EXPECT_EQ(text, "a list of the user's own");
+}
+
+TEST_F(Cache, keeps_files_and_hands_them_out_piece_by_piece) {
+  const std::filesystem::path large = file.string() + "_large";
+  std::string text(3'000'000, 'a');
+  for (size_t i = 0; i < text.size(); i += 7) text[i] = static_cast<char>('b' + i % 23);
+  std::ofstream(large, std::ios::binary) << text;
+  {
+    BuildCache cache(file, {1, 2});
+    cache.keep_file(key(5), large);
+    cache.keep(key(6), bytes(6));
+    cache.commit();
+  }
+  std::filesystem::remove(large);
+  const auto read = [&] {
+    const BuildCache cache(file, {1, 2});
+    EXPECT_EQ(cache.find(key(6)), bytes(6));
+    EXPECT_FALSE(cache.find(key(7)).has_value());
+    std::string found;
+    const bool whole = cache.read(key(5), [&](std::span<const std::byte> piece) {
+      found.append(reinterpret_cast<const char*>(piece.data()), piece.size());
+    });
+    return whole ? found : "";
+  };
+  EXPECT_TRUE(read() == text);
+  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekp(1'500'000);
+  stream.put('!');
+  stream.close();
+  EXPECT_TRUE(read().empty());
+}
+
+TEST_F(Cache, stays_as_it_was_where_the_disk_is_full_and_the_build_goes_on) {
+  use({10, 20});
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  ::getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit little{20'000, old.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &little);
+  EXPECT_THROW(use({10, 100'000, 200'000, 20}),
+               Error);  // and compares what it got until then
+  ::setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, before);
+  EXPECT_EQ(use({10, 20}), 2u);
+}
+
+TEST_F(Cache, removes_what_a_killed_build_left_beside_it_and_nothing_else) {
+  const pid_t dead = ::fork();
+  if (dead == 0) ::_exit(0);
+  ::waitpid(dead, nullptr, 0);
+  const std::string of_dead = file.string() + ".partial-" + std::to_string(dead),
+                    of_parent = file.string() + ".partial-" + std::to_string(::getppid()),
+                    of_user = file.string() + ".partial-1x";
+  for (const std::string& name : {of_dead, of_parent, of_user}) std::ofstream(name) << "half";
+  use({10});
+  EXPECT_FALSE(std::filesystem::exists(of_dead));
+  for (const std::string& name : {of_parent, of_user}) EXPECT_TRUE(std::filesystem::remove(name));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 namespace triptych {
 namespace {
@@ -94,6 +95,74 @@ TEST(Hierarchy, what_stands_for_many_leaves_is_near_the_root) {
   const auto said = build_hierarchy(objects, HierarchyKind::partition_cluster_partition, ones);
   ASSERT_EQ(plain.size(), said.size());
   for (size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(plain[i].object, said[i].object);
+}
+
+/// Which objects lie below each inner node.
+std::set<std::set<uint32_t>> groups_of(const std::vector<HierarchyNode>& nodes) {
+  std::vector<std::set<uint32_t>> below(nodes.size());
+  for (size_t i = nodes.size(); i-- > 0;) {
+    if (nodes[i].child_count == 0) below[i].insert(nodes[i].object);
+    if (i > 0) below[nodes[i].parent].insert(below[i].begin(), below[i].end());
+  }
+  std::set<std::set<uint32_t>> groups;
+  for (const auto& group : below) {
+    if (group.size() > 1) groups.insert(group);
+  }
+  return groups;
+}
+
+/// Objects of some files, which share one place.
+struct Files {
+  Files(uint32_t files, uint32_t each, uint32_t seed) {
+    std::mt19937 random(seed);
+    for (uint32_t file = 0; file < files; ++file) add(file, each, random);
+  }
+  void add(uint32_t file, uint32_t count, std::mt19937& random) {
+    for (uint32_t i = 0; i < count; ++i) {
+      const auto within = [&](uint32_t size) { return static_cast<double>(random() % (100 * size)) / 100; };
+      const glm::dvec3 lo{within(60) - 20, within(10), within(40)};
+      objects.push_back({{lo, lo + 1.0}, 100 + random() % 1000});
+      of.push_back(file);
+    }
+  }
+  std::vector<HierarchyNode> nodes() const {
+    return build_hierarchy(objects, HierarchyKind::partition_cluster_partition, {}, of);
+  }
+  std::vector<ObjectExtent> objects;
+  std::vector<uint32_t> of;
+};
+
+TEST(Hierarchy, of_several_files_is_sound) {
+  for (const uint32_t files : {2u, 3u, 5u, 9u, 30u}) {
+    const Files model(files, 40, files);
+    expect_sound(model.nodes(), 40 * files);
+    EXPECT_LE(depth_of(model.nodes()), 14u);
+  }
+  Files one_place(3, 100, 1);
+  for (ObjectExtent& object : one_place.objects) object.box = {{0, 0, 0}, {1, 1, 1}};
+  expect_sound(one_place.nodes(), 300);
+  EXPECT_LE(depth_of(one_place.nodes()), 6u);
+}
+
+TEST(Hierarchy, nodes_of_a_file_stay_as_they_are_when_another_one_changes) {
+  Files model(5, 200, 7), changed = model;
+  changed.objects.resize(800);  // all of the last file is another, and more
+  changed.of.resize(800);
+  std::mt19937 random(8);
+  changed.add(4, 230, random);
+  /// Which share of the nodes without an object of the last file are there after the change.
+  const auto kept_of = [&](const std::vector<HierarchyNode>& nodes, const std::vector<HierarchyNode>& later) {
+    const auto after = groups_of(later);
+    size_t all = 0, kept = 0;
+    for (const std::set<uint32_t>& group : groups_of(nodes)) {
+      if (*group.rbegin() >= 800) continue;
+      ++all;
+      kept += after.count(group);
+    }
+    return static_cast<double>(kept) / static_cast<double>(all);
+  };
+  EXPECT_GT(kept_of(model.nodes(), changed.nodes()), 0.8);
+  EXPECT_LT(kept_of(build_hierarchy(model.objects), build_hierarchy(changed.objects)), 0.5);
 }
 
 TEST(Hierarchy, groups_far_apart_are_parted_at_the_root) {

@@ -20,7 +20,8 @@ struct Scene : test::PartsScene {
   FoundContacts found() const {
     std::vector<uint32_t> places(parts.hierarchies[0].placed.size());
     std::iota(places.begin(), places.end(), 0u);
-    return find_contacts(parts, parts.hierarchies[0], places, file, 1 << 20);
+    return find_contacts(parts, parts.hierarchies[0], places, file, 1 << 20,
+                         PlacedCache(nullptr, parts, file));
   }
   std::vector<Contact> contacts() const { return found().contacts; }
   /// How many points of the one touch the other.

@@ -24,7 +24,7 @@ struct CoverScene : test::PartsScene {
     info.outside = outside_of(awkward::surface_of(mesh));
     return placed;
   }
-  CoveredReport make() { return make_room(parts, file, 1 << 20); }
+  CoveredReport make() { return make_room(parts, file, 1 << 20, PlacedCache(nullptr, parts, file)); }
   const PartInfo& part(uint32_t placed) const {
     return parts.parts[parts.hierarchies[0].placed[placed].part];
   }

@@ -35,7 +35,7 @@ Mesh both(Mesh mesh, const Mesh& other) {
 }
 
 struct LayerScene : test::PartsScene {
-  LayerReport make() { return make_layers(parts, file, 1 << 20); }
+  LayerReport make() { return make_layers(parts, file, 1 << 20, PlacedCache(nullptr, parts, file)); }
   /// Triangles of a part by how many layers lie on them; not the uppermost.
   std::map<uint32_t, int> layers(uint32_t part) const {
     std::map<uint32_t, int> counts;
