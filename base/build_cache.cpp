@@ -7,9 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <fcntl.h>
 #include <fstream>
 
@@ -26,26 +23,6 @@ struct CacheHeader {
 };
 
 constexpr const char* place = "a build's cache";
-
-/// Removes what builds that were killed had written beside the file (FILE.partial-PID, AtomicFile).
-void remove_partial_files_of_the_dead(const std::filesystem::path& file) {
-  const std::string beginning = file.filename().string() + ".partial-";
-  std::error_code error;
-  std::vector<std::filesystem::path> left;
-  const std::filesystem::path folder = std::filesystem::absolute(file, error).parent_path();
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (!name.starts_with(beginning)) continue;
-    pid_t process = 0;
-    const char* const last = name.data() + name.size();
-    const auto number = std::from_chars(name.data() + beginning.size(), last, process);
-    if (number.ec == std::errc() && number.ptr == last && process > 0 && ::kill(process, 0) != 0 &&
-        errno == ESRCH)
-      left.push_back(entry->path());
-  }
-  for (const auto& partial : left) std::filesystem::remove(partial, error);
-}
 
 /// Error for a file with something else in it than a cache, which would be lost.
 const std::filesystem::path& checked(const std::filesystem::path& file) {
@@ -64,7 +41,6 @@ const std::filesystem::path& checked(const std::filesystem::path& file) {
 
 BuildCache::BuildCache(const std::filesystem::path& file, const ContentKey& program)
     : program_(program), file_(checked(file)) {
-  remove_partial_files_of_the_dead(file);
   const CacheHeader unfinished{.magic = {}, .program = {}};
   file_.write(std::as_bytes(std::span(&unfinished, 1)));
   open_old(file);

@@ -28,7 +28,6 @@ std::filesystem::path variable(const char* name) {
   return value ? value : "";
 }
 
-
 /// Whether the folder is an entry of the cache: NAME-0123456789abcdef, with a lock.
 bool is_entry(const std::filesystem::path& folder) {
   constexpr size_t digits = 16;

@@ -3,6 +3,7 @@
 #include "simplify/component_covers.hpp"
 #include "simplify/distance.hpp"
 #include "simplify/key_hash.hpp"
+#include "simplify/stand_in_shapes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,45 +26,6 @@ constexpr double rod = 3;
 /// How near bounds are to the true distance.
 constexpr double tightness = 1.1;
 
-/// Corners in a box of side 2 about 0, and triangles, counter-clockwise from outside.
-struct Shape {
-  std::vector<glm::dvec3> corners;
-  std::vector<std::array<uint32_t, 3>> triangles;
-};
-
-/// Along z, with so many sides.
-Shape prism(uint32_t sides, double first_angle) {
-  Shape shape;
-  for (const double z : {-1.0, 1.0}) {
-    for (uint32_t i = 0; i < sides; ++i) {
-      const double angle = first_angle + 2 * std::numbers::pi * i / sides;
-      shape.corners.emplace_back(std::cos(angle), std::sin(angle), z);
-    }
-  }
-  for (uint32_t i = 0; i < sides; ++i) {
-    const uint32_t next = (i + 1) % sides;
-    shape.triangles.push_back({i, next, sides + i});
-    shape.triangles.push_back({next, sides + next, sides + i});
-  }
-  for (uint32_t i = 2; i < sides; ++i) {
-    shape.triangles.push_back({0, i, i - 1});
-    shape.triangles.push_back({sides, sides + i - 1, sides + i});
-  }
-  return shape;
-}
-
-Shape tetrahedron() {
-  return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
-}
-
-double area_of(const Shape& shape, const glm::dvec3& scale) {
-  double area = 0;
-  for (const auto& [a, b, c] : shape.triangles)
-    area += glm::length(
-        area_normal(shape.corners[a] * scale, shape.corners[b] * scale, shape.corners[c] * scale));
-  return area;
-}
-
 /// The component's own axes, and how far it reaches along them.
 struct Frame {
   glm::dvec3 middle{0};
@@ -75,37 +37,6 @@ struct Frame {
 struct Base {
   glm::dvec3 origin, inward;  ///< inward: of length 1
 };
-
-/// Axes along which points vary independently (principal components); by Jacobi's rotations.
-std::array<glm::dvec3, 3> principal_axes(const std::array<glm::dvec3, 3>& covariance) {
-  std::array<glm::dvec3, 3> a = covariance;
-  std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
-  for (int round = 0; round < 24; ++round) {
-    for (int p = 0; p < 2; ++p) {
-      for (int q = p + 1; q < 3; ++q) {
-        if (std::abs(a[p][q]) <= 1e-12 * (std::abs(a[p][p]) + std::abs(a[q][q]))) continue;
-        const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-        const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-        for (int k = 0; k < 3; ++k) {
-          const double kp = a[k][p], kq = a[k][q];
-          a[k][p] = c * kp - s * kq;
-          a[k][q] = s * kp + c * kq;
-        }
-        for (int k = 0; k < 3; ++k) {
-          const double pk = a[p][k], qk = a[q][k];
-          a[p][k] = c * pk - s * qk;
-          a[q][k] = s * pk + c * qk;
-        }
-        const glm::dvec3 old = axes[p];
-        axes[p] = c * old - s * axes[q];
-        axes[q] = s * old + c * axes[q];
-      }
-    }
-  }
-  for (glm::dvec3& axis : axes) axis = glm::normalize(axis);
-  return axes;
-}
 
 Frame frame_of(const Surface& component, const std::optional<Base>& base) {
   glm::dvec3 mean(0);
@@ -159,20 +90,6 @@ Frame frame_of(const Surface& component, const std::optional<Base>& base) {
   return frame;
 }
 
-/// The scale of what lies across the shape's z at which it has so much area; negative if there is none.
-double scale_for(const Shape& shape, const glm::dvec3& reach, bool in_all, double area) {
-  const auto at = [&](double scale) {
-    return area_of(shape, {reach.x * scale, reach.y * scale, in_all ? reach.z * scale : reach.z});
-  };
-  double low = 0, high = 4;
-  if (at(low) >= area || at(high) <= area) return -1;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = (low + high) / 2;
-    (at(middle) < area ? low : high) = middle;
-  }
-  return high;
-}
-
 /// A component, and what is known of its points and triangles.
 struct Component {
   Piece piece;
@@ -218,7 +135,7 @@ uint32_t material_of(const std::array<glm::dvec3, 3>& corners, const Component& 
   return palette_index(component.surface.triangles[0].material);
 }
 
-std::optional<Piece> placed(const Shape& shape, const Frame& frame, const std::array<int, 3>& order,
+std::optional<Piece> placed(const StandInShape& shape, const Frame& frame, const std::array<int, 3>& order,
                             const glm::dvec3& scale, const Component& component) {
   // The shape's x, y, z lie along these axes; together they must turn to the right.
   std::array<glm::dvec3, 3> axes;
@@ -243,7 +160,7 @@ std::optional<Piece> placed(const Shape& shape, const Frame& frame, const std::a
 
 /// Shapes, and the axes along which they may stand.
 struct Shapes {
-  std::vector<Shape> shapes;
+  std::vector<StandInShape> shapes;
   std::vector<std::array<int, 3>> orders;
   bool in_all = false;  ///< scaled along z, too
 };
@@ -254,7 +171,7 @@ std::optional<StandIn> nearest(const Shapes& shapes, const Component& component,
   std::optional<StandIn> best;
   for (const std::array<int, 3>& order : shapes.orders) {
     const glm::dvec3 reach(frame.reach[order[0]], frame.reach[order[1]], frame.reach[order[2]]);
-    for (const Shape& shape : shapes.shapes) {
+    for (const StandInShape& shape : shapes.shapes) {
       const double factor = scale_for(shape, reach, shapes.in_all, area);
       if (factor < 0) continue;
       const double along = shapes.in_all ? reach.z * factor : reach.z;

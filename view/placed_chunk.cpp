@@ -28,6 +28,7 @@ PlacedRay kept_part(const glm::dvec3& from, const glm::dvec3& way, double least,
     if (slope > 0 && along > ray.least) {
       ray.least = along * (1 - in_a_side);
       ray.entered = side;
+      ray.enters = along;
     } else if (slope < 0) {
       ray.most = std::min(ray.most, along * (1 + in_a_side));
     } else if (slope == 0 && at_start < 0) {
@@ -86,7 +87,7 @@ std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, con
         glm::normalize(glm::cross(linear * (corner(1) - corner(0)), linear * (corner(2) - corner(0))));
     found = ChunkHit{nearest, i, glm::dot(across, ray.way) > 0 ? -across : across};
   }
-  if (winding > 0) return ChunkHit{ray.least, back.second, -ray.entered->normal};
+  if (winding > 0) return ChunkHit{ray.enters, back.second, -ray.entered->normal};
   return found;
 }
 

@@ -31,6 +31,7 @@ struct PlacedRay {
   glm::dvec3 from{0}, way{0};
   double least = 0, most = 0;
   std::optional<SectionPlane> entered = std::nullopt;  ///< the side of a section at which it begins
+  double enters = 0;                                   ///< where it meets that side
 };
 
 /// The part of a ray from `least` on that a section keeps, up to infinity. Faces that lie in a side are

@@ -139,18 +139,5 @@ TEST_F(Cache, stays_as_it_was_where_the_disk_is_full_and_the_build_goes_on) {
   EXPECT_EQ(use({10, 20}), 2u);
 }
 
-TEST_F(Cache, removes_what_a_killed_build_left_beside_it_and_nothing_else) {
-  const pid_t dead = ::fork();
-  if (dead == 0) ::_exit(0);
-  ::waitpid(dead, nullptr, 0);
-  const std::string of_dead = file.string() + ".partial-" + std::to_string(dead),
-                    of_parent = file.string() + ".partial-" + std::to_string(::getppid()),
-                    of_user = file.string() + ".partial-1x";
-  for (const std::string& name : {of_dead, of_parent, of_user}) std::ofstream(name) << "half";
-  use({10});
-  EXPECT_FALSE(std::filesystem::exists(of_dead));
-  for (const std::string& name : {of_parent, of_user}) EXPECT_TRUE(std::filesystem::remove(name));
-}
-
 }  // namespace
 }  // namespace triptych

@@ -112,8 +112,10 @@ TEST_F(MeasureCommands, a_path_that_sees_nothing_has_numbers_all_the_same) {
   EXPECT_EQ(json_of(json)["rows"][0]["drawn_triangles"]["max"], 0);
   run({"build", model, "-o", pack});
   run({"measure", "session", pack, "--path", path, "--size", "32x32", "--json", json});
-  EXPECT_EQ(text_of(json).find("null"), std::string::npos) << text_of(json);
-  EXPECT_EQ(json_of(json)["identical_frames"], 2);
+  nlohmann::json report = json_of(json);
+  report.erase("section");  // has no box, and says so
+  EXPECT_EQ(report.dump().find("null"), std::string::npos) << report.dump(2);
+  EXPECT_EQ(report["identical_frames"], 2);
 }
 
 TEST_F(MeasureCommands, hierarchy_puts_both_hierarchies_side_by_side) {

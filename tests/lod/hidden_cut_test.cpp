@@ -41,10 +41,13 @@ TEST_P(HiddenCut, draws_each_placement_that_is_not_hidden_and_no_other) {
     SCOPED_TRACE(testing::Message() << "frame " << frame);
     const FrameState now = state(frame);
     for (const FrustumCulling culling : {FrustumCulling::on, FrustumCulling::off}) {
-      const FrameView view(skeleton, now);
+      // Levels that leave out what hidden things cover are another matter (tests/lod/cut_test.cpp).
+      const FrameRules rules{.levels_from_outside = false};
+      const FrameView view(skeleton, now, rules);
       FrameState without = now;
       without.hiding = {};
-      const Cut cut = select_cut(view, culling), whole = select_cut(FrameView(skeleton, without), culling);
+      const Cut cut = select_cut(view, culling),
+                whole = select_cut(FrameView(skeleton, without, rules), culling);
       // Where the whole model's cut has a drawable, this one has it too, or what is below it and not hidden.
       for (const DrawableId id : whole.drawables) {
         const SceneNodeId node = skeleton.drawables[id].scene_node;

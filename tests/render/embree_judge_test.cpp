@@ -242,9 +242,7 @@ Verdict judge(const std::string& scene_name, bool sections = false) {
     if (sections) state.section = random_section(pack.skeleton(), random);
     const FrameRequest frame{static_cast<uint32_t>(i), state};
     const FrameRecord record = pipeline.draw(frame);
-    FrameState uncut = state;
-    uncut.section = {};
-    const RayScene scene(pack, state, select_cut(FrameView(pack.skeleton(), uncut)).drawables);
+    const RayScene scene(pack, state, select_cut(FrameView(pack.skeleton(), state)).drawables);
     items.draw(frame);
     const std::vector<uint32_t> drawn = items.target().read_items();
     for (int y = 0; y < height; ++y) {

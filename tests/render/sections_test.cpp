@@ -9,7 +9,9 @@
 #include "visibility/shading.hpp"
 
 #include <cmath>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace triptych {
 namespace {
@@ -70,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, UnderRandomSections,
 
 /// A wall, and a box behind it: both solid.
 Model wall_and_box() {
-  Mesh wall = awkward::box({-4, 0, -1}, {4, 3, 1}, 0), behind = awkward::box({-1, 0, -9}, {1, 2, -7}, 1);
+  Mesh wall = awkward::box({-4, 0, -1}, {4, 3, 1}, 0), behind = awkward::box({-1, 0.5, -9}, {1, 2, -7}, 1);
   Model model = awkward::model_of({wall, behind});
   model.materials = {{.base_color = {0.75, 0.5, 0.25, 1}}, {.base_color = {0.25, 0.75, 0.5, 1}}};
   return model;
@@ -82,7 +84,7 @@ class CutSurfaces : public testing::Test {
   static const Pack& pack() {
     static const Pack built = [] {
       const std::filesystem::path file =
-          std::filesystem::path(testing::TempDir()) / "triptych_cut_surfaces.tpk";
+          std::filesystem::path(testing::TempDir()) / fmt::format("triptych_cut_surfaces_{}.tpk", getpid());
       build_pack(wall_and_box(), {.part_triangles = 64, .leaf_triangles = 12}, file);
       return Pack(file);
     }();

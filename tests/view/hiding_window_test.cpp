@@ -52,7 +52,7 @@ TEST_F(HidingWindow, hides_and_isolates_what_is_selected_and_shows_it_again) {
   EXPECT_GT(hidden(), 10u) << title();
   EXPECT_EQ(after("u"), first) << "U does not show all";
   EXPECT_EQ(after("ctrl+z"), alone) << "Ctrl+Z does not undo that";
-  xdotool("key Escape");
+  xdotool("key Escape sleep 0.3 key Escape");
   EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
   EXPECT_GT(json_of(json).at("hidden_objects").get<int>(), 10);
 }
@@ -77,7 +77,7 @@ TEST_F(HidingWindow, hides_layers_and_storeys_and_knows_no_file_of_a_model_of_on
   xdotool("key u key ctrl+alt+h sleep 0.2");
   EXPECT_NE(title().find("the model is of one file"), std::string::npos) << title();
   EXPECT_EQ(look(), first);
-  xdotool("key Escape");
+  xdotool("key Escape sleep 0.3 key Escape");
   EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
 }
 
@@ -90,7 +90,7 @@ TEST_F(HidingWindow, begins_with_what_the_command_line_hides) {
        "-o", folder.file("rendered")});
   EXPECT_EQ(read_picture(folder.file("rendered/000000.png")), some);
   EXPECT_NE(after("u"), some);
-  xdotool("key Escape");
+  xdotool("key Escape sleep 0.3 key Escape");
   EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
 }
 
@@ -103,7 +103,7 @@ TEST_F(HidingWindow, of_a_session_tells_the_switch_nodes_and_the_recording) {
     xdotool("key " + key + " sleep 0.2 keydown w sleep 0.1 keyup w sleep 0.2");
     EXPECT_EQ(hidden() == 0, key == "u") << title();
   }
-  xdotool("key Escape");
+  xdotool("key Escape sleep 0.3 key Escape");
   const nlohmann::json report = whole_session(program);
   const std::string replayed = folder.file("replayed.json");
   run({"replay", folder.file("recording"), "--frames", "all", "-o", folder.file("replayed"), "--json",

@@ -89,7 +89,7 @@ TEST(Picker, finds_nothing_that_a_section_cuts_away) {
           nearest = std::min(nearest, along);
       }
     }
-    const auto picked = picker.at(view, shown, 20, 15, state.section);
+    const auto picked = picker.at(state, shown, 20, 15);
     ASSERT_EQ(picked.has_value(), nearest < 1e300);
     gone += !picked;
     if (!picked) continue;
