@@ -47,6 +47,17 @@ bool lies_beyond_entry(const SectionSidesOver& sides, uint32_t cut, int32_t x, i
   return entered;
 }
 
+/// Whether the ray is still in what the sides keep at a depth at which it came in: it may have left before.
+bool is_kept_at_entry(const SectionSidesOver& sides, int32_t x, int32_t y, float depth) {
+  const float px = static_cast<float>(x) + 0.5f, py = static_cast<float>(y) + 0.5f;
+  for (int32_t i = 0; i < sides.count; ++i) {
+    const float along = (sides.x[i] * px + sides.y[i] * py) + sides.at[i];
+    const bool comes_in = along + sides.of_depth[i] < 0;
+    if (!comes_in && !(along + sides.of_depth[i] * depth >= 0)) return false;
+  }
+  return true;
+}
+
 bool tiles_hide(const FillTarget& target, const PixelBox& box, float nearest) {
   for (int32_t y = box.bottom / tile_side; y <= box.top / tile_side; ++y) {
     const float* const tiles = target.tiles + int64_t{y} * target.columns;
@@ -110,8 +121,8 @@ class CapFiller {
     return range_.first_triangle + (triangle.slot - range_.first_slot);
   }
   void write(const Passed::Pixel& cap, int32_t x, int32_t y, const FillTarget& target) {
-    const float depth = std::min(entry_depth(terms_.sides, x, y), cap.limit);
-    if (!(depth > 0)) return;
+    const float entry = entry_depth(terms_.sides, x, y), depth = std::min(entry, cap.limit);
+    if (!(depth > 0) || !is_kept_at_entry(terms_.sides, x, y, entry)) return;
     const size_t at = static_cast<size_t>(y) * static_cast<size_t>(target.stride) + static_cast<size_t>(x);
     const auto bits = std::bit_cast<uint32_t>(depth);
     if (bits < target.depths[at]) return;

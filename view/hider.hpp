@@ -21,6 +21,8 @@ class Hider {
   std::string take(Command command, const PackObjects& objects, SourceObjectId selected);
 
   const Hiding& hiding() const { return hiding_; }
+  /// As if that had been hidden at first.
+  void begin_at(Hiding hiding) { hiding_ = std::move(hiding); }
 
  private:
   static constexpr size_t most_remembered = 100;

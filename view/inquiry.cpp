@@ -1,6 +1,7 @@
 #include "view/inquiry.hpp"
 
 #include "base/notice.hpp"
+#include "scene/hidden_objects.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,6 +9,12 @@
 namespace triptych {
 
 namespace {
+
+/// Whether the object is hidden: then its outline would be around nothing.
+bool is_hidden(const FrameState& frame, SourceObjectId object) {
+  const HiddenObjects* const hidden = frame.hiding.objects.get();
+  return hidden && std::ranges::binary_search(hidden->objects(), object);
+}
 
 /// Whether both are of the same thing.
 bool same(const std::optional<Selection>& a, const std::optional<Selection>& b) {
@@ -109,15 +116,15 @@ bool Inquiry::changed() const { return changed_ || !same(tour_.selection(), outl
 
 std::string Inquiry::title() const { return search_ ? search_->title() : measuring_.title(); }
 
-std::vector<ScreenLine> Inquiry::lines(const View& view) {
+std::vector<ScreenLine> Inquiry::lines(const FrameState& frame) {
   changed_ = false;
   if (!same(tour_.selection(), outlined_)) {
     outlined_ = tour_.selection();
     outline_.reset();
     if (outlined_) outline_.emplace(pack_.skeleton(), tour_.picker().chunks(), tour_.selector(), *outlined_);
   }
-  Overlay overlay(view);
-  if (outline_) outline_->draw(overlay, view);
+  Overlay overlay(frame.view);
+  if (outline_ && !is_hidden(frame, outlined_->object)) outline_->draw(overlay, frame.view);
   measuring_.draw(overlay);
   if (search_) search_->draw(overlay);
   return overlay.lines();

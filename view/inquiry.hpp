@@ -29,7 +29,7 @@ class Inquiry {
   /// A few words for a title; empty where there is nothing to say.
   std::string title() const;
   /// What to draw over the view's picture.
-  std::vector<ScreenLine> lines(const View& view);
+  std::vector<ScreenLine> lines(const FrameState& frame);
 
  private:
   /// Whether the command was answered.

@@ -12,6 +12,57 @@ namespace triptych {
 
 namespace {
 constexpr double least_pause_s = 0.25;
+
+nlohmann::json numbers(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
+glm::dvec3 vector_of(const nlohmann::json& json, size_t first) {
+  return {json.at(first).get<double>(), json.at(first + 1).get<double>(), json.at(first + 2).get<double>()};
+}
+
+nlohmann::json to_json(const Section& section) {
+  nlohmann::json json = {{"planes", nlohmann::json::array()}, {"box", nlohmann::json::array()}};
+  for (const SectionPlane& plane : section.planes()) {
+    json["planes"].push_back(numbers(plane.normal));
+    json["planes"].back().push_back(plane.offset);
+  }
+  if (section.box()) {
+    json["box"] = numbers(section.box()->lo);
+    for (int axis = 0; axis < 3; ++axis) json["box"].push_back(section.box()->hi[axis]);
+  }
+  return json;
+}
+
+Section section_of(const nlohmann::json& json, const std::string& place) {
+  Section section;
+  for (const nlohmann::json& plane : json.at("planes"))
+    section.add_plane({vector_of(plane, 0), plane.at(3).get<double>()}, place);
+  if (!json.at("box").empty()) section.set_box({vector_of(json["box"], 0), vector_of(json["box"], 3)}, place);
+  return section;
+}
+
+/// The first of each run of ids, and how many.
+nlohmann::json runs_of(const ObjectSet& objects) {
+  nlohmann::json runs = nlohmann::json::array();
+  for (size_t i = 0; i < objects.size();) {
+    size_t end = i + 1;
+    while (end < objects.size() && objects[end] == objects[end - 1] + 1) ++end;
+    runs.push_back({objects[i], end - i});
+    i = end;
+  }
+  return runs;
+}
+
+ObjectSet objects_of_runs(const nlohmann::json& runs, const std::string& place) {
+  ObjectSet objects;
+  for (const nlohmann::json& run : runs) {
+    const auto first = run.at(0).get<uint64_t>(), count = run.at(1).get<uint64_t>();
+    const uint64_t least = objects.empty() ? 0 : uint64_t{objects.back()} + 1;
+    if (first < least || count == 0 || first >= no_id || count > no_id - first)
+      fail(place, "\"hidden\" has runs that are out of order");
+    for (uint64_t i = 0; i < count; ++i) objects.push_back(static_cast<SourceObjectId>(first + i));
+  }
+  return objects;
+}
+
 }  // namespace
 
 std::string last_place_text(const LastPlace& place) {
@@ -20,7 +71,9 @@ std::string last_place_text(const LastPlace& place) {
                                {"pixel_error", place.pixel_error},
                                {"edges", place.edges},
                                {"culling", place.culling},
-                               {"selected", place.selected}};
+                               {"selected", place.selected},
+                               {"section", to_json(place.section)},
+                               {"hidden", runs_of(place.hidden)}};
   return json.dump() + "\n";
 }
 
@@ -34,6 +87,8 @@ LastPlace parse_last_place(const std::string& text, const std::string& place) {
     last.edges = json.at("edges").get<bool>();
     last.culling = json.at("culling").get<bool>();
     last.selected = json.at("selected").get<SourceObjectId>();
+    last.section = section_of(json.at("section"), place);
+    last.hidden = objects_of_runs(json.at("hidden"), place);
     if (!(last.pace > 0 && std::isfinite(last.pace))) fail(place, "\"pace\" must be positive");
     if (!(last.pixel_error >= 0 && std::isfinite(last.pixel_error)))
       fail(place, "\"pixel_error\" must not be negative");
@@ -56,9 +111,9 @@ std::optional<LastPlace> PlaceKeeper::read() const {
 
 bool PlaceKeeper::keep(const LastPlace& place) {
   if (!wanted() || failed_) return true;
+  if (!kept_.empty() && since_.seconds() < least_pause_s) return false;
   std::string text = last_place_text(place);
   if (text == kept_) return true;
-  if (!kept_.empty() && since_.seconds() < least_pause_s) return false;
   // Whole, whenever this process is killed; that a machine is, is not what it is for, so no disk is waited
   // for.
   const std::filesystem::path partial = file_.string() + ".new";

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "base/clock.hpp"
+#include "scene/hidden_objects.hpp"
 #include "scene/path.hpp"
+#include "scene/section.hpp"
 #include "scene/source_objects.hpp"
 
 #include <filesystem>
@@ -17,6 +19,8 @@ struct LastPlace {
   double pixel_error = 1;
   bool edges = false, culling = true;
   SourceObjectId selected = no_id;
+  Section section = {};
+  ObjectSet hidden = {};
 };
 
 std::string last_place_text(const LastPlace& place);

@@ -87,7 +87,7 @@ std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, con
         glm::normalize(glm::cross(linear * (corner(1) - corner(0)), linear * (corner(2) - corner(0))));
     found = ChunkHit{nearest, i, glm::dot(across, ray.way) > 0 ? -across : across};
   }
-  if (winding > 0) return ChunkHit{ray.enters, back.second, -ray.entered->normal};
+  if (winding > 0 && ray.enters < ray.most) return ChunkHit{ray.enters, back.second, -ray.entered->normal};
   return found;
 }
 

@@ -94,6 +94,9 @@ void Viewer::begin_at(const LastPlace& place) {
   options_.edges = place.edges;
   options_.culling = place.culling;
   options_.play = false;
+  const PackObjects& objects = tour_.selector().objects();
+  hider_.begin_at(triptych::hide(pack_.skeleton(), objects, place.hidden, options_.place.string()));
+  sections_ = Sections(place.section, pack_.skeleton().diagonal());
   if (place.selected < tour_.selector().objects().source().objects.size())
     tour_.select(tour_.selector().describe(place.selected));
 }
@@ -102,7 +105,8 @@ void Viewer::keep_place() {
   if (!place_.wanted() || !shown_) return;
   const auto& selection = tour_.selection();
   place_.keep({camera(), tour_.walker().pace(), options_.pixel_error, options_.edges, options_.culling,
-               selection ? selection->object : no_id});
+               selection ? selection->object : no_id, sections_.section(),
+               hiding().objects ? hiding().objects->objects() : ObjectSet()});
 }
 
 Viewer::~Viewer() {
@@ -285,7 +289,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
   }
   shown_ = shown;
   const std::vector<ScreenLine> lines =
-      birds_eye_wanted_ ? std::vector<ScreenLine>() : inquiry_.lines(frame.state.view);
+      birds_eye_wanted_ ? std::vector<ScreenLine>() : inquiry_.lines(frame.state);
   const std::vector<uint8_t> colors = window_.show(*shown, picture_wanted_ || viewpoint_wanted_, lines);
   if (std::exchange(picture_wanted_, false)) {
     saved_ = keep(options_.pictures, "picture", "png", [&](const std::filesystem::path& file) {
@@ -307,7 +311,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
 void Viewer::show_again() {
   const FrameState* frame = tour_.frame();
   if (!shown_ || !frame) return;
-  const std::vector<ScreenLine> lines = inquiry_.lines(frame->view);
+  const std::vector<ScreenLine> lines = inquiry_.lines(*frame);
   if (!birds_eye_wanted_) window_.show(*shown_, false, lines);
   set_title();
 }

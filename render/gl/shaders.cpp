@@ -132,9 +132,15 @@ flat in vec4 bound_at;
 void keep_fragment() {
   int side = capped_side();
   if (side < 0 || imageLoad(nearest_backs, ivec2(gl_FragCoord.xy)).r != floatBitsToUint(gl_FragCoord.z)) discard;
+  float entry = along(sides[side]) / -sides[side].w;
+  // The ray may have left what another side keeps before it comes in.
+  for (int i = 0; i < side_count; ++i) {
+    float r = along(sides[i]);
+    if (!(r + sides[i].w < 0.0) && !(r + sides[i].w * entry >= 0.0)) discard;
+  }
   vec3 planes = bound_x * gl_FragCoord.x + bound_y * gl_FragCoord.y + bound_at.xyz;
   float limit = min(min(planes.x, planes.y), min(planes.z, bound_at.w));
-  gl_FragDepth = min(along(sides[side]) / -sides[side].w, limit);
+  gl_FragDepth = min(entry, limit);
 }
 )";
 

@@ -170,6 +170,24 @@ TEST_F(CutSurfaces, do_not_show_of_what_is_cut_away_and_it_hides_nothing) {
   EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), box, {0, 0, 1}, frame, cap_tone)));
 }
 
+TEST_F(CutSurfaces, end_where_another_side_cuts_them_off) {
+  LocalPipeline pipeline(pack(), {.width = 120, .height = 90, .device = test::device()});
+  for (const bool by_a_box : {false, true}) {
+    FrameState frame = state();
+    frame.view.camera.target = {-3, 1.5, 0};  // the ray leaves x >= -1 long before it comes in at z = 0
+    if (by_a_box) {
+      frame.section.set_box({{-1, -9, -9}, {9, 9, 0}}, "test");
+    } else {
+      frame.section.add_plane({{0, 0, -1}, 0}, "test");
+      frame.section.add_plane({{1, 0, 0}, -1}, "test");
+    }
+    EXPECT_EQ(show(pipeline, frame).middle,
+              glm::ivec3(background_bytes[0], background_bytes[1], background_bytes[2]));
+    frame.view.camera.target = {0, 1.5, 0};
+    EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), wall, {0, 0, 1}, frame, cap_tone)));
+  }
+}
+
 TEST_F(CutSurfaces, show_to_an_eye_that_is_where_something_was_cut_away) {
   LocalPipeline pipeline(pack(), {.width = 120, .height = 90, .device = test::device()});
   FrameState frame = state();

@@ -249,6 +249,11 @@ TEST(LastPlace, is_read_as_it_was_written_and_refused_where_it_is_damaged) {
   place.pace = 1.25;
   place.edges = true;
   place.selected = 17;
+  place.section.add_plane({{0, 0.6, -0.8}, 1.0 / 3}, "test");
+  place.section.set_box({{-1, -2, -3}, {1, 2, 1e7}}, "test");
+  place.hidden = {1, 2, 3, 7, 9, 10};
+  EXPECT_EQ(parse_last_place(last_place_text(place), "place").section, place.section);
+  EXPECT_EQ(parse_last_place(last_place_text(place), "place").hidden, place.hidden);
   const std::string text = last_place_text(place);
   EXPECT_EQ(last_place_text(parse_last_place(text, "place")), text);
   for (size_t i = 0; i + 1 < text.size(); i += 3)

@@ -53,7 +53,7 @@ class NamedBoxes : public testing::Test {
     const FrameState frame{tour->walker().view(400, 300), 1};
     tour->saw(frame, select_cut(FrameView(pack->skeleton(), frame)).drawables);
   }
-  size_t lines() { return inquiry->lines(tour->frame()->view).size(); }
+  size_t lines() { return inquiry->lines(*tour->frame()).size(); }
   bool give(const std::string& typed, std::vector<Command> commands = {}) {
     Input input;
     input.typed = typed;
