@@ -186,6 +186,7 @@ void write_pack(const Difference& difference, const std::filesystem::path& outpu
 }
 
 int run(const DiffCommand& command) {
+  if (!command.output.empty()) check_may_become_pack(command.output);
   const Revision before(command.before), after(command.after);
   const Difference difference{before, after, compare_packs(before, after)};
   print(difference);

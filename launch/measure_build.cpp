@@ -43,6 +43,7 @@ void print(const nlohmann::json& report) {
 
 int run(const MeasureBuildCommand& command) {
   check_is_no_model_file({command.keep, command.json}, command.flags.inputs);
+  if (!command.keep.empty()) check_may_become_pack(command.keep);
   // Beside the pack to keep, so that it can be renamed; under a new name, so that no earlier build is
   // resumed.
   const TemporaryFolder folder(command.keep.empty() ? std::filesystem::path()

@@ -104,6 +104,8 @@ std::vector<SourceObjectId> ObjectFinder::find(std::string_view word) const {
 }
 
 std::vector<SourceObjectId> ObjectFinder::require(const std::string& word, const std::string& place) const {
+  if (word.find_first_not_of(" \t") == std::string::npos) fail(place, "an empty word means no object");
+  if (source_.objects.empty()) fail(place, "\"{}\": the model's files name no objects", one_line(word));
   std::vector<SourceObjectId> found = find(word);
   if (!found.empty()) return found;
   const auto meant = KindAndName::of(word);

@@ -56,6 +56,8 @@ void Pack::read() {
   check_version(*seen_from_outside_, seen_from_outside_version, seen_place);
   skeleton_.seen_from_outside = decode_seen_from_outside(read_section(*seen_from_outside_, seen_place),
                                                          skeleton_.chunks.size(), seen_place);
+  const std::array hashes = {content_hash_, seen_from_outside_->checksum};
+  content_hash_ = hash_values(std::span<const uint64_t>(hashes), format_version_);
 }
 
 std::vector<PackSection> Pack::read_table() {

@@ -49,7 +49,8 @@ std::optional<SectionPlane> along_axis(std::string_view words) {
   const std::string_view rest = trimmed(words.substr(words.empty() ? 0 : 1));
   if (axis == std::string_view::npos || rest.empty() || (rest.front() != '<' && rest.front() != '>'))
     return std::nullopt;
-  const auto at = number(rest.substr(1));
+  const bool or_equal = rest.size() > 1 && rest[1] == '=';  // planes keep what lies in them anyhow
+  const auto at = number(rest.substr(or_equal ? 2 : 1));
   if (!at) return std::nullopt;
   const double sign = rest.front() == '>' ? 1 : -1;
   glm::dvec3 normal(0);

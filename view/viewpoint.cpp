@@ -68,10 +68,10 @@ std::string left_out_text(const Viewpoint& viewpoint, const SourceObjects& sourc
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   for (const std::string& what : viewpoint.left_out) add(what);
+  const size_t named = std::set(viewpoint.exceptions.begin(), viewpoint.exceptions.end()).size();
   const size_t known = objects_of(source, viewpoint.exceptions).size();
-  if (known < viewpoint.exceptions.size()) {
-    add(fmt::format("{} of {} objects that are {}, which the model does not have",
-                    viewpoint.exceptions.size() - known, viewpoint.exceptions.size(),
+  if (known < named) {
+    add(fmt::format("{} of {} objects that are {}, which the model does not have", named - known, named,
                     viewpoint.shows_others ? "hidden" : "shown"));
   }
   return text;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <unistd.h>
+#include <unordered_map>
 #include <unzip.h>
 #include <zip.h>
 
@@ -20,6 +21,8 @@ struct ZipReader::Archive {
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
   unzFile zip;
+  std::unordered_map<std::string, unz64_file_pos>
+      places;  ///< of members; of a name that is there twice the first
 };
 
 ZipReader::ZipReader(const std::filesystem::path& file) : place_(file.string()) {
@@ -34,6 +37,9 @@ ZipReader::ZipReader(const std::filesystem::path& file) : place_(file.string()) 
     if (unzGetCurrentFileInfo64(zip, &info, name.data(), name.size() - 1, nullptr, 0, nullptr, 0) != UNZ_OK)
       fail(place_, "the directory of the zip archive is damaged");
     std::string member(name.data());
+    unz64_file_pos at{};
+    if (unzGetFilePos64(zip, &at) != UNZ_OK) fail(place_, "the directory of the zip archive is damaged");
+    archive_->places.emplace(member, at);
     if (!member.empty() && member.back() != '/') members_.push_back(std::move(member));
     if (members_.size() > max_members) fail(place_, "has more than {} members", max_members);
   }
@@ -41,19 +47,19 @@ ZipReader::ZipReader(const std::filesystem::path& file) : place_(file.string()) 
 
 ZipReader::~ZipReader() = default;
 
-bool ZipReader::has(const std::string& member) const {
-  return std::find(members_.begin(), members_.end(), member) != members_.end();
-}
+bool ZipReader::has(const std::string& member) const { return archive_->places.contains(member); }
 
 std::string ZipReader::read(const std::string& member) const {
   const std::string place = fmt::format("{}: {}", place_, one_line(member.substr(0, 120)));
   unzFile zip = archive_->zip;
   unz_file_info64 info{};
-  if (unzLocateFile(zip, member.c_str(), 1) != UNZ_OK ||
+  const auto at = archive_->places.find(member);
+  if (at == archive_->places.end() || unzGoToFilePos64(zip, &at->second) != UNZ_OK ||
       unzGetCurrentFileInfo64(zip, &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
     fail(place, "is not in the archive");
   if ((info.flag & 1) != 0) fail(place, "is encrypted");
-  if (unzOpenCurrentFile(zip) != UNZ_OK)
+  const bool is_known = info.compression_method == 0 || info.compression_method == Z_DEFLATED;
+  if (!is_known || unzOpenCurrentFile(zip) != UNZ_OK)
     fail(place, "cannot be unpacked (method {})", info.compression_method);
   std::string text;
   std::array<char, 1 << 16> block{};
