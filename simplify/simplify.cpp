@@ -20,7 +20,7 @@ constexpr double enough_convex = 0.25;
 /// is of wires that are thinner than the bound, they are shown with an error that is smaller by this factor:
 /// a wire that is thinner than a pixel covers the middle of one here and there, and where it is off by less
 /// than a pixel, it covers others.
-constexpr double wire_length = 30, wire_share = 0.5, wire_care = 5;
+constexpr double wire_length = 30, wire_share = 0.8, wire_care = 5;
 
 /// What of a surface has stand-ins, and what is left of it.
 class Parts {
