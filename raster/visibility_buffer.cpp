@@ -81,22 +81,9 @@ void VisibilityBuffer::draw_caps(const GeometryTerms& terms, std::span<const Pla
 
 void VisibilityBuffer::draw_cap_batch(const GeometryTerms& terms) {
   if (batch_.empty()) return;
-  if (triangles_.size() < batch_.size()) triangles_.resize(batch_.size());
   DepthSource nothing = source();
   nothing_->hand_out(nothing);
-  const bool side_by_side = thread_count() > 1 && batch_triangles_ >= worth_sharing;
-  const auto make = [&](size_t i) {
-    const FloatState state;
-    make_triangles(terms, batch_[i].range, batch_[i].pieces, nothing, triangles_[i], true);
-  };
-  if (side_by_side) {
-    parallel_for(batch_.size(), make);
-  } else {
-    for (size_t i = 0; i < batch_.size(); ++i) make(i);
-  }
-  for (size_t i = 0; i < batch_.size(); ++i) {
-    if (triangles_[i].bottom <= triangles_[i].top) tiles_.touch_rows(triangles_[i].bottom, triangles_[i].top);
-  }
+  const bool side_by_side = make_batch(terms, nothing, true);
   const FillTarget into = target();
   for_each_band(side_by_side, [&](int32_t first, int32_t last) {
     for (size_t i = 0; i < batch_.size(); ++i) {
@@ -124,14 +111,12 @@ void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint
   batch_triangles_ += count;
 }
 
-void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
-  if (batch_.empty()) return;
+bool VisibilityBuffer::make_batch(const GeometryTerms& terms, const DepthSource& drawn, bool outward_alone) {
   if (triangles_.size() < batch_.size()) triangles_.resize(batch_.size());
-  const DepthSource drawn = source();
   const bool side_by_side = thread_count() > 1 && batch_triangles_ >= worth_sharing;
   const auto make = [&](size_t i) {
     const FloatState state;
-    make_triangles(terms, batch_[i].range, batch_[i].pieces, drawn, triangles_[i]);
+    make_triangles(terms, batch_[i].range, batch_[i].pieces, drawn, triangles_[i], outward_alone);
   };
   if (side_by_side) {
     parallel_for(batch_.size(), make);
@@ -141,6 +126,13 @@ void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   for (size_t i = 0; i < batch_.size(); ++i) {
     if (triangles_[i].bottom <= triangles_[i].top) tiles_.touch_rows(triangles_[i].bottom, triangles_[i].top);
   }
+  return side_by_side;
+}
+
+void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
+  if (batch_.empty()) return;
+  const DepthSource drawn = source();
+  const bool side_by_side = make_batch(terms, drawn, false);
   sort_large();
   for_each_band(side_by_side, [&](int32_t first, int32_t last) {
     fill_rows(first, last);

@@ -60,6 +60,8 @@ class VisibilityBuffer {
 
  private:
   void number(const PlacedStretch& stretch, uint32_t first, uint32_t count);
+  /// The batch's triangles. Returns whether it is worth several threads.
+  bool make_batch(const GeometryTerms& terms, const DepthSource& drawn, bool outward_alone);
   void draw_batch(const GeometryTerms& terms);
   void draw_caps(const GeometryTerms& terms, std::span<const PlacedStretch> stretches);
   void draw_cap_batch(const GeometryTerms& terms);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 
 namespace triptych {
 
@@ -130,26 +131,28 @@ class Parts {
   Chain chain_;  ///< of the rest; sources in the surface
 };
 
-/// The chain goes on from its last level, all of it at once.
+/// The chain goes on from its last level, or the surface, all of it at once.
 void go_on(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits,
            Chain& chain) {
-  const Piece from = chain.levels.empty() ? Piece{} : chain.levels.back().piece;
-  const Surface& begin = chain.levels.empty() ? surface : from.surface;
-  const Level last = chain.levels.empty() ? Level{} : chain.levels.back();
+  Level from;
+  if (chain.levels.empty()) {
+    from.piece = {surface, std::vector<uint32_t>(surface.points.size())};
+    std::iota(from.piece.sources.begin(), from.piece.sources.end(), 0u);
+  } else {
+    from = chain.levels.back();
+  }
   std::vector<uint8_t> own_locked;
-  if (!locked.empty() && !chain.levels.empty()) {
-    for (const uint32_t source : from.sources) own_locked.push_back(locked[source]);
+  if (!locked.empty()) {
+    for (const uint32_t source : from.piece.sources) own_locked.push_back(locked[source]);
   }
   SimplifyLimits left = limits;
-  left.max_bound -= last.bound;
-  Chain more = collapse_chain(begin, chain.levels.empty() ? locked : own_locked, left);
+  left.max_bound -= from.bound;
+  Chain more = collapse_chain(from.piece.surface, own_locked, left);
   for (Level& level : more.levels) {
-    if (!chain.levels.empty()) {
-      for (uint32_t& source : level.piece.sources) source = from.sources[source];
-    }
-    level.bound += last.bound;
-    level.moved += last.moved;
-    level.planes_left = std::max(level.planes_left, last.planes_left);
+    for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
+    level.bound += from.bound;
+    level.moved += from.moved;
+    level.planes_left = std::max(level.planes_left, from.planes_left);
   }
   std::ranges::move(more.levels, std::back_inserter(chain.levels));
   chain.stuck = more.stuck;

@@ -328,7 +328,7 @@ std::vector<ConvexComponent> convex_components(const Surface& surface, std::span
     Component component{.piece = extract(surface.points, own), .locked = {}, .base = {}};
     for (const uint32_t source : component.piece.sources)
       component.locked.push_back(locked.empty() ? 0 : locked[source]);
-    ConvexComponent result{std::move(triangles[i]), cover.thickness, {}};
+    ConvexComponent result{std::move(triangles[i]), {}};
     const auto [twin, is_new] = known.try_emplace(shape_key(component), Known{found.size(), component.piece});
     if (is_new) {
       if (is_convex(component, cover.radius) && find_base(component))

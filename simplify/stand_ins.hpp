@@ -19,7 +19,6 @@ struct StandIn {
 /// A component that has them.
 struct ConvexComponent {
   std::vector<uint32_t> triangles;  ///< of the surface, ascending
-  double thickness = 0;             ///< Cover::thickness
   std::vector<StandIn> stand_ins;   ///< with fewer and fewer triangles, and larger and larger bounds
 };
 

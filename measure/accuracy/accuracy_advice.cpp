@@ -19,8 +19,8 @@ namespace {
 /// One strategy of a pack at one error, on all devices and at all sizes.
 struct Candidate {
   bool good = true, approximate = false;
-  double ms = 0;  ///< the sum of median frame times
-  double swaps_a_million = 0;
+  double ms = 0;                  ///< the sum of median frame times
+  double swaps_a_million = 0;     ///< away from edges
   std::optional<double> cover{};  ///< the least
 };
 
@@ -31,7 +31,7 @@ struct Choice {
 };
 
 void add(Candidate& candidate, const json& row) {
-  const double swaps = 1e6 * row["swap_share"].get<double>();
+  const double swaps = 1e6 * row["swap_inner_share"].get<double>();
   candidate.ms += row["frame_ms"]["p50"].get<double>();
   candidate.approximate = !row["min_pixels"].is_null();
   candidate.swaps_a_million = std::max(candidate.swaps_a_million, swaps);
@@ -93,9 +93,8 @@ json advice_for(const json& pack, const std::vector<Choice>& choices) {
   const std::optional<Advised> best = best_of(choices);
   if (!best) {
     advice["says"] = fmt::format(
-        "{}: none of the errors measured is without holes, below {:g} swaps a million and keeps {:g} % of "
-        "the "
-        "cover of small things: measure finer ones",
+        "{}: none of the errors measured is without holes, below {:g} swaps a million away from "
+        "edges and keeps {:g} % of the cover of small things: measure finer ones",
         name, most_swaps_a_million, 100 * least_cover_kept);
     return advice;
   }
@@ -108,8 +107,8 @@ json advice_for(const json& pack, const std::vector<Choice>& choices) {
   std::string strategy = best->choice->strategy.get<std::string>();
   if (!best->choice->min_pixels.is_null())
     strategy += fmt::format(" {}", best->choice->min_pixels.get<uint32_t>());
-  std::string says = fmt::format("{}: take {:g} px ({}): no holes, {:.0f} swaps a million", name,
-                                 best->pixel_error, strategy, best->candidate->swaps_a_million);
+  std::string says = fmt::format("{}: take {:g} px ({}): no holes, {:.0f} swaps a million away from edges",
+                                 name, best->pixel_error, strategy, best->candidate->swaps_a_million);
   if (best->candidate->cover)
     says += fmt::format(", small things keep {:.0f} % of their cover", 100 * *best->candidate->cover);
   says += finest_error < best->pixel_error

@@ -82,6 +82,7 @@ json row_json(const AccuracyRow& row) {
   object["swap_pixels"] = pictures.swap_pixels;
   object["swap_largest"] = pictures.swap.pixels;
   object["swap_inner_pixels"] = pictures.inner_swap_pixels;
+  object["swap_inner_share"] = pictures.share_of_surface(pictures.inner_swap_pixels);
   object["cover_pixels"] = pictures.cover_pixels();
   object["cover_kept"] = or_null(pictures.cover_kept());
   object["cover_grown"] = or_null(pictures.cover_grown());

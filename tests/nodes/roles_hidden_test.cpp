@@ -10,22 +10,17 @@ using namespace std::chrono_literals;
 
 /// Does not send the fifth hidden set, whichever connection it comes to: the first two are of the warm-up.
 /// Each write is a message.
-class DroppingConnection : public Connection {
+class DroppingConnection : public SpoiledConnection {
  public:
   DroppingConnection(std::shared_ptr<Connection> below, std::shared_ptr<std::atomic<int>> sets)
-      : below_(std::move(below)), sets_(std::move(sets)) {}
-  void read_some(std::span<std::byte> into, Read done) override { below_->read_some(into, std::move(done)); }
+      : SpoiledConnection(std::move(below), [](uint32_t) { return true; }), sets_(std::move(sets)) {}
   std::string write(std::span<const std::byte> bytes, std::chrono::milliseconds timeout) override {
     const auto type = static_cast<std::byte>(type_of(HiddenSet{}));
     if (bytes[3] == type && (*sets_)++ == 4) return "";
-    return below_->write(bytes, timeout);
+    return SpoiledConnection::write(bytes, timeout);
   }
-  void close() override { below_->close(); }
-  asio::io_context& context() override { return below_->context(); }
-  const std::string& place() const override { return below_->place(); }
 
  private:
-  std::shared_ptr<Connection> below_;
   std::shared_ptr<std::atomic<int>> sets_;
 };
 

@@ -105,6 +105,16 @@ TEST(Wire, bodies_are_as_long_as_documented) {
   EXPECT_EQ(encode(walk).size(), header_bytes + 88) << "camera";
   walk.state.view.camera.left *= 2;
   EXPECT_EQ(encode(walk).size(), header_bytes + 88 + 1 + 16) << "camera of a lopsided frustum";
+  FrameState& longest = walk.state;
+  longest.view.width = longest.view.height = 32768;
+  longest.view.camera.up = {1 / 3.0, 0.1, 0.7};
+  longest.view.camera.top *= 3;
+  longest.pixel_error = 1 / 3.0;
+  for (uint32_t i = 0; i < Section::max_planes; ++i)
+    longest.section.add_plane({{1, 0.3, 0.7}, 1 / 3.0}, "test");
+  longest.section.set_box({glm::dvec3(-0.1), glm::dvec3(0.1)}, "test");
+  longest.hiding.name = {no_id, ~uint64_t{0}};
+  EXPECT_EQ(encode(walk).size(), header_bytes + 404) << "the longest camera";
   const Sentinel sentinel{.frame = 1,
                           .visible = 60,
                           .added = 2,

@@ -120,5 +120,32 @@ TEST_F(HidingWindow, of_a_session_tells_the_switch_nodes_and_the_recording) {
   EXPECT_LT(with_hidden, frames.size());
 }
 
+TEST_F(HidingWindow, of_a_session_keeps_what_is_hidden_and_cut_when_the_render_node_is_killed) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--gather", "60", "-o", folder.file("pictures")});
+  find_window();
+  const Picture whole = look();
+  click_in_the_middle();
+  xdotool("key h sleep 0.3 mousemove 160 120 sleep 0.2 key x key Prior key Prior sleep 0.8");
+  const size_t gone = hidden();
+  EXPECT_GT(gone, 0u) << title();
+  EXPECT_NE(title().find("cut by 1 plane"), std::string::npos) << title();
+  const Picture left = look();
+  EXPECT_NE(left, whole);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const pid_t killed = program.role("render");
+  ::kill(killed, SIGKILL);
+  for (int tries = 0; tries < 2000 && program.last_role("render") == killed; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_NE(program.last_role("render"), killed) << program.errors();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  find_window();
+  EXPECT_EQ(look(), left);
+  EXPECT_EQ(hidden(), gone) << title();
+  EXPECT_NE(title().find("cut by 1 plane"), std::string::npos) << title();
+  xdotool("key Escape sleep 0.3 key Escape");
+  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+}
+
 }  // namespace
 }  // namespace triptych::test

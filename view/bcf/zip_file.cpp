@@ -3,10 +3,10 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/one_line.hpp"
+#include "base/partial_files.hpp"
 
 #include <algorithm>
 #include <array>
-#include <unistd.h>
 #include <unordered_map>
 #include <unzip.h>
 #include <zip.h>
@@ -75,16 +75,25 @@ std::string ZipReader::read(const std::string& member) const {
 }
 
 ZipWriter::ZipWriter(std::filesystem::path file)
-    : file_(std::move(file)), partial_(file_.string() + fmt::format(".partial-{}", ::getpid())) {
-  zip_ = zipOpen64(partial_.c_str(), APPEND_STATUS_CREATE);
-  if (!zip_) fail(file_.string(), "cannot be written");
+    : file_(std::move(file)), partial_(partial_name(file_)), held_(open_partial_file(partial_)) {
+  if (held_) zip_ = zipOpen64(partial_.c_str(), APPEND_STATUS_CREATE);
+  if (!zip_) {
+    release();
+    fail(file_.string(), "cannot be written");
+  }
 }
 
 ZipWriter::~ZipWriter() {
   if (!zip_) return;
   zipClose(zip_, nullptr);
+  release();
+}
+
+void ZipWriter::release() {
+  if (!held_) return;
   std::error_code ignored;
   std::filesystem::remove(partial_, ignored);
+  std::fclose(std::exchange(held_, nullptr));
 }
 
 void ZipWriter::add(const std::string& member, std::span<const std::byte> bytes) {
@@ -105,9 +114,8 @@ void ZipWriter::commit() {
   const bool closed = zipClose(std::exchange(zip_, nullptr), nullptr) == ZIP_OK;
   std::error_code error;
   if (closed) std::filesystem::rename(partial_, file_, error);
+  release();
   if (closed && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(partial_, ignored);
   fail(file_.string(), "cannot be written{}{}", error ? ": " : "", error ? error.message() : "");
 }
 

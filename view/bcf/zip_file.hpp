@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -49,8 +50,11 @@ class ZipWriter {
   void commit();
 
  private:
+  void release();  ///< the file under construction, which is removed if it is still there
+
   void* zip_ = nullptr;
   std::filesystem::path file_, partial_;
+  std::FILE* held_ = nullptr;  ///< so that other processes see that it is under construction
 };
 
 }  // namespace triptych

@@ -29,6 +29,7 @@ nlohmann::json row(const std::string& strategy, double pixel_error, double ms) {
           {"swap_pixels", 0},
           {"swap_largest", 0},
           {"swap_share", 0.0},
+          {"swap_inner_share", 0.0},
           {"cover_kept", nullptr},
           {"cover_pixels", 1000.0},
           {"missed_triangle_share", 0.0}};
@@ -91,13 +92,14 @@ TEST(AccuracyAdvice, is_the_coarsest_error_that_is_good_enough_everywhere) {
   EXPECT_EQ(advice(rows)["strategy"], "occlusion") << "the faster one";
   EXPECT_EQ(advice(rows)["faster"], 3);
   EXPECT_EQ(advice(rows)["says"],
-            "a.tpk: take 4 px (occlusion): no holes, 0 swaps a million; 3.0 times faster than 0.25 px, the "
+            "a.tpk: take 4 px (occlusion): no holes, 0 swaps a million away from edges; 3.0 times faster "
+            "than 0.25 px, the "
             "finest measured");
   EXPECT_EQ(accuracy_advice(rows, {{{"row", 2}}, {{"row", 3}}})[0]["pixel_error"], 2)
       << "promises were broken";
   rows.erase(3);
   for (const auto& [key, value] : {std::pair<const char*, nlohmann::json>{"hole_pixels", 1},
-                                   {"swap_share", 20e-6},
+                                   {"swap_inner_share", 20e-6},
                                    {"cover_kept", 0.89}}) {
     nlohmann::json spoilt = rows;
     spoilt[2][key] = value;
