@@ -27,7 +27,7 @@ struct FrameRules {
   bool cut_occludes_nothing = true;  ///< what a section cuts away is not drawn into the representation
   // The device
   bool non_strict_test = true;      ///< a box at exactly the representation's depth shows
-  bool fragment_bound = true;       ///< fragments nearer than their piece's box are dropped
+  bool fragment_bound = true;       ///< fragments nearer than their piece's box are moved back to it
   bool double_positions = true;     ///< geometry is placed from double-precision coordinates
   bool leave_out_backs = true;      ///< backs of outward triangles (Chunk::outward) are not drawn
   bool backs_need_distance = true;  ///< they are where the near plane reaches what they belong to

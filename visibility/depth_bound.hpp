@@ -26,8 +26,8 @@ inline constexpr double share_of_depth = 0x1p-14;
 /// own rounding included.
 inline constexpr double plane_rounding = 0x1p-20;
 
-/// What every pass holds its fragments to: those in front of `nearest`, or of any of the planes, are dropped.
-/// Planes beyond which nothing is dropped are 1 everywhere.
+/// What every pass holds its fragments to: those in front of `nearest`, or of any of the planes, are moved
+/// back. Planes that hold nothing back are 1 everywhere.
 struct DepthBound {
   float nearest = 1;
   std::array<DepthPlane, 3> planes;

@@ -29,14 +29,17 @@ struct BoundRecord { vec4 x, y, at; };
 layout(std430, binding = 4) readonly buffer Bounds { BoundRecord bounds[]; };
 )";
 
-// A sliver seen edge-on has depth interpolated beyond its own vertices. Bounding every fragment by its
-// piece's box, in every pass, is what makes the rectangle test exact. Written so that NaN is dropped too.
+// A sliver seen edge-on has depth interpolated beyond its own vertices. Holding every fragment to the bound
+// of its piece's box, in every pass, is what makes the rectangle test exact. NaN becomes the bound. Fragments
+// only move away from the eye, which lets graphics cards reject hidden ones early.
 const std::string bounded = R"(
+layout(depth_less) out float gl_FragDepth;
 flat in vec3 bound_x, bound_y;
 flat in vec4 bound_at;
-void bound_fragment() {
+float bound_depth() {
   vec3 planes = bound_x * gl_FragCoord.x + bound_y * gl_FragCoord.y + bound_at.xyz;
-  if (!(gl_FragCoord.z <= min(min(planes.x, planes.y), min(planes.z, bound_at.w)))) discard;
+  float limit = min(min(planes.x, planes.y), min(planes.z, bound_at.w));
+  return gl_FragCoord.z <= limit ? gl_FragCoord.z : limit;
 }
 )";
 
@@ -47,9 +50,8 @@ const std::string layered =
 flat in uint layers;
 uniform vec4 layer_view;  // focal lengths, axis
 uniform vec3 layer_step;  // LayerOffset::step, snapped, parallel
-void place_fragment() {
-  float z = gl_FragCoord.z;
-  vec2 slope = vec2(dFdx(z), dFdy(z));
+float place_fragment(float z) {
+  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
   float ahead = layer_step.z > 0.0 ? layer_step.z : z + dot(slope, layer_view.zw - gl_FragCoord.xy);
   vec2 along = slope * layer_view.xy;
   float normal = sqrt(dot(along, along) + ahead * ahead);
@@ -58,10 +60,10 @@ void place_fragment() {
   float rounded = float(layers) * depth_rounding;
   float below = layer_step.z > 0.0 ? z * (1.0 - rounded) - (moved + sheared)
                                    : z * max(1.0 - (moved + rounded), 0.5) - sheared;
-  gl_FragDepth = layers > 0u ? max(below, z * 0.5) : z;
+  return layers > 0u ? max(below, z * 0.5) : z;
 }
 )";
-const std::string not_layered = "void place_fragment() {}\n";
+const std::string not_layered = "float place_fragment(float z) { return z; }\n";
 
 // Fragments that a section does not keep are dropped (PixelSides). Where the back of an outward triangle is
 // left, the cut surface shows of that side at which the ray came in last.
@@ -149,8 +151,8 @@ std::string kept(const ShaderVariant& variant) {
   if (variant.caps) return cut_away + capped;
   return bounded + (variant.layers ? layered : not_layered) + (variant.sections ? cut_away : not_cut) + R"(
 void keep_fragment() {
-  place_fragment();
-  bound_fragment();
+  float z = bound_depth();
+  gl_FragDepth = place_fragment(z);
   cut_fragment();
 }
 )";

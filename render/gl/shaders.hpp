@@ -31,8 +31,8 @@ struct ShaderVariant {
 
 /// For perspective views, or for orthographic ones, whose w is 1 and whose depth is linear.
 std::string geometry_vertex_shader(Projection projection, const ShaderVariant& variant);
-/// Only depth, flat-shaded base colours, and drawable ids; all drop fragments nearer than their piece's
-/// bound, and those that a section does not keep.
+/// Only depth, flat-shaded base colours, and drawable ids; all move fragments nearer than their piece's
+/// bound back to it, and drop those that a section does not keep.
 std::string depth_fragment_shader(const ShaderVariant& variant);
 std::string color_fragment_shader(const ShaderVariant& variant);
 std::string item_fragment_shader(const ShaderVariant& variant);
