@@ -13,6 +13,7 @@ void add_measure(CLI::App& app, Action& action) {
   add_measure_simplifiers(*measure, action);
   add_measure_frame(*measure, action);
   add_measure_hiding(*measure, action);
+  add_measure_roles(*measure, action);
   add_measure_target(*measure, action);
   add_measure_speed(*measure, action);
   add_measure_accuracy(*measure, action);

@@ -7,6 +7,7 @@
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
+#include "launch/recorded_pack.hpp"
 #include "launch/section_flags.hpp"
 #include "measure/json.hpp"
 #include "nodes/injected_rules.hpp"
@@ -104,15 +105,7 @@ int run(const ReplayCommand& command) {
   const auto files = recordings_of(Role::render, command.folder);
   if (files.empty()) fail(command.folder.string(), "holds no recording of a render node");
   const RecordingHeader header = RecordingReader(files.front()).header();
-  if (command.pack.empty() && !std::filesystem::exists(header.pack)) {
-    fail(files.front().string(), "was recorded with {}, which is not there: --pack says where it is now",
-         header.pack);
-  }
-  const Pack pack(command.pack.empty() ? std::filesystem::path(header.pack) : command.pack);
-  if (pack.content_hash() != header.own.pack_hash) {
-    fail(files.front().string(), "was recorded with another pack: its hash is {:016x}, this one's {:016x}",
-         header.own.pack_hash, pack.content_hash());
-  }
+  const Pack pack = open_recorded_pack(files.front(), header, command.pack);
   for (const std::filesystem::path& output : {command.output, command.json}) {
     for (const Role role : all_roles)
       check_is_none_of(output, recordings_of(role, command.folder), "a part of the recording");

@@ -1,0 +1,21 @@
+#include "launch/recorded_pack.hpp"
+
+#include "base/error.hpp"
+
+namespace triptych {
+
+Pack open_recorded_pack(const std::filesystem::path& recording, const RecordingHeader& header,
+                        const std::filesystem::path& moved_to) {
+  if (moved_to.empty() && !std::filesystem::exists(header.pack)) {
+    fail(recording.string(), "was recorded with {}, which is not there: --pack says where it is now",
+         header.pack);
+  }
+  Pack pack(moved_to.empty() ? std::filesystem::path(header.pack) : moved_to);
+  if (pack.content_hash() != header.own.pack_hash) {
+    fail(recording.string(), "was recorded with another pack: its hash is {:016x}, this one's {:016x}",
+         header.own.pack_hash, pack.content_hash());
+  }
+  return pack;
+}
+
+}  // namespace triptych
