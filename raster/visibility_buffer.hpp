@@ -87,7 +87,7 @@ class VisibilityBuffer {
   /// The large ones among them, nearest first: what lies behind them is found hidden by tiles.
   struct LargeTriangle {
     float depth;
-    const WindowTriangle* triangle;
+    const FillTriangle* triangle;
   };
   std::vector<LargeTriangle> large_;
 };
