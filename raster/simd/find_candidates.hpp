@@ -62,7 +62,13 @@ int32_t find_candidates(const WindowPoints& points, const TriangleCorners& corne
       const Floats nearest = (Floats)most(gather(depths, a), gather(depths, b), gather(depths, c));
       wanted &= ~behind_tiles(x, y, nearest, wanted, source);
     }
-    wanted |= outside & (lane_numbers < count - i);
+    if (any(outside)) {
+      const auto beyond = [](Ints corner_x, Ints corner_y) __attribute__((always_inline)) {
+        return corner_y & (corner_x == outside_x);
+      };
+      const Ints beyond_one = beyond(ax, ay) & beyond(bx, by) & beyond(cx, cy);
+      wanted |= outside & (beyond_one == 0) & (lane_numbers < count - i);
+    }
     for (uint32_t rest = bits(wanted); rest != 0; rest &= rest - 1)
       candidates[found++] = static_cast<uint32_t>(i + __builtin_ctz(rest));
   }

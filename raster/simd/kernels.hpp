@@ -20,7 +20,7 @@ struct LatticePoints {
   const int32_t *x, *y, *z;
 };
 /// Of each vertex: sub-pixels and reversed depth. Where it is not inside of the planes that triangles are
-/// clipped at, x is this number, and the others hold nothing.
+/// clipped at, x is this number, y has a bit for each plane that it is beyond, and depth holds nothing.
 constexpr int32_t outside_x = -(1 << 30);
 struct WindowPoints {
   int32_t *x, *y;
@@ -96,8 +96,9 @@ struct RasterKernels {
   /// Transforms so many vertices, and up to `lanes` − 1 after them.
   void (*transform_vertices)(const TransformTerms& terms, const LatticePoints& points, int32_t count,
                              const WindowPoints& result);
-  /// Of so many triangles those that may show, or have a corner outside: their numbers, in order, and how
-  /// many these are. The others cover no pixel centre, lie behind the tiles that they are in, or face away.
+  /// Of so many triangles those that may show, or may when they are clipped: their numbers, in order, and how
+  /// many these are. The others cover no pixel centre, lie behind the tiles that they are in or beyond one
+  /// plane, or face away.
   /// Reads up to `lanes` − 1 triangles more, and 31 bits.
   int32_t (*find_candidates)(const WindowPoints& points, const TriangleCorners& corners, int32_t count,
                              const OutwardTriangles& outward, const DepthSource& source,
