@@ -87,6 +87,10 @@ struct PixelRectangle {
 /// What pixels become: 4 bytes each.
 struct SlotColors {
   uint32_t background;
+  /// Of a slot, where kept_slots[slot & kept_mask] is that slot, its colour stands in kept_colors.
+  const uint32_t *kept_slots, *kept_colors;
+  uint32_t kept_mask;
+  /// Of any slot; may change what is kept.
   void* context;
   uint32_t (*of_slot)(void* context, uint32_t slot);
 };
