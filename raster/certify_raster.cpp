@@ -97,7 +97,7 @@ double depth_rounding() {
     for (int32_t y = 0; y < side; y += 5) {
       for (int32_t x = 0; x < side; x += 3) {
         const double truth = exact(x + 0.5, y + 0.5);
-        worst = std::max(worst, std::abs(double{triangle.depth_at(x, y)} - truth) / truth);
+        worst = std::max(worst, std::abs(double{depth_at(triangle, x, y)} - truth) / truth);
       }
     }
   }

@@ -11,7 +11,7 @@ int64_t divide_up(int64_t a, int64_t b) { return (a + b - 1) / b; }
 /// Where few pixels are in question, trying them costs less than divisions.
 constexpr int64_t few = 4;
 
-bool covered(const WindowTriangle& triangle, int32_t row, int64_t i) {
+bool covered(const FillTriangle& triangle, int32_t row, int64_t i) {
   for (size_t k = 0; k < 3; ++k) {
     if (triangle.edge[k] + int64_t{triangle.step_y[k]} * row + triangle.step_x[k] * i < 0) return false;
   }
@@ -19,7 +19,7 @@ bool covered(const WindowTriangle& triangle, int32_t row, int64_t i) {
 }
 }  // namespace
 
-RowSpan row_span(const WindowTriangle& triangle, int32_t row) {
+RowSpan row_span(const FillTriangle& triangle, int32_t row) {
   RowSpan span{0, triangle.right - triangle.left};
   if (span.last < few) {
     while (span.first <= span.last && !covered(triangle, row, span.first)) ++span.first;
@@ -39,7 +39,7 @@ RowSpan row_span(const WindowTriangle& triangle, int32_t row) {
   return span;
 }
 
-void fill(const WindowTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target) {
+void fill(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target) {
   for_each_pixel(triangle, first_row, last_row, [&](int32_t x, int32_t y, float depth) {
     if (!(depth > 0)) return;
     const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(target.stride) + static_cast<size_t>(x);

@@ -12,19 +12,19 @@ namespace triptych {
 struct RowSpan {
   int64_t first, last;
 };
-RowSpan row_span(const WindowTriangle& triangle, int32_t row);
+RowSpan row_span(const FillTriangle& triangle, int32_t row);
 
 /// Rows first_row to last_row, both included. write(x, y, depth): called once for each pixel that a section
 /// keeps.
 template <typename Write>
-void for_each_pixel(const WindowTriangle& triangle, int32_t first_row, int32_t last_row, const Write& write) {
+void for_each_pixel(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const Write& write) {
   const int32_t bottom = triangle.bottom > first_row ? triangle.bottom : first_row;
   const int32_t top = triangle.top < last_row ? triangle.top : last_row;
   for (int32_t y = bottom; y <= top; ++y) {
     const RowSpan span = row_span(triangle, y - triangle.bottom);
     for (int64_t i = span.first; i <= span.last; ++i) {
       const int32_t x = triangle.left + static_cast<int32_t>(i);
-      float depth = triangle.depth_at(x, y);
+      float depth = depth_at(triangle, x, y);
       if (triangle.limit != nullptr) {
         const float limit = limit_at(*triangle.limit, x, y);
         depth = limit < depth ? limit : depth;
@@ -36,6 +36,6 @@ void for_each_pixel(const WindowTriangle& triangle, int32_t first_row, int32_t l
 }
 
 /// Leaves `tiles` as they are, and marks nothing.
-void fill(const WindowTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target);
+void fill(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target);
 
 }  // namespace triptych

@@ -47,6 +47,26 @@ struct FillTriangle {
   uint32_t cut;
 };
 
+/// As many triangles as the widest vector has lanes, their numbers side by side: none wider than a vector of
+/// those who made them, none precise, limited or cut, and all of their edge functions within 32 bits.
+struct NarrowTriangles {
+  static constexpr int32_t count = 16;
+  int32_t edge[3][count], step_x[3][count], step_y[3][count];
+  int32_t left[count], right[count], bottom[count], top[count];
+  int32_t first_x[count], first_y[count];
+  float z[count], slope_x[count], slope_y[count], low[count], high[count];
+  uint32_t slot[count];
+  uint32_t held;                    ///< a bit for each that there is, the first one's lowest
+  int32_t lowest_row, highest_row;  ///< of them all
+};
+
+/// Of triangles of few pixels these pixels, one of each array: where, how deep, and of which triangle.
+struct Fragments {
+  uint32_t* places;  ///< the row in the upper 16 bits, the column in the lower
+  uint32_t* depths;  ///< bits of positive floats
+  uint32_t* slots;
+};
+
 /// What triangles are filled into (PixelPlane).
 struct FillTarget {
   int32_t width, height, stride;

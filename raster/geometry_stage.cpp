@@ -23,7 +23,7 @@ struct Stage {
     grow(x, vertex_count + spare_vertices);
     grow(y, vertex_count + spare_vertices);
     grow(depth, vertex_count + spare_vertices);
-    grow(candidates, triangle_count);
+    grow(candidates, triangle_count + spare_vertices);
   }
   WindowPoints from(size_t vertex) { return {x.data() + vertex, y.data() + vertex, depth.data() + vertex}; }
   WindowVertex operator[](uint32_t i) const { return {x[i], y[i], depth[i]}; }
@@ -38,13 +38,14 @@ void hold_to(const DepthLimit& limit, float least_slack, WindowTriangle& triangl
   if (!(least_slack >= triangle.error)) triangle.limit = &limit;
 }
 
+void add_rows(int32_t bottom, int32_t top, StretchTriangles& result) {
+  const bool first = result.bottom > result.top;
+  result.bottom = first ? bottom : std::min(result.bottom, bottom);
+  result.top = first ? top : std::max(result.top, top);
+}
+
 void add(const WindowTriangle& triangle, StretchTriangles& result) {
-  if (result.bottom > result.top) {
-    result.bottom = triangle.bottom;
-    result.top = triangle.top;
-  }
-  result.bottom = std::min(result.bottom, triangle.bottom);
-  result.top = std::max(result.top, triangle.top);
+  add_rows(triangle.bottom, triangle.top, result);
   (triangle.right - triangle.left < large_width ? result.small : result.large).push_back(triangle);
 }
 
@@ -193,11 +194,70 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
   return found;
 }
 
+/// Has the kernels make what they can of the candidates; how many are left of them.
+size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, Stage& stage, size_t found,
+                         StretchTriangles& result) {
+  const RasterKernels* const kernels = raster_kernels(instruction_set());
+  if (kernels == nullptr || range.cut != 0 || found == 0) return found;
+  const RasterChunk& chunk = *range.chunk;
+  const auto corners = [&](size_t k) { return chunk.corner[k].data() + range.first_triangle; };
+  const SetUpTerms set_up{
+      .points = stage.from(0),
+      .corners = {corners(0), corners(1), corners(2)},
+      .pieces = chunk.piece.data(),
+      .limits = result.limits.data(),
+      .layers = chunk.layers.empty() ? nullptr : chunk.layers.data() + range.first_triangle,
+      .first_slot = range.first_slot,
+      .width = terms.limits.width,
+      .height = terms.limits.height};
+  SetUpResult made = result.kernel.begin(found);
+  made.rest = stage.candidates.data();
+  kernels->set_up(set_up, stage.candidates.data(), static_cast<int32_t>(found), made);
+  result.kernel.keep(made);
+  if (made.lowest_row <= made.highest_row) add_rows(made.lowest_row, made.highest_row, result);
+  return static_cast<size_t>(made.rest_count);
+}
+
 }  // namespace
+
+SetUpResult KernelTriangles::begin(size_t count) {
+  const size_t blocks = (count + NarrowTriangles::count - 1) / NarrowTriangles::count;
+  if (wide_.size() < count) wide_.resize(count);
+  if (narrow_.size() < blocks) narrow_.resize(blocks);
+  if (fragments_.size() < 3 * (4 * count + spare_vertices))
+    fragments_.resize(3 * (4 * count + spare_vertices));
+  return {.blocks = narrow_.data(),
+          .fragments = fragments(),
+          .wide = wide_.data(),
+          .rest = nullptr,
+          .block_count = 0,
+          .fragment_count = 0,
+          .wide_count = 0,
+          .rest_count = 0,
+          .lowest_row = 0,
+          .highest_row = -1};
+}
+
+void KernelTriangles::keep(const SetUpResult& made) {
+  narrow_count_ = static_cast<size_t>(made.block_count);
+  wide_count_ = static_cast<size_t>(made.wide_count);
+  fragment_count_ = made.fragment_count;
+}
+
+void KernelTriangles::clear() {
+  narrow_count_ = wide_count_ = 0;
+  fragment_count_ = 0;
+}
+
+Fragments KernelTriangles::fragments() const {
+  const size_t each = fragments_.size() / 3;
+  return {fragments_.data(), fragments_.data() + each, fragments_.data() + 2 * each};
+}
 
 [[gnu::noinline]] void make_triangles(const GeometryTerms& terms, const DrawnRange& range,
                                       std::span<const LatticeBox> pieces, const DepthSource& drawn,
                                       StretchTriangles& result, bool outward_alone) {
+  result.kernel.clear();
   result.small.clear();
   result.large.clear();
   result.limits.clear();
@@ -211,7 +271,8 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
   stage.make_room(chunk.vertex_count(), range.triangle_count);
   transform_vertices(terms, range.placed, chunk, chunk.vertices(range.first_triangle, range.triangle_count),
                      stage);
-  const size_t found = find_candidates(terms, range, drawn, stage);
+  size_t found = find_candidates(terms, range, drawn, stage);
+  if (!outward_alone) found = make_with_kernels(terms, range, stage, found, result);
   for (size_t candidate = 0; candidate < found; ++candidate) {
     const uint32_t i = stage.candidates[candidate], triangle = range.first_triangle + i;
     if (outward_alone && !chunk.is_outward(triangle)) continue;

@@ -11,9 +11,31 @@
 
 namespace triptych {
 
+/// What kernels make of most triangles: numbers side by side, and single pixels. Keeps its room.
+class KernelTriangles {
+ public:
+  /// None yet; room for what so many candidates become.
+  SetUpResult begin(size_t count);
+  void keep(const SetUpResult& made);
+  void clear();
+
+  std::span<const NarrowTriangles> narrow() const { return {narrow_.data(), narrow_count_}; }
+  std::span<const FillTriangle> wide() const { return {wide_.data(), wide_count_}; }
+  Fragments fragments() const;
+  int32_t fragment_count() const { return fragment_count_; }
+
+ private:
+  std::vector<NarrowTriangles> narrow_;
+  mutable std::vector<uint32_t> fragments_;  ///< three arrays, one behind the other
+  std::vector<FillTriangle> wide_;
+  size_t narrow_count_ = 0, wide_count_ = 0;
+  int32_t fragment_count_ = 0;
+};
+
 /// What one stretch of triangles becomes. Keeps its room from use to use.
 struct StretchTriangles {
-  std::vector<WindowTriangle> small, large;  ///< with their slots
+  KernelTriangles kernel;
+  std::vector<WindowTriangle> small, large;  ///< the others, with their slots
   std::vector<DepthLimit> limits;            ///< of the chunk's pieces; triangles point to them
   int32_t bottom = 0, top = -1;              ///< rows that any of them has pixels in
 };

@@ -39,6 +39,16 @@ SlotTable::Triangle SlotTable::find(uint32_t slot) const {
   return {&ranges_[name.range], name.triangle};
 }
 
+SlotTable::Triangle SlotTable::find(uint32_t slot, size_t& range) const {
+  if (slot < kept_.size()) return find(slot);
+  const auto is_in = [&](size_t which) {
+    return which >= compacted_ && which < ranges_.size() &&
+           slot - ranges_[which].first_slot < ranges_[which].triangle_count;
+  };
+  if (!is_in(range)) range = range_of(slot);
+  return {&ranges_[range], ranges_[range].first_triangle + (slot - ranges_[range].first_slot)};
+}
+
 bool SlotTable::precedes(uint32_t slot, uint32_t other) const {
   const auto key = [&](uint32_t of) {
     const Triangle found = find(of);

@@ -47,6 +47,9 @@ class SlotTable {
     uint32_t triangle;  ///< of the chunk
   };
   Triangle find(uint32_t slot) const;
+  /// The same, for who finds many that are near each other. range: where the last one was found; any number
+  /// at first.
+  Triangle find(uint32_t slot, size_t& range) const;
   /// Whether compact() was called since clear().
   bool is_compacted() const { return compacted_ > 0; }
   /// Whether the first wins over the second at equal depth: that of the higher layer (the lower number), then

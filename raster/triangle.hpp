@@ -23,17 +23,17 @@ struct PictureLimits {
 struct WindowTriangle : FillTriangle {
   float error;
   bool clockwise;
-
-  /// Without its limit.
-  float depth_at(int32_t x, int32_t y) const {
-    const int32_t dx = x * subpixels + subpixels / 2 - first_x, dy = y * subpixels + subpixels / 2 - first_y;
-    if (precise) return clamped(static_cast<float>((double{z} + precise_y * dy) + precise_x * dx));
-    return clamped((z + slope_y * static_cast<float>(dy)) + slope_x * static_cast<float>(dx));
-  }
-
- private:
-  float clamped(float depth) const { return depth < low ? low : depth > high ? high : depth; }
 };
+
+/// Without its limit.
+inline float depth_at(const FillTriangle& of, int32_t x, int32_t y) {
+  const int32_t dx = x * subpixels + subpixels / 2 - of.first_x,
+                dy = y * subpixels + subpixels / 2 - of.first_y;
+  const float depth =
+      of.precise ? static_cast<float>((double{of.z} + of.precise_y * dy) + of.precise_x * dx)
+                 : (of.z + of.slope_y * static_cast<float>(dy)) + of.slope_x * static_cast<float>(dx);
+  return depth < of.low ? of.low : depth > of.high ? of.high : depth;
+}
 
 /// Pixels whose centres lie in the box around a triangle, all inclusive.
 struct PixelBox {

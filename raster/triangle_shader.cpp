@@ -85,14 +85,14 @@ float TriangleShader::light_on(const SlotTable::Triangle& shown) const {
 
 KeptShades::KeptShades(const VisibilityBuffer& buffer, const TriangleShader& shader)
     : buffer_(buffer), shader_(shader) {
-  // No slot that is looked for in an entry has this number.
-  for (uint32_t i = 0; i < count; ++i) entries_[i].slot = i + 1;
+  for (uint32_t place = 0; place < count; ++place) slots_[place] = even_slots_[place] = no_slot(place);
 }
 
 Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
-  const Entry& kept = entry(slot);
-  const auto cap = kept.capped ? shader_.caps().entry(x, y) : std::nullopt;
-  if (!kept.varies) return cap ? shader_.cap(buffer_.find(slot), cap->side) : kept.color;
+  const uint32_t place = place_of(slot);
+  const auto cap = capped_[place] ? shader_.caps().entry(x, y) : std::nullopt;
+  if (!varies_[place])
+    return cap ? shader_.cap(buffer_.find(slot), cap->side) : std::bit_cast<Rgba>(colors_[place]);
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
@@ -104,27 +104,36 @@ Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
 }
 
-const KeptShades::Entry& KeptShades::entry(uint32_t slot) {
-  Entry& entry = entries_[slot % count];
-  if (entry.slot != slot) {
-    const SlotTable::Triangle shown = buffer_.find(slot);
-    const bool varies = TriangleShader::varies(shown);
-    entry = {slot, varies ? Rgba{} : shader_(shown), varies, shader_.caps().lie_before(shown)};
+uint32_t KeptShades::place_of(uint32_t slot) {
+  const uint32_t place = slot % count;
+  if (slots_[place] != slot) {
+    const SlotTable::Triangle shown = buffer_.find(slot, range_);
+    varies_[place] = TriangleShader::varies(shown);
+    capped_[place] = shader_.caps().lie_before(shown);
+    colors_[place] = varies_[place] ? 0 : std::bit_cast<uint32_t>(shader_(shown));
+    slots_[place] = slot;
+    even_slots_[place] = varies_[place] || capped_[place] ? no_slot(place) : slot;
   }
-  any_varies_ |= entry.varies || entry.capped;
-  return entry;
+  any_varies_ |= is_changing(place);
+  return place;
+}
+
+SlotColors KeptShades::known() {
+  return {.background = std::bit_cast<uint32_t>(background_bytes),
+          .kept_slots = even_slots_.data(),
+          .kept_colors = colors_.data(),
+          .kept_mask = count - 1,
+          .context = this,
+          .of_slot = [](void* context, uint32_t slot) {
+            return std::bit_cast<uint32_t>(static_cast<KeptShades*>(context)->of(slot));
+          }};
 }
 
 [[gnu::noinline]] void shade_row(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
                                  KeptShades& recent, Rgba* row) {
   recent.begin_row();
   if (const RasterKernels* const kernels = raster_kernels(instruction_set())) {
-    const SlotColors colors{.background = std::bit_cast<uint32_t>(background_bytes),
-                            .context = &recent,
-                            .of_slot = [](void* context, uint32_t slot) {
-                              return std::bit_cast<uint32_t>(static_cast<KeptShades*>(context)->of(slot));
-                            }};
-    kernels->color_row(colors, depths.data(), slots.data(), static_cast<int32_t>(depths.size()), row);
+    kernels->color_row(recent.known(), depths.data(), slots.data(), static_cast<int32_t>(depths.size()), row);
   } else {
     for (size_t x = 0; x < depths.size(); ++x)
       row[x] = depths[x] == 0 ? background_bytes : recent.of(slots[x]);

@@ -6,6 +6,7 @@
 #include "raster/visibility_buffer.hpp"
 
 #include <array>
+#include <bit>
 #include <bitset>
 #include <cstdint>
 
@@ -47,31 +48,36 @@ class KeptShades {
   KeptShades(const VisibilityBuffer& buffer, const TriangleShader& shader);
 
   /// Of a triangle whose colours vary no colour, and any_varies() is true from then on.
-  Rgba of(uint32_t slot) { return entry(slot).color; }
+  Rgba of(uint32_t slot) { return std::bit_cast<Rgba>(colors_[place_of(slot)]); }
+  /// For kernels: those that do not vary.
+  SlotColors known();
   bool any_varies() const { return any_varies_; }
   void begin_row() { any_varies_ = false; }
 
   /// Whether the colours of the slot's triangle vary, as where caps show in its place; and what they are at a
   /// pixel's centre.
-  bool varies(uint32_t slot) { return entry(slot).varies || entry(slot).capped; }
+  bool varies(uint32_t slot) { return is_changing(place_of(slot)); }
   Rgba of(uint32_t slot, int32_t x, int32_t y);
 
  private:
   static constexpr uint32_t count = 1024, varying_count = 256;
-  struct Entry {
-    uint32_t slot;
-    Rgba color;
-    bool varies, capped;
-  };
+  static constexpr uint32_t no_slot(uint32_t place) { return place + 1; }  ///< it belongs to another place
   struct Varying {
     uint32_t slot;
     InterpolatedColors colors;
   };
-  const Entry& entry(uint32_t slot);
+  /// Where it stands, now at the latest.
+  uint32_t place_of(uint32_t slot);
+  /// Whether its colours vary, or it is capped.
+  bool is_changing(uint32_t place) const { return slots_[place] != even_slots_[place]; }
 
   const VisibilityBuffer& buffer_;
   const TriangleShader& shader_;
-  std::array<Entry, count> entries_;
+  std::array<uint32_t, count> slots_, colors_;
+  std::array<uint32_t, count>
+      even_slots_;  ///< the same slots, without those whose colours vary or that are capped
+  std::bitset<count> varies_, capped_;
+  size_t range_ = 0;                            ///< where the last slot was found
   std::array<Varying, varying_count> varying_;  // unused, and so not touched, in pictures without any
   std::bitset<varying_count> varying_is_set_;
   bool any_varies_ = false;

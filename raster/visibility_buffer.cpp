@@ -161,9 +161,12 @@ void VisibilityBuffer::for_each_band(bool side_by_side,
 
 void VisibilityBuffer::sort_large() {
   large_.clear();
+  const auto add = [&](const FillTriangle& triangle) {
+    large_.push_back({triangle.low + triangle.high, &triangle});
+  };
   for (size_t i = 0; i < batch_.size(); ++i) {
-    for (const WindowTriangle& triangle : triangles_[i].large)
-      large_.push_back({triangle.low + triangle.high, &triangle});
+    for (const WindowTriangle& triangle : triangles_[i].large) add(triangle);
+    for (const FillTriangle& triangle : triangles_[i].kernel.wide()) add(triangle);
   }
   std::sort(large_.begin(), large_.end(),
             [](const LargeTriangle& a, const LargeTriangle& b) { return a.depth > b.depth; });
@@ -197,7 +200,7 @@ DepthSource VisibilityBuffer::source() const {
 [[gnu::noinline]] void VisibilityBuffer::fill_rows(int32_t first, int32_t last) {
   const RasterKernels* const kernels = raster_kernels(instruction_set());
   const FillTarget into = target();
-  const auto fill_one = [&](const WindowTriangle& triangle) {
+  const auto fill_one = [&](const FillTriangle& triangle) {
     const int32_t bottom = std::max(triangle.bottom, first), top = std::min(triangle.top, last);
     if (bottom > top) return;
     if (kernels != nullptr) {
@@ -212,6 +215,12 @@ DepthSource VisibilityBuffer::source() const {
     const StretchTriangles& stretch = triangles_[i];
     if (stretch.bottom > last || stretch.top < first) continue;
     for (const WindowTriangle& triangle : stretch.small) fill_one(triangle);
+    for (const NarrowTriangles& narrow : stretch.kernel.narrow()) {
+      if (narrow.lowest_row <= last && narrow.highest_row >= first)
+        kernels->fill_narrow(narrow, first, last, into);
+    }
+    if (const int32_t count = stretch.kernel.fragment_count(); count > 0)
+      kernels->fill_fragments(stretch.kernel.fragments(), count, first, last, into);
   }
 }
 

@@ -55,6 +55,7 @@ class VisibilityBuffer {
   /// where side_by_side; else one after the other here.
   void for_each_band(bool side_by_side, const std::function<void(int32_t, int32_t)>& body) const;
   SlotTable::Triangle find(uint32_t slot) const { return table_.find(slot); }
+  SlotTable::Triangle find(uint32_t slot, size_t& range) const { return table_.find(slot, range); }
   /// Whether slots have other numbers by now than in the order of drawing.
   bool is_renumbered() const { return table_.is_compacted(); }
 
@@ -87,7 +88,7 @@ class VisibilityBuffer {
   /// The large ones among them, nearest first: what lies behind them is found hidden by tiles.
   struct LargeTriangle {
     float depth;
-    const WindowTriangle* triangle;
+    const FillTriangle* triangle;
   };
   std::vector<LargeTriangle> large_;
 };

@@ -1,5 +1,4 @@
-// Colours of a row, run by run of pixels that show the same triangle. Included once by the file of each
-// instruction set.
+// Colours of a row, a vector of pixels at a time. Included once by the file of each instruction set.
 #pragma once
 
 #include "raster/simd/kernels.hpp"
@@ -8,25 +7,33 @@
 namespace triptych {
 namespace {
 
+/// empty: pixels of no triangle, whose slots have no meaning.
+[[gnu::always_inline]] inline Ints colors_of(const SlotColors& colors, Ints slots, Ints empty) {
+  const Ints place = slots & static_cast<int32_t>(colors.kept_mask);
+  Ints result = gather(reinterpret_cast<const int32_t*>(colors.kept_colors), place);
+  const Ints kept = gather(reinterpret_cast<const int32_t*>(colors.kept_slots), place);
+  result = select(empty, splat(static_cast<int32_t>(colors.background)), result);
+  for (Ints missing = ~empty & (kept != slots); any(missing);) {
+    const int32_t slot = slots[__builtin_ctz(bits(missing))];
+    const uint32_t color = colors.of_slot(colors.context, static_cast<uint32_t>(slot));
+    const Ints same = missing & (slots == slot);
+    result = select(same, splat(static_cast<int32_t>(color)), result);
+    missing &= ~same;
+  }
+  return result;
+}
+
 void color_row(const SlotColors& colors, const uint32_t* depths, const uint32_t* slots, int32_t count,
                void* row) {
   auto* const to = static_cast<uint32_t*>(row);
-  for (int32_t x = 0; x < count;) {
-    // Where nothing is, slots have no meaning.
-    const bool empty = depths[x] == 0;
-    const uint32_t color = empty ? colors.background : colors.of_slot(colors.context, slots[x]);
-    const Ints own = splat(static_cast<int32_t>(slots[x]));
-    for (bool same = true; same && x < count;) {
-      const Ints nothing = load(depths + x) == 0;
-      const uint32_t others = bits(empty ? ~nothing : nothing | (load(slots + x) != own));
-      const int32_t run = others == 0 ? lanes : __builtin_ctz(others);
-      same = others == 0;
-      if (x + lanes <= count) {
-        store(splat(static_cast<int32_t>(color)), to + x);  // what is behind the run is written again
-      } else {
-        for (int32_t i = x; i < count && i < x + run; ++i) __builtin_memcpy(to + i, &color, sizeof color);
-      }
-      x += run;
+  for (int32_t x = 0; x < count; x += lanes) {
+    const int32_t left = lesser(count - x, lanes);
+    const Ints empty = (load(depths + x) == 0) | (lane_numbers >= left), own = load(slots + x);
+    const Ints result = colors_of(colors, own, empty);
+    if (left == lanes) {
+      store(result, to + x);
+    } else {
+      __builtin_memcpy(to + x, &result, static_cast<size_t>(left) * sizeof(uint32_t));
     }
   }
 }

@@ -38,8 +38,8 @@ namespace {
 
 /// No wider than a vector: every pixel of a row at once.
 template <bool plain>
-[[gnu::always_inline]] inline void fill_narrow(const FillTriangle& triangle, int32_t bottom, int32_t top,
-                                               Pixels& pixels) {
+[[gnu::always_inline]] inline void fill_rows(const FillTriangle& triangle, int32_t bottom, int32_t top,
+                                             Pixels& pixels) {
   const int32_t x = triangle.left, stride = pixels.target().stride;
   const Ints columns = lane_numbers + x;
   Ints edge[3];
@@ -61,7 +61,7 @@ template <bool plain>
                                             const FillTarget& target) {
   Pixels pixels(target, triangle.slot);
   if (triangle.right - triangle.left < lanes && is_small(triangle)) {
-    if (!is_hidden(triangle, bottom, top, target)) fill_narrow<plain>(triangle, bottom, top, pixels);
+    if (!is_hidden(triangle, bottom, top, target)) fill_rows<plain>(triangle, bottom, top, pixels);
   } else {
     fill_wide<plain>(triangle, bottom, top, pixels);
   }
@@ -74,6 +74,59 @@ void fill(const FillTriangle& triangle, int32_t first_row, int32_t last_row, con
     fill_any<true>(triangle, bottom, top, target);
   } else {
     fill_any<false>(triangle, bottom, top, target);
+  }
+}
+
+[[gnu::always_inline]] inline FillTriangle lane_of(const NarrowTriangles& all, int32_t i) {
+  return {.edge = {all.edge[0][i], all.edge[1][i], all.edge[2][i]},
+          .step_x = {all.step_x[0][i], all.step_x[1][i], all.step_x[2][i]},
+          .step_y = {all.step_y[0][i], all.step_y[1][i], all.step_y[2][i]},
+          .left = all.left[i],
+          .right = all.right[i],
+          .bottom = all.bottom[i],
+          .top = all.top[i],
+          .first_x = all.first_x[i],
+          .first_y = all.first_y[i],
+          .z = all.z[i],
+          .slope_x = all.slope_x[i],
+          .slope_y = all.slope_y[i],
+          .low = all.low[i],
+          .high = all.high[i],
+          .slot = all.slot[i],
+          .precise = false,
+          .precise_x = 0,
+          .precise_y = 0,
+          .limit = nullptr,
+          .sides = nullptr,
+          .cut = 0};
+}
+
+void fill_narrow(const NarrowTriangles& triangles, int32_t first_row, int32_t last_row,
+                 const FillTarget& target) {
+  for (uint32_t rest = triangles.held; rest != 0; rest &= rest - 1) {
+    const FillTriangle triangle = lane_of(triangles, __builtin_ctz(rest));
+    const int32_t bottom = greater(triangle.bottom, first_row), top = lesser(triangle.top, last_row);
+    if (bottom > top || is_hidden(triangle, bottom, top, target)) continue;
+    Pixels pixels(target, triangle.slot);
+    fill_rows<true>(triangle, bottom, top, pixels);
+  }
+}
+
+void fill_fragments(const Fragments& fragments, int32_t count, int32_t first_row, int32_t last_row,
+                    const FillTarget& target) {
+  for (int32_t i = 0; i < count; ++i) {
+    const auto y = static_cast<int32_t>(fragments.places[i] >> 16),
+               x = static_cast<int32_t>(fragments.places[i] & 0xffff);
+    if (y < first_row || y > last_row) continue;
+    const int64_t pixel = int64_t{y} * target.stride + x;
+    const uint32_t depth = fragments.depths[i], slot = fragments.slots[i];
+    if (depth < target.depths[pixel]) continue;
+    if (depth == target.depths[pixel] &&
+        (target.slots == nullptr || !target.precedes(target.order, slot, target.slots[pixel])))
+      continue;
+    target.depths[pixel] = depth;
+    if (target.slots != nullptr) target.slots[pixel] = slot;
+    target.marked[int64_t{y / tile} * target.columns + x / tile] = 1;
   }
 }
 

@@ -14,37 +14,52 @@ struct TileRowSpans {
   int32_t first[tile], last[tile];
 };
 
-/// Edge functions and quotients of them are whole numbers far below 2⁵²: doubles hold them exactly, and no
-/// quotient is rounded to another whole number.
-[[gnu::always_inline]] inline TileRowSpans spans_of(const FillTriangle& triangle, int32_t first_row) {
-  constexpr int32_t rows = lanes / 2;  // of a vector
-  constexpr double beyond = 1 << 20;   // of any picture
-  TileRowSpans spans;
-  for (int32_t from = 0; from < tile; from += rows) {
-    const Doubles row = to_double(half_lane_numbers + (first_row + from - triangle.bottom));
-    Doubles first = splat_double(0), last = splat_double(triangle.right - triangle.left);
+/// Which columns of a row all edges hold. Edge functions are whole numbers far below 2⁵², and steps below
+/// 2²⁴: a half more than one, over a step, is no nearer to a whole number than 2⁻²⁵, and products with what
+/// one over the step is rounded to are off by less wherever a picture may be. So both have the same whole
+/// part.
+class SpansOf {
+ public:
+  [[gnu::always_inline]] explicit SpansOf(const FillTriangle& triangle) : triangle_(triangle) {
     for (int k = 0; k < 3; ++k) {
-      const double step = triangle.step_x[k];
-      const Doubles at =
-          static_cast<double>(triangle.edge[k]) + static_cast<double>(triangle.step_y[k]) * row;
-      if (step > 0) {
-        const Doubles bound = (step - 1 - at) / step;
-        first = bound > first ? bound : first;
-      } else if (step < 0) {
-        // Quotients between −1 and 0 would become 0.
-        const Doubles bound = at < 0 ? splat_double(-1) : at / -step;
-        last = bound < last ? bound : last;
-      } else {
-        last = at < 0 ? splat_double(-1) : last;
-      }
+      step_[k] = triangle.step_x[k];
+      per_step_[k] = 1 / (step_[k] < 0 ? -step_[k] : step_[k]);  // not used where that is 0
     }
-    first = first < beyond ? first : splat_double(beyond);
-    const HalfInts columns = to_int(first) + triangle.left, ends = to_int(last) + triangle.left;
-    __builtin_memcpy(spans.first + from, &columns, sizeof columns);
-    __builtin_memcpy(spans.last + from, &ends, sizeof ends);
   }
-  return spans;
-}
+
+  [[gnu::always_inline]] TileRowSpans of_rows(int32_t first_row) const {
+    constexpr int32_t rows = lanes / 2;  // of a vector
+    constexpr double beyond = 1 << 20;   // of any picture
+    TileRowSpans spans;
+    for (int32_t from = 0; from < tile; from += rows) {
+      const Doubles row = to_double(half_lane_numbers + (first_row + from - triangle_.bottom));
+      Doubles first = splat_double(0), last = splat_double(triangle_.right - triangle_.left);
+      for (int k = 0; k < 3; ++k) {
+        const Doubles at =
+            static_cast<double>(triangle_.edge[k]) + static_cast<double>(triangle_.step_y[k]) * row;
+        if (step_[k] > 0) {
+          const Doubles bound = (step_[k] - 0.5 - at) * per_step_[k];
+          first = bound > first ? bound : first;
+        } else if (step_[k] < 0) {
+          // What lies between −1 and 0 would become 0.
+          const Doubles bound = at < 0 ? splat_double(-1) : (at + 0.5) * per_step_[k];
+          last = bound < last ? bound : last;
+        } else {
+          last = at < 0 ? splat_double(-1) : last;
+        }
+      }
+      first = first < beyond ? first : splat_double(beyond);
+      const HalfInts columns = to_int(first) + triangle_.left, ends = to_int(last) + triangle_.left;
+      __builtin_memcpy(spans.first + from, &columns, sizeof columns);
+      __builtin_memcpy(spans.last + from, &ends, sizeof ends);
+    }
+    return spans;
+  }
+
+ private:
+  const FillTriangle& triangle_;
+  double step_[3], per_step_[3];
+};
 
 template <bool plain>
 [[gnu::always_inline]] inline void fill_span(const RowDepth<plain>& depth, int32_t y, int32_t first,
@@ -58,8 +73,8 @@ template <bool plain>
 
 template <bool plain>
 [[gnu::always_inline]] inline void fill_tile_row(const FillTriangle& triangle, const TileRow& row,
-                                                 RowDepth<plain>& depth, Pixels& pixels) {
-  const TileRowSpans spans = spans_of(triangle, row.index * tile);
+                                                 const TileRowSpans& spans, RowDepth<plain>& depth,
+                                                 Pixels& pixels) {
   int32_t first = pixels.target().width, last = -1;
   for (int32_t y = row.bottom; y <= row.top; ++y) {
     const int32_t i = y - row.index * tile;
@@ -91,11 +106,12 @@ template <bool plain>
 [[gnu::always_inline]] inline void fill_wide(const FillTriangle& triangle, int32_t bottom, int32_t top,
                                              Pixels& pixels) {
   RowDepth<plain> depth(triangle);
+  const SpansOf spans(triangle);
   for (int32_t index = bottom / tile; index <= top / tile; ++index) {
     fill_tile_row<plain>(
         triangle,
-        {pixels.target(), index, greater(bottom, index * tile), lesser(top, index * tile + tile - 1)}, depth,
-        pixels);
+        {pixels.target(), index, greater(bottom, index * tile), lesser(top, index * tile + tile - 1)},
+        spans.of_rows(index * tile), depth, pixels);
   }
 }
 

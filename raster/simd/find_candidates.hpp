@@ -3,30 +3,11 @@
 #pragma once
 
 #include "raster/simd/kernels.hpp"
+#include "raster/simd/pixel_ranges.hpp"
 #include "raster/simd/vector.hpp"
 
 namespace triptych {
 namespace {
-
-[[gnu::always_inline]] inline Ints least(Ints a, Ints b, Ints c) {
-  const Ints ab = a < b ? a : b;
-  return ab < c ? ab : c;
-}
-[[gnu::always_inline]] inline Ints most(Ints a, Ints b, Ints c) {
-  const Ints ab = a > b ? a : b;
-  return ab > c ? ab : c;
-}
-
-/// Pixels whose centres lie between (pixel_box() in raster/triangle.hpp).
-struct PixelRanges {
-  Ints first, last;
-  [[gnu::always_inline]] PixelRanges(Ints low, Ints high, int32_t size)
-      : first((low + 127) >> 8), last((high - 128) >> 8) {
-    first = first > 0 ? first : Ints{};
-    last = last < size ? last : splat(size - 1);
-  }
-  [[gnu::always_inline]] Ints hold_some() const { return first <= last; }
-};
 
 /// Those of at most two tiles in each direction that lie strictly behind all of these.
 [[gnu::always_inline]] inline Ints behind_tiles(const PixelRanges& x, const PixelRanges& y, Floats nearest,
@@ -81,7 +62,13 @@ int32_t find_candidates(const WindowPoints& points, const TriangleCorners& corne
       const Floats nearest = (Floats)most(gather(depths, a), gather(depths, b), gather(depths, c));
       wanted &= ~behind_tiles(x, y, nearest, wanted, source);
     }
-    wanted |= outside & (lane_numbers < count - i);
+    if (any(outside)) {
+      const auto beyond = [](Ints corner_x, Ints corner_y) __attribute__((always_inline)) {
+        return corner_y & (corner_x == outside_x);
+      };
+      const Ints beyond_one = beyond(ax, ay) & beyond(bx, by) & beyond(cx, cy);
+      wanted |= outside & (beyond_one == 0) & (lane_numbers < count - i);
+    }
     for (uint32_t rest = bits(wanted); rest != 0; rest &= rest - 1)
       candidates[found++] = static_cast<uint32_t>(i + __builtin_ctz(rest));
   }

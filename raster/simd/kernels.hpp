@@ -20,7 +20,7 @@ struct LatticePoints {
   const int32_t *x, *y, *z;
 };
 /// Of each vertex: sub-pixels and reversed depth. Where it is not inside of the planes that triangles are
-/// clipped at, x is this number, and the others hold nothing.
+/// clipped at, x is this number, y has a bit for each plane that it is beyond, and depth holds nothing.
 constexpr int32_t outside_x = -(1 << 30);
 struct WindowPoints {
   int32_t *x, *y;
@@ -49,6 +49,27 @@ struct OutwardTriangles {
   int32_t front;
 };
 
+/// What triangles of a placed chunk are made from.
+struct SetUpTerms {
+  WindowPoints points;
+  TriangleCorners corners;
+  const uint8_t* pieces;     ///< of each vertex, index into limits
+  const DepthLimit* limits;  ///< of each piece
+  const uint8_t* layers;     ///< of each triangle; null if all are 0
+  uint32_t first_slot;
+  int32_t width, height;  ///< of the picture
+};
+/// The room is the caller's: for each candidate one of `wide` and of `rest`, and four fragments, besides a
+/// vector of them, and for sixteen candidates a block. rest: may be the candidates' own place.
+struct SetUpResult {
+  NarrowTriangles* blocks;
+  Fragments fragments;
+  FillTriangle* wide;  ///< those that are neither narrow nor of 2 × 2 pixels at most, or are precise
+  uint32_t* rest;      ///< candidates of which nothing was made: clipped, layered or limited ones
+  int32_t block_count, fragment_count, wide_count, rest_count;
+  int32_t lowest_row, highest_row;  ///< that any of them but the rest have pixels in
+};
+
 /// x · X + y · Y + offset at (X, Y), in this order.
 struct PlaneTerms {
   float x, y, offset;
@@ -66,6 +87,10 @@ struct PixelRectangle {
 /// What pixels become: 4 bytes each.
 struct SlotColors {
   uint32_t background;
+  /// Of a slot, where kept_slots[slot & kept_mask] is that slot, its colour stands in kept_colors.
+  const uint32_t *kept_slots, *kept_colors;
+  uint32_t kept_mask;
+  /// Of any slot; may change what is kept.
   void* context;
   uint32_t (*of_slot)(void* context, uint32_t slot);
 };
@@ -75,12 +100,21 @@ struct RasterKernels {
   /// Transforms so many vertices, and up to `lanes` − 1 after them.
   void (*transform_vertices)(const TransformTerms& terms, const LatticePoints& points, int32_t count,
                              const WindowPoints& result);
-  /// Of so many triangles those that may show, or have a corner outside: their numbers, in order, and how
-  /// many these are. The others cover no pixel centre, lie behind the tiles that they are in, or face away.
+  /// Of so many triangles those that may show, or may when they are clipped: their numbers, in order, and how
+  /// many these are. The others cover no pixel centre, lie behind the tiles that they are in or beyond one
+  /// plane, or face away.
   /// Reads up to `lanes` − 1 triangles more, and 31 bits.
   int32_t (*find_candidates)(const WindowPoints& points, const TriangleCorners& corners, int32_t count,
                              const OutwardTriangles& outward, const DepthSource& source,
                              uint32_t* candidates);
+  /// Makes what is drawn of so many candidates. Reads up to `lanes` − 1 candidates more.
+  void (*set_up)(const SetUpTerms& terms, const uint32_t* candidates, int32_t count, SetUpResult& result);
+  /// Fills rows first_row to last_row, both included, as fill() does.
+  void (*fill_narrow)(const NarrowTriangles& triangles, int32_t first_row, int32_t last_row,
+                      const FillTarget& target);
+  /// The same. Their tiles are marked.
+  void (*fill_fragments)(const Fragments& fragments, int32_t count, int32_t first_row, int32_t last_row,
+                         const FillTarget& target);
   /// Fills rows first_row to last_row, both included: some of the triangle's, and of the picture's. Tiles
   /// that it covers are up to date then, others are marked; those that hide it are left alone.
   void (*fill)(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target);

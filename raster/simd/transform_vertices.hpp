@@ -37,12 +37,19 @@ template <bool orthographic>
       w = -eye_z;
     }
     const Floats guard_x = terms.guard_x * w, guard_y = terms.guard_y * w;
-    const Ints inside = (w - clip_z >= 0) & (guard_x - clip_x >= 0) & (guard_x + clip_x >= 0) &
-                        (guard_y - clip_y >= 0) & (guard_y + clip_y >= 0);
+    const Ints planes[5] = {w - clip_z >= 0, guard_x - clip_x >= 0, guard_x + clip_x >= 0,
+                            guard_y - clip_y >= 0, guard_y + clip_y >= 0};
+    const Ints inside = planes[0] & planes[1] & planes[2] & planes[3] & planes[4];
     const Floats over_w = 1.0f / w;
     store(select(inside, to_nearest((clip_x * over_w) * terms.scale_x) + terms.middle_x, splat(outside_x)),
           result.x + i);
-    store(to_nearest((clip_y * over_w) * terms.scale_y) + terms.middle_y, result.y + i);
+    Ints row = to_nearest((clip_y * over_w) * terms.scale_y) + terms.middle_y;
+    if (any(~inside)) {
+      Ints beyond = {};
+      for (int plane = 0; plane < 5; ++plane) beyond |= ~planes[plane] & 1 << plane;
+      row = select(inside, row, beyond);
+    }
+    store(row, result.y + i);
     store(bits_of(clip_z * over_w), result.depth + i);
   }
 }

@@ -30,12 +30,18 @@ using Doubles [[gnu::vector_size(lanes * 4)]] = double;
 [[gnu::always_inline]] inline Ints splat(int32_t value) { return Ints{} + value; }
 [[gnu::always_inline]] inline Floats splat(float value) { return Floats{} + value; }
 [[gnu::always_inline]] inline Floats to_float(Ints value) { return __builtin_convertvector(value, Floats); }
+[[gnu::always_inline]] inline Floats magnitude(Floats value) { return (Floats)((Ints)value & 0x7fffffff); }
 /// The bits of floats.
 [[gnu::always_inline]] inline Ints bits_of(Floats value) { return (Ints)value; }
 
 // The standard library's would be shared with other files.
 [[gnu::always_inline]] inline int32_t lesser(int32_t a, int32_t b) { return a < b ? a : b; }
 [[gnu::always_inline]] inline int32_t greater(int32_t a, int32_t b) { return a > b ? a : b; }
+
+[[gnu::always_inline]] inline Floats lesser(Floats a, Floats b) { return b < a ? b : a; }
+[[gnu::always_inline]] inline Floats greater(Floats a, Floats b) { return a < b ? b : a; }
+[[gnu::always_inline]] inline Ints lesser(Ints a, Ints b) { return b < a ? b : a; }
+[[gnu::always_inline]] inline Ints greater(Ints a, Ints b) { return a < b ? b : a; }
 
 /// Masks have all bits of a lane set, or none.
 [[gnu::always_inline]] inline Ints select(Ints mask, Ints yes, Ints no) { return mask ? yes : no; }
@@ -66,6 +72,12 @@ template <typename Word>
   __builtin_memcpy(&result, (const char*)&value + (upper ? sizeof result : 0), sizeof result);
   return to_double(result);
 }
+[[gnu::always_inline]] inline Doubles half(Floats value, bool upper) {
+  HalfFloats result;
+  __builtin_memcpy(&result, (const char*)&value + (upper ? sizeof result : 0), sizeof result);
+  return __builtin_convertvector(result, Doubles);
+}
+[[gnu::always_inline]] inline Doubles magnitude(Doubles value) { return value < 0 ? -value : value; }
 
 // join: both halves. gather: of each lane what stands at its index. bits: a bit
 // for each lane of a mask, the first lane's lowest. to_nearest: of what 32 bits hold. lane_numbers: 0, 1, 2 …
@@ -120,9 +132,25 @@ constexpr HalfInts half_lane_numbers = {0, 1};
 }
 #endif
 
+/// Of the lanes that have a bit, one behind the other; and perhaps, behind them, others: a vector of them in
+/// all.
+[[gnu::always_inline]] inline void store_some(uint32_t wanted, Ints value, uint32_t* to) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  store((Ints)_mm512_maskz_compress_epi32(static_cast<__mmask16>(wanted), (__m512i)value), to);
+#else
+  for (; wanted != 0; wanted &= wanted - 1) *to++ = static_cast<uint32_t>(value[__builtin_ctz(wanted)]);
+#endif
+}
+
 /// Both halves, each rounded to nearest.
 [[gnu::always_inline]] inline Floats to_float(Doubles lower, Doubles upper) {
   return join(__builtin_convertvector(lower, HalfFloats), __builtin_convertvector(upper, HalfFloats));
+}
+
+[[gnu::always_inline]] inline int32_t least_of(Ints value) {
+  int32_t result = value[0];
+  for (int32_t i = 1; i < lanes; ++i) result = lesser(result, value[i]);
+  return result;
 }
 
 }  // namespace

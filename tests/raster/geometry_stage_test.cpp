@@ -3,10 +3,13 @@
 #include "raster/geometry_stage.hpp"
 
 #include "raster/depth_tiles.hpp"
+#include "raster/fill.hpp"
 #include "raster/instruction_set.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <compare>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -34,6 +37,88 @@ Chunk random_chunk(uint32_t seed) {
   return chunk;
 }
 
+/// A pixel that a triangle covers. Triangles are compared by theirs: what is set up differs in form.
+struct Pixel {
+  uint32_t slot;
+  int32_t y, x;
+  uint32_t depth;  ///< bits
+  auto operator<=>(const Pixel&) const = default;
+};
+
+FillTriangle lane_of(const NarrowTriangles& all, size_t i) {
+  FillTriangle triangle{};
+  for (size_t k = 0; k < 3; ++k) {
+    triangle.edge[k] = all.edge[k][i];
+    triangle.step_x[k] = all.step_x[k][i];
+    triangle.step_y[k] = all.step_y[k][i];
+  }
+  triangle.left = all.left[i];
+  triangle.right = all.right[i];
+  triangle.bottom = all.bottom[i];
+  triangle.top = all.top[i];
+  triangle.first_x = all.first_x[i];
+  triangle.first_y = all.first_y[i];
+  triangle.z = all.z[i];
+  triangle.slope_x = all.slope_x[i];
+  triangle.slope_y = all.slope_y[i];
+  triangle.low = all.low[i];
+  triangle.high = all.high[i];
+  triangle.slot = all.slot[i];
+  return triangle;
+}
+
+/// What a stretch became, pixel by pixel, in order.
+struct Made {
+  std::vector<Pixel> pixels;
+  size_t narrow = 0, fragments = 0, wide = 0, precise = 0;  ///< in which form
+
+  explicit Made(const StretchTriangles& from) {
+    for (const auto* const list : {&from.small, &from.large}) {
+      for (const WindowTriangle& triangle : *list) add(triangle, from);
+    }
+    for (const FillTriangle& triangle : from.kernel.wide()) {
+      add(triangle, from);
+      ++wide;
+    }
+    for (const NarrowTriangles& all : from.kernel.narrow()) {
+      EXPECT_NE(all.held, 0u);
+      for (size_t i = 0; i < NarrowTriangles::count; ++i) {
+        if ((all.held >> i & 1) == 0) continue;
+        EXPECT_LE(all.lowest_row, all.bottom[i]);
+        EXPECT_GE(all.highest_row, all.top[i]);
+        add(lane_of(all, i), from);
+        ++narrow;
+      }
+    }
+    const Fragments single = from.kernel.fragments();
+    for (int32_t i = 0; i < from.kernel.fragment_count(); ++i, ++fragments) {
+      pixels.push_back({single.slots[i], static_cast<int32_t>(single.places[i] >> 16),
+                        static_cast<int32_t>(single.places[i] & 0xffff), single.depths[i]});
+    }
+    for (const Pixel& pixel : pixels) {
+      EXPECT_GE(pixel.y, from.bottom);
+      EXPECT_LE(pixel.y, from.top);
+    }
+    std::sort(pixels.begin(), pixels.end());
+  }
+
+  std::set<uint32_t> slots() const {
+    std::set<uint32_t> found;
+    for (const Pixel& pixel : pixels) found.insert(pixel.slot);
+    return found;
+  }
+
+ private:
+  void add(const FillTriangle& triangle, const StretchTriangles& from) {
+    precise += triangle.precise;
+    EXPECT_LE(from.bottom, triangle.bottom);
+    EXPECT_GE(from.top, triangle.top);
+    for_each_pixel(triangle, 0, height - 1, [&](int32_t x, int32_t y, float depth) {
+      if (depth > 0) pixels.push_back({triangle.slot, y, x, std::bit_cast<uint32_t>(depth)});
+    });
+  }
+};
+
 class Stage {
  public:
   Stage(bool orthographic, uint32_t seed) : chunk_(random_chunk(seed)), tiles_(width, height) {
@@ -58,7 +143,7 @@ class Stage {
     tiles_.hand_out(source_);
   }
 
-  std::vector<WindowTriangle> make(InstructionSet set, uint32_t first, uint32_t count, int32_t front = 0) {
+  Made make(InstructionSet set, uint32_t first, uint32_t count, int32_t front = 0) {
     const DrawnRange range{.rank = {},
                            .first_triangle = first,
                            .triangle_count = count,
@@ -71,12 +156,7 @@ class Stage {
     force_instruction_set(set);
     make_triangles(*terms_, range, pieces, source_, result);
     force_instruction_set(std::nullopt);
-    std::vector<WindowTriangle> triangles = result.small;
-    triangles.insert(triangles.end(), result.large.begin(), result.large.end());
-    for (WindowTriangle& triangle : triangles) triangle.limit = nullptr;  // points into what is gone
-    std::stable_sort(triangles.begin(), triangles.end(),
-                     [](const WindowTriangle& a, const WindowTriangle& b) { return a.slot < b.slot; });
-    return triangles;
+    return Made(result);
   }
 
   bool is_outward(uint32_t triangle) const { return chunk_.is_outward(triangle); }
@@ -99,32 +179,30 @@ class Stage {
   DepthSource source_{};
 };
 
-bool same(const WindowTriangle& a, const WindowTriangle& b) {
-  return std::equal(a.edge, a.edge + 3, b.edge) && std::equal(a.step_x, a.step_x + 3, b.step_x) &&
-         std::equal(a.step_y, a.step_y + 3, b.step_y) && a.left == b.left && a.right == b.right &&
-         a.bottom == b.bottom && a.top == b.top && a.first_x == b.first_x && a.first_y == b.first_y &&
-         a.z == b.z && a.slope_x == b.slope_x && a.slope_y == b.slope_y && a.low == b.low &&
-         a.high == b.high && a.slot == b.slot && a.precise == b.precise && a.error == b.error;
-}
-
 TEST(GeometryStage, makes_the_same_triangles_with_every_instruction_set) {
-  size_t made = 0, precise = 0;
+  size_t made = 0, precise = 0, narrow = 0, fragments = 0, wide = 0;
   for (uint32_t seed = 1; seed <= 20; ++seed) {
     Stage stage(seed % 4 == 0, seed);
     const int32_t front = static_cast<int32_t>(seed % 3) - 1;
     for (const auto& [first, count] : {std::pair(0u, 500u), {3u, 1u}, {63u, 130u}, {499u, 1u}, {77u, 0u}}) {
-      const std::vector<WindowTriangle> expected = stage.make(InstructionSet::scalar, first, count, front);
-      made += expected.size();
-      for (const WindowTriangle& triangle : expected) precise += triangle.precise;
+      const Made expected = stage.make(InstructionSet::scalar, first, count, front);
+      made += expected.slots().size();
+      precise += expected.precise;
       for (const InstructionSet set : instruction_sets_here()) {
-        const std::vector<WindowTriangle> found = stage.make(set, first, count, front);
-        ASSERT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end(), same))
+        const Made found = stage.make(set, first, count, front);
+        ASSERT_EQ(found.pixels, expected.pixels)
             << instruction_set_name(set) << " " << seed << " " << first << "+" << count;
+        narrow += found.narrow;
+        fragments += found.fragments;
+        wide += found.wide;
       }
     }
   }
   EXPECT_GT(made, 2000u);
   EXPECT_GT(precise, 20u);
+  EXPECT_GT(narrow, 1000u);
+  EXPECT_GT(fragments, 500u);
+  EXPECT_GT(wide, 1000u);
 }
 
 TEST(GeometryStage, leaves_out_backs_of_what_is_outward_and_is_not_clipped) {
@@ -132,10 +210,7 @@ TEST(GeometryStage, leaves_out_backs_of_what_is_outward_and_is_not_clipped) {
   for (uint32_t seed = 1; seed <= 10; ++seed) {
     Stage stage(false, seed);
     const auto slots = [&](int32_t front) {
-      std::set<uint32_t> found;
-      for (const WindowTriangle& triangle : stage.make(InstructionSet::scalar, 0, 500, front))
-        found.insert(triangle.slot);
-      return found;
+      return stage.make(InstructionSet::scalar, 0, 500, front).slots();
     };
     const std::set<uint32_t> ahead = slots(1), mirrored = slots(-1);
     for (const uint32_t slot : slots(0)) {
@@ -153,17 +228,17 @@ TEST(GeometryStage, leaves_out_only_what_lies_behind_tiles) {
   size_t left_out = 0;
   for (uint32_t seed = 1; seed <= 10; ++seed) {
     Stage stage(false, seed);
-    const std::vector<WindowTriangle> all = stage.make(InstructionSet::scalar, 0, 500);
+    const std::vector<Pixel> all = stage.make(InstructionSet::scalar, 0, 500).pixels;
     constexpr float there = 0.025f;
     stage.hide_beyond(there);
     for (const InstructionSet set : instruction_sets_here()) {
-      const std::vector<WindowTriangle> kept = stage.make(set, 0, 500);
+      const std::vector<Pixel> kept = stage.make(set, 0, 500).pixels;
       auto next = kept.begin();
-      for (const WindowTriangle& triangle : all) {
-        if (next != kept.end() && same(*next, triangle)) {
+      for (const Pixel& pixel : all) {
+        if (next != kept.end() && *next == pixel) {
           ++next;
         } else {
-          ASSERT_LT(triangle.high, there) << instruction_set_name(set);
+          ASSERT_LT(std::bit_cast<float>(pixel.depth), there) << instruction_set_name(set);
           ++left_out;
         }
       }

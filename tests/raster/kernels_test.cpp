@@ -197,6 +197,117 @@ TEST_P(RasterKernelsOf, fill_as_the_scalar_code_does_and_keep_tiles_true) {
   EXPECT_GT(precise, 20u);
 }
 
+/// Triangles in the window as kernels read them: corners one behind the other, in one of two pieces each.
+struct Candidates {
+  Candidates(Random& random, const Size& of, int count) : size(of) {
+    limits[0] = random_limit(random);
+    limits[1] = {.x = {}, .y = {}, .at = {2, 2, 2}, .nearest = 2};
+    for (int i = 0; i < count; ++i) {
+      const auto corners = random_corners(random, i, size);
+      if (pixel_box(corners, {size.width, size.height}).empty()) continue;
+      const auto triangle = static_cast<uint32_t>(a.size());
+      numbers.push_back(triangle);
+      for (size_t k = 0; k < 3; ++k) {
+        (k == 0 ? a : k == 1 ? b : c).push_back(static_cast<uint32_t>(x.size()));
+        x.push_back(corners[k].x);
+        y.push_back(corners[k].y);
+        depth.push_back(corners[k].depth);
+        pieces.push_back(i % 5 != 0);
+      }
+    }
+    numbers.resize(numbers.size() + 16);
+  }
+  size_t count() const { return a.size(); }
+  std::array<WindowVertex, 3> corners(size_t triangle) const {
+    std::array<WindowVertex, 3> result;
+    for (size_t k = 0; k < 3; ++k)
+      result[k] = {x[3 * triangle + k], y[3 * triangle + k], depth[3 * triangle + k]};
+    return result;
+  }
+  /// As the scalar code makes it.
+  bool make(size_t triangle, WindowTriangle& made) const {
+    const auto window = corners(triangle);
+    if (!set_up(window, {size.width, size.height}, made)) return false;
+    made.slot = static_cast<uint32_t>(triangle) + 7;
+    const DepthLimit& limit = limits[pieces[3 * triangle]];
+    const float least = std::min({slack(limit, window[0]), slack(limit, window[1]), slack(limit, window[2])});
+    if (!(least >= made.error)) made.limit = &limit;
+    return true;
+  }
+
+  Size size;
+  std::array<DepthLimit, 2> limits;
+  std::vector<int32_t> x, y;
+  std::vector<float> depth;
+  std::vector<uint8_t> pieces;
+  std::vector<uint32_t> a, b, c, numbers;
+};
+
+TEST_P(RasterKernelsOf, set_up_and_fill_many_as_the_scalar_code_does_one_by_one) {
+  size_t in_blocks = 0, fragments = 0, wide = 0, precise = 0, rest = 0, ties = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const Size size = random_size();
+    Candidates all(random, size, count);
+    if (all.count() == 0) continue;
+    const int first = whole_number(random, 0, size.height - 1),
+              last = whole_number(random, first, size.height - 1);
+    const bool depth_alone = round % 3 == 0, later_wins = round % 2 == 0;
+    Picture expected(size, depth_alone, later_wins), found(size, depth_alone, later_wins);
+    std::vector<NarrowTriangles> blocks(all.count() / 16 + 1);
+    std::vector<FillTriangle> others(all.count());
+    std::vector<uint32_t> places(4 * all.count() + 16), depths(places.size()), slots(places.size());
+    SetUpResult made{};
+    made.blocks = blocks.data();
+    made.fragments = {places.data(), depths.data(), slots.data()};
+    made.wide = others.data();
+    made.rest = all.numbers.data();
+    const SetUpTerms terms{.points = {all.x.data(), all.y.data(), all.depth.data()},
+                           .corners = {all.a.data(), all.b.data(), all.c.data()},
+                           .pieces = all.pieces.data(),
+                           .limits = all.limits.data(),
+                           .layers = nullptr,
+                           .first_slot = 7,
+                           .width = size.width,
+                           .height = size.height};
+    kernels->set_up(terms, all.numbers.data(), static_cast<int32_t>(all.count()), made);
+    const auto fill_found = [&](const FillTriangle& triangle) {
+      if (triangle.bottom <= last && triangle.top >= first)
+        kernels->fill(triangle, first, last, found.target);
+    };
+    for (int copies = 0; copies < 2; ++copies) {  // each meets itself at equal depths
+      for (int32_t i = 0; i < made.block_count; ++i)
+        kernels->fill_narrow(blocks[static_cast<size_t>(i)], first, last, found.target);
+      kernels->fill_fragments(made.fragments, made.fragment_count, first, last, found.target);
+      for (int32_t i = 0; i < made.wide_count; ++i) fill_found(others[static_cast<size_t>(i)]);
+      for (int32_t i = 0; i < made.rest_count; ++i) {
+        WindowTriangle triangle;
+        ASSERT_TRUE(all.make(all.numbers[static_cast<size_t>(i)], triangle));
+        ASSERT_NE(triangle.limit, nullptr) << "nothing else is left to the scalar code here";
+        fill_found(triangle);
+      }
+    }
+    for (size_t i = 0; i < all.count(); ++i) {
+      WindowTriangle triangle;
+      if (all.make(i, triangle)) fill(triangle, first, last, expected.target);
+    }
+    ASSERT_EQ(found.shown(), expected.shown()) << size.width << "x" << size.height;
+    ASSERT_EQ(found.wrong_tiles(), 0u) << size.width << "x" << size.height;
+    for (int32_t i = 0; i < made.block_count; ++i)
+      in_blocks += static_cast<size_t>(std::popcount(blocks[static_cast<size_t>(i)].held));
+    for (int32_t i = 0; i < made.wide_count; ++i) precise += others[static_cast<size_t>(i)].precise;
+    fragments += static_cast<size_t>(made.fragment_count);
+    wide += static_cast<size_t>(made.wide_count);
+    rest += static_cast<size_t>(made.rest_count);
+    ties += found.ties;
+  }
+  EXPECT_GT(in_blocks, 200u);
+  EXPECT_GT(fragments, 100u);
+  EXPECT_GT(wide, 200u);
+  EXPECT_GT(precise, 20u);
+  EXPECT_GT(rest, 20u);
+  EXPECT_GT(ties, 100u);
+}
+
 TEST_P(RasterKernelsOf, leave_alone_what_tiles_hide) {
   Picture picture({64, 64}, false, true);
   const auto draw = [&](float depth) {
