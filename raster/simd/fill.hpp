@@ -49,7 +49,7 @@ template <bool plain>
   }
   RowDepth<plain> depth(triangle);
   for (int32_t y = bottom; y <= top; ++y) {
-    const Ints covered = (edge[0] | edge[1] | edge[2]) >= 0;
+    const Mask covered = where_greater(all_lanes, edge[0] | edge[1] | edge[2], splat(-1));
     depth.go_to(y);
     pixels.write(int64_t{y} * stride + x, covered, depth.at(columns));
     for (int k = 0; k < 3; ++k) edge[k] += triangle.step_y[k];

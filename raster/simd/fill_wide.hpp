@@ -67,7 +67,9 @@ template <bool plain>
   const int64_t row = int64_t{y} * pixels.target().stride;
   for (int32_t x = first & -lanes; x <= last; x += lanes) {  // whole cache lines
     const Ints column = lane_numbers + x;
-    pixels.write(row + x, (column >= first) & (column <= last), depth.at(column));
+    pixels.write(row + x,
+                 where_greater(where_greater(all_lanes, column, splat(first - 1)), splat(last + 1), column),
+                 depth.at(column));
   }
 }
 

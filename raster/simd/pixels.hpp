@@ -17,20 +17,26 @@ class Pixels {
   const FillTarget& target() const { return target_; }
 
   /// depth: bits. Positive ones are ordered as floats are; the others are not above zero.
-  [[gnu::always_inline]] void write(int64_t pixel, Ints mask, Ints depth) {
+  [[gnu::always_inline]] void write(int64_t pixel, Mask mask, Ints depth) {
     const Ints there = load(depths_ + pixel);
     // Branches cost more than storing what was there: which pixels are nearer is hard to foresee.
-    const Ints nearer = (depth > there) & mask;
-    store(select(nearer, depth, there), depths_ + pixel);
+    const Mask nearer = where_greater(mask, depth, there);
+    store(choose(nearer, depth, there), depths_ + pixel);
     if (slots_ == nullptr) return;
-    store(select(nearer, splat(static_cast<int32_t>(slot_)), load(slots_ + pixel)), slots_ + pixel);
-    for (uint32_t equal = bits((depth == there) & (depth > 0) & mask); equal != 0; equal &= equal - 1) {
+    store(choose(nearer, splat(static_cast<int32_t>(slot_)), load(slots_ + pixel)), slots_ + pixel);
+    const uint32_t equal = mask_bits(where_equal(mask, depth, there));
+    if (equal != 0) [[unlikely]]
+      settle(pixel, equal & mask_bits(where_greater(mask, depth, Ints{})));
+  }
+
+ private:
+  /// Pixels of equal depth, a bit each.
+  [[gnu::always_inline]] void settle(int64_t pixel, uint32_t equal) {
+    for (; equal != 0; equal &= equal - 1) {
       uint32_t& other = slots_[pixel + __builtin_ctz(equal)];
       if (precedes(other)) other = slot_;
     }
   }
-
- private:
   [[gnu::always_inline]] bool precedes(uint32_t other) {
     if (!known_ || other != known_other_) {
       known_ = true;

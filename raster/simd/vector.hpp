@@ -132,6 +132,30 @@ constexpr HalfInts half_lane_numbers = {0, 1};
 }
 #endif
 
+// Some of the lanes, as the processor has its masks: compilers do not find a short way from a vector to
+// these. Each lane of `among` for which a comparison holds; and a bit for each, the first lane's lowest.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+using Mask = __mmask16;
+constexpr Mask all_lanes = 0xffff;
+[[gnu::always_inline]] inline Mask where_greater(Mask among, Ints a, Ints b) {
+  return _mm512_mask_cmpgt_epi32_mask(among, (__m512i)a, (__m512i)b);
+}
+[[gnu::always_inline]] inline Mask where_equal(Mask among, Ints a, Ints b) {
+  return _mm512_mask_cmpeq_epi32_mask(among, (__m512i)a, (__m512i)b);
+}
+[[gnu::always_inline]] inline Ints choose(Mask mask, Ints yes, Ints no) {
+  return (Ints)_mm512_mask_blend_epi32(mask, (__m512i)no, (__m512i)yes);
+}
+[[gnu::always_inline]] inline uint32_t mask_bits(Mask mask) { return mask; }
+#else
+using Mask = Ints;
+constexpr Mask all_lanes = Ints{} - 1;
+[[gnu::always_inline]] inline Mask where_greater(Mask among, Ints a, Ints b) { return among & (a > b); }
+[[gnu::always_inline]] inline Mask where_equal(Mask among, Ints a, Ints b) { return among & (a == b); }
+[[gnu::always_inline]] inline Ints choose(Mask mask, Ints yes, Ints no) { return select(mask, yes, no); }
+[[gnu::always_inline]] inline uint32_t mask_bits(Mask mask) { return bits(mask); }
+#endif
+
 /// Of the lanes that have a bit, one behind the other; and perhaps, behind them, others: a vector of them in
 /// all.
 [[gnu::always_inline]] inline void store_some(uint32_t wanted, Ints value, uint32_t* to) {
