@@ -139,6 +139,11 @@ TransformTerms GeometryTerms::transform_terms(const PlacedLattice& placed) const
   return terms;
 }
 
+LayerTerms GeometryTerms::layer_terms() const {
+  return {layers.focal_x, layers.focal_y, layers.axis_x,   layers.axis_y,
+          layers.step,    layers.snapped, layers.parallel, LayerOffset::depth_rounding};
+}
+
 namespace {
 
 void transform_vertices(const GeometryTerms& terms, const PlacedLattice& placed, const RasterChunk& chunk,
@@ -201,8 +206,12 @@ size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, St
   if (kernels == nullptr || range.cut != 0 || found == 0) return found;
   const RasterChunk& chunk = *range.chunk;
   const auto corners = [&](size_t k) { return chunk.corner[k].data() + range.first_triangle; };
+  const TransformTerms transform = terms.transform_terms(range.placed);
   const SetUpTerms set_up{
       .points = stage.from(0),
+      .lattice = {chunk.x.data(), chunk.y.data(), chunk.z.data()},
+      .transform = &transform,
+      .layer_offset = terms.layer_terms(),
       .corners = {corners(0), corners(1), corners(2)},
       .pieces = chunk.piece.data(),
       .limits = result.limits.data(),

@@ -45,6 +45,7 @@ struct GeometryTerms : VertexStage {
 
   /// For the kernels of an instruction set.
   TransformTerms transform_terms(const PlacedLattice& placed) const;
+  LayerTerms layer_terms() const;
 };
 
 /// outward_alone: only those of solids (Chunk::outward). range: numbered. pieces: boxes of the chunk's

@@ -4,12 +4,13 @@ namespace triptych {
 
 namespace {
 constexpr size_t fragments_each = 4;
-constexpr size_t spare_fragments = 16;  ///< what a vector writes beyond the last one
+constexpr size_t spare_fragments = 16, spare_numbers = 16;  ///< what a vector has beyond the last one
 }  // namespace
 
 SetUpResult KernelTriangles::begin(size_t count) {
   const size_t blocks = (count + NarrowTriangles::count - 1) / NarrowTriangles::count;
   if (wide_.size() < count) wide_.resize(count);
+  if (layered_.size() < count + spare_numbers) layered_.resize(count + spare_numbers);
   if (narrow_.size() < blocks) narrow_.resize(blocks);
   if (fragments_.size() < 3 * (fragments_each * count + spare_fragments))
     fragments_.resize(3 * (fragments_each * count + spare_fragments));
@@ -17,10 +18,12 @@ SetUpResult KernelTriangles::begin(size_t count) {
           .fragments = fragments(),
           .wide = wide_.data(),
           .rest = nullptr,
+          .layered = layered_.data(),
           .block_count = 0,
           .fragment_count = 0,
           .wide_count = 0,
           .rest_count = 0,
+          .layered_count = 0,
           .lowest_row = 0,
           .highest_row = -1};
 }

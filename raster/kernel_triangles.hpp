@@ -27,6 +27,7 @@ class KernelTriangles {
   std::vector<NarrowTriangles> narrow_;
   mutable std::vector<uint32_t> fragments_;  ///< three arrays, one behind the other
   std::vector<FillTriangle> wide_;
+  std::vector<uint32_t> layered_;
   size_t narrow_count_ = 0, wide_count_ = 0;
   int32_t fragment_count_ = 0;
 };

@@ -1,4 +1,5 @@
-// Filling triangles by the way that suits their size. Included once by the file of each instruction set.
+// Filling triangles by the way that suits their size. Included once by the file
+// of each instruction set.
 #pragma once
 
 #include "raster/simd/fill_wide.hpp"
@@ -6,7 +7,8 @@
 namespace triptych {
 namespace {
 
-/// Whether no edge function exceeds 32 bits at the pixels of its rows and `lanes` columns on either side.
+/// Whether no edge function exceeds 32 bits at the pixels of its rows and
+/// `lanes` columns on either side.
 [[gnu::always_inline]] inline bool is_small(const FillTriangle& triangle) {
   constexpr int64_t limit = 1 << 28;
   const int64_t rows = triangle.top - triangle.bottom;

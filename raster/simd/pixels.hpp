@@ -1,5 +1,5 @@
-// Writing depths, and the slots of triangles, into some pixels of a row. Included once by the file of each
-// instruction set.
+// Writing depths, and the slots of triangles, into some pixels of a row.
+// Included once by the file of each instruction set.
 #pragma once
 
 #include "raster/fill_triangle.hpp"
@@ -16,10 +16,12 @@ class Pixels {
 
   const FillTarget& target() const { return target_; }
 
-  /// depth: bits. Positive ones are ordered as floats are; the others are not above zero.
+  /// depth: bits. Positive ones are ordered as floats are; the others are not
+  /// above zero.
   [[gnu::always_inline]] void write(int64_t pixel, Mask mask, Ints depth) {
     const Ints there = load(depths_ + pixel);
-    // Branches cost more than storing what was there: which pixels are nearer is hard to foresee.
+    // Branches cost more than storing what was there: which pixels are nearer
+    // is hard to foresee.
     const Mask nearer = where_greater(mask, depth, there);
     store(choose(nearer, depth, there), depths_ + pixel);
     if (slots_ == nullptr) return;
@@ -50,7 +52,8 @@ class Pixels {
   uint32_t* depths_;
   uint32_t* slots_;
   uint32_t slot_;
-  // The last answer of `precedes`: where triangles coincide, they do in many pixels.
+  // The last answer of `precedes`: where triangles coincide, they do in many
+  // pixels.
   uint32_t known_other_ = 0;
   bool known_ = false, wins_ = false;
 };
