@@ -26,7 +26,8 @@ LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, cons
     const Affine& transform = skeleton.transforms[placement.transform];
     Box placed;
     for (int i = 0; i < 8; ++i) placed.extend(transform * glm::dvec4(of_mesh.corner(i), 1));
-    // Where the transform's result is not a number, the outer box's side is kept.
+    // Where the transform's result is not a number, the outer box's side is
+    // kept.
     placed = {glm::max(outer.lo, placed.lo), glm::min(outer.hi, placed.hi)};
     if (placed.empty()) return within;
     box = skeleton.lattice().enclosing(placed);
@@ -36,20 +37,19 @@ LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, cons
   return box.empty() ? within : box;
 }
 
-Hierarchy::Hierarchy(const Skeleton& skeleton)
-    : skeleton_(skeleton), placed_(skeleton.drawables.size(), nullptr) {}
+Hierarchy::Hierarchy(const Skeleton& skeleton) : skeleton_(skeleton), placed_(skeleton.drawables.size()) {}
 
 PlacedDrawable Hierarchy::placed(DrawableId id) const {
-  const std::span<const Placement> placements = placements_of(id);
-  const LatticeBox* const boxes = placed_[id] != nullptr ? placed_[id] : place(id);
-  const size_t pieces = pieces_of(skeleton_, placements);
-  const std::span wholes(boxes, placements.size());
-  if (pieces == placements.size()) return {wholes, wholes};
-  return {wholes, std::span(boxes + placements.size(), pieces)};
+  Boxes& boxes = placed_[id];
+  if (boxes.first == nullptr) boxes = place(id);
+  const std::span wholes(boxes.first, boxes.placements);
+  if (boxes.pieces == 0) return {wholes, wholes};
+  return {wholes, std::span(boxes.first + boxes.placements, boxes.pieces)};
 }
 
-/// The boxes of the placements, followed by those of the pieces where there are more pieces than placements.
-const LatticeBox* Hierarchy::place(DrawableId id) const {
+/// The boxes of the placements, followed by those of the pieces where there are
+/// more pieces than placements.
+Hierarchy::Boxes Hierarchy::place(DrawableId id) const {
   const std::span<const Placement> placements = placements_of(id);
   const LatticeBox& node_box = scene_node_of(id).box;
   const size_t pieces = pieces_of(skeleton_, placements);
@@ -61,13 +61,13 @@ const LatticeBox* Hierarchy::place(DrawableId id) const {
     boxes[i] = placed_box(skeleton_, placement, skeleton_.chunks[placement.chunk].box, node_box);
     if (!in_pieces) continue;
     const std::span<const LatticeBox> of_chunk = skeleton_.pieces_of(placement.chunk);
-    // Whatever rounding does, pieces stay in their placement's box, which replaces them where they are too
-    // many.
+    // Whatever rounding does, pieces stay in their placement's box, which
+    // replaces them where they are too many.
     for (const LatticeBox& piece : of_chunk) {
       *piece_box++ = of_chunk.size() == 1 ? boxes[i] : placed_box(skeleton_, placement, piece, boxes[i]);
     }
   }
-  return placed_[id] = boxes;
+  return {boxes, static_cast<uint32_t>(placements.size()), in_pieces ? static_cast<uint32_t>(pieces) : 0};
 }
 
 LatticeBox* Hierarchy::allocate(size_t count) const {

@@ -1,4 +1,5 @@
-// A skeleton as frames walk it: the scene graph, and the boxes of what is placed in it, computed once.
+// A skeleton as frames walk it: the scene graph, and the boxes of what is
+// placed in it, computed once.
 #pragma once
 
 #include "scene/skeleton.hpp"
@@ -13,8 +14,9 @@ namespace triptych {
 /// Where a drawable's geometry may be, on the model's lattice.
 struct PlacedDrawable {
   std::span<const LatticeBox> placements;  ///< one box per placement
-  /// One box per piece of each placement's chunk, placement by placement, in the order of
-  /// Skeleton::pieces_of(). The same boxes as `placements` where every chunk is in one piece.
+  /// One box per piece of each placement's chunk, placement by placement, in
+  /// the order of Skeleton::pieces_of(). The same boxes as `placements` where
+  /// every chunk is in one piece.
   std::span<const LatticeBox> pieces;
 };
 
@@ -31,23 +33,30 @@ class Hierarchy {
     const Drawable& drawable = skeleton_.drawables[id];
     return std::span(skeleton_.placements).subspan(drawable.first_placement, drawable.placement_count);
   }
-  /// Boxes that hold every vertex that is drawn, within the scene node's. Computed when they are first asked
-  /// for, and kept.
+  /// Boxes that hold every vertex that is drawn, within the scene node's.
+  /// Computed when they are first asked for, and kept.
   PlacedDrawable placed(DrawableId id) const;
 
  private:
-  const LatticeBox* place(DrawableId id) const;
+  struct Boxes {
+    const LatticeBox* first = nullptr;  ///< of the placements, then of the
+                                        ///< pieces; null until asked for
+    uint32_t placements = 0,
+             pieces = 0;  ///< pieces: 0 where there are no more than placements
+  };
+  Boxes place(DrawableId id) const;
   LatticeBox* allocate(size_t count) const;
 
   const Skeleton& skeleton_;
-  mutable std::vector<const LatticeBox*> placed_;  ///< for each drawable its boxes; null until asked for
+  mutable std::vector<Boxes> placed_;  ///< for each drawable
   mutable std::vector<std::unique_ptr<LatticeBox[]>> blocks_;
   mutable LatticeBox* next_ = nullptr;
   mutable size_t left_ = 0;
 };
 
-/// On the model's lattice: a box that holds what is in `local`, a box of the placement's chunk, plus one
-/// step on each side for rounding; clipped to `within`, which holds all that the placement draws.
+/// On the model's lattice: a box that holds what is in `local`, a box of the
+/// placement's chunk, plus one step on each side for rounding; clipped to
+/// `within`, which holds all that the placement draws.
 LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, const LatticeBox& local,
                       const LatticeBox& within);
 

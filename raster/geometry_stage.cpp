@@ -139,6 +139,11 @@ TransformTerms GeometryTerms::transform_terms(const PlacedLattice& placed) const
   return terms;
 }
 
+LayerTerms GeometryTerms::layer_terms() const {
+  return {layers.focal_x, layers.focal_y, layers.axis_x,   layers.axis_y,
+          layers.step,    layers.snapped, layers.parallel, LayerOffset::depth_rounding};
+}
+
 namespace {
 
 void transform_vertices(const GeometryTerms& terms, const PlacedLattice& placed, const RasterChunk& chunk,
@@ -201,8 +206,12 @@ size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, St
   if (kernels == nullptr || range.cut != 0 || found == 0) return found;
   const RasterChunk& chunk = *range.chunk;
   const auto corners = [&](size_t k) { return chunk.corner[k].data() + range.first_triangle; };
+  const TransformTerms transform = terms.transform_terms(range.placed);
   const SetUpTerms set_up{
       .points = stage.from(0),
+      .lattice = {chunk.x.data(), chunk.y.data(), chunk.z.data()},
+      .transform = &transform,
+      .layer_offset = terms.layer_terms(),
       .corners = {corners(0), corners(1), corners(2)},
       .pieces = chunk.piece.data(),
       .limits = result.limits.data(),
@@ -219,40 +228,6 @@ size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, St
 }
 
 }  // namespace
-
-SetUpResult KernelTriangles::begin(size_t count) {
-  const size_t blocks = (count + NarrowTriangles::count - 1) / NarrowTriangles::count;
-  if (wide_.size() < count) wide_.resize(count);
-  if (narrow_.size() < blocks) narrow_.resize(blocks);
-  if (fragments_.size() < 3 * (4 * count + spare_vertices))
-    fragments_.resize(3 * (4 * count + spare_vertices));
-  return {.blocks = narrow_.data(),
-          .fragments = fragments(),
-          .wide = wide_.data(),
-          .rest = nullptr,
-          .block_count = 0,
-          .fragment_count = 0,
-          .wide_count = 0,
-          .rest_count = 0,
-          .lowest_row = 0,
-          .highest_row = -1};
-}
-
-void KernelTriangles::keep(const SetUpResult& made) {
-  narrow_count_ = static_cast<size_t>(made.block_count);
-  wide_count_ = static_cast<size_t>(made.wide_count);
-  fragment_count_ = made.fragment_count;
-}
-
-void KernelTriangles::clear() {
-  narrow_count_ = wide_count_ = 0;
-  fragment_count_ = 0;
-}
-
-Fragments KernelTriangles::fragments() const {
-  const size_t each = fragments_.size() / 3;
-  return {fragments_.data(), fragments_.data() + each, fragments_.data() + 2 * each};
-}
 
 [[gnu::noinline]] void make_triangles(const GeometryTerms& terms, const DrawnRange& range,
                                       std::span<const LatticeBox> pieces, const DepthSource& drawn,

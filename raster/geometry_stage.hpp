@@ -1,6 +1,7 @@
 // From a stretch of a chunk to triangles that can be filled.
 #pragma once
 
+#include "raster/kernel_triangles.hpp"
 #include "raster/simd/kernels.hpp"
 #include "raster/slots.hpp"
 #include "raster/triangle.hpp"
@@ -10,27 +11,6 @@
 #include <vector>
 
 namespace triptych {
-
-/// What kernels make of most triangles: numbers side by side, and single pixels. Keeps its room.
-class KernelTriangles {
- public:
-  /// None yet; room for what so many candidates become.
-  SetUpResult begin(size_t count);
-  void keep(const SetUpResult& made);
-  void clear();
-
-  std::span<const NarrowTriangles> narrow() const { return {narrow_.data(), narrow_count_}; }
-  std::span<const FillTriangle> wide() const { return {wide_.data(), wide_count_}; }
-  Fragments fragments() const;
-  int32_t fragment_count() const { return fragment_count_; }
-
- private:
-  std::vector<NarrowTriangles> narrow_;
-  mutable std::vector<uint32_t> fragments_;  ///< three arrays, one behind the other
-  std::vector<FillTriangle> wide_;
-  size_t narrow_count_ = 0, wide_count_ = 0;
-  int32_t fragment_count_ = 0;
-};
 
 /// What one stretch of triangles becomes. Keeps its room from use to use.
 struct StretchTriangles {
@@ -65,6 +45,7 @@ struct GeometryTerms : VertexStage {
 
   /// For the kernels of an instruction set.
   TransformTerms transform_terms(const PlacedLattice& placed) const;
+  LayerTerms layer_terms() const;
 };
 
 /// outward_alone: only those of solids (Chunk::outward). range: numbered. pieces: boxes of the chunk's

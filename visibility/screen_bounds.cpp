@@ -11,40 +11,56 @@
 namespace triptych {
 
 namespace {
-/// The vertex stage works in 32-bit floats relative to the eye. A position is off by at most 11 · 2⁻²⁴ of its
-/// distance under the identity, by 83 · 2⁻²⁴ under the worst matrix that a build shares a mesh under
-/// (lod/plan.cpp), which is 2.6 times this.
+/// The vertex stage works in 32-bit floats relative to the eye. A position is
+/// off by at most 11 · 2⁻²⁴ of its distance under the identity, by 83 · 2⁻²⁴
+/// under the worst matrix that a build shares a mesh under (lod/plan.cpp),
+/// which is 2.6 times this.
 constexpr double float_rounding = 0x1p-19;
 /// Beyond this tangent, rounding in w may reach the margin of depths.
 constexpr double max_narrow_tangent = 8;
-/// Boxes whose nearest corner is within this factor of the near plane count as touching it.
+/// Boxes whose nearest corner is within this factor of the near plane count as
+/// touching it.
 constexpr double near_margin = 1.001;
 
-/// The corners of a box in eye axes, relative to the reference: sums of what each axis contributes, so that
-/// eight corners take 18 products.
+/// Two doubles: one instruction on every processor.
+using Pair [[gnu::vector_size(16)]] = double;
+Pair pair_of(double both) { return Pair{both, both}; }
+Pair lesser(Pair a, Pair b) { return b < a ? b : a; }
+Pair greater(Pair a, Pair b) { return a < b ? b : a; }
+double least(Pair a) { return std::min(a[0], a[1]); }
+double most(Pair a) { return std::max(a[0], a[1]); }
+
+/// The corners of a box in eye axes, relative to the reference: sums of what
+/// each axis contributes, so that eight corners take 18 products. Corner i is
+/// that of the high sides whose bits are in it: pairs differ along the first
+/// axis.
 struct EyeCorners {
   EyeCorners(const Box& box, const glm::dvec3& reference, const glm::dmat3& rotation, bool in_doubles) {
     low = in_doubles ? box.lo - reference : glm::dvec3(glm::vec3(box.lo) - glm::vec3(reference));
     high = in_doubles ? box.hi - reference : glm::dvec3(glm::vec3(box.hi) - glm::vec3(reference));
-    std::array<std::array<glm::dvec3, 2>, 3> along;
-    for (int axis = 0; axis < 3; ++axis)
-      along[static_cast<size_t>(axis)] = {rotation[axis] * low[axis], rotation[axis] * high[axis]};
-    for (size_t i = 0; i < 8; ++i) {
-      const glm::dvec3 corner = along[0][i & 1] + along[1][i >> 1 & 1] + along[2][i >> 2];
-      x[i] = corner.x;
-      y[i] = corner.y;
-      z[i] = corner.z;
-    }
+    const auto sums = [&](int row, std::array<Pair, 4>& result) {
+      const auto along = [&](int axis) {
+        return Pair{rotation[axis][row] * low[axis], rotation[axis][row] * high[axis]};
+      };
+      const Pair first = along(0), next = along(1), last = along(2);
+      for (int i = 0; i < 4; ++i)
+        result[static_cast<size_t>(i)] = first + pair_of(next[i & 1]) + pair_of(last[i >> 1]);
+    };
+    sums(0, x);
+    sums(1, y);
+    sums(2, z);
   }
 
   /// The distance to the corner that is furthest away.
   double furthest() const { return glm::length(glm::max(glm::abs(low), glm::abs(high))); }
+  glm::dvec3 operator[](size_t i) const { return {x[i / 2][i % 2], y[i / 2][i % 2], z[i / 2][i % 2]}; }
 
   glm::dvec3 low, high;  ///< in model axes
-  std::array<double, 8> x, y, z;
+  std::array<Pair, 4> x, y, z;
 };
 
-/// Whether the rectangle's depth is the nearest possible, at its middle and its corners.
+/// Whether the rectangle's depth is the nearest possible, at its middle and its
+/// corners.
 bool says_nothing(const ScreenRectangle& r) {
   return r.depth((r.left + r.right) / 2, (r.bottom + r.top) / 2) >= 1 && r.depth(r.left, r.bottom) >= 1 &&
          r.depth(r.right, r.bottom) >= 1 && r.depth(r.left, r.top) >= 1 && r.depth(r.right, r.top) >= 1;
@@ -118,14 +134,11 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
 
 [[gnu::noinline]] BoxProjector::Extent BoxProjector::perspective_extent(const Box& model_box) const {
   const EyeCorners corners(model_box, clip_.reference, rotation_, rules_.double_bounds);
-  double min_depth = 1e300, max_depth = -1e300, max_tangent_squared = 0;
+  const Pair nearest = greater(greater(corners.z[0], corners.z[1]), greater(corners.z[2], corners.z[3])),
+             farthest = lesser(lesser(corners.z[0], corners.z[1]), lesser(corners.z[2], corners.z[3]));
+  double min_depth = -most(nearest), max_depth = -least(farthest), max_tangent_squared = 0;
   glm::dvec2 lo(1e300), hi(-1e300);
   Extent seen;
-  for (size_t i = 0; i < 8; ++i) {
-    const double depth = -corners.z[i];
-    min_depth = std::min(min_depth, depth);
-    max_depth = std::max(max_depth, depth);
-  }
   const double furthest = corners.furthest();
   if (max_depth + furthest * vertex_rounding < clip_.near / near_margin) return {.beyond = true};
   seen.has_outline = min_depth >= clip_.near * near_margin;
@@ -133,18 +146,34 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
     if (rules_.near_plane_refines) return {};
     min_depth = max_depth;
   }
-  for (size_t i = 0; i < 8; ++i) {
-    const double depth = -corners.z[i];
-    if (depth <= 0) continue;
-    const double per_depth = 1 / depth;
-    const glm::dvec2 corner = glm::dvec2(corners.x[i], corners.y[i]) * per_depth;
-    seen.corners[i] = corner;
-    lo = glm::min(lo, corner);
-    hi = glm::max(hi, corner);
-    max_tangent_squared = std::max(max_tangent_squared, corner.x * corner.x + corner.y * corner.y + 1);
+  if (seen.has_outline) {
+    Pair low_x = pair_of(1e300), low_y = low_x, high_x = -low_x, high_y = -low_x, tangents = pair_of(0);
+    for (size_t i = 0; i < 4; ++i) {
+      const Pair per_depth = 1 / -corners.z[i], x = corners.x[i] * per_depth, y = corners.y[i] * per_depth;
+      seen.corners[2 * i] = {x[0], y[0]};
+      seen.corners[2 * i + 1] = {x[1], y[1]};
+      low_x = lesser(low_x, x);
+      low_y = lesser(low_y, y);
+      high_x = greater(high_x, x);
+      high_y = greater(high_y, y);
+      tangents = greater(tangents, x * x + y * y + 1);
+    }
+    lo = {least(low_x), least(low_y)};
+    hi = {most(high_x), most(high_y)};
+    max_tangent_squared = most(tangents);
+  } else {
+    for (size_t i = 0; i < 8; ++i) {
+      const double depth = -corners[i].z;
+      if (depth <= 0) continue;
+      const glm::dvec2 corner = glm::dvec2(corners[i]) * (1 / depth);
+      seen.corners[i] = corner;
+      lo = glm::min(lo, corner);
+      hi = glm::max(hi, corner);
+      max_tangent_squared = std::max(max_tangent_squared, corner.x * corner.x + corner.y * corner.y + 1);
+    }
   }
-  // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
-  // (p and w).
+  // Rounding of the projected position, in pixels: the relative error of the
+  // vertex stage times |p|/w, twice (p and w).
   const double rounding = 2 * float_rounding * max_tangent_squared * focal_length_;
   if (!(rounding <= 0.25 || max_tangent_squared <= max_narrow_tangent * max_narrow_tangent)) return {};
   for (int axis = 0; axis < 3; ++axis) {
@@ -175,7 +204,7 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
   const EyeCorners corners(box, clip_.reference, rotation_, true);
   glm::dvec2 lo(1e300), hi(-1e300);
   for (size_t i = 0; i < 8; ++i) {
-    seen.corners[i] = {corners.x[i], corners.y[i]};
+    seen.corners[i] = glm::dvec2(corners[i]);
     lo = glm::min(lo, seen.corners[i]);
     hi = glm::max(hi, seen.corners[i]);
   }

@@ -1,4 +1,5 @@
-// Colours of a row, a vector of pixels at a time. Included once by the file of each instruction set.
+// Colours of a row, a vector of pixels at a time. Included once by the file of
+// each instruction set.
 #pragma once
 
 #include "raster/simd/kernels.hpp"

@@ -1,5 +1,5 @@
-// Depths over triangles, a vector of triangles at a time: depth_plane() in raster/triangle.cpp. Included once
-// by the file of each instruction set.
+// Depths over triangles, a vector of triangles at a time: depth_plane() in
+// raster/triangle.cpp. Included once by the file of each instruction set.
 #pragma once
 
 #include "raster/simd/kernels.hpp"
@@ -19,8 +19,26 @@ struct Corners {
           (Floats)gather(reinterpret_cast<const int32_t*>(points.depth), vertices)};
 }
 
-/// Twice the areas, positive where corners go round counter-clockwise. Sides are below 2²⁴: doubles hold
-/// products and their differences exactly.
+/// The same corner's vertices.
+[[gnu::always_inline]] inline Ints vertices_of(const uint32_t* corner_of_triangles, Ints triangles) {
+  return gather(reinterpret_cast<const int32_t*>(corner_of_triangles), triangles);
+}
+
+[[gnu::always_inline]] inline Ints layers_of(const SetUpTerms& terms, Ints triangles) {
+  Ints layer = {};
+  if (terms.layers == nullptr) return layer;
+  for (int32_t i = 0; i < lanes; ++i) layer[i] = terms.layers[triangles[i]];
+  return layer;
+}
+
+/// Some of the triangles' numbers to the end of a list.
+[[gnu::always_inline]] inline void append(Ints triangles, Ints some, uint32_t* list, int32_t& count) {
+  for (uint32_t rest = bits(some); rest != 0; rest &= rest - 1)
+    list[count++] = static_cast<uint32_t>(triangles[__builtin_ctz(rest)]);
+}
+
+/// Twice the areas, positive where corners go round counter-clockwise. Sides
+/// are below 2²⁴: doubles hold products and their differences exactly.
 struct Areas {
   Doubles exact[2];  ///< of the lower half of the lanes, and of the upper
   Floats rounded;
@@ -37,7 +55,8 @@ struct DepthPlanes {
   Floats slope_x, slope_y, error;
 };
 
-/// Where floats may be off by more, of the depth, depths are computed in doubles.
+/// Where floats may be off by more, of the depth, depths are computed in
+/// doubles.
 constexpr float max_float_error = 0x1p-15f;
 
 [[gnu::always_inline]] inline DepthPlanes depth_planes(const Corners& a, const Corners& b, const Corners& c,
@@ -58,7 +77,8 @@ struct PreciseSlopes {
   double x[lanes], y[lanes];
 };
 
-/// The same in doubles; of those that are `wanted`, the error becomes that of these.
+/// The same in doubles; of those that are `wanted`, the error becomes that of
+/// these.
 [[gnu::always_inline]] inline PreciseSlopes precise_planes(const Corners& a, const Corners& b,
                                                            const Corners& c, const Areas& area, Ints wanted,
                                                            Floats high, Floats& error) {

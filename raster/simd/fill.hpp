@@ -1,4 +1,5 @@
-// Filling triangles by the way that suits their size. Included once by the file of each instruction set.
+// Filling triangles by the way that suits their size. Included once by the file
+// of each instruction set.
 #pragma once
 
 #include "raster/simd/fill_wide.hpp"
@@ -6,7 +7,8 @@
 namespace triptych {
 namespace {
 
-/// Whether no edge function exceeds 32 bits at the pixels of its rows and `lanes` columns on either side.
+/// Whether no edge function exceeds 32 bits at the pixels of its rows and
+/// `lanes` columns on either side.
 [[gnu::always_inline]] inline bool is_small(const FillTriangle& triangle) {
   constexpr int64_t limit = 1 << 28;
   const int64_t rows = triangle.top - triangle.bottom;
@@ -49,7 +51,7 @@ template <bool plain>
   }
   RowDepth<plain> depth(triangle);
   for (int32_t y = bottom; y <= top; ++y) {
-    const Ints covered = (edge[0] | edge[1] | edge[2]) >= 0;
+    const Mask covered = where_greater(all_lanes, edge[0] | edge[1] | edge[2], splat(-1));
     depth.go_to(y);
     pixels.write(int64_t{y} * stride + x, covered, depth.at(columns));
     for (int k = 0; k < 3; ++k) edge[k] += triangle.step_y[k];

@@ -1,4 +1,5 @@
-// Triangles wider than a vector: by tiles, then by rows. Included once by the file of each instruction set.
+// Triangles wider than a vector: by tiles, then by rows. Included once by the
+// file of each instruction set.
 #pragma once
 
 #include "raster/simd/pixels.hpp"
@@ -9,15 +10,17 @@
 namespace triptych {
 namespace {
 
-/// Of the rows of a row of tiles those columns that all edges hold; empty where first > last.
+/// Of the rows of a row of tiles those columns that all edges hold; empty where
+/// first > last.
 struct TileRowSpans {
   int32_t first[tile], last[tile];
 };
 
-/// Which columns of a row all edges hold. Edge functions are whole numbers far below 2⁵², and steps below
-/// 2²⁴: a half more than one, over a step, is no nearer to a whole number than 2⁻²⁵, and products with what
-/// one over the step is rounded to are off by less wherever a picture may be. So both have the same whole
-/// part.
+/// Which columns of a row all edges hold. Edge functions are whole numbers far
+/// below 2⁵², and steps below 2²⁴: a half more than one, over a step, is no
+/// nearer to a whole number than 2⁻²⁵, and products with what one over the step
+/// is rounded to are off by less wherever a picture may be. So both have the
+/// same whole part.
 class SpansOf {
  public:
   [[gnu::always_inline]] explicit SpansOf(const FillTriangle& triangle) : triangle_(triangle) {
@@ -67,7 +70,9 @@ template <bool plain>
   const int64_t row = int64_t{y} * pixels.target().stride;
   for (int32_t x = first & -lanes; x <= last; x += lanes) {  // whole cache lines
     const Ints column = lane_numbers + x;
-    pixels.write(row + x, (column >= first) & (column <= last), depth.at(column));
+    pixels.write(row + x,
+                 where_greater(where_greater(all_lanes, column, splat(first - 1)), splat(last + 1), column),
+                 depth.at(column));
   }
 }
 

@@ -1,5 +1,6 @@
-// Triangles that lie between pixel centres or beside the picture are most of what is drawn, and are left out
-// here. Included once by the file of each instruction set.
+// Triangles that lie between pixel centres or beside the picture are most of
+// what is drawn, and are left out here. Included once by the file of each
+// instruction set.
 #pragma once
 
 #include "raster/simd/kernels.hpp"
@@ -9,7 +10,8 @@
 namespace triptych {
 namespace {
 
-/// Those of at most two tiles in each direction that lie strictly behind all of these.
+/// Those of at most two tiles in each direction that lie strictly behind all of
+/// these.
 [[gnu::always_inline]] inline Ints behind_tiles(const PixelRanges& x, const PixelRanges& y, Floats nearest,
                                                 Ints wanted, const DepthSource& source) {
   const Ints left = x.first / tile_side, right = x.last / tile_side, bottom = y.first / tile_side,
@@ -33,8 +35,8 @@ namespace {
   return (bits >> lane_numbers & 1) != 0;
 }
 
-/// Those whose area has another sign. Differences of corners are below 2²⁴: doubles hold products exactly,
-/// and floats keep the sign of a whole number.
+/// Those whose area has another sign. Differences of corners are below 2²⁴:
+/// doubles hold products exactly, and floats keep the sign of a whole number.
 [[gnu::always_inline]] inline Ints face_away(Ints x1, Ints y1, Ints x2, Ints y2, int32_t front) {
   const auto area = [&](bool upper) __attribute__((always_inline)) {
     return half(x1, upper) * half(y2, upper) - half(x2, upper) * half(y1, upper);

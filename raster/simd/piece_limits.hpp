@@ -1,5 +1,6 @@
-// How far behind the limits of their pieces corners lie, a vector of triangles at a time: slack() in
-// raster/triangle.cpp. Included once by the file of each instruction set.
+// How far behind the limits of their pieces corners lie, a vector of triangles
+// at a time: slack() in raster/triangle.cpp. Included once by the file of each
+// instruction set.
 #pragma once
 
 #include "raster/simd/depth_planes.hpp"
@@ -31,6 +32,11 @@ struct PieceLimits {
     }
   }
 
+  [[gnu::always_inline]] Floats least_slack(const Corners& a, const Corners& b, const Corners& c) const {
+    return lesser(lesser(slack(a), slack(b)), slack(c));
+  }
+
+ private:
   [[gnu::always_inline]] Floats slack(const Corners& corner) const {
     constexpr float rounding_share = 4 * 0x1p-24f;
     const Floats to_x = to_float(corner.x) * (1.0f / 256), to_y = to_float(corner.y) * (1.0f / 256);
@@ -43,8 +49,6 @@ struct PieceLimits {
     }
     return result;
   }
-
- private:
   template <typename Take>
   [[gnu::always_inline]] void set(const Take& take, const DepthLimit& limit) {
     for (int i = 0; i < 3; ++i) {

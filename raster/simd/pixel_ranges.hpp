@@ -1,4 +1,5 @@
-// Pixels between corners, a vector of triangles at a time. Included once by the file of each instruction set.
+// Pixels between corners, a vector of triangles at a time. Included once by the
+// file of each instruction set.
 #pragma once
 
 #include "raster/simd/vector.hpp"

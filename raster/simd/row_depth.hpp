@@ -1,4 +1,5 @@
-// The depths of a triangle along a row. Included once by the file of each instruction set.
+// The depths of a triangle along a row. Included once by the file of each
+// instruction set.
 #pragma once
 
 #include "raster/fill_triangle.hpp"
@@ -34,7 +35,8 @@ class RowDepth {
     precise_start_ = double{triangle_.z} + triangle_.precise_y * dy;
   }
 
-  /// The bits of the depths of some columns of that row; 0, which is nothing, where a section keeps none.
+  /// The bits of the depths of some columns of that row; 0, which is nothing,
+  /// where a section keeps none.
   [[gnu::always_inline]] Ints at(Ints column) const {
     const Ints dx = column * 256 + to_first_;
     Floats depth = !plain && triangle_.precise ? precise(dx) : start_ + slope_ * to_float(dx);

@@ -1,5 +1,5 @@
-// Box tests: whole tiles first, a vector of them at a time, then pixels. Included once by the file of each
-// instruction set.
+// Box tests: whole tiles first, a vector of them at a time, then pixels.
+// Included once by the file of each instruction set.
 #pragma once
 
 #include "raster/simd/kernels.hpp"
@@ -22,7 +22,8 @@ namespace {
   return box.strict ? depth > there : depth >= there;
 }
 
-/// Counts down `missing`, pixels that have yet to show; whether none is missing any more.
+/// Counts down `missing`, pixels that have yet to show; whether none is missing
+/// any more.
 [[gnu::always_inline]] inline bool test_pixels(const BoxTerms& box, const PixelRectangle& pixels,
                                                const DepthSource& source, int32_t& missing) {
   for (int32_t start = pixels.left; start <= pixels.right; start += lanes) {
@@ -47,9 +48,10 @@ namespace {
   return false;
 }
 
-/// A part of a row of tiles: those that may not be passed over are looked at pixel by pixel. Sums and
-/// products of floats are monotone in each operand: what a plane gives at the outermost centres of a tile
-/// bounds, to the bit, what it gives between.
+/// A part of a row of tiles: those that may not be passed over are looked at
+/// pixel by pixel. Sums and products of floats are monotone in each operand:
+/// what a plane gives at the outermost centres of a tile bounds, to the bit,
+/// what it gives between.
 [[gnu::always_inline]] inline bool test_tile_row(const BoxTerms& box, const PixelRectangle& pixels,
                                                  const DepthSource& source, int32_t& missing) {
   constexpr int32_t side = tile_side;
@@ -81,8 +83,8 @@ namespace {
   return false;
 }
 
-/// Calls test(pixels) for those parts of rows of tiles in which blocks do not hide all that is this deep,
-/// until it is true; whether it was.
+/// Calls test(pixels) for those parts of rows of tiles in which blocks do not
+/// hide all that is this deep, until it is true; whether it was.
 template <typename Test>
 [[gnu::always_inline]] inline bool any_tile_row(float nearest, bool strict, const PixelRectangle& pixels,
                                                 const DepthSource& source, const Test& test) {

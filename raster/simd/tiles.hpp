@@ -1,4 +1,5 @@
-// The farthest depths of tiles while triangles are filled. Included once by the file of each instruction set.
+// The farthest depths of tiles while triangles are filled. Included once by the
+// file of each instruction set.
 #pragma once
 
 #include "raster/fill_triangle.hpp"
@@ -33,9 +34,10 @@ struct TileRow {
   float* tiles() const { return target.tiles + int64_t{index} * target.columns; }
   uint8_t* marked() const { return target.marked + int64_t{index} * target.columns; }
 
-  /// Of so many tiles from the first on, at most `lanes`, those that do not hide the triangle: a bit each.
-  /// Sums and products of floats are monotone in each operand: what they give at the outermost centres
-  /// bounds, to the bit, what they give between. A limit only makes a triangle farther.
+  /// Of so many tiles from the first on, at most `lanes`, those that do not
+  /// hide the triangle: a bit each. Sums and products of floats are monotone in
+  /// each operand: what they give at the outermost centres bounds, to the bit,
+  /// what they give between. A limit only makes a triangle farther.
   [[gnu::always_inline]] uint32_t open(const FillTriangle& triangle, int32_t first, int32_t count) const {
     Floats nearest = splat(triangle.high);
     if (!triangle.precise) {

@@ -1,5 +1,5 @@
-// Vertices from a chunk's lattice to the window, a vector of them at a time. Included once by the file of
-// each instruction set.
+// Vertices from a chunk's lattice to the window, a vector of them at a time.
+// Included once by the file of each instruction set.
 #pragma once
 
 #include "raster/simd/kernels.hpp"
@@ -13,7 +13,8 @@ namespace {
   return ((row[0] * x + row[1] * y) + row[2] * z) + row[3];
 }
 
-/// The operations, and their order, of GeometryTerms::to_clip and WindowTransform.
+/// The operations, and their order, of GeometryTerms::to_clip and
+/// WindowTransform.
 template <bool orthographic>
 [[gnu::always_inline]] inline void transform(const TransformTerms& terms, const LatticePoints& points,
                                              int32_t count, const WindowPoints& result) {

@@ -1,6 +1,7 @@
-// Vectors of 32-bit lanes, as wide as the instruction set that the including file is compiled for. Only for
-// files of this folder: everything here has internal linkage, since an inline function that other files share
-// might be linked in the variant for instructions that the processor does not have.
+// Vectors of 32-bit lanes, as wide as the instruction set that the including
+// file is compiled for. Only for files of this folder: everything here has
+// internal linkage, since an inline function that other files share might be
+// linked in the variant for instructions that the processor does not have.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,8 @@ constexpr int32_t lanes = 4;
 #error "raster/simd is compiled for SSE4.2, AVX2 or AVX-512"
 #endif
 
-// Compilers make one instruction of each operator: all of them round as IEEE has it.
+// Compilers make one instruction of each operator: all of them round as IEEE
+// has it.
 using Floats [[gnu::vector_size(lanes * 4)]] = float;
 using Ints [[gnu::vector_size(lanes * 4)]] = int32_t;
 // Of half as many lanes.
@@ -80,8 +82,12 @@ template <typename Word>
 [[gnu::always_inline]] inline Doubles magnitude(Doubles value) { return value < 0 ? -value : value; }
 
 // join: both halves. gather: of each lane what stands at its index. bits: a bit
-// for each lane of a mask, the first lane's lowest. to_nearest: of what 32 bits hold. lane_numbers: 0, 1, 2 …
+// for each lane of a mask, the first lane's lowest. to_nearest: of what 32 bits
+// hold. lane_numbers: 0, 1, 2 …
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
+[[gnu::always_inline]] inline Floats square_root(Floats value) {
+  return (Floats)_mm512_maskz_sqrt_ps(0xffff, (__m512)value);
+}
 [[gnu::always_inline]] inline bool any(Ints mask) {
   return _mm512_test_epi32_mask((__m512i)mask, (__m512i)mask) != 0;
 }
@@ -98,6 +104,9 @@ constexpr HalfInts half_lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
   return (Ints)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff, (__m512i)index, from, 4);
 }
 #elif defined(__AVX2__)
+[[gnu::always_inline]] inline Floats square_root(Floats value) {
+  return (Floats)_mm256_sqrt_ps((__m256)value);
+}
 [[gnu::always_inline]] inline bool any(Ints mask) {
   return !_mm256_testz_si256((__m256i)mask, (__m256i)mask);
 }
@@ -116,6 +125,7 @@ constexpr HalfInts half_lane_numbers = {0, 1, 2, 3};
   return (Ints)_mm256_i32gather_epi32(from, (__m256i)index, 4);
 }
 #else
+[[gnu::always_inline]] inline Floats square_root(Floats value) { return (Floats)_mm_sqrt_ps((__m128)value); }
 [[gnu::always_inline]] inline bool any(Ints mask) { return !_mm_testz_si128((__m128i)mask, (__m128i)mask); }
 [[gnu::always_inline]] inline uint32_t bits(Ints mask) {
   return static_cast<uint32_t>(_mm_movemask_ps((__m128)mask));
@@ -132,8 +142,33 @@ constexpr HalfInts half_lane_numbers = {0, 1};
 }
 #endif
 
-/// Of the lanes that have a bit, one behind the other; and perhaps, behind them, others: a vector of them in
-/// all.
+// Some of the lanes, as the processor has its masks: compilers do not find a
+// short way from a vector to these. Each lane of `among` for which a comparison
+// holds; and a bit for each, the first lane's lowest.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+using Mask = __mmask16;
+constexpr Mask all_lanes = 0xffff;
+[[gnu::always_inline]] inline Mask where_greater(Mask among, Ints a, Ints b) {
+  return _mm512_mask_cmpgt_epi32_mask(among, (__m512i)a, (__m512i)b);
+}
+[[gnu::always_inline]] inline Mask where_equal(Mask among, Ints a, Ints b) {
+  return _mm512_mask_cmpeq_epi32_mask(among, (__m512i)a, (__m512i)b);
+}
+[[gnu::always_inline]] inline Ints choose(Mask mask, Ints yes, Ints no) {
+  return (Ints)_mm512_mask_blend_epi32(mask, (__m512i)no, (__m512i)yes);
+}
+[[gnu::always_inline]] inline uint32_t mask_bits(Mask mask) { return mask; }
+#else
+using Mask = Ints;
+constexpr Mask all_lanes = Ints{} - 1;
+[[gnu::always_inline]] inline Mask where_greater(Mask among, Ints a, Ints b) { return among & (a > b); }
+[[gnu::always_inline]] inline Mask where_equal(Mask among, Ints a, Ints b) { return among & (a == b); }
+[[gnu::always_inline]] inline Ints choose(Mask mask, Ints yes, Ints no) { return select(mask, yes, no); }
+[[gnu::always_inline]] inline uint32_t mask_bits(Mask mask) { return bits(mask); }
+#endif
+
+/// Of the lanes that have a bit, one behind the other; and perhaps, behind
+/// them, others: a vector of them in all.
 [[gnu::always_inline]] inline void store_some(uint32_t wanted, Ints value, uint32_t* to) {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
   store((Ints)_mm512_maskz_compress_epi32(static_cast<__mmask16>(wanted), (__m512i)value), to);

@@ -255,13 +255,18 @@ TEST_P(RasterKernelsOf, set_up_and_fill_many_as_the_scalar_code_does_one_by_one)
     Picture expected(size, depth_alone, later_wins), found(size, depth_alone, later_wins);
     std::vector<NarrowTriangles> blocks(all.count() / 16 + 1);
     std::vector<FillTriangle> others(all.count());
+    std::vector<uint32_t> layered(all.count() + 16);
     std::vector<uint32_t> places(4 * all.count() + 16), depths(places.size()), slots(places.size());
     SetUpResult made{};
     made.blocks = blocks.data();
     made.fragments = {places.data(), depths.data(), slots.data()};
     made.wide = others.data();
     made.rest = all.numbers.data();
+    made.layered = layered.data();
     const SetUpTerms terms{.points = {all.x.data(), all.y.data(), all.depth.data()},
+                           .lattice = {},
+                           .transform = nullptr,
+                           .layer_offset = {},
                            .corners = {all.a.data(), all.b.data(), all.c.data()},
                            .pieces = all.pieces.data(),
                            .limits = all.limits.data(),
