@@ -57,7 +57,7 @@ std::vector<NamedPack> named_packs(const AccuracyPacks& packs, const std::filesy
 }
 
 AccuracySubjects::AccuracySubjects(const std::vector<NamedPack>& named,
-                                   const std::vector<ChosenDevice>& chosen) {
+                                   const std::vector<ChosenDevice>& chosen, const RunOptions& run) {
   for (const auto& [file, label, build_seconds] : named) {
     packs_.push_back(std::make_unique<Pack>(file));
     const uint64_t here = packs_.back()->skeleton().source_triangles,
@@ -74,8 +74,8 @@ AccuracySubjects::AccuracySubjects(const std::vector<NamedPack>& named,
           {device_name(device.options.kind), devices_.back()->hierarchy(), devices_.back()->device()});
     }
     const NamedPack& name = named[subjects_.size()];
-    subjects_.push_back(
-        {name.label, devices_.back()->representation().name(), *pack, devices, name.build_seconds});
+    subjects_.push_back({name.label, devices_.back()->representation().name(), *pack, devices,
+                         name.build_seconds, load_hiding(run, *pack)});
   }
 }
 

@@ -4,6 +4,7 @@
 #include "launch/build_flags.hpp"
 #include "measure/accuracy/accuracy.hpp"
 #include "nodes/pack_device.hpp"
+#include "session/run_options.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -36,10 +37,11 @@ struct NamedPack {
 std::vector<NamedPack> named_packs(const AccuracyPacks& packs, const std::filesystem::path& first,
                                    const std::filesystem::path& folder);
 
-/// Opened, and what draws them. Error for packs that are not of one model.
+/// Opened, what draws them, and what the run hides of each. Error for packs that are not of one model.
 class AccuracySubjects {
  public:
-  AccuracySubjects(const std::vector<NamedPack>& named, const std::vector<ChosenDevice>& chosen);
+  AccuracySubjects(const std::vector<NamedPack>& named, const std::vector<ChosenDevice>& chosen,
+                   const RunOptions& run);
   const std::vector<AccuracySubject>& list() const { return subjects_; }
   const Skeleton& skeleton() const { return packs_.front()->skeleton(); }
 

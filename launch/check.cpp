@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "launch/command.hpp"
+#include "launch/solid_report.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 
@@ -44,14 +45,16 @@ void check_all(const Pack& pack, const CheckOptions& options, const std::filesys
       "checksums\n",
       report.drawables_checked, report.drawables_not_checked, report.bound_violations, report.box_violations,
       report.monotonicity_violations, report.outward_violations, report.checksum_errors);
-  write_json(json, {{"drawables_checked", report.drawables_checked},
-                    {"drawables_not_checked", report.drawables_not_checked},
-                    {"bound_violations", report.bound_violations},
-                    {"box_violations", report.box_violations},
-                    {"monotonicity_violations", report.monotonicity_violations},
-                    {"outward_violations", report.outward_violations},
-                    {"checksum_errors", report.checksum_errors},
-                    {"bound_over_measured", to_json(report.bound_over_measured)}});
+  nlohmann::json described = {{"drawables_checked", report.drawables_checked},
+                              {"drawables_not_checked", report.drawables_not_checked},
+                              {"bound_violations", report.bound_violations},
+                              {"box_violations", report.box_violations},
+                              {"monotonicity_violations", report.monotonicity_violations},
+                              {"outward_violations", report.outward_violations},
+                              {"checksum_errors", report.checksum_errors},
+                              {"bound_over_measured", to_json(report.bound_over_measured)}};
+  list_solids(pack, described);
+  write_json(json, described);
   expect_sound(pack, report.sound(), report.messages);
 }
 

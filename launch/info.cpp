@@ -2,6 +2,7 @@
 #include "launch/command.hpp"
 #include "launch/file_report.hpp"
 #include "launch/object_report.hpp"
+#include "launch/solid_report.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
@@ -105,6 +106,7 @@ int run(const InfoCommand& command) {
   nlohmann::json description = describe(pack);
   if (command.objects) {
     list_objects(pack, command.find, description);
+    list_solids(pack, description);
     write_json(command.json, description);
     return 0;
   }

@@ -3,10 +3,12 @@
 #include "base/notice.hpp"
 #include "launch/accuracy_packs.hpp"
 #include "launch/choice_flag.hpp"
+#include "launch/hide_flags.hpp"
 #include "launch/measure.hpp"
 #include "launch/named_files.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/print_accuracy.hpp"
+#include "launch/section_flags.hpp"
 #include "measure/accuracy/accuracy_json.hpp"
 #include "measure/accuracy/accuracy_pictures.hpp"
 #include "measure/accuracy/accuracy_words.hpp"
@@ -114,7 +116,8 @@ int run(const MeasureAccuracyCommand& command) {
   load_path(command.run.path);  // so that its errors are reported before anything is built
   const std::vector<ChosenDevice> chosen = choose_devices(command);
   const TemporaryFolder scratch;
-  const AccuracySubjects subjects(named_packs(command.packs, command.run.pack, scratch.path()), chosen);
+  const AccuracySubjects subjects(named_packs(command.packs, command.run.pack, scratch.path()), chosen,
+                                  command.run);
   const auto frames = frames_of(command, subjects.skeleton());
   if (command.compare->count() > 0 && command.options.compared_frames > frames.front().size())
     notice("triptych: accuracy: --compare {}: there are {} frames, and every one is compared",
@@ -130,6 +133,8 @@ int run(const MeasureAccuracyCommand& command) {
   report["path_frames"] = path_frames;
   report["every"] = command.run.every;
   report["frames_say"] = frames_in_words(frames.front().size(), path_frames, command.run.every);
+  report["section"] = section_json(command.run.section);
+  add_hidden(report, subjects.list().front().hiding.name);
   report["triangles"] = subjects.skeleton().placed_triangles;
   report["title"] = fmt::format(
       "What accuracy costs: {}",
@@ -163,6 +168,8 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
   command->run.pixel_errors = {0.25, 0.5, 1, 2, 4, 8, 16, 32};
   command->words = sub;
   add_run_flags(*sub, command->run);
+  add_section_flags(*sub, command->run.section);
+  add_hide_flags(*sub, command->run);
   add_every_flag(*sub, command->run);
   take_list(sub->get_option("--pixel-error"))->default_str("0.25,0.5,1,2,4,8,16,32")->type_name("PX,...");
   sub->add_option("-o,--output", command->output,

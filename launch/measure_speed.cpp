@@ -1,7 +1,9 @@
 #include "base/error.hpp"
 #include "launch/choice_flag.hpp"
+#include "launch/hide_flags.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/section_flags.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "measure/speed.hpp"
@@ -106,7 +108,7 @@ class MeasuredDevices {
 
 int run(const MeasureSpeedCommand& command) {
   const Pack pack(command.run.pack);
-  const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+  const std::vector<FrameRequest> frames = load_frames(command.run, pack);
   if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
   const MeasuredDevices measured(pack, command.run.device, command.speed.methods);
   SpeedOptions options = command.speed;
@@ -122,6 +124,8 @@ int run(const MeasureSpeedCommand& command) {
                            {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)},
                            {"pixel_error", command.run.pixel_error()},
                            {"triangles", pack.skeleton().placed_triangles}};
+  report["section"] = section_json(command.run.section);
+  add_hidden(report, frames.front().state.hiding.name);
   if (const DeviceNames* gl = measured.opengl()) report["gl"] = opengl_json(*gl);
   print(report);
   write_json(command.run.json, report);
@@ -136,6 +140,8 @@ void add_measure_speed(CLI::App& measure, Action& action) {
       "speed", "Frames beside other ways of drawing them: all triangles, an oracle, a ray tracer");
   sub->footer("Example: triptych measure speed scene.tpk --path walk.json --json speed.json");
   add_run_flags(*sub, command->run);
+  add_section_flags(*sub, command->run.section);
+  add_hide_flags(*sub, command->run);
   take_list(sub->add_option("--methods", command->speed.methods,
                             fmt::format("Only these of {}", fmt::join(speed_method_names(), ", "))))
       ->check(one_of(speed_method_names()))

@@ -5,6 +5,7 @@
 #include "launch/hide_flags.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
+#include "lod/sectioned.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
@@ -47,6 +48,8 @@ int run(const RenderCommand& command) {
                                 .item_buffer = command.item_buffer});
   std::optional<LocalSteering> steering = steer(pipeline, command.run.target_ms, device.names);
   std::vector<FrameRecord> records;
+  SectionedCounter counter(pack, pipeline.hierarchy());
+  std::vector<SectionedCounts> sectioned;  ///< of each frame
   {
     Progress progress("render", frames.size());
     FrameWatch watch("render");
@@ -54,6 +57,7 @@ int run(const RenderCommand& command) {
       watch.begin(frame.number);
       if (command.full_detail) frame.state.pixel_error = 0;
       records.push_back(steering ? steering->draw(frame) : pipeline.draw(frame));
+      sectioned.push_back(counter.count(FrameView(pack.skeleton(), frame.state), records.back().visible));
       const FrameTarget& target = pipeline.target();
       write_png(command.output / picture_name(frame.number), width, height,
                 command.item_buffer ? item_colors(target.read_items()) : target.read_colors());
@@ -73,6 +77,8 @@ int run(const RenderCommand& command) {
       {"drawn_triangles", distribution_json(records, [](const FrameRecord& r) { return r.drawn_triangles; })},
       {"visible", distribution_json(records, [](const FrameRecord& r) { return r.visible.size(); })},
       {"cut", distribution_json(records, [](const FrameRecord& r) { return r.cut_drawables; })},
+      {"sectioned", distribution_json(sectioned, [](const SectionedCounts& c) { return c.placements; })},
+      {"sectioned_open", distribution_json(sectioned, [](const SectionedCounts& c) { return c.open; })},
       {"tests", distribution_json(records, [](const FrameRecord& r) { return r.tests; })},
       {"series", frame_series(records)},
       {"peak_rss_bytes", peak_resident_bytes()}};
@@ -84,6 +90,11 @@ int run(const RenderCommand& command) {
       records.size(), device_name(device.options.kind), report["frame_ms"]["p50"].get<double>(),
       report["visible"]["mean"].get<double>(), report["drawn_triangles"]["mean"].get<double>(),
       report["cut"]["mean"].get<double>());
+  if (const auto open = report["sectioned_open"]["mean"].get<double>(); open > 0) {
+    fmt::print(
+        "the section cuts {:.0f} placed parts a frame, of which {:.0f} are open and show their insides\n",
+        report["sectioned"]["mean"].get<double>(), open);
+  }
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   write_json(command.run.json, report);
   if (!command.timeline.empty()) write_json(command.timeline, chrome_trace({own_timeline("render")}, {}));

@@ -81,6 +81,11 @@ class FrustumHidepthMethod final : public FrustumMethod {
   /// So many are tested at once: they hide each other only from batch to batch.
   static constexpr size_t batch = 64;
 
+  std::span<const PlacementRun> gone(const FrameView& view, DrawableId id) const {
+    const HiddenObjects* const hidden = view.state.hiding.objects.get();
+    if (hidden == nullptr) return {};
+    return hidden->hidden_placements(skeleton.drawables[id].scene_node);
+  }
   using ListMethod::draw;
   void draw(const FrameView& view, std::span<const DrawableId> drawables, PictureStage& picture) override {
     const BoxProjector projector(view, picture.target().margins());
@@ -90,8 +95,8 @@ class FrustumHidepthMethod final : public FrustumMethod {
       rectangles_.clear();
       ends_.clear();
       for (const DrawableId id : drawables.subspan(first, std::min(batch, drawables.size() - first))) {
-        const ScreenBounds::Kind kind =
-            append_placement_bounds(hierarchy_, projector, id, &picture.target(), rectangles_);
+        const ScreenBounds::Kind kind = append_placement_bounds(hierarchy_, projector, id, &picture.target(),
+                                                                rectangles_, gone(view, id));
         if (kind == ScreenBounds::Kind::unbounded) shown_.push_back(id);
         if (kind != ScreenBounds::Kind::rectangle) continue;
         tested_.push_back(id);

@@ -5,6 +5,7 @@
 #include "base/progress.hpp"
 #include "base/spent_time.hpp"
 #include "protocol/wire.hpp"
+#include "scene/finest_boxes.hpp"
 
 #include <utility>
 
@@ -27,6 +28,31 @@ ObjectSet every_second(const ObjectSet& objects) {
   return found;
 }
 
+struct Step {
+  std::string hidden, section;
+  ObjectSet objects = {};
+  Section cut = {};
+};
+
+/// The plane keeps what is beyond it.
+Section through_the_middle(const Box& model) {
+  const glm::dvec3 size = model.hi - model.lo;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  SectionPlane plane{.normal = glm::dvec3(0)};
+  plane.normal[axis] = 1;
+  plane.offset = center(model)[axis];
+  Section section;
+  section.add_plane(plane, "measure hiding");
+  return section;
+}
+
+Section around_the_middle(const Box& model) {
+  const glm::dvec3 middle = center(model), quarter = (model.hi - model.lo) / 4.0;
+  Section section;
+  section.set_box({middle - quarter, middle + quarter}, "measure hiding");
+  return section;
+}
+
 void add(CostTimes& times, const SpentTime& spent) {
   times.wall_ms.push_back(spent.wall_ms);
   times.cpu_ms.push_back(spent.cpu_ms);
@@ -40,24 +66,28 @@ class HidingTrial {
   std::vector<HidingCost> run(size_t rounds) {
     const ObjectSet shown = shown_objects(objects_);
     if (shown.size() < 2) fail(pack_.name(), "there are no two objects in it, one to hide and one to show");
-    const std::vector<std::pair<std::string, ObjectSet>> sets = {
-        {"nothing", {}},
-        {"one object", {shown[shown.size() / 2]}},
-        {"every second object", every_second(shown)}};
-    std::vector<HidingCost> costs(sets.size());
-    std::vector<std::vector<CostTimes>> times(sets.size(), std::vector<CostTimes>(frames_.size()));
-    Progress progress("rounds", rounds * sets.size());
+    const Box model = model_box(pack_.skeleton());
+    const std::vector<Step> steps = {{"nothing", "none"},
+                                     {"one object", "none", {shown[shown.size() / 2]}},
+                                     {"every second object", "none", every_second(shown)},
+                                     {"nothing", "plane through the middle", {}, through_the_middle(model)},
+                                     {"nothing", "box of half the sides", {}, around_the_middle(model)}};
+    std::vector<HidingCost> costs(steps.size());
+    std::vector<std::vector<CostTimes>> times(steps.size(), std::vector<CostTimes>(frames_.size()));
+    Progress progress("rounds", rounds * steps.size());
     for (size_t round = 0; round < rounds; ++round) {
-      for (size_t i = 0; i < sets.size(); ++i) {
-        costs[i].what = sets[i].first;
-        costs[i].objects = sets[i].second.size();
-        hide_in_the_middle(sets[i].second, costs[i]);
-        play(hide(pack_.skeleton(), objects_, sets[i].second, "measure hiding"), costs[i], times[i]);
+      for (size_t i = 0; i < steps.size(); ++i) {
+        costs[i].hidden = steps[i].hidden;
+        costs[i].section = steps[i].section;
+        costs[i].objects = steps[i].objects.size();
+        begin_in_the_middle(steps[i], costs[i]);
+        if (round == 0) costs[i].cold_picture_ms = costs[i].first_picture.wall_ms.front();
+        play(steps[i], costs[i], times[i]);
         progress.advance();
       }
     }
-    for (size_t i = 0; i < sets.size(); ++i) {
-      if (costs[i].objects > 0) costs[i].message_bytes = encode(HiddenSet{0, sets[i].second}).size();
+    for (size_t i = 0; i < steps.size(); ++i) {
+      if (costs[i].objects > 0) costs[i].message_bytes = encode(HiddenSet{0, steps[i].objects}).size();
       for (const CostTimes& of_frame : times[i]) {
         costs[i].frame.wall_ms.push_back(distribution(of_frame.wall_ms).p50);
         costs[i].frame.cpu_ms.push_back(distribution(of_frame.cpu_ms).p50);
@@ -67,32 +97,37 @@ class HidingTrial {
   }
 
  private:
-  const FrameRecord& draw(FrameRequest frame, const Hiding& hiding) {
+  const FrameRecord& draw(FrameRequest frame, const Hiding& hiding, const Section& section) {
     frame.state.hiding = hiding;
+    if (!section.keeps_all()) frame.state.section = section;
     return pipeline_.draw(frame);
   }
+  Hiding applied(const Step& step) const {
+    return hide(pack_.skeleton(), objects_, step.objects, "measure hiding");
+  }
 
-  /// A picture that rests, then one from which the objects are gone.
-  void hide_in_the_middle(const ObjectSet& set, HidingCost& cost) {
+  /// A picture that rests, then one from which what the step takes away is gone.
+  void begin_in_the_middle(const Step& step, HidingCost& cost) {
     const FrameRequest& frame = frames_[frames_.size() / 2];
-    draw(frame, {});
-    draw(frame, {});
+    draw(frame, {}, {});
+    draw(frame, {}, {});
     const StageWatch same;
-    draw(frame, {});
+    draw(frame, {}, {});
     add(cost.same_picture, same.spent());
     const StageWatch first;
-    const Hiding hiding = hide(pack_.skeleton(), objects_, set, "measure hiding");
+    const Hiding hiding = applied(step);
     add(cost.apply, first.spent());
-    draw(frame, hiding);
+    draw(frame, hiding, step.cut);
     add(cost.first_picture, first.spent());
   }
 
-  void play(const Hiding& hiding, HidingCost& cost, std::vector<CostTimes>& times) {
+  void play(const Step& step, HidingCost& cost, std::vector<CostTimes>& times) {
+    const Hiding hiding = applied(step);
     pipeline_.forget();
     cost.cut = cost.triangles = 0;
     for (size_t i = 0; i < frames_.size(); ++i) {
       const StageWatch watch;
-      const FrameRecord& record = draw(frames_[i], hiding);
+      const FrameRecord& record = draw(frames_[i], hiding, step.cut);
       add(times[i], watch.spent());
       cost.cut += static_cast<double>(record.cut_drawables) / static_cast<double>(frames_.size());
       cost.triangles += static_cast<double>(record.drawn_triangles) / static_cast<double>(frames_.size());

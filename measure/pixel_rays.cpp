@@ -1,8 +1,12 @@
 #include "measure/pixel_rays.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
 
 namespace triptych {
 
@@ -11,7 +15,22 @@ constexpr std::array<glm::dvec2, 5> offsets = {
     {{0, 0}, {1.0 / 128, 0}, {-1.0 / 128, 0}, {0, 1.0 / 128}, {0, -1.0 / 128}}};
 }  // namespace
 
-PixelRays::PixelRays(const FrameView& view) : view_(view.view()), axes_(glm::transpose(view.rotation)) {}
+PixelRays::PixelRays(const FrameView& view)
+    : frame_(view), view_(view.view()), axes_(glm::transpose(view.rotation)) {}
+
+double PixelRays::begin(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  const SectionSpace& section = frame_.section_space;
+  const bool parallel = view_.camera.orthographic();
+  double from = view_.camera.near;
+  for (const SectionPlane& side : section.sides().all()) {
+    // Devices keep what is beyond a side by no more than the tolerance, of the depth or of lengths.
+    const double tolerance = 2 * section.tolerance();
+    const double at = side.distance(origin) + (parallel ? tolerance : 0),
+                 slope = glm::dot(side.normal, direction) + (parallel ? 0 : tolerance);
+    if (at < 0) from = slope > 0 ? std::max(from, -at / slope) : std::numeric_limits<double>::infinity();
+  }
+  return from;
+}
 
 std::optional<PixelRays::Hit> PixelRays::hit(const PackSurfaces& surfaces, DrawableId drawable, int x,
                                              int y) const {
@@ -22,7 +41,10 @@ std::optional<PixelRays::Hit> PixelRays::hit(const PackSurfaces& surfaces, Drawa
     // The direction is of depth 1, so that hits count depth.
     const glm::dvec3 origin = camera.orthographic() ? camera.eye + aside : camera.eye;
     const glm::dvec3 direction = camera.orthographic() ? -axes_[2] : aside - axes_[2];
-    if (const auto surface = surfaces.first_hit(drawable, origin, direction, camera.near))
+    const double from = begin(origin, direction);
+    if (!std::isfinite(from)) continue;
+    if (const auto surface =
+            surfaces.first_hit(drawable, origin, direction, from, frame_.state.hiding.objects.get()))
       return Hit{origin + surface->along * direction, *surface};
   }
   return std::nullopt;

@@ -19,12 +19,17 @@ class PixelRays {
     glm::dvec3 point{0};  ///< model space
     PackSurfaces::Hit surface{};
   };
-  /// The nearest triangle of the drawable behind the near plane, at the middle of the pixel in column x and
-  /// row y, counted from the lower left, or up to 1/128 of a pixel beside it: a ray just misses what a device
-  /// drew at an outline. Nullopt where all of those miss.
+  /// The nearest triangle that is not hidden of the drawable, behind the near plane and where the ray comes
+  /// into the section (at a cut surface that is what lies behind it), at the middle of the pixel in column x
+  /// and row y, counted from the lower left, or up to 1/128 of a pixel beside it: a ray just misses what a
+  /// device drew at an outline. Nullopt where all of those miss.
   std::optional<Hit> hit(const PackSurfaces& surfaces, DrawableId drawable, int x, int y) const;
 
  private:
+  /// Where a ray may meet something first; infinite where the section keeps nothing of it.
+  double begin(const glm::dvec3& origin, const glm::dvec3& direction) const;
+
+  const FrameView& frame_;
   const View& view_;
   glm::dmat3 axes_;  ///< right, up, backward
 };

@@ -13,6 +13,7 @@
 #include <embree3/rtcore.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <sys/types.h>
 #include <utility>
 
@@ -29,9 +30,35 @@ struct RayField {
   Linear origin, direction;
   float near = 0;
   glm::vec3 light, to_eye;  ///< unit vectors in model space
+  /// A side of a section: what is kept of the model has dot(normal, p) >= offset.
+  struct Side {
+    glm::vec3 normal{0};
+    float offset = 0;
+  };
+  std::vector<Side> sides = {};
 };
 
-RayField ray_field(const FlatModel& model, const View& view) {
+/// From where to where a ray lies in what all sides keep; empty where near > far. Faces in a side are kept.
+struct RayStretch {
+  float near, far;
+};
+RayStretch kept_stretch(const RayField& field, const glm::vec3& origin, const glm::vec3& direction) {
+  constexpr float in_a_side = 1e-6f;  // of the distance
+  RayStretch kept{field.near, std::numeric_limits<float>::infinity()};
+  for (const RayField::Side& side : field.sides) {
+    const float at = glm::dot(side.normal, origin) - side.offset, slope = glm::dot(side.normal, direction);
+    if (slope > 0) {
+      kept.near = std::max(kept.near, -at / slope * (1 - in_a_side));
+    } else if (slope < 0) {
+      kept.far = std::min(kept.far, -at / slope * (1 + in_a_side));
+    } else if (at < 0) {
+      kept.far = -1;
+    }
+  }
+  return kept;
+}
+
+RayField ray_field(const FlatModel& model, const View& view, const Section& section) {
   const Camera& camera = view.camera;
   const glm::dmat3 axes = glm::transpose(view.rotation());  // eye to model
   const glm::dvec3 eye = (camera.eye - model.origin) / model.unit;
@@ -47,6 +74,10 @@ RayField ray_field(const FlatModel& model, const View& view) {
   } else {
     field.origin.at_zero = eye;
     field.direction = {corner - axes[2], per_x, per_y};
+  }
+  for (const SectionPlane& side : SectionSides(section).all()) {
+    field.sides.push_back(
+        {glm::vec3(side.normal), static_cast<float>(-side.distance(model.origin) / model.unit)});
   }
   return field;
 }
@@ -115,12 +146,13 @@ void trace_packet(const Frame& frame, int left, int bottom) {
       return linear.at_zero + at_x * linear.per_x + at_y * linear.per_y;
     };
     glm::vec3 origin = at(frame.field.origin), direction = at(frame.field.direction);
-    float near = frame.field.near;
+    auto [near, far] = kept_stretch(frame.field, origin, direction);
     const bool in_picture = x < frame.width && y < frame.height;
-    const bool castable = within_embree(origin) && within_embree(direction) && within_embree({near, 0, 0});
+    const bool castable =
+        within_embree(origin) && within_embree(direction) && within_embree({near, 0, 0}) && near <= far;
     valid[i] = in_picture && castable ? -1 : 0;
     // Lanes that are not cast must hold rays all the same; from that far away nothing is seen.
-    if (!castable) origin = {0, 0, 0}, direction = {0, 0, 1}, near = 0;
+    if (!castable) origin = {0, 0, 0}, direction = {0, 0, 1}, near = 0, far = 1;
     packet.ray.org_x[i] = origin.x;
     packet.ray.org_y[i] = origin.y;
     packet.ray.org_z[i] = origin.z;
@@ -128,7 +160,7 @@ void trace_packet(const Frame& frame, int left, int bottom) {
     packet.ray.dir_y[i] = direction.y;
     packet.ray.dir_z[i] = direction.z;
     packet.ray.tnear[i] = near;
-    packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    packet.ray.tfar[i] = far;
     packet.ray.time[i] = 0;
     packet.ray.mask[i] = ~0u;
     packet.ray.id[i] = 0;
@@ -220,9 +252,10 @@ PrimaryRays::PrimaryRays(const FlatModel& model, std::unique_ptr<Tree> tree)
 
 PrimaryRays::~PrimaryRays() = default;
 
-void PrimaryRays::draw(const View& view) {
+void PrimaryRays::draw(const View& view, const Section& section) {
   colors_.resize(4 * static_cast<size_t>(view.width) * static_cast<size_t>(view.height));
-  const Frame frame{model_, tree_->scene, ray_field(model_, view), view.width, view.height, colors_.data()};
+  const Frame frame{model_,     tree_->scene, ray_field(model_, view, section),
+                    view.width, view.height,  colors_.data()};
   const auto is_native = [&](RTCDeviceProperty property) {
     return rtcGetDeviceProperty(tree_->device, property) != 0;
   };

@@ -3,6 +3,7 @@
 
 #include "scene/camera.hpp"
 #include "scene/flat_model.hpp"
+#include "scene/section.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -23,7 +24,8 @@ class PrimaryRays {
   PrimaryRays(const PrimaryRays&) = delete;
   PrimaryRays& operator=(const PrimaryRays&) = delete;
 
-  void draw(const View& view);
+  /// What the section keeps: each ray is held to the stretch that lies in it. There are no cut surfaces.
+  void draw(const View& view, const Section& section = {});
   /// Of the last draw: width × height × RGBA bytes, rows from bottom to top.
   const std::vector<uint8_t>& colors() const { return colors_; }
 

@@ -74,7 +74,8 @@ class Contest {
       series_.push_back({.method = "everything", .device = "gl", .missing = options_.no_opengl});
     const bool everything = options_.no_opengl.empty() && wants("everything");
     if (!everything && !wants("embree")) return;
-    const uint64_t model_bytes = flat_model_size(pack.skeleton()).bytes();
+    const HiddenObjects* const hidden = frames_.front().state.hiding.objects.get();
+    const uint64_t model_bytes = flat_model_size(pack.skeleton(), hidden).bytes();
     const auto room = [&] { return std::min(available_memory_bytes(), options_.max_memory_bytes); };
     // OpenGL and Embree each take about as much again.
     if (2 * model_bytes > room()) {
@@ -82,7 +83,7 @@ class Contest {
       add_unfit("embree", "", 2 * model_bytes, room());
       return;
     }
-    model_.emplace(flatten(pack));
+    model_.emplace(flatten(pack, hidden));
     if (everything) add(make_everything_method(*model_, pack.skeleton(), frames_));
     if (!wants("embree")) return;
     const uint64_t room_for_tree = room();

@@ -38,8 +38,8 @@ struct SpeedOptions {
 const std::vector<std::string>& speed_method_names();
 
 /// Draws each frame by each method, on each device where the method takes one, one after the other; frame by
-/// frame another one begins. All frames have one size; there is at least one. Chunks are loaded beforehand,
-/// shaders are made and trees built before the first frame that counts.
+/// frame another one begins. All frames have one size, and hide the same; there is at least one. Chunks are
+/// loaded beforehand, shaders are made and trees built before the first frame that counts.
 std::vector<SpeedSeries> measure_speed(const Pack& pack, std::span<const SpeedDevice> devices,
                                        std::span<const FrameRequest> frames, const SpeedOptions& options);
 

@@ -1,6 +1,7 @@
 #include "preprocess/outward.hpp"
 
 #include "base/disjoint_sets.hpp"
+#include "preprocess/edge_wedges.hpp"
 #include "preprocess/triangle_contact.hpp"
 #include "scene/box.hpp"
 
@@ -35,11 +36,11 @@ std::vector<uint32_t> first_at_place(std::span<const glm::ivec3> points) {
   return first;
 }
 
-/// Triangles that hang together by edges with exactly two triangles, which go along it in opposite
-/// directions; groups that have no other edges.
+/// Triangles that hang together by edges: by those with exactly two triangles, which go along it in opposite
+/// directions, and around others by wedges; groups each of whose triangles has a neighbour at every edge.
 class ClosedGroups {
  public:
-  explicit ClosedGroups(std::span<const Corners> triangles)
+  ClosedGroups(std::span<const glm::ivec3> points, std::span<const Corners> triangles)
       : sets_(triangles.size()), is_open_(triangles.size()) {
     std::vector<Edge> edges;
     edges.reserve(3 * triangles.size());
@@ -47,7 +48,7 @@ class ClosedGroups {
       for (size_t k = 0; k < 3; ++k) {
         const uint64_t from = triangles[i][k], to = triangles[i][(k + 1) % 3];
         const auto [low, high] = std::minmax(from, to);
-        edges.push_back({low << 32 | high, i, from < to});
+        edges.push_back({low << 32 | high, i, triangles[i][(k + 2) % 3], from < to});
       }
     }
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.key < b.key; });
@@ -56,7 +57,7 @@ class ClosedGroups {
       if (last - first == 2 && first[0].forward != first[1].forward) {
         sets_.join(first[0].triangle, first[1].triangle);
       } else {
-        for (auto edge = first; edge != last; ++edge) is_open_[edge->triangle] = true;
+        join_wedges(points, {first, last});
       }
       first = last;
     }
@@ -86,8 +87,24 @@ class ClosedGroups {
   struct Edge {
     uint64_t key;
     uint32_t triangle;
+    uint32_t apex;  ///< the triangle's third corner
     bool forward;
   };
+
+  void join_wedges(std::span<const glm::ivec3> points, std::span<const Edge> edges) {
+    std::vector<EdgeTriangle> around;
+    for (uint32_t i = 0; i < edges.size(); ++i)
+      around.push_back({points[edges[i].apex], edges[i].forward, i});
+    std::vector<bool> has_neighbour(edges.size());
+    const uint64_t key = edges.front().key;
+    for (const auto& [one, other] : wedges_at(points[key >> 32], points[key & 0xffffffffu], around)) {
+      sets_.join(edges[one].triangle, edges[other].triangle);
+      has_neighbour[one] = has_neighbour[other] = true;
+    }
+    for (size_t i = 0; i < edges.size(); ++i) {
+      if (!has_neighbour[i]) is_open_[edges[i].triangle] = true;
+    }
+  }
   DisjointSets sets_;
   std::vector<bool> is_open_;
 };
@@ -165,7 +182,7 @@ std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::spa
   }
   std::vector<bool> outward(indices.size() / 3);
   std::vector<ExactTriangle> group;
-  ClosedGroups(triangles).visit([&](std::span<const uint32_t> members) {
+  ClosedGroups(points, triangles).visit([&](std::span<const uint32_t> members) {
     group.clear();
     for (const uint32_t i : members) {
       const Corners& corners = triangles[i];

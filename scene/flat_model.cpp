@@ -17,13 +17,14 @@ struct Place {
   uint64_t first_vertex = 0, first_index = 0;
 };
 
-std::vector<Place> places_of_leaves(const Skeleton& skeleton) {
+std::vector<Place> places_of_leaves(const Skeleton& skeleton, const HiddenObjects* hidden) {
   std::vector<Place> places;
   uint64_t vertices = 0, indices = 0;
   for (const SceneNode& node : skeleton.scene_nodes) {
     if (node.child_count > 0) continue;
     const Drawable& finest = skeleton.drawables[node.first_drawable];
     for (uint32_t i = 0; i < finest.placement_count; ++i) {
+      if (hidden && hidden->hides(finest.scene_node, i)) continue;
       const Placement& placement = skeleton.placements[finest.first_placement + i];
       const ChunkInfo& chunk = skeleton.chunks[placement.chunk];
       places.push_back({placement.chunk, placement.transform, vertices, indices});
@@ -51,18 +52,18 @@ void put(const Skeleton& skeleton, const Chunk& chunk, const Place& place, FlatM
 
 }  // namespace
 
-FlatModelSize flat_model_size(const Skeleton& skeleton) {
+FlatModelSize flat_model_size(const Skeleton& skeleton, const HiddenObjects* hidden) {
   FlatModelSize size;
-  for (const Place& place : places_of_leaves(skeleton)) {
+  for (const Place& place : places_of_leaves(skeleton, hidden)) {
     size.vertices += skeleton.chunks[place.chunk].vertex_count;
     size.triangles += skeleton.chunks[place.chunk].triangle_count;
   }
   return size;
 }
 
-FlatModel flatten(const Pack& pack) {
+FlatModel flatten(const Pack& pack, const HiddenObjects* hidden) {
   const Skeleton& skeleton = pack.skeleton();
-  const FlatModelSize size = flat_model_size(skeleton);
+  const FlatModelSize size = flat_model_size(skeleton, hidden);
   if (size.vertices > std::numeric_limits<uint32_t>::max())
     fail(pack.name(), "{} vertices are more than one list of triangles can name", size.vertices);
   const Box box = skeleton.lattice().box(skeleton.scene_nodes[0].box);
@@ -72,7 +73,7 @@ FlatModel flatten(const Pack& pack) {
                   .indices = std::vector<uint32_t>(3 * size.triangles)};
 
   // Chunk by chunk, so that each is read once however often it is placed.
-  std::vector<Place> places = places_of_leaves(skeleton);
+  std::vector<Place> places = places_of_leaves(skeleton, hidden);
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.chunk < b.chunk; });
   std::vector<size_t> starts;

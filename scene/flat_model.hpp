@@ -2,6 +2,7 @@
 // that has neither a hierarchy nor levels of detail.
 #pragma once
 
+#include "scene/hidden_objects.hpp"
 #include "scene/pack.hpp"
 
 #include <array>
@@ -32,10 +33,11 @@ struct FlatModelSize {
   uint64_t vertices = 0, triangles = 0;
   uint64_t bytes() const { return vertices * sizeof(FlatVertex) + triangles * 3 * sizeof(uint32_t); }
 };
-FlatModelSize flat_model_size(const Skeleton& skeleton);
+FlatModelSize flat_model_size(const Skeleton& skeleton, const HiddenObjects* hidden = nullptr);
 
-/// Every leaf's finest drawable, each placement transformed; on all cores. Error (pack, chunk) for damage,
-/// and (pack) for more vertices than 32 bits can name.
-FlatModel flatten(const Pack& pack);
+/// Every leaf's finest drawable, each placement that is not hidden transformed; on all cores. hidden: of this
+/// pack; null where nothing is. Error (pack, chunk) for damage, and (pack) for more vertices than 32 bits can
+/// name.
+FlatModel flatten(const Pack& pack, const HiddenObjects* hidden = nullptr);
 
 }  // namespace triptych

@@ -33,6 +33,7 @@ struct AccuracySubject {
   const Pack& pack;
   std::vector<SpeedDevice> devices;
   std::optional<double> build_seconds{};  ///< where it was built for this
+  Hiding hiding{};                        ///< what is hidden of it, in place of what frames say
 };
 
 struct AccuracyOptions {

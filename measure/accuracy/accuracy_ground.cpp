@@ -17,6 +17,7 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
     : device_(device),
       surfaces_(surfaces),
       skeleton_(subject.pack.skeleton()),
+      hiding_(subject.hiding),
       frames_(frames),
       options_(options),
       perceptual_(perceptual),
@@ -58,10 +59,15 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
   }
 }
 
-FrameView AccuracyGround::view_of(size_t frame, double pixel_error) const {
+FrameState AccuracyGround::state_of(size_t frame, double pixel_error) const {
   FrameState state = frames_[frame].state;
   state.pixel_error = pixel_error;
-  return FrameView(skeleton_, state, rules_);
+  state.hiding = hiding_;
+  return state;
+}
+
+FrameView AccuracyGround::view_of(size_t frame, double pixel_error) const {
+  return FrameView(skeleton_, state_of(frame, pixel_error), rules_);
 }
 
 /// The surfaces are not looked at yet.
@@ -165,8 +171,8 @@ double AccuracyGround::perceptual_distance(const ShownPicture& shown) const {
 
 void AccuracyGround::draw(size_t which, size_t frame, const FramePlan& plan) {
   Setting& setting = settings_[which];
-  FrameRequest request = frames_[frame];
-  request.state.pixel_error = whole_cuts_[setting.whole_cut].pixel_error;
+  const FrameRequest request{frames_[frame].number,
+                             state_of(frame, whole_cuts_[setting.whole_cut].pixel_error)};
   begin_other_view(setting.pipeline->target(), skeleton_, request);
   const double cpu_before = process_cpu_milliseconds();
   const FrameRecord& record = setting.pipeline->draw(request);

@@ -54,6 +54,7 @@ class AccuracyGround {
     RecentColors recent{};  ///< of an approximate one
   };
 
+  FrameState state_of(size_t frame, double pixel_error) const;
   FrameView view_of(size_t frame, double pixel_error) const;
   ShownPicture draw_items(const FrameView& view, std::span<const DrawableId> ordered);
   void compare_whole_cut(WholeCut& whole, size_t frame, const FramePlan& plan);
@@ -71,6 +72,7 @@ class AccuracyGround {
   const SpeedDevice& device_;
   const PackSurfaces& surfaces_;
   const Skeleton& skeleton_;
+  Hiding hiding_;
   std::span<const FrameRequest> frames_;
   AccuracyOptions options_;
   const std::optional<Butteraugli>& perceptual_;

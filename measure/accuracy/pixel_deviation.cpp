@@ -59,8 +59,10 @@ std::vector<PointDeviation> shown_deviations(const PackSurfaces& surfaces, const
   return measured(shown, pixels, [&](const SurfacePixel& pixel) {
     if (is_source(skeleton, pixel.drawable)) return deviation(view, pixel.drawable, pixel.point, 0);
     const SceneNodeId node = skeleton.drawables[pixel.drawable].scene_node;
-    return deviation(view, pixel.drawable, pixel.point,
-                     surfaces.nearest_source(node, pixel.point, 0).distance);
+    return deviation(
+        view, pixel.drawable, pixel.point,
+        surfaces.nearest_source(node, pixel.point, 0, nullptr, no_id, view.state.hiding.objects.get())
+            .distance);
   });
 }
 
@@ -74,7 +76,9 @@ std::vector<PointDeviation> reference_deviations(const PackSurfaces& surfaces, c
     if (node == no_id) return PointDeviation{infinite, pixel.drawable, pixel.point};
     const DrawableId stands = cut.choice[node];
     const double distance =
-        stands == pixel.drawable ? 0 : surfaces.distance_to_drawable(stands, pixel.point, 0);
+        stands == pixel.drawable
+            ? 0
+            : surfaces.distance_to_drawable(stands, pixel.point, 0, nullptr, view.state.hiding.objects.get());
     return deviation(view, stands, pixel.point, distance);
   });
 }

@@ -86,8 +86,9 @@ const ChunkTree& HeldTrees::of(const PackSurfaces& surfaces, uint32_t chunk) {
 }
 
 double PackSurfaces::nearest_placement(const Drawable& drawable, const glm::dvec3& point, double best,
-                                       double floor, HeldTrees* held) const {
+                                       double floor, HeldTrees* held, const HiddenObjects* hidden) const {
   for (uint32_t i = 0; i < drawable.placement_count && best > floor; ++i) {
+    if (hidden && hidden->hides(drawable.scene_node, i)) continue;
     const uint32_t index = drawable.first_placement + i;
     if (distance_to_box(point, placement_boxes_[index]) >= best) continue;
     const Placement& placement = skeleton().placements[index];
@@ -99,15 +100,17 @@ double PackSurfaces::nearest_placement(const Drawable& drawable, const glm::dvec
 }
 
 double PackSurfaces::distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor,
-                                          HeldTrees* held) const {
-  return nearest_placement(skeleton().drawables[drawable], point, infinite, floor, held);
+                                          HeldTrees* held, const HiddenObjects* hidden) const {
+  return nearest_placement(skeleton().drawables[drawable], point, infinite, floor, held, hidden);
 }
 
 std::optional<PackSurfaces::Hit> PackSurfaces::first_hit(DrawableId id, const glm::dvec3& origin,
-                                                         const glm::dvec3& direction, double from) const {
+                                                         const glm::dvec3& direction, double from,
+                                                         const HiddenObjects* hidden) const {
   const Drawable& drawable = skeleton().drawables[id];
   std::optional<Hit> first;
   for (uint32_t i = 0; i < drawable.placement_count; ++i) {
+    if (hidden && hidden->hides(drawable.scene_node, i)) continue;
     const uint32_t index = drawable.first_placement + i;
     if (drawable.placement_count > 1 && !may_meet(placement_boxes_[index], origin, direction)) continue;
     const Placement& placement = skeleton().placements[index];
@@ -193,8 +196,8 @@ bool PackSurfaces::is_enclosed(SceneNodeId scene_node, const glm::dvec3& point, 
 }
 
 PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node, const glm::dvec3& point,
-                                                         double floor, HeldTrees* held,
-                                                         SceneNodeId without) const {
+                                                         double floor, HeldTrees* held, SceneNodeId without,
+                                                         const HiddenObjects* hidden) const {
   struct Open {
     double distance;
     SceneNodeId node;
@@ -207,8 +210,8 @@ PackSurfaces::NearestSource PackSurfaces::nearest_source(SceneNodeId scene_node,
     if (next.distance >= best.distance || next.node == without) continue;
     const SceneNode& node = skeleton().scene_nodes[next.node];
     if (node.child_count == 0) {
-      const double distance =
-          nearest_placement(skeleton().drawables[node.first_drawable], point, best.distance, floor, held);
+      const double distance = nearest_placement(skeleton().drawables[node.first_drawable], point,
+                                                best.distance, floor, held, hidden);
       if (distance < best.distance) best = {distance, next.node};
       continue;
     }

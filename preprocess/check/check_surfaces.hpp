@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preprocess/check/chunk_tree.hpp"
+#include "scene/hidden_objects.hpp"
 #include "scene/pack.hpp"
 
 #include <array>
@@ -40,9 +41,10 @@ class PackSurfaces {
     double distance;
     SceneNodeId leaf = no_id;
   };
-  /// `without`: what is below this one does not count.
+  /// `without`: what is below this one does not count, nor what is hidden.
   NearestSource nearest_source(SceneNodeId scene_node, const glm::dvec3& point, double floor,
-                               HeldTrees* held = nullptr, SceneNodeId without = no_id) const;
+                               HeldTrees* held = nullptr, SceneNodeId without = no_id,
+                               const HiddenObjects* hidden = nullptr) const;
   /// The distance to the finest leaf drawables below a scene node, and to one drawable. `floor`: as
   /// ChunkTree::distance has it.
   double distance_to_source(SceneNodeId scene_node, const glm::dvec3& point, double floor,
@@ -50,9 +52,9 @@ class PackSurfaces {
     return nearest_source(scene_node, point, floor, held).distance;
   }
   double distance_to_drawable(DrawableId drawable, const glm::dvec3& point, double floor,
-                              HeldTrees* held = nullptr) const;
+                              HeldTrees* held = nullptr, const HiddenObjects* hidden = nullptr) const;
 
-  /// Where a line first meets a drawable; as ChunkTree::first_hit.
+  /// Where a line first meets what is not hidden of a drawable; as ChunkTree::first_hit.
   struct Hit {
     double along = 0;
     uint32_t placement = 0;  ///< of the drawable's, counted from its first one
@@ -60,7 +62,7 @@ class PackSurfaces {
     uint32_t color = 0;      ///< of the triangle: index into the palette
   };
   std::optional<Hit> first_hit(DrawableId drawable, const glm::dvec3& origin, const glm::dvec3& direction,
-                               double from) const;
+                               double from, const HiddenObjects* hidden = nullptr) const;
 
   /// Whether nobody outside sees the point, or sees something else about there: by the finest leaf drawables
   /// of the whole model, of lines in 26 directions all but one at most meet something further than `from`
@@ -83,7 +85,7 @@ class PackSurfaces {
   bool meets_another(SceneNodeId scene_node, const glm::dvec3& origin, const glm::dvec3& direction,
                      double from, double reach) const;
   double nearest_placement(const Drawable& drawable, const glm::dvec3& point, double best, double floor,
-                           HeldTrees* held) const;
+                           HeldTrees* held, const HiddenObjects* hidden) const;
 
   struct Entry {
     std::shared_ptr<const ChunkTree> tree;

@@ -40,7 +40,7 @@ class GlFlatModelPass final : public FlatModelPass {
   }
 
   void draw(const FrameView& view) override {
-    const Pass& pass = pass_of(view.view().camera.projection);
+    const Pass& pass = pass_of(view.view().camera.projection, !view.section_space.keeps_all());
     glUseProgram(pass.program);
     pass.uniforms.set(view);
     const glm::mat3 linear(view.rotation * (unit_ / view.clip.unit));
@@ -60,9 +60,9 @@ class GlFlatModelPass final : public FlatModelPass {
 
  private:
   struct Pass {
-    explicit Pass(Projection projection)
+    Pass(Projection projection, bool sections)
         : program(make_program("whole model", flat_model_vertex_shader(projection),
-                               flat_model_fragment_shader())),
+                               flat_model_fragment_shader(sections))),
           uniforms(program),
           to_eye(glGetUniformLocation(program, "to_eye")),
           shift(glGetUniformLocation(program, "shift")) {}
@@ -71,9 +71,9 @@ class GlFlatModelPass final : public FlatModelPass {
     GLint to_eye, shift;
   };
 
-  const Pass& pass_of(Projection projection) {
-    std::optional<Pass>& pass = passes_[static_cast<size_t>(projection)];
-    if (!pass) pass.emplace(projection);
+  const Pass& pass_of(Projection projection, bool sections) {
+    std::optional<Pass>& pass = passes_[sections ? 1 : 0][static_cast<size_t>(projection)];
+    if (!pass) pass.emplace(projection, sections);
     return *pass;
   }
 
@@ -83,7 +83,7 @@ class GlFlatModelPass final : public FlatModelPass {
   Framebuffer framebuffer_;
   GlBuffer vertices_, indices_;
   GlVertexArray vertex_array_;
-  std::optional<Pass> passes_[2];  ///< by projection
+  std::optional<Pass> passes_[2][2];  ///< by sections and projection
 };
 
 }  // namespace

@@ -103,6 +103,20 @@ const vec3 side_normals[1] = vec3[1](vec3(0.0));
 int capped_side() { return -1; }
 )";
 
+// Of a model that is drawn as a whole: what the section does not keep, without cut surfaces.
+const std::string cut_whole = R"(
+uniform vec4 sides[12];
+uniform int side_count;
+void cut_fragment() {
+  for (int i = 0; i < side_count; ++i) {
+    vec4 side = sides[i];
+    if (!((side.x * gl_FragCoord.x + side.y * gl_FragCoord.y + side.z) + side.w * gl_FragCoord.z >= 0.0)) discard;
+  }
+}
+const vec3 side_normals[1] = vec3[1](vec3(0.0));
+int capped_side() { return -1; }
+)";
+
 // Of the sides that may cut a drawable, those at which its ray comes in: whether there are any, and all keep
 // it.
 const std::string nearest_backs = fmt::format(
@@ -324,8 +338,9 @@ void main() {
 )";
 }
 
-std::string flat_model_fragment_shader() {
-  return version + not_cut + shaded(BaseColors::palette) + "void main() { shade_fragment(); }\n";
+std::string flat_model_fragment_shader(bool sections) {
+  return version + (sections ? cut_whole : not_cut) + shaded(BaseColors::palette) +
+         "void main() { cut_fragment(); shade_fragment(); }\n";
 }
 
 std::string rectangle_vertex_shader() {

@@ -46,7 +46,8 @@ std::string color_and_item_fragment_shader(const ShaderVariant& variant);
 
 /// Of a whole model in floats (FlatVertex), one transform for all of it; the same shading and no bounds.
 std::string flat_model_vertex_shader(Projection projection);
-std::string flat_model_fragment_shader();
+/// sections: what ViewUniforms says of one is cut away.
+std::string flat_model_fragment_shader(bool sections);
 
 std::string rectangle_vertex_shader();
 /// counting: of each rectangle how many pixels show, each once; otherwise whether any does.

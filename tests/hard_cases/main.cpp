@@ -1,8 +1,9 @@
 // The gallery as a program: hard_cases list | run [CASE…] | mutants [FAULT…] | stress MINUTES SEED |
-// thumbnails FOLDER
+// states COUNT SEED | thumbnails FOLDER
 #include "nodes/local_pipeline.hpp"
 #include "render/png_file.hpp"
 #include "tests/hard_cases/mutants.hpp"
+#include "tests/hard_cases/states.hpp"
 #include "tests/hard_cases/stress.hpp"
 #include "tests/support/test_device.hpp"
 
@@ -66,6 +67,10 @@ int main(int argc, char** argv) {
       const auto seed = static_cast<uint32_t>(std::stoul(rest[1]));
       return run_stress(std::stod(rest[0]), seed) > 0 ? 1 : 0;
     }
+    if (command == "states" && rest.size() == 2) {
+      const auto seed = static_cast<uint32_t>(std::stoul(rest[1]));
+      return run_states(std::stoul(rest[0]), seed) > 0 ? 1 : 0;
+    }
     if (command == "thumbnails" && rest.size() == 1) return thumbnails(rest[0]);
     if (command == "mutants") return run_mutants(rest) > 0 ? 1 : 0;
   } catch (const std::exception& error) {
@@ -73,6 +78,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   fmt::print(stderr,
-             "hard_cases list | run [CASE…] | mutants [FAULT…] | stress MINUTES SEED | thumbnails FOLDER\n");
+             "hard_cases list | run [CASE…] | mutants [FAULT…] | stress MINUTES SEED | states COUNT SEED | "
+             "thumbnails FOLDER\n");
   return 2;
 }

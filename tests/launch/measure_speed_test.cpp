@@ -75,6 +75,32 @@ TEST_F(MeasureSpeed, has_a_row_a_method_and_the_ratios_that_can_be_formed) {
   EXPECT_GT(report["ratios"]["triptych_over_frustum_hidepth"].get<double>(), 0);
 }
 
+TEST_F(MeasureSpeed, and_hiding_take_sections_and_hidden_objects) {
+  scenes::write_pack_with_objects("room", pack);
+  const auto everything = [](const nlohmann::json& report) {
+    return report["rows"][0]["drawn_triangles"]["mean"].get<double>();
+  };
+  const std::vector<std::string> methods = {"--methods", "everything,triptych,embree", "--device", "cpu"};
+  const nlohmann::json whole = measure(methods);
+  std::vector<std::string> words = methods;
+  words.insert(words.end(), {"--hide", "layer:layer 1", "--section", "z<2"});
+  const nlohmann::json some = measure(words);
+  EXPECT_EQ(whole["hidden_objects"], 0);
+  EXPECT_GT(some["hidden_objects"].get<int>(), 5);
+  EXPECT_EQ(some["section"]["planes"].size(), 1u);
+  EXPECT_LT(everything(some), everything(whole));
+
+  run({"measure", "hiding", pack, "--path", path, "--size", "65x47", "--json", json, "--rounds", "2"});
+  const nlohmann::json rows = json_of(json)["rows"];
+  ASSERT_EQ(rows.size(), 5u);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i]["hidden"] == "nothing", i == 0 || i > 2);
+    EXPECT_EQ(rows[i]["section"] == "none", i < 3);
+    EXPECT_GT(rows[i]["first_picture_ms"]["p50"].get<double>(), 0);
+    EXPECT_GT(rows[i]["cold_picture_ms"].get<double>(), 0);
+  }
+}
+
 TEST_F(MeasureSpeed, measures_only_the_methods_that_are_named) {
   const nlohmann::json report = measure({"--methods", "oracle,triptych", "--frames", "2"});
   ASSERT_EQ(report["rows"].size(), 4u) << "two on each device";

@@ -65,6 +65,17 @@ TEST_F(NamedObjects, find_lists_those_with_a_word) {
   EXPECT_EQ(without.wait(), 2) << "a word is missing: " << without.errors();
 }
 
+TEST_F(NamedObjects, info_and_check_say_how_many_are_solid) {
+  run({"info", pack, "--objects", "--json", json});
+  const nlohmann::json solids = json_of(json)["solids"];
+  EXPECT_GT(solids["placements"].get<int>(), 0);
+  EXPECT_LE(solids["solid_placements"], solids["placements"]);
+  EXPECT_GT(solids["objects"].get<int>(), 0);
+  EXPECT_LE(solids["solid_objects"], solids["objects"]);
+  run({"check", pack, "--json", json});
+  EXPECT_EQ(json_of(json)["solids"], solids);
+}
+
 TEST_F(NamedObjects, info_lists_and_finds_them) {
   const nlohmann::json all = listed();
   ASSERT_EQ(all.size(), cubes + 1u) << "and the tower";

@@ -3,11 +3,13 @@
 #include "nodes/local_pipeline.hpp"
 #include "render/context.hpp"
 #include "render/flat_model_pass.hpp"
+#include "scene/finest_boxes.hpp"
 #include "tests/support/scenes.hpp"
 #include "visibility/shading.hpp"
 
 #include <algorithm>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace triptych {
@@ -66,6 +68,48 @@ TEST_P(FlatModelPictures, of_one_draw_and_of_rays_are_those_of_the_device_at_ful
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FlatModelPictures, testing::Values("room", "instances", "storeys"),
                          [](const auto& parameter) { return parameter.param; });
+
+/// Of boxes without thickness, which have no cut surfaces.
+TEST(FlatModel, of_what_is_cut_and_hidden_is_what_the_device_draws) {
+  const auto context = make_context(ContextKind::egl);
+  const Pack& pack = scenes::pack_with_objects("flat");
+  const PackObjects objects = pack.read_objects();
+  ObjectSet every_second;
+  for (SourceObjectId id = 0; id < objects.source().objects.size(); id += 2) every_second.push_back(id);
+  const Hiding hiding = hide(pack.skeleton(), objects, every_second, "test");
+  const FlatModel whole = flatten(pack), model = flatten(pack, hiding.objects.get());
+  const FlatModelSize size = flat_model_size(pack.skeleton(), hiding.objects.get());
+  EXPECT_EQ(model.vertices.size(), size.vertices);
+  EXPECT_EQ(model.triangle_count(), size.triangles);
+  EXPECT_LT(model.triangle_count(), whole.triangle_count());
+  LocalPipeline pipeline(pack, {.width = width, .height = height, .cull = StrategyKind::none});
+  const auto pass = make_gl_flat_model_pass(model, width, height);
+  const auto rays = PrimaryRays::build(model);
+  ASSERT_TRUE(rays);
+  const Box box = model_box(pack.skeleton());
+  const std::vector<View> views = scenes::random_views(pack.skeleton(), width, height, 12, 5);
+  double by_draw = 0, by_rays = 0, of_the_cut = 0;
+  for (size_t i = 0; i < views.size(); ++i) {
+    FrameRequest frame{static_cast<uint32_t>(i), {views[i], 0}};
+    frame.state.hiding = hiding;
+    pipeline.draw(frame);
+    const std::vector<uint8_t> uncut = pipeline.target().read_colors();
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(i % 3 == 0, 0.3, i % 2 == 0 ? 1 : -1));
+    frame.state.section.add_plane({normal, glm::dot(normal, center(box))}, "test");
+    if (i % 4 == 0) frame.state.section.set_box({box.lo, center(box) + (box.hi - box.lo) * 0.3}, "test");
+    pipeline.draw(frame);
+    const std::vector<uint8_t> truth = pipeline.target().read_colors();
+    pass->draw(FrameView(pack.skeleton(), frame.state));
+    rays->draw(views[i], frame.state.section);
+    by_draw += different_share(truth, pass->read_colors());
+    by_rays += different_share(truth, rays->colors());
+    of_the_cut += different_share(truth, uncut);
+  }
+  const auto frames = static_cast<double>(views.size());
+  EXPECT_LT(by_draw / frames, 0.01);
+  EXPECT_LT(by_rays / frames, 0.02);
+  EXPECT_GT(of_the_cut / frames, 0.1) << "a section that cuts nothing proves nothing";
+}
 
 TEST(PrimaryRays, a_tree_that_does_not_fit_is_not_built) {
   const FlatModel model = flatten(scenes::pack("room"));

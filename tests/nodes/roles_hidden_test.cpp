@@ -75,6 +75,25 @@ TEST_F(HidingRoles, draw_every_frame_together) {
   EXPECT_EQ(mismatches(), 0u);
 }
 
+/// What a person changes goes into the next frame that is released, and its picture is the second from then
+/// on.
+TEST_F(HidingRoles, what_is_hidden_is_gone_from_the_second_picture_on) {
+  const std::function<void(FrameRequest&)> hides = like_frame;
+  size_t changes = 0, latest = 0;
+  like_frame = [&](FrameRequest& frame) {
+    hides(frame);
+    if (frame.number == 0 || frame.number % 3 != 0) return;
+    ++changes;
+    latest = std::max(latest, frame.number + 1 - pictures.records.size());
+  };
+  run_all(48);
+  EXPECT_EQ(changes, 15u);
+  EXPECT_GE(latest, 1u);
+  EXPECT_LE(latest, 2u) << "pictures from the change to the one that shows it";
+  like_frame = hides;
+  expect_right_pictures_with_hidden_sets(48);
+}
+
 TEST_F(HidingRoles, a_switch_node_that_comes_again_gets_what_is_hidden) {
   timeout = 500ms;
   pictures.after = [this](uint32_t number) {

@@ -114,11 +114,49 @@ TEST(Outward, boxes_that_stand_in_each_other_are_each_for_itself) {
   EXPECT_EQ(soup.outward(), 36u);
 }
 
-TEST(Outward, edges_with_four_triangles_and_doubled_surfaces_are_left_alone) {
+TEST(Outward, solids_that_touch_are_each_for_itself) {
   Soup edge;
   edge.box({0, 0, 0}, {1, 1, 1});
   edge.box({1, 1, 0}, {2, 2, 1});
-  EXPECT_EQ(edge.outward(), 0u);
+  EXPECT_EQ(edge.outward(), 24u);
+  Soup layers;
+  for (int i = 0; i < 4; ++i) layers.box({0, 0, 3 * i}, {9, 7, 3 * i + 3});
+  layers.box({0, 7, 3}, {9, 8, 6});  // before one of them
+  EXPECT_EQ(layers.outward(), 60u);
+  Soup leaning;  // prisms around an edge, whose faces lie in no plane of the lattice
+  const std::array<glm::ivec3, 5> around{{{7, 1, 0}, {2, 9, 1}, {-5, 6, 3}, {-4, -7, 2}, {6, -5, -1}}};
+  for (size_t i = 0; i < around.size(); ++i) {
+    const glm::ivec3 a = around[i], b = around[(i + 1) % around.size()], up{1, -1, 20}, o{0, 0, 0};
+    leaning.add(o, b, a);
+    leaning.add(o + up, a + up, b + up);
+    leaning.quad(o, a, a + up, o + up);
+    leaning.quad(a, b, b + up, a + up);
+    leaning.quad(b, o, o + up, b + up);
+  }
+  EXPECT_EQ(leaning.outward(), 40u);
+  leaning.turn_round();
+  EXPECT_EQ(leaning.outward(), 0u);
+}
+
+TEST(Outward, a_solid_that_touches_itself_in_an_edge_is_one) {
+  // A ring of cells that closes at an edge.
+  Soup ring;
+  const std::set<std::pair<int, int>> cells = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}, {0, 1}};
+  for (const auto& [x, y] : cells) {
+    ring.cell({x, y, 0}, {x + 1, y + 1, 1}, [&, x = x, y = y](int axis, bool high) {
+      const int step = high ? 1 : -1;
+      return axis < 2 && cells.contains({x + (axis == 0 ? step : 0), y + (axis == 1 ? step : 0)});
+    });
+  }
+  EXPECT_EQ(ring.outward(), ring.count());
+}
+
+TEST(Outward, one_side_too_many_and_doubled_surfaces_are_left_alone) {
+  Soup wing;
+  wing.box({0, 0, 0}, {1, 1, 1});
+  wing.box({1, 1, 0}, {2, 2, 1});
+  wing.quad({1, 1, 0}, {2, 0, 0}, {2, 0, 1}, {1, 1, 1});
+  EXPECT_EQ(wing.outward(), 24u) << "what is in no wedge leaves solids as they are";
   Soup twice;
   twice.box({0, 0, 0}, {1, 1, 1});
   twice.box({0, 0, 0}, {1, 1, 1});

@@ -1,7 +1,9 @@
 // Sections: what is cut away hides nothing, culled pictures are the un-culled ones under any section, and
 // what is solid shows its cut surface.
 #include "base/inject.hpp"
+#include "lod/sectioned.hpp"
 #include "preprocess/build.hpp"
+#include "scene/solid_objects.hpp"
 #include "tests/render/rig.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/scenes.hpp"
@@ -197,6 +199,72 @@ TEST_F(CutSurfaces, show_to_an_eye_that_is_where_something_was_cut_away) {
   frame.section = {};
   EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack(), wall, {0, 0, 1}, frame, 1)))
       << "cut open by the near plane it shows what is within";
+}
+
+/// Layers of one mesh, from x = -4 to 4, that touch in whole faces: the first and the third alike.
+Model layered_wall() {
+  Mesh wall{"layers", {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    const Mesh layer = awkward::box({-4, 0, -1 + 0.5 * i}, {4, 3, -0.5 + 0.5 * i}, i == 1 ? 1 : 0);
+    const auto first = static_cast<uint32_t>(wall.positions.size());
+    wall.positions.insert(wall.positions.end(), layer.positions.begin(), layer.positions.end());
+    for (Triangle triangle : layer.triangles) {
+      for (uint32_t& vertex : triangle.vertices) vertex += first;
+      wall.triangles.push_back(triangle);
+    }
+  }
+  Model model = awkward::model_of({wall});
+  model.materials = {{.base_color = {0.75, 0.5, 0.25, 1}}, {.base_color = {0.25, 0.75, 0.5, 1}}};
+  return model;
+}
+
+TEST(CutLayers, of_one_mesh_each_show_their_own_cut_surface) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / fmt::format("triptych_cut_layers_{}.tpk", getpid());
+  build_pack(layered_wall(), {.part_triangles = 64, .leaf_triangles = 64}, file);
+  const Pack pack(file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(count_solids(pack).solid_placements, 1u);
+  LocalPipeline pipeline(pack, {.width = 120, .height = 90, .device = test::device()});
+  View view{.camera = {.eye = {12, 1.5, 0}, .target = {0, 1.5, 0}, .near = 0.1}, .width = 120, .height = 90};
+  set_field_of_view(view.camera, 50, 4.0 / 3);
+  for (const double z : {-0.75, -0.25, 0.25}) {
+    FrameState frame{view, 1};
+    frame.view.camera.eye.z = frame.view.camera.target.z = z;
+    frame.section.add_plane({{-1, 0, 0}, 0}, "test");
+    const size_t color = z == -0.25 ? 1 : 0;
+    EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack, color, {0, 0, 1}, frame, cap_tone))) << z;
+    EXPECT_EQ(SectionedCounter(pack, pipeline.hierarchy())
+                  .count(FrameView(pack.skeleton(), frame), pipeline.draw({4, frame}).visible),
+              (SectionedCounts{.placements = 1, .open = 0}));
+  }
+}
+
+TEST(CutOpen, is_counted_where_what_is_cut_is_not_solid) {
+  Model model = wall_and_box();
+  model.meshes[0].triangles.pop_back();
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / fmt::format("triptych_cut_open_{}.tpk", getpid());
+  build_pack(std::move(model), {.part_triangles = 64, .leaf_triangles = 12}, file);
+  const Pack pack(file);
+  std::filesystem::remove(file);
+  LocalPipeline pipeline(pack, {.width = 120, .height = 90, .device = test::device()});
+  View view{.camera = {.eye = {0, 1.5, 12}, .target = {0, 1.5, 0}, .near = 0.1}, .width = 120, .height = 90};
+  set_field_of_view(view.camera, 50, 4.0 / 3);
+  EXPECT_EQ(count_solids(pack).placements, 2u);
+  EXPECT_EQ(count_solids(pack).solid_placements, 1u);
+  FrameState frame{view, 1};
+  SectionedCounter counter(pack, pipeline.hierarchy());
+  const auto counted = [&] {
+    pipeline.draw({0, frame});
+    return counter.count(FrameView(pack.skeleton(), frame), pipeline.draw({1, frame}).visible);
+  };
+  EXPECT_EQ(counted(), SectionedCounts());
+  frame.section.add_plane({{0, 0, -1}, 0}, "test");
+  EXPECT_EQ(counted(), (SectionedCounts{.placements = 1, .open = 1})) << "the wall";
+  frame.section = {};
+  frame.section.add_plane({{0, 0, -1}, 8}, "test");
+  EXPECT_EQ(counted(), (SectionedCounts{.placements = 1, .open = 0})) << "the box";
 }
 
 TEST(CutAway, that_still_hides_what_is_behind_it_is_noticed) {

@@ -5,6 +5,7 @@
 #include "measure/accuracy/holes_and_swaps.hpp"
 #include "nodes/pack_device.hpp"
 #include "nodes/picture_stage.hpp"
+#include "scene/finest_boxes.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/small_pack.hpp"
 #include "tests/support/test_device.hpp"
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <utility>
 
@@ -194,6 +196,70 @@ TEST(Accuracy, rays_meet_what_a_device_draws) {
   }
   EXPECT_GT(surface, 10000u);
   EXPECT_LT(static_cast<double>(missed), 0.01 * static_cast<double>(surface));
+}
+
+TEST(Accuracy, rays_meet_what_is_left_of_a_model_that_is_cut_and_hidden) {
+  const Pack& pack = scenes::pack_with_objects("flat");  // without thickness, so without cut surfaces
+  const PackObjects objects = pack.read_objects();
+  ObjectSet every_second;
+  for (SourceObjectId id = 0; id < objects.source().objects.size(); id += 2) every_second.push_back(id);
+  const Hiding hiding = hide(pack.skeleton(), objects, every_second, "test");
+  const PackSurfaces surfaces(pack);
+  const Box box = model_box(pack.skeleton());
+  PackDevice device(pack, test::device());
+  PictureStage items(device.device(), 96, 80, TargetKind::color_and_item);
+  CutLister lister;
+  uint64_t surface = 0, missed = 0;
+  for (const View& view : scenes::random_views(pack.skeleton(), 96, 80, 20, 3)) {
+    FrameState state{view, 0};
+    state.hiding = hiding;
+    const SectionPlane side{glm::normalize(glm::dvec3(1, 0.2, 0.4)), 0};
+    state.section.add_plane({side.normal, side.distance(center(box))}, "test");
+    const FrameView frame(pack.skeleton(), state);
+    items.begin(frame);
+    items.draw(lister.list(frame));
+    items.finish();
+    for (const SurfacePixel& pixel : surface_pixels(surfaces, frame, items.target().read_items())) {
+      if (pixel.background()) continue;
+      ++surface;
+      missed += !pixel.found;
+      if (!pixel.found) continue;
+      EXPECT_GE(state.section.planes()[0].distance(pixel.point), -1e-4 * diagonal(box));
+      const double off =
+          surfaces.distance_to_drawable(pixel.drawable, pixel.point, 0, nullptr, hiding.objects.get());
+      EXPECT_LE(projected_distance(frame, pixel.point, off), 1e-3);
+    }
+  }
+  EXPECT_GT(surface, 5000u);
+  EXPECT_LT(static_cast<double>(missed), 0.01 * static_cast<double>(surface));
+}
+
+TEST(Accuracy, of_a_model_that_is_cut_and_hidden_keeps_its_promises) {
+  const Pack& pack = scenes::pack_with_objects("room");
+  const PackObjects objects = pack.read_objects();
+  PackDevice device(pack, test::device());
+  const Box box = model_box(pack.skeleton());
+  const std::vector<View> views = scenes::random_views(pack.skeleton(), 60, 50, 8, 9);
+  std::vector<FrameRequest> frames;
+  for (uint32_t i = 0; i < views.size(); ++i) {
+    frames.push_back({i, {views[i], 1}});
+    frames.back().state.section.add_plane({{0, 0, 1}, center(box).z}, "test");
+  }
+  AccuracyOptions wanted = options({0.5, 4});
+  wanted.compared_frames = 4;
+  const auto measured = [&](const Hiding& hiding) {
+    const AccuracySubject subject{.name = "pack",
+                                  .representation = "levels",
+                                  .pack = pack,
+                                  .devices = {{"test", device.hierarchy(), device.device()}},
+                                  .hiding = hiding};
+    return measure_accuracy({&subject, 1}, {&frames, 1}, wanted);
+  };
+  const AccuracyResult whole = measured({});
+  const AccuracyResult without = measured(hide(pack.skeleton(), objects, {0, 2, 4, 6, 8, 10}, "test"));
+  EXPECT_TRUE(whole.violations.empty()) << whole.violations.front().what;
+  EXPECT_TRUE(without.violations.empty()) << without.violations.front().what;
+  EXPECT_NE(whole.pictures.front().colors, without.pictures.front().colors) << "nothing is hidden";
 }
 
 TEST(Accuracy, every_strategy_and_error_draws_what_it_promises_of_awkward_scenes) {
