@@ -40,11 +40,17 @@ void write_key(ContentKeyWriter& key, std::span<const HlodSource> sources, doubl
   key.write(where.has_objects);
 }
 
+/// A level that draws more than this share of what the children do, and more than was asked for, is not worth
+/// it: of the children each is drawn only where it may be seen, and at its own distance.
+constexpr double worth_it = 0.75;
+
 /// sources: of a subtree of so many leaves, in its own numbers.
 UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32_t leaves,
                        const std::vector<ErrorGap>& gaps, const HlodPlace& where) {
   const Lattice& lattice = where.lattice;
   Baked children = bake(sources, error, where);
+  const auto share = static_cast<size_t>(worth_it * static_cast<double>(children.surface.triangles.size()));
+  const size_t most = std::max<size_t>(share, where.options.hlod_triangles);
   if (where.options.holds_contacts()) children.error += stitch(children) * lattice.step;
   const size_t all = children.surface.triangles.size();
   constexpr double small = 1.0 / 64;
@@ -59,6 +65,8 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   constexpr uint32_t first = Relocation::own_first_place;
   Hlod hlod = make_hlod(std::move(children), first, first + leaves, lattice, limits);
   hlod.coarsest.objects = objects.of(hlod.drawables.back().piece);
+  std::erase_if(hlod.drawables,
+                [&](const HlodDrawable& drawable) { return drawable.piece.surface.triangles.size() > most; });
   HlodFigures figures{{}, hlod.coarsest.error, hlod.stuck, {}};
   UnitResult result;
   for (HlodDrawable& drawable : hlod.drawables) {

@@ -47,9 +47,10 @@ struct HlodPlace {
 Baked bake(std::span<const HlodSource> sources, double error, const HlodPlace& where);
 
 /// sources: the geometry of a node whose leaves have the places first_place up to, not including, end_place.
-/// gaps: errors that its levels may not have. The result has the chunks, a record of the Baked that the
-/// parent begins with, and HlodFigures. It is made in the subtree's own numbers (preprocess/relocation.hpp),
-/// and taken from BuildOptions::cache where that has it.
+/// gaps: errors that its levels may not have. Levels that draw little less than the children, and more than
+/// BuildOptions::hlod_triangles, are left out, if need be all of them. The result has the chunks, a record of
+/// the Baked that the parent begins with, and HlodFigures. It is made in the subtree's own numbers
+/// (preprocess/relocation.hpp), and taken from BuildOptions::cache where that has it.
 UnitResult hlod_unit(std::vector<HlodSource> sources, double error, uint32_t first_place, uint32_t end_place,
                      const std::vector<ErrorGap>& gaps, const HlodPlace& where);
 

@@ -282,6 +282,7 @@ class NodeDrawables {
     }
     content.triangle_objects = std::move(figures.objects);
     coarsest_[node].gaps = gaps_of_children(node);
+    const uint64_t of_children = children_triangles(node);
     double children = 0;  // the largest error of one
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
@@ -294,7 +295,8 @@ class NodeDrawables {
     const double furthest = std::max(diagonal(lattice_.box(content.box)) * (1 + 1e-9), children);
     for (Drawable& drawable : content.drawables) drawable.error = std::min(drawable.error, furthest);
     coarsest_[node].error = std::min(coarsest_[node].error, furthest);
-    coarsest_[node].triangles = content.drawables.back().triangles;
+    coarsest_[node].triangles =
+        static_cast<uint32_t>(content.drawables.empty() ? of_children : content.drawables.back().triangles);
   }
 
   const Parts& parts_;

@@ -15,7 +15,8 @@ namespace triptych {
 /// What a scene node holds before the skeleton is assembled.
 struct NodeContent {
   LatticeBox box;
-  std::vector<Drawable> drawables;    ///< first_placement: in `placements`
+  /// first_placement: in `placements`. Of an inner node there may be none.
+  std::vector<Drawable> drawables;
   std::vector<Placement> placements;  ///< of all drawables
   /// Of an inner node, for each drawable the source objects of its triangles
   /// (preprocess/triangle_objects.hpp); empty where the model has none.

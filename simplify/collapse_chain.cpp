@@ -212,7 +212,8 @@ double moved_bound(double bound, double moved, const Surface& surface, const std
 
 }  // namespace
 
-Chain collapse_chain(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits) {
+Chain collapse_chain(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits,
+                     const FirstLevel& first) {
   Chain chain;
   const auto locked_points = static_cast<size_t>(std::count(locked.begin(), locked.end(), 1));
   const size_t enough = limits.triangles + 2 * locked_points;
@@ -223,13 +224,15 @@ Chain collapse_chain(const Surface& surface, std::span<const uint8_t> locked, co
   std::optional<DistanceMeter> meter;
   if (limits.keep_cover) cover.emplace(surface, locked, planes);
   while (maker.triangles() > enough) {
-    auto level = maker.next(std::max(maker.triangles() / 2, enough * 2 / 3));
+    const bool as_asked = chain.levels.empty() && first.triangles > 0;
+    const size_t goal = as_asked ? first.triangles : maker.triangles() / 2;
+    auto level = maker.next(std::max(goal, enough * 2 / 3));
     chain.stuck = !level && !maker.at_limit();
     if (!level || level->bound > limits.max_bound) break;
     if (cover) {
       const std::vector<glm::ivec3> before = level->piece.surface.points;
       const double bound = level->bound;
-      level->moved = cover->restore(level->piece, bound);
+      level->moved = cover->restore(level->piece, bound, first.cover);
       if (level->moved > 0)
         level->bound = moved_bound(bound, level->moved, level->piece.surface, before, maker.errors());
       if (level->bound > bound * (1 + much) && surface.triangles.size() <= quickly_measured &&

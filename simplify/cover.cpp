@@ -237,8 +237,8 @@ double CoverKeeper::set_ways(Growth& growth, const Piece& level, const Cover& co
 }
 
 /// What stands on a plane, or hangs from it, stays there: points that lie in a plane in which the component
-/// has some stay in it, and others on their side.
-void CoverKeeper::keep_sides(Growth& growth, const Piece& level, std::span<const uint32_t> points,
+/// has some stay in it, and others on their side. False where they do so anyway.
+bool CoverKeeper::keep_sides(Growth& growth, const Piece& level, std::span<const uint32_t> points,
                              double most) const {
   std::vector<uint32_t> planes;
   for (const uint32_t i : points) {
@@ -246,23 +246,29 @@ void CoverKeeper::keep_sides(Growth& growth, const Piece& level, std::span<const
       if (std::find(planes.begin(), planes.end(), plane) == planes.end()) planes.push_back(plane);
     }
   }
+  bool any = false;
   for (const uint32_t i : points) {
     glm::dvec3& way = growth.ways[i];
+    const glm::dvec3 wanted = way;
     way = planes_.within(level.sources[i], way);
     for (const uint32_t plane : planes) {
       const double before = planes_.height(plane, growth.place(i, 0)),
                    after = planes_.height(plane, growth.place(i, most));
       if (!planes_.is_in(level.sources[i], plane) && before * after < 0) way = planes_.along(plane, way);
     }
+    any = any || way != wanted;
   }
+  return any;
 }
 
 /// Sets the ways of a component's points, and returns how far they should go.
 double CoverKeeper::enlarge(Growth& growth, const Piece& level, const Cover& cover,
                             std::span<const uint32_t> points, std::span<const uint32_t> triangles,
                             double goal, double bound) {
-  const double most = set_ways(growth, level, cover, points, triangles, goal, bound);
-  if (!planes_.empty()) keep_sides(growth, level, points, most);
+  double most = set_ways(growth, level, cover, points, triangles, goal, bound);
+  // What cannot go its whole way goes further along what is left of it.
+  if (!planes_.empty() && keep_sides(growth, level, points, most) && cover.radius <= small * bound)
+    most = std::max(most, furthest_of_small * bound);
   return growth.distance_for(triangles, goal, most);
 }
 
@@ -278,10 +284,11 @@ glm::dvec3 CoverKeeper::middle_of(const Piece& level, std::span<const uint32_t> 
   return middle / covered;
 }
 
-double CoverKeeper::restore(Piece& level, double bound) {
+double CoverKeeper::restore(Piece& level, double bound, double share) {
   Surface& surface = level.surface;
   const ComponentCovers of_level(surface);
-  const std::vector<double> wanted = goals(level, of_level, bound);
+  std::vector<double> wanted = goals(level, of_level, bound);
+  for (double& goal : wanted) goal *= share;
   const auto& component_of = of_level.component_of;
   const size_t count = of_level.covers.size();
   const auto grows = [&](size_t i) {

@@ -28,14 +28,14 @@ class CoverKeeper {
   /// the same material take over theirs (Cook, Halstead, Planck and Ryu, Stochastic simplification of
   /// aggregate detail, 2007). Locked points stay, and so do components that are thick against the level's
   /// bound, which lose little. No point moves further than half of the bound, or the whole of it in what is
-  /// small. Returns how far the furthest did, lattice steps.
-  double restore(Piece& level, double bound);
+  /// small. share: of that cover. Returns how far the furthest did, lattice steps.
+  double restore(Piece& level, double bound, double share = 1);
 
  private:
   class Growth;
   double set_ways(Growth& growth, const Piece& level, const Cover& cover, std::span<const uint32_t> points,
                   std::span<const uint32_t> triangles, double goal, double bound);
-  void keep_sides(Growth& growth, const Piece& level, std::span<const uint32_t> points, double most) const;
+  bool keep_sides(Growth& growth, const Piece& level, std::span<const uint32_t> points, double most) const;
   double enlarge(Growth& growth, const Piece& level, const Cover& cover, std::span<const uint32_t> points,
                  std::span<const uint32_t> triangles, double goal, double bound);
   glm::dvec3 middle_of(const Piece& level, std::span<const uint32_t> points) const;

@@ -1,12 +1,11 @@
 #include "simplify/simplify.hpp"
 
+#include "simplify/care.hpp"
 #include "simplify/collapse_chain.hpp"
-#include "simplify/component_covers.hpp"
 #include "simplify/stand_ins.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 
 namespace triptych {
@@ -17,11 +16,6 @@ namespace {
 constexpr double worth_it = 0.75;
 /// Stand-ins are looked for where at least this share of the triangles is in components that have them.
 constexpr double enough_convex = 0.25;
-/// What is so many times as long as thick, from its middle, is a wire. Where at least this share of the cover
-/// is of wires that are thinner than the bound, they are shown with an error that is smaller by this factor:
-/// a wire that is thinner than a pixel covers the middle of one here and there, and where it is off by less
-/// than a pixel, it covers others.
-constexpr double wire_length = 30, wire_share = 0.8, wire_care = 5;
 
 /// What of a surface has stand-ins, and what is left of it.
 class Parts {
@@ -147,7 +141,9 @@ void go_on(const Surface& surface, std::span<const uint8_t> locked, const Simpli
   }
   SimplifyLimits left = limits;
   left.max_bound -= from.bound;
-  Chain more = collapse_chain(from.piece.surface, own_locked, left);
+  FirstLevel first;
+  if (limits.colors == Colors::ignore) first = first_level_of_scattered(from.piece.surface);
+  Chain more = collapse_chain(from.piece.surface, own_locked, left, first);
   for (Level& level : more.levels) {
     for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
     level.bound += from.bound;
@@ -182,35 +178,12 @@ Chain chain_by_parts(const Surface& surface, std::span<const uint8_t> locked, co
   return chain;
 }
 
-bool is_wire(const Cover& cover) {
-  const double across = cover.area / (4 * std::numbers::pi * cover.radius);  // a panel's is not its thickness
-  return cover.radius > wire_length * across;
-}
-
-/// Raises bounds where what is thin shows.
-void take_care(const Surface& surface, std::vector<Level>& levels) {
-  const ComponentCovers components(surface);
-  double whole = 0, wires = 0, thickness = 0, last = 0;
-  for (const Cover& cover : components.covers) {
-    whole += cover.covered;
-    if (!is_wire(cover)) continue;
-    wires += cover.covered;
-    thickness += cover.covered * cover.thickness;
-  }
-  if (!(wires > wire_share * whole)) return;
-  thickness /= wires;
-  for (Level& level : levels) {
-    if (level.bound > thickness) level.bound *= wire_care;
-    level.bound = last = std::max(last, level.bound);
-  }
-}
-
 }  // namespace
 
 Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits) {
   if (!limits.keep_cover) return collapse_chain(surface, locked, limits);
   Chain chain = chain_by_parts(surface, locked, limits);
-  if (limits.colors == Colors::keep) take_care(surface, chain.levels);
+  take_care(surface, limits.colors, chain.levels);
   return chain;
 }
 

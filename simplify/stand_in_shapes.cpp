@@ -2,16 +2,21 @@
 
 #include "simplify/component_covers.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 namespace triptych {
 
-StandInShape prism(uint32_t sides, double first_angle) {
+namespace {
+
+/// A prism with its upper corners turned by an angle, up to half a side.
+StandInShape turned_prism(uint32_t sides, double first_angle, double turn) {
   StandInShape shape;
   for (const double z : {-1.0, 1.0}) {
     for (uint32_t i = 0; i < sides; ++i) {
-      const double angle = first_angle + 2 * std::numbers::pi * i / sides;
+      const double angle = first_angle + 2 * std::numbers::pi * i / sides + (z > 0 ? turn : 0);
       shape.corners.emplace_back(std::cos(angle), std::sin(angle), z);
     }
   }
@@ -25,6 +30,14 @@ StandInShape prism(uint32_t sides, double first_angle) {
     shape.triangles.push_back({sides, sides + i - 1, sides + i});
   }
   return shape;
+}
+
+}  // namespace
+
+StandInShape prism(uint32_t sides, double first_angle) { return turned_prism(sides, first_angle, 0); }
+
+StandInShape antiprism(uint32_t sides, double first_angle) {
+  return turned_prism(sides, first_angle, std::numbers::pi / sides);
 }
 
 StandInShape tetrahedron() {
@@ -67,6 +80,23 @@ std::array<glm::dvec3, 3> principal_axes(const std::array<glm::dvec3, 3>& covari
   }
   for (glm::dvec3& axis : axes) axis = glm::normalize(axis);
   return axes;
+}
+
+double mean_difference(std::span<const glm::ivec3> a, std::span<const glm::ivec3> b) {
+  constexpr int directions = 64;
+  const auto reach = [](std::span<const glm::ivec3> points, const glm::dvec3& way) {
+    double furthest = -1e300;
+    for (const glm::ivec3& point : points) furthest = std::max(furthest, glm::dot(glm::dvec3(point), way));
+    return furthest;
+  };
+  double sum = 0;
+  for (int i = 0; i < directions; ++i) {  // evenly over the sphere, along a spiral
+    const double z = (2 * i + 1.0) / directions - 1, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double across = std::sqrt(1 - z * z);
+    const glm::dvec3 way(across * std::cos(angle), across * std::sin(angle), z);
+    sum += std::abs(reach(a, way) - reach(b, way));
+  }
+  return sum / directions;
 }
 
 double scale_for(const StandInShape& shape, const glm::dvec3& reach, bool in_all, double area) {

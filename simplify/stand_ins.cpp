@@ -25,6 +25,11 @@ constexpr double rounding = 2, hollow = 0.01;
 constexpr double rod = 3;
 /// How near bounds are to the true distance.
 constexpr double tightness = 1.1;
+/// What is not long is shown a little smaller than it is: what of a stand-in goes beyond it, and shows where
+/// nothing was, is less by more than what it then lacks.
+constexpr double cover_of_compact = 0.92;
+/// Of its shapes whose distances differ by less than this factor the one whose outlines are nearest is taken.
+constexpr double about_as_near = 1.25;
 
 /// The component's own axes, and how far it reaches along them.
 struct Frame {
@@ -162,25 +167,38 @@ std::optional<Piece> placed(const StandInShape& shape, const Frame& frame, const
 struct Shapes {
   std::vector<StandInShape> shapes;
   std::vector<std::array<int, 3>> orders;
+  double cover = 1;     ///< of what the component covers
+  double as_near = 1;   ///< factor of distances, up to which outlines decide
   bool in_all = false;  ///< scaled along z, too
 };
 
-/// The shape along whichever axis it is nearest.
+/// The nearest shape along whichever axis that is.
 std::optional<StandIn> nearest(const Shapes& shapes, const Component& component, const Frame& frame,
                                double area, DistanceMeter& meter, double max_bound) {
-  std::optional<StandIn> best;
+  std::vector<StandIn> candidates;
+  double least = max_bound;
   for (const std::array<int, 3>& order : shapes.orders) {
     const glm::dvec3 reach(frame.reach[order[0]], frame.reach[order[1]], frame.reach[order[2]]);
     for (const StandInShape& shape : shapes.shapes) {
-      const double factor = scale_for(shape, reach, shapes.in_all, area);
+      const double factor = scale_for(shape, reach, shapes.in_all, area * shapes.cover);
       if (factor < 0) continue;
       const double along = shapes.in_all ? reach.z * factor : reach.z;
       auto piece = placed(shape, frame, order, {reach.x * factor, reach.y * factor, along}, component);
       if (!piece) continue;
-      const double limit = best ? best->bound : max_bound;
       const double bound = meter.bound(piece->surface, {.tightness = tightness});
-      if (bound < limit) best = {std::move(*piece), bound};
+      if (bound >= max_bound) continue;
+      least = std::min(least, bound);
+      candidates.push_back({std::move(*piece), bound});
     }
+  }
+  std::optional<StandIn> best;
+  double difference = 1e300;
+  for (StandIn& candidate : candidates) {
+    if (candidate.bound > shapes.as_near * least) continue;
+    const double own = mean_difference(candidate.piece.surface.points, component.piece.surface.points);
+    if (own >= difference) continue;
+    difference = own;
+    best = std::move(candidate);
   }
   return best;
 }
@@ -211,15 +229,21 @@ bool is_convex(Component& component, double radius) {
   });
 }
 
-/// With fewer and fewer triangles. Four sides are nearer than three, but from some directions two fifths
-/// wider than from others, three sides a sixth: of rods side by side that shows. Three sides are thin in
-/// their middle, which shows where a sleeve is around something.
+/// With fewer and fewer triangles. Prisms are for what is like a box, antiprisms for what is round. Four
+/// sides are nearer than three, but from some directions two fifths wider than from others, three sides a
+/// sixth: of rods side by side that shows. Three sides are thin in their middle, which shows where a sleeve
+/// is around something.
 std::vector<Shapes> shapes_for(bool stands, bool is_rod) {
   constexpr double quarter = std::numbers::pi / 2;
   const std::vector<std::array<int, 3>> up = {{0, 1, 2}}, any = {{1, 2, 0}, {0, 2, 1}, {0, 1, 2}};
-  if (!is_rod) return {{{prism(4, quarter / 2)}, stands ? up : any}};
+  if (!is_rod)
+    return {{.shapes = {prism(4, quarter / 2), antiprism(4, quarter / 2)},
+             .orders = stands ? up : any,
+             .cover = cover_of_compact,
+             .as_near = about_as_near}};
   if (stands) return {};
-  return {{{prism(3, 0), prism(3, quarter)}, any}, {{tetrahedron()}, up, true}};
+  return {{.shapes = {prism(3, 0), prism(3, quarter)}, .orders = any},
+          {.shapes = {tetrahedron()}, .orders = up, .in_all = true}};
 }
 
 std::vector<StandIn> stand_ins_of(const Component& component, double max_bound) {

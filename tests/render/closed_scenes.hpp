@@ -36,7 +36,7 @@ inline std::vector<DrawableId> random_mix(const Skeleton& skeleton, std::mt19937
   while (!open.empty()) {
     const SceneNode& node = skeleton.scene_nodes[open.back()];
     open.pop_back();
-    if (node.child_count == 0 || random() % stop == 0) {
+    if (node.child_count == 0 || (random() % stop == 0 && node.drawable_count > 0)) {
       mix.push_back(node.first_drawable + static_cast<uint32_t>(random()) % node.drawable_count);
     } else {
       for (uint32_t i = 0; i < node.child_count; ++i) open.push_back(node.first_child + i);

@@ -1,12 +1,14 @@
-// Prisms and tetrahedra in place of small convex things.
+// Prisms, antiprisms and tetrahedra in place of small convex things.
 #include "simplify/stand_ins.hpp"
 
 #include "simplify/simplify.hpp"
+#include "simplify/stand_in_shapes.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/distance_judge.hpp"
 #include "tests/support/wires.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -64,14 +66,15 @@ std::vector<uint8_t> held_end(const Surface& surface, int sides = 8) {
   return locked;
 }
 
-TEST(StandIns, of_a_bolt_get_simpler_cover_as_much_and_are_as_near_as_they_say) {
+TEST(StandIns, of_a_bolt_get_simpler_cover_about_as_much_and_are_as_near_as_they_say) {
   struct Case {
     double length;
     bool stands;
     std::vector<size_t> counts;
+    double cover;
   };
-  for (const auto& [length, stands, expected] :
-       {Case{1.2, false, {12}}, Case{1.2, true, {12}}, Case{12, false, {8, 4}}}) {
+  for (const auto& [length, stands, expected, cover] :
+       {Case{1.2, false, {12}, 0.92}, Case{1.2, true, {12}, 0.92}, Case{12, false, {8, 4}, 1}}) {
     const Surface bolt = turned(wire(length, 1, 2, 8));
     const auto found = convex_components(bolt, stands ? held_end(bolt) : std::vector<uint8_t>(), any);
     ASSERT_EQ(found.size(), 1);
@@ -82,7 +85,7 @@ TEST(StandIns, of_a_bolt_get_simpler_cover_as_much_and_are_as_near_as_they_say) 
       counts.push_back(surface.triangles.size());
       EXPECT_TRUE(is_closed(surface));
       EXPECT_GT(volume(surface), 0);
-      EXPECT_NEAR(area(surface) / area(bolt), 1, 0.01);
+      EXPECT_NEAR(area(surface) / area(bolt), cover, 0.01);
       const double distance = judge::distance(bolt, surface);
       EXPECT_LE(distance, stand_in.bound);
       EXPECT_GE(distance, stand_in.bound * 0.8) << "the bound is loose";
@@ -141,6 +144,35 @@ TEST(StandIns, are_not_for_what_is_open_hollow_colourful_or_held_on_two_sides) {
   EXPECT_TRUE(convex_components(rod, held_end(rod), any).empty()) << "a rod that stands on something";
   EXPECT_TRUE(convex_components(awkward::surface_of(awkward::box({0, 0, 0}, {1, 1, 1}, 1)), {}, any).empty())
       << "a box has few triangles already";
+}
+
+/// Whether each corner of one ring lies over the middle of a side of the other, and not over a corner.
+bool is_antiprism(const Surface& surface) {
+  return std::ranges::none_of(surface.points, [&](const glm::ivec3& a) {
+    return std::ranges::any_of(surface.points, [&](const glm::ivec3& b) {
+      return a.x != b.x && std::hypot(a.y - b.y, a.z - b.z) < 64;
+    });
+  });
+}
+
+TEST(StandIns, are_antiprisms_for_what_is_round_and_prisms_for_what_is_like_a_box) {
+  for (const int sides : {4, 8}) {
+    Surface body = wire(1.2, 1, 4, sides);
+    // Twice as wide as high; of four sides: a box, with more triangles than it needs.
+    for (glm::ivec3& point : body.points) point = {point.x, 2 * (point.y - point.z), point.y + point.z};
+    const auto found = convex_components(body, held_end(body, sides), any);
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(is_antiprism(found[0].stand_ins.at(0).piece.surface), sides == 8) << sides;
+  }
+}
+
+TEST(StandIns, differ_from_themselves_by_nothing_and_from_what_is_larger_all_round_by_how_much) {
+  const std::vector<glm::ivec3> one = {{1000, 0, 0}, {-1000, 0, 0}, {0, 1000, 0}, {0, -1000, 0}};
+  std::vector<glm::ivec3> twice = one;
+  for (glm::ivec3& point : twice) point *= 2;
+  EXPECT_EQ(mean_difference(one, one), 0);
+  EXPECT_GT(mean_difference(one, twice), 500);
+  EXPECT_LT(mean_difference(one, twice), 1000);
 }
 
 TEST(StandIns, of_what_is_inside_out_are_too) {
