@@ -68,7 +68,7 @@ std::vector<TriedFrame> try_predictions(LocalPipeline& pipeline, FrameSteering& 
 }
 
 std::string add_predictions(json& report, const std::vector<TriedFrame>& frames) {
-  std::vector<double> once, settled, noise, of_loading;
+  std::vector<double> once, settled, noise, of_loading, of_relevant, relevant_noise;
   for (const TriedFrame& frame : frames) {
     const double error = off_by(frame.steered.predicted_ms, frame.steered.cost_ms);
     if (frame.loads()) {
@@ -78,13 +78,19 @@ std::string add_predictions(json& report, const std::vector<TriedFrame>& frames)
     once.push_back(error);
     settled.push_back(off_by(frame.steered.predicted_ms, frame.settled_ms()));
     noise.push_back(off_by(frame.steered.cost_ms, frame.settled_ms()));
+    if (!frame.is_relevant()) continue;
+    of_relevant.push_back(settled.back());
+    relevant_noise.push_back(noise.back());
   }
   report["frames"] = frames.size();
   report["loading_frames"] = of_loading.size();
   report["prediction_error"] = {{"of_one_drawing", errors_json(once)},
                                 {"of_the_median", errors_json(settled)},
+                                {"of_relevant_frames", errors_json(of_relevant)},
                                 {"of_loading_frames", errors_json(of_loading)}};
   report["noise"] = errors_json(noise);
+  report["noise_of_relevant_frames"] = errors_json(relevant_noise);
+  report["relevant_frames"] = of_relevant.size();
   json work = json::object();
   for (size_t term = 0; term < FrameWork::terms; ++term) {
     json& values = work[FrameWork::names()[term]] = json::array();
@@ -99,9 +105,11 @@ std::string add_predictions(json& report, const std::vector<TriedFrame>& frames)
   const json& errors = std::as_const(report)["prediction_error"];
   return fmt::format(
       "{} frames that read nothing: predictions are off by {} of the median of several drawings; {} of one "
-      "drawing, which is itself off by {} of that median\n{} frames that read chunks: off by {}\n",
+      "drawing, which is itself off by {} of that median\n{} of them that take at least {:g} of the target: "
+      "predictions are off by {} of that median, one drawing by {}\n{} frames that read chunks: off by {}\n",
       once.size(), text(errors["of_the_median"]), text(errors["of_one_drawing"]), text(report["noise"]),
-      of_loading.size(), text(errors["of_loading_frames"]));
+      of_relevant.size(), TriedFrame::relevant_share, text(errors["of_relevant_frames"]),
+      text(report["noise_of_relevant_frames"]), of_loading.size(), text(errors["of_loading_frames"]));
 }
 
 }  // namespace triptych

@@ -20,6 +20,9 @@ struct TriedFrame {
   bool loads() const { return work.new_triangles > 0; }
   /// Steering, and the median of the repetitions: what the frame costs, noise aside.
   double settled_ms() const;
+  /// Whether that is so much of the target that it matters what is predicted.
+  bool is_relevant() const { return settled_ms() >= relevant_share * steered.target_ms; }
+  static constexpr double relevant_share = 0.5;
 };
 
 /// Draws the frames in order, each `repetitions` times more, at least 2. The pipeline and its frames are of

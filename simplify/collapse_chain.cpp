@@ -2,11 +2,11 @@
 
 #include "simplify/cover.hpp"
 #include "simplify/layered_planes.hpp"
+#include "simplify/moved_bound.hpp"
 #include "simplify/reducer.hpp"
 #include "simplify/vertex_clustering.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -194,22 +194,6 @@ class ChainMaker {
   bool reduced_further_ = false, at_limit_ = false;
 };
 
-/// The bound of a level, a surface whose points moved by at most so much. Each point of the source is near
-/// one of a triangle by that triangle's error, and the other way about, wherever those are known.
-double moved_bound(double bound, double moved, const Surface& surface, const std::vector<glm::ivec3>& before,
-                   const std::vector<double>& errors) {
-  if (errors.size() != surface.triangles.size()) return bound + moved;
-  double largest = bound;
-  for (size_t i = 0; i < errors.size(); ++i) {
-    double furthest = 0;
-    for (const uint32_t corner : surface.triangles[i].vertices)
-      furthest =
-          std::max(furthest, glm::distance(glm::dvec3(surface.points[corner]), glm::dvec3(before[corner])));
-    largest = std::max(largest, errors[i] + furthest);
-  }
-  return std::min(largest, bound + moved);
-}
-
 }  // namespace
 
 Chain collapse_chain(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits,
@@ -233,8 +217,7 @@ Chain collapse_chain(const Surface& surface, std::span<const uint8_t> locked, co
       const std::vector<glm::ivec3> before = level->piece.surface.points;
       const double bound = level->bound;
       level->moved = cover->restore(level->piece, bound, first.cover);
-      if (level->moved > 0)
-        level->bound = moved_bound(bound, level->moved, level->piece.surface, before, maker.errors());
+      if (level->moved > 0) level->bound = moved_bound(bound, level->piece.surface, before, maker.errors());
       if (level->bound > bound * (1 + much) && surface.triangles.size() <= quickly_measured &&
           surface.colors.empty() && limits.colors == Colors::keep) {
         if (!meter) meter.emplace(surface, limits.colors);

@@ -36,11 +36,24 @@ TEST(PredictionTrial, compares_with_the_median_and_counts_frames_that_read_apart
   EXPECT_NE(said.find("1 frames that read chunks: off by 50 %"), std::string::npos) << said;
 }
 
+TEST(PredictionTrial, tells_frames_apart_that_take_much_of_the_target) {
+  std::vector<TriedFrame> frames = {tried(1, 1, {0, 0, 0}), tried(15, 10, {9, 9, 9})};
+  for (TriedFrame& frame : frames) frame.steered.target_ms = 12;
+  frames.front().steered.predicted_ms = 3;
+  nlohmann::json report;
+  add_predictions(report, frames);
+  EXPECT_EQ(report["relevant_frames"], 1);
+  EXPECT_DOUBLE_EQ(report["prediction_error"]["of_the_median"]["max"].get<double>(), 2);
+  EXPECT_DOUBLE_EQ(report["prediction_error"]["of_relevant_frames"]["max"].get<double>(), 0.5);
+  EXPECT_DOUBLE_EQ(report["noise_of_relevant_frames"]["max"].get<double>(), 0);
+}
+
 TEST(PredictionTrial, of_no_frame_has_no_errors) {
   nlohmann::json report;
   add_predictions(report, {});
   EXPECT_TRUE(report["prediction_error"]["of_the_median"].is_null());
   EXPECT_TRUE(report["noise"].is_null());
+  EXPECT_TRUE(report["prediction_error"]["of_relevant_frames"].is_null());
 }
 
 TEST(PredictionTrial, draws_frames_again_and_leaves_those_behind_them_as_they_are) {

@@ -186,6 +186,17 @@ TEST(CollapseBound, that_a_triangle_took_over_is_carried_on) {
   }
 }
 
+TEST(CollapseBound, of_a_triangle_that_takes_over_less_than_it_is_off_stays) {
+  // An ear on the outline of a tent that has gone.
+  Collapsing tent(
+      {{0, 0, 2000}, {far, 0, 0}, {0, far, 0}, {-far, 0, 0}, {0, -far, 0}, {-far / 2 - 30, far / 2 + 30, 0}},
+      {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {2, 5, 3}});
+  tent.collapse(0, 1);
+  tent.collapse(5, 2);
+  const auto [distance, bound] = tent.furthest_triangle();
+  judge::expect_attained(bound, distance);
+}
+
 // Rule 3, straight to the neighbour. Either of two collapses in one direction is most of the way.
 
 TEST(CollapseBound, straight_to_the_neighbour_is_the_length_of_the_edge) {
