@@ -171,10 +171,14 @@ std::string table(const json& report) {
                           cell(row, "/rmse", 1, 2), cell(row, "/ssim", 1, 4),
                           cell(row, "/butteraugli", 1, 2)});
   }
-  std::string html =
-      fmt::format("<h2>All figures</h2>\n<p class=\"quiet\">{}</p>\n", legend) + to_html(table);
-  for (const json& advice : report["advice"])
-    html += fmt::format("<p>{}</p>\n", escape_html(advice["says"].get<std::string>()));
+  return fmt::format("<h2>All figures</h2>\n<p class=\"quiet\">{}</p>\n", legend) + to_html(table);
+}
+
+/// Which error to take, for each pack.
+std::string advice(const json& report) {
+  std::string html;
+  for (const json& pack : report["advice"])
+    html += fmt::format("<p>{}</p>\n", escape_html(pack["says"].get<std::string>()));
   return html;
 }
 
@@ -200,9 +204,9 @@ std::string accuracy_page(const json& report) {
   std::string body = fmt::format("<h1>{}</h1>\n", escape_html(title)) +
                      fmt::format("<p class=\"quiet\">Path: {}.</p>\n",
                                  escape_html(report["frames_say"].get<std::string>())) +
-                     verdict(report);
-  body += sentences(report["rows"]) + promises(report["promises"]) + accuracy_strip(report) +
-          charts(report["rows"]) + accuracy_places(report) + table(report);
+                     verdict(report) + advice(report) + promises(report["promises"]);
+  body += accuracy_strip(report) + charts(report["rows"]) + table(report) + sentences(report["rows"]) +
+          accuracy_places(report);
   body += fmt::format("<p class=\"from\"><code>{}</code></p>\n",
                       escape_html(report["command"].get<std::string>()));
   return html_page(title, body);

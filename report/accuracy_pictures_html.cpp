@@ -58,7 +58,8 @@ std::string accuracy_places(const json& report) {
   for (const json& patch : report["patches"]) {
     const json& row = report["rows"][patch["row"].get<size_t>()];
     const auto kind = patch["kind"].get<std::string>();
-    std::string size = fmt::format("{} pixels", patch["pixels"].get<uint64_t>());
+    const auto pixels = patch["pixels"].get<uint64_t>();
+    std::string size = fmt::format("{} pixel{}", pixels, pixels == 1 ? "" : "s");
     if (kind == "deviation") size = fmt::format("{:.3g} px", row["deviation_px"]["max"].get<double>());
     html += fmt::format("<p>{} {}: {}, frame {}, around pixel {},{}</p>\n", names.at(kind),
                         escape_html(settings_of(patch, report["rows"])), size, patch["frame"].get<uint32_t>(),

@@ -40,10 +40,9 @@ struct Scale {
   double y(double value) const { return top + plot_height * (1 - std::clamp(share(value), 0.0, 1.0)); }
   /// The values at which lines are drawn.
   std::vector<double> marks() const {
+    if (!(foot > 0)) return axis_marks(limit);
     std::vector<double> values;
-    const double step = axis_step(limit);
-    for (double value = foot; value <= limit * 1.001; value = foot > 0 ? 10 * value : value + step)
-      values.push_back(value);
+    for (double value = foot; value <= limit * 1.001; value *= 10) values.push_back(value);
     return values;
   }
 };
@@ -127,6 +126,13 @@ std::string line(const ChartSeries& series, size_t index, const Scale& scale) {
 double axis_limit(double value) {
   const double step = axis_step(value);
   return value > 0 ? step * std::ceil(value / step - 1e-9) : 1;
+}
+
+std::vector<double> axis_marks(double limit) {
+  std::vector<double> values;
+  const double step = axis_step(limit);
+  for (int i = 0; i * step <= limit * 1.001; ++i) values.push_back(i * step);
+  return values;
 }
 
 std::string chart_svg(const LineChart& chart) {

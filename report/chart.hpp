@@ -21,6 +21,8 @@ struct LineChart {
 /// The smallest axis limit that is not below value, as at most five steps of 1, 2, 2.5 or 5 × 10ⁿ; 1 for
 /// values up to 0.
 double axis_limit(double value);
+/// The values that are marked on an axis from 0 to such a limit.
+std::vector<double> axis_marks(double limit);
 
 /// One <svg> element. Where a few values are far above the 99th percentile the axis ends below them, and the
 /// chart says how many are cut off and how high they are.

@@ -84,9 +84,10 @@ img { width: 100%; height: auto; display: block; background: var(--panel); borde
 svg polyline, svg line { fill: none; stroke-width: 1.6; stroke-linejoin: round; }
 svg .grid { stroke: var(--rule); stroke-width: 1; } svg .label { fill: var(--quiet); font-size: 12px; }
 .end { text-anchor: end; } .middle { text-anchor: middle; }
-.series-1 { stroke: var(--one); } .series-2 { stroke: var(--two); } .series-3 { stroke: var(--three); }
-.series-4 { stroke: var(--four); } .series-5 { stroke: var(--five); } .series-6 { stroke: var(--six); }
-.series-7 { stroke: var(--seven); } .series-8 { stroke: var(--eight); } svg .mark { fill: var(--page); stroke-width: 1.6; } svg .mark.best { fill: currentColor; color: var(--ink); }
+.series-1 { --own: var(--one); } .series-2 { --own: var(--two); } .series-3 { --own: var(--three); }
+.series-4 { --own: var(--four); } .series-5 { --own: var(--five); } .series-6 { --own: var(--six); }
+.series-7 { --own: var(--seven); } .series-8 { --own: var(--eight); } [class*="series-"] { stroke: var(--own); }
+svg .mark { fill: var(--page); stroke-width: 1.6; } svg .mark.best { fill: var(--own); }
 ul { padding-left: 1.4rem; font-size: .9rem; }
 ol { padding-left: 1.4rem; font-size: .85rem; } li { margin: .4rem 0; }
 )css";

@@ -4,6 +4,7 @@
 #include "report/html.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/core.h>
 #include <limits>
@@ -17,7 +18,6 @@ namespace {
 constexpr double width = 640, plot_height = 220, left = 64, right = 20, bottom = 40;
 constexpr double letter = 7.2;  ///< about as wide as a letter of a label
 constexpr double text_height = 12, legend_row = 16, legend_mark = 24;
-constexpr int steps = 5;
 
 struct Axes {
   double first = 1, last = 10;  ///< of x
@@ -51,8 +51,8 @@ Axes axes_of(const ScatterChart& chart) {
     }
   }
   if (!(last > 0)) return {};
-  constexpr double room = 1.3;  // around the points
-  return {.first = first / room, .last = last * room, .y_limit = axis_limit(y)};
+  constexpr double room = 1.3, headroom = 1.06;  // around the points
+  return {.first = first / room, .last = last * room, .y_limit = axis_limit(headroom * y)};
 }
 
 /// Whether no other point has less of one and no more of the other.
@@ -67,8 +67,7 @@ bool is_best(const ScatterChart& chart, const ScatterSeries::Point& point) {
 
 std::string draw(const Axes& axes, const ScatterChart& chart) {
   std::string svg;
-  for (int i = 0; i <= steps; ++i) {
-    const double y = axes.y_limit * i / steps;
+  for (const double y : axis_marks(axes.y_limit)) {
     svg += fmt::format("<line class=\"grid\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>", left,
                        width - right, axes.y(y), axes.y(y));
     svg += fmt::format("<text class=\"label end\" x=\"{:.0f}\" y=\"{:.1f}\">{:.4g}</text>", left - 8,
@@ -127,27 +126,51 @@ std::string draw(const Axes& axes, const ScatterChart& chart, const ScatterSerie
          markers;
 }
 
-/// The points' labels, those of the best points first; one that would lie over another is left out.
-std::string labels(const Axes& axes, const ScatterChart& chart) {
-  struct Box {
-    double left, right, bottom;
+struct Box {
+  double left, right, top, bottom;
+  bool meets(const Box& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+/// Where a label may be around its point, the best place first.
+std::array<Box, 3> places_of_label(double x, double y, const std::string& label) {
+  constexpr double beside = 6, above = 5, below = 17;
+  const double wide = letter * static_cast<double>(label.size());
+  const auto at = [&](double from, double baseline) {
+    return Box{from, from + wide, baseline - text_height, baseline};
   };
+  return {at(x + beside, y - above), at(x - beside - wide, y - above), at(x + beside, y + below)};
+}
+
+/// The points' labels, those of the best points first, beside their points; one that would lie over another
+/// or over a point, or outside the plot, is left out.
+std::string labels(const Axes& axes, const ScatterChart& chart) {
+  constexpr double apart = 3, around = 4;
   std::vector<Box> taken;
+  for (const ScatterSeries& series : chart.series) {
+    for (const ScatterSeries::Point& point : series.points) {
+      const double x = axes.x(point.x), y = axes.y(point.y);
+      taken.push_back({x - around, x + around, y - around, y + around});
+    }
+  }
+  const auto is_free = [&](const Box& box) {
+    const Box wider{box.left - apart, box.right + apart, box.top, box.bottom};
+    return box.left >= left && box.right <= width && box.top >= axes.top - around &&
+           box.bottom <= axes.top + plot_height &&
+           std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return wider.meets(other); });
+  };
   std::string svg;
   for (const bool best : {true, false}) {
     for (const ScatterSeries& series : chart.series) {
       for (const ScatterSeries::Point& point : series.points) {
         if (is_best(chart, point) != best) continue;
-        const double x = axes.x(point.x) + 6, y = axes.y(point.y) - 5;
-        const Box box{x, x + letter * static_cast<double>(point.label.size()), y};
-        const bool free = std::none_of(taken.begin(), taken.end(), [&](const Box& other) {
-          return box.left < other.right && other.left < box.right &&
-                 std::abs(box.bottom - other.bottom) < text_height;
-        });
-        if (!free) continue;
-        taken.push_back(box);
-        svg += fmt::format("<text class=\"label point\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x, y,
-                           escape_html(point.label));
+        const auto places = places_of_label(axes.x(point.x), axes.y(point.y), point.label);
+        const auto* const place = std::find_if(places.begin(), places.end(), is_free);
+        if (place == places.end()) continue;
+        taken.push_back(*place);
+        svg += fmt::format("<text class=\"label point\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", place->left,
+                           place->bottom, escape_html(point.label));
       }
     }
   }

@@ -16,6 +16,11 @@ TEST(Chart, an_axis_ends_at_a_round_number_that_holds_the_value) {
   }
 }
 
+TEST(Chart, an_axis_is_marked_in_round_steps) {
+  EXPECT_EQ(axis_marks(6), (std::vector<double>{0, 2, 4, 6}));
+  EXPECT_EQ(axis_marks(1).size(), 6u);
+}
+
 TEST(Chart, each_series_has_its_line_and_its_name) {
   const std::string svg = chart_svg({"ms", {{"three <processes>", {1, 2, 3}}, {"one process", {2, 2, 2}}}});
   EXPECT_NE(svg.find("three &lt;processes&gt;"), std::string::npos);
