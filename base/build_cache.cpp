@@ -155,6 +155,18 @@ std::vector<std::byte> BuildCache::get(const ContentKey& key,
   return bytes;
 }
 
+void BuildCache::renew(
+    const ContentKey& key,
+    const std::function<std::vector<std::byte>(const std::vector<std::byte>& before)>& make) {
+  const std::vector<std::byte> before = find(key).value_or(std::vector<std::byte>());
+  const std::vector<std::byte> bytes = make(before);
+  {
+    const std::lock_guard lock(mutex_);
+    ++(bytes == before ? found_ : made_);
+  }
+  keep(key, bytes);
+}
+
 void BuildCache::commit() {
   if (!problem_.empty()) fail(place, "{}", problem_);
   std::vector<Entry> index;

@@ -29,6 +29,11 @@ class BuildCache {
   /// What is kept under the key, or else what `make` gives, which is kept. Safe on several threads. A disk
   /// that is full is no error before commit().
   std::vector<std::byte> get(const ContentKey& key, const std::function<std::vector<std::byte>()>& make);
+  /// What `make` makes of what is kept under the key, which may be of something else than now, in part or
+  /// all of it: `make` must tell. Empty where there is nothing. Safe on several threads; counted as found
+  /// where it stays the same.
+  void renew(const ContentKey& key,
+             const std::function<std::vector<std::byte>(const std::vector<std::byte>& before)>& make);
   /// How often get() found something, and how often it did not.
   uint64_t found() const { return found_; }
   uint64_t made() const { return made_; }

@@ -4,6 +4,7 @@
 
 #include "base/build_cache.hpp"
 #include "base/record.hpp"
+#include "preprocess/kept_pairs.hpp"
 #include "preprocess/parts.hpp"
 
 #include <cstdint>
@@ -38,6 +39,16 @@ class PlacedCache {
   Value get(const ContentKeyWriter& key, const Make& make) const {
     if (!cache_) return make();
     return record_of<Value>(cache_->get(key.key(), [&] { return record_bytes(make()); }), "a build's cache");
+  }
+
+  /// Calls make(KeptPairs&), which keeps its pairs under the key.
+  template <typename Make>
+  void with_pairs(const ContentKeyWriter& key, const Make& make) const {
+    cache_->renew(key.key(), [&](const std::vector<std::byte>& before) {
+      KeptPairs pairs(before);
+      make(pairs);
+      return pairs.bytes();
+    });
   }
 
  private:

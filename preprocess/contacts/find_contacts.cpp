@@ -105,12 +105,8 @@ struct GroupContacts {
 }  // namespace
 
 template <>
-inline constexpr auto record_members<FoundPair> = std::tuple(&FoundPair::member, &FoundPair::neighbour,
-                                                             &FoundPair::reach, &FoundPair::of_member,
+inline constexpr auto record_members<FoundPair> = std::tuple(&FoundPair::reach, &FoundPair::of_member,
                                                              &FoundPair::of_neighbour);
-template <>
-inline constexpr auto record_members<GroupContacts> = std::tuple(&GroupContacts::pairs,
-                                                                 &GroupContacts::crowded);
 
 namespace {
 
@@ -124,7 +120,10 @@ class ContactFinder {
         kept_(kept),
         boxes_(boxes_of(hierarchy, lattice_, tolerance_)),
         larger_boxes_(boxes_),
-        cache_(parts, geometry, memory) {}
+        cache_(parts, geometry, memory) {
+    for (uint32_t i = 0; kept.is_used() && i < hierarchy.placed.size(); ++i)
+      placed_keys_.push_back(kept.key_of(hierarchy, i));
+  }
 
   /// Of the parts from `first` up to `end`.
   std::vector<Contact> look_at(uint32_t first, uint32_t end, const std::vector<uint32_t>& places,
@@ -170,25 +169,26 @@ class ContactFinder {
   }
 
   GroupContacts group(uint32_t first, const std::vector<std::vector<uint32_t>>& larger) {
-    const auto make = [&] {
-      GroupContacts result;
-      for (uint32_t i = 0; i < larger.size(); ++i) compare(first + i, i, larger[i], result);
-      return result;
+    GroupContacts result;
+    const auto look = [&](KeptPairs& pairs) {
+      for (uint32_t i = 0; i < larger.size(); ++i) compare(first + i, i, larger[i], pairs, result);
     };
     const bool is_any = std::any_of(larger.begin(), larger.end(), [](auto& own) { return !own.empty(); });
-    if (!is_any || !kept_.is_used()) return make();
+    if (!is_any) return result;
+    if (!kept_.is_used()) {
+      KeptPairs none;
+      look(none);
+      return result;
+    }
     ContentKeyWriter key;
     kept_.begin(key, "contacts", hierarchy_);
-    for (uint32_t i = 0; i < larger.size(); ++i) {
-      key.write(uint64_t{larger[i].size()});
-      if (larger[i].empty()) continue;
-      kept_.add(key, hierarchy_, first + i);
-      for (const uint32_t other : larger[i]) kept_.add(key, hierarchy_, other);
-    }
-    return kept_.get<GroupContacts>(key, make);
+    for (uint32_t i = 0; i < larger.size(); ++i) key.write(placed_keys_[first + i]);
+    kept_.with_pairs(key, look);
+    return result;
   }
 
-  void compare(uint32_t number, uint32_t member, const std::vector<uint32_t>& larger, GroupContacts& found) {
+  void compare(uint32_t number, uint32_t member, const std::vector<uint32_t>& larger, KeptPairs& pairs,
+               GroupContacts& found) {
     std::optional<Placed> own;
     size_t touched = 0;
     for (uint32_t i = 0; i < larger.size(); ++i) {
@@ -196,21 +196,38 @@ class ContactFinder {
         ++found.crowded;
         return;
       }
-      if (!own) own.emplace(hierarchy_, number, cache_);
-      const Box both{glm::max(boxes_[number].lo, boxes_[larger[i]].lo),
-                     glm::min(boxes_[number].hi, boxes_[larger[i]].hi)};
-      Touching pair = touching(*own, Placed(hierarchy_, larger[i], cache_), both, tolerance_);
-      if (pair.of_first.empty() && pair.of_second.empty()) continue;
+      const uint32_t other = larger[i];
+      auto touch = pairs.get<FoundPair>(pair_key(number, other, pairs), [&] {
+        if (!own) own.emplace(hierarchy_, number, cache_);
+        const Box both{glm::max(boxes_[number].lo, boxes_[other].lo),
+                       glm::min(boxes_[number].hi, boxes_[other].hi)};
+        Touching pair = touching(*own, Placed(hierarchy_, other, cache_), both, tolerance_);
+        std::vector<FoundPair> made;
+        if (pair.of_first.empty() && pair.of_second.empty()) return made;
+        const auto reach = static_cast<float>(diagonal(pair.places) / lattice_.step);
+        made.push_back({0, 0, reach, std::move(pair.of_first), std::move(pair.of_second)});
+        return made;
+      });
+      if (touch.empty()) continue;
       ++touched;
-      const auto reach = static_cast<float>(diagonal(pair.places) / lattice_.step);
-      found.pairs.push_back({member, i, reach, std::move(pair.of_first), std::move(pair.of_second)});
+      touch.front().member = member;
+      touch.front().neighbour = i;
+      found.pairs.push_back(std::move(touch.front()));
     }
+  }
+  ContentKey pair_key(uint32_t a, uint32_t b, const KeptPairs& pairs) const {
+    if (!pairs.is_used()) return {};
+    ContentKeyWriter key;
+    key.write(placed_keys_[a]);
+    key.write(placed_keys_[b]);
+    return key.key();
   }
 
   const PlacedParts& hierarchy_;
   const Lattice& lattice_;
   double tolerance_;
   const PlacedCache& kept_;
+  std::vector<ContentKey> placed_keys_;
   std::vector<Box> boxes_;
   LargerBoxes larger_boxes_;
   RimCache cache_;

@@ -95,7 +95,8 @@ class RoomMaker {
         return relative_place(space, hierarchy, other, contact_tolerance(hierarchy));
       };
       std::vector<RelativePlace> places;
-      for (const uint32_t member : with_covers(placed, covered)) places.push_back(place_of(member));
+      for (const uint32_t member : near_covers(placed, hierarchy, covered))
+        places.push_back(place_of(member));
       std::ranges::sort(places);
       places.push_back(place_of(placed));
       alike.try_emplace(std::move(places), placed);
@@ -147,13 +148,25 @@ class RoomMaker {
     return near;
   }
 
+  /// with_covers(), without those that are further away than any distance counts.
+  std::vector<uint32_t> near_covers(uint32_t placed, const PlacedParts& hierarchy,
+                                    const CoveredParts& covered) const {
+    const Lattice& lattice = parts_.lattices[hierarchy.lattice];
+    const Box box = lattice.box(hierarchy.boxes[placed]), near = grown(box, thin * diagonal(box));
+    std::vector<uint32_t> members;
+    for (const uint32_t member : with_covers(placed, covered)) {
+      if (member == placed || overlap(lattice.box(hierarchy.boxes[member]), near)) members.push_back(member);
+    }
+    return members;
+  }
+
   /// distances_of(), or what it gave.
   std::map<uint32_t, double> kept_distances(uint32_t placed, const PlacedParts& hierarchy,
                                             const CoveredParts& covered) const {
     if (!kept_.is_used()) return distances_of(placed, hierarchy, covered);
     ContentKeyWriter key;
     kept_.begin(key, "distances of what is covered", hierarchy);
-    for (const uint32_t member : with_covers(placed, covered)) {
+    for (const uint32_t member : near_covers(placed, hierarchy, covered)) {
       kept_.add(key, hierarchy, member);
       key.write(member == placed);
       const auto found = covered.find(member);
@@ -181,7 +194,7 @@ class RoomMaker {
     const double most = thin * diagonal(box) / lattice.step;
     std::map<uint32_t, std::vector<Corners>> left_out;
     std::vector<Corners> stays;
-    for (const uint32_t member : with_covers(placed, covered)) {
+    for (const uint32_t member : near_covers(placed, hierarchy, covered)) {
       const auto regions = cache_.get(hierarchy.placed[member].part);
       const auto found = covered.find(member);
       const PartSpace space(hierarchy, member);

@@ -147,7 +147,7 @@ class LayerFinder {
   std::vector<FacetOverlap> run(uint64_t& crowded) {
     constexpr size_t at_once = 64;
     const std::vector<uint32_t> ends = kept_.group_ends(hierarchy_);
-    if (kept_.is_used()) name_instances();
+    if (kept_.is_used()) name_placed();
     std::atomic<uint64_t> left_out = 0;
     std::vector<FacetOverlap> found;
     for (size_t first = 0; first < ends.size(); first += at_once) {
@@ -170,15 +170,21 @@ class LayerFinder {
     return boxes;
   }
 
-  /// Keys of what span_of() reads.
-  void name_instances() {
+  /// Keys of placed parts, with all that span_of() reads.
+  void name_placed() {
+    placed_keys_.resize(hierarchy_.placed.size());
     for (const std::vector<uint32_t>& members : members_) {
-      ContentKeyWriter key;
-      key.write(uint64_t{members.size()});
+      ContentKeyWriter instance;
+      instance.write(uint64_t{members.size()});
       if (members.size() <= many) {
-        for (const uint32_t member : members) kept_.add(key, hierarchy_, member);
+        for (const uint32_t member : members) kept_.add(instance, hierarchy_, member);
       }
-      instance_keys_.push_back(key.key());
+      for (const uint32_t member : members) {
+        ContentKeyWriter key;
+        kept_.add(key, hierarchy_, member);
+        key.write(instance.key());
+        placed_keys_[member] = key.key();
+      }
     }
   }
 
@@ -220,36 +226,50 @@ class LayerFinder {
   }
 
   std::vector<FoundOverlap> group(uint32_t first, const std::vector<Compared>& with) const {
-    const auto make = [&] {
-      std::vector<FoundOverlap> found;
-      for (uint32_t i = 0; i < with.size(); ++i) {
-        const auto begin = found.size();
-        if (with[i].itself) within(first + i, found);
-        for (uint32_t k = 0; k < with[i].larger.size(); ++k) {
-          const auto begin_of_pair = found.size();
-          between(first + i, with[i].larger[k], found);
-          for (auto at = begin_of_pair; at < found.size(); ++at) found[at].neighbour = k;
-        }
-        for (auto at = begin; at < found.size(); ++at) found[at].member = i;
-      }
-      return found;
-    };
+    std::vector<FoundOverlap> found;
     const bool is_any = std::any_of(with.begin(), with.end(), [](auto& own) { return !own.is_nothing(); });
-    if (!is_any || !kept_.is_used()) return make();
+    if (!is_any) return found;
+    if (!kept_.is_used()) {
+      KeptPairs none;
+      look_at_pairs(first, with, none, found);
+      return found;
+    }
     ContentKeyWriter key;
     kept_.begin(key, "layers", hierarchy_);
-    for (uint32_t i = 0; i < with.size(); ++i) {
-      key.write(uint64_t{with[i].larger.size()});
-      key.write(with[i].itself);
-      if (with[i].is_nothing()) continue;
-      add_to(key, first + i);
-      for (const uint32_t other : with[i].larger) add_to(key, other);
-    }
-    return kept_.get<std::vector<FoundOverlap>>(key, make);
+    for (uint32_t i = 0; i < with.size(); ++i) key.write(placed_keys_[first + i]);
+    kept_.with_pairs(key, [&](KeptPairs& pairs) { look_at_pairs(first, with, pairs, found); });
+    return found;
   }
-  void add_to(ContentKeyWriter& key, uint32_t placed) const {
-    kept_.add(key, hierarchy_, placed);
-    key.write(instance_keys_[hierarchy_.placed[placed].instance]);
+
+  void look_at_pairs(uint32_t first, const std::vector<Compared>& with, KeptPairs& pairs,
+                     std::vector<FoundOverlap>& found) const {
+    for (uint32_t i = 0; i < with.size(); ++i) {
+      const uint32_t own = first + i;
+      const auto add = [&](uint32_t other, uint32_t neighbour, const auto& look) {
+        const auto overlaps = pairs.get<FoundOverlap>(pair_key(own, other, pairs), [&] {
+          std::vector<FoundOverlap> made;
+          look(made);
+          return made;
+        });
+        for (FoundOverlap overlap : overlaps) {
+          overlap.member = i;
+          overlap.neighbour = neighbour;
+          found.push_back(overlap);
+        }
+      };
+      if (with[i].itself) add(own, no_id, [&](auto& made) { within(own, made); });
+      for (uint32_t k = 0; k < with[i].larger.size(); ++k) {
+        const uint32_t other = with[i].larger[k];
+        add(other, k, [&](auto& made) { between(own, other, made); });
+      }
+    }
+  }
+  ContentKey pair_key(uint32_t a, uint32_t b, const KeptPairs& pairs) const {
+    if (!pairs.is_used()) return {};
+    ContentKeyWriter key;
+    key.write(placed_keys_[a]);
+    key.write(placed_keys_[b]);
+    return key.key();
   }
 
   uint32_t color_of(uint32_t placed) const { return parts_.parts[hierarchy_.placed[placed].part].color; }
@@ -324,7 +344,7 @@ class LayerFinder {
   double tolerance_;
   std::vector<Box> boxes_;  ///< of placed parts
   LargerBoxes larger_boxes_;
-  std::vector<ContentKey> instance_keys_;
+  std::vector<ContentKey> placed_keys_;
   std::vector<bool> is_first_;                  ///< placement of its part
   std::vector<std::vector<uint32_t>> members_;  ///< for each instance its placed parts
 };

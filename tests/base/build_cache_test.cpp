@@ -95,6 +95,22 @@ TEST_F(Cache, is_written_over_no_file_of_another_kind) {
   EXPECT_EQ(text, "a list of the user's own");
 }
 
+TEST_F(Cache, renews_what_it_has_under_a_key) {
+  const auto renew = [&](uint64_t expected, uint64_t now) {
+    BuildCache cache(file, {1, 2});
+    cache.renew(key(1), [&](const std::vector<std::byte>& before) {
+      EXPECT_EQ(before, bytes(expected));
+      return bytes(now);
+    });
+    cache.commit();
+    return cache.found();
+  };
+  EXPECT_EQ(renew(0, 10), 0u);
+  EXPECT_EQ(renew(10, 10), 1u);
+  EXPECT_EQ(renew(10, 20), 0u);
+  EXPECT_EQ(renew(20, 20), 1u);
+}
+
 TEST_F(Cache, keeps_files_and_hands_them_out_piece_by_piece) {
   const std::filesystem::path large = file.string() + "_large";
   std::string text(3'000'000, 'a');

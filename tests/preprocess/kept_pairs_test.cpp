@@ -1,0 +1,48 @@
+// What earlier builds found of pairs.
+#include "preprocess/kept_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+namespace triptych {
+namespace {
+
+ContentKey pair_of(uint64_t a, uint64_t b) {
+  ContentKeyWriter key;
+  key.write(a);
+  key.write(b);
+  return key.key();
+}
+
+/// Asks for pairs of numbers; how many were made.
+int ask(KeptPairs& pairs, const std::vector<std::pair<uint64_t, uint64_t>>& list) {
+  int made = 0;
+  for (const auto& [a, b] : list) {
+    std::vector<uint64_t> expected(b, a);
+    EXPECT_EQ(pairs.get<uint64_t>(pair_of(a, b),
+                                  [&] {
+                                    ++made;
+                                    return expected;
+                                  }),
+              expected);
+  }
+  return made;
+}
+
+TEST(KeptPairs, are_found_again_in_any_order_and_new_ones_are_made) {
+  KeptPairs first{std::vector<std::byte>()};
+  EXPECT_EQ(ask(first, {{1, 2}, {3, 0}, {4, 5}}), 3);  // one of which nothing was found
+  KeptPairs second(first.bytes());
+  EXPECT_EQ(ask(second, {{4, 5}, {1, 2}, {6, 1}, {3, 0}}), 1);
+  KeptPairs third(second.bytes());
+  EXPECT_EQ(ask(third, {{6, 1}, {3, 0}}), 0);
+  KeptPairs fourth(third.bytes());
+  EXPECT_EQ(ask(fourth, {{1, 2}}), 1);  // the one before did not ask for it
+}
+
+TEST(KeptPairs, that_are_not_used_keep_nothing) {
+  KeptPairs none;
+  EXPECT_EQ(ask(none, {{1, 2}, {1, 2}}), 2);
+}
+
+}  // namespace
+}  // namespace triptych
