@@ -1,6 +1,7 @@
 #include "raster/caps.hpp"
 
 #include "raster/triangle_shader.hpp"
+#include "visibility/cap_look.hpp"
 #include "visibility/shading.hpp"
 
 #include <cmath>

@@ -50,20 +50,29 @@ TriangleShader::TriangleShader(const FrameView& view)
       light_(light_direction(view)),
       stage_(view),
       caps_(view),
+      hatching_(view.view().height),
       width_(view.view().width),
       height_(view.view().height) {}
 
-Rgba TriangleShader::flat(const SlotTable::Triangle& shown, float lit) const {
-  Rgba color{0, 0, 0, 255};
-  const std::array<uint8_t, 4>& base = palette_[shown.range->chunk->color[shown.triangle]];
-  for (size_t i = 0; i < 3; ++i) color[i] = to_byte(static_cast<float>(base[i]) / 255.0f * lit);
-  return color;
+Rgba TriangleShader::to_bytes(const glm::vec3& color) {
+  return {to_byte(color.x), to_byte(color.y), to_byte(color.z), 255};
 }
 
-Rgba TriangleShader::cap(const SlotTable::Triangle& shown, uint32_t side, const float (&lit_color)[3]) const {
-  const float from_lit = caps_.light(side) / light_on(shown);
-  return {to_byte(lit_color[0] * from_lit), to_byte(lit_color[1] * from_lit),
-          to_byte(lit_color[2] * from_lit), 255};
+glm::vec3 TriangleShader::base(const SlotTable::Triangle& shown) const {
+  const std::array<uint8_t, 4>& base = palette_[shown.range->chunk->color[shown.triangle]];
+  return glm::vec3(base[0], base[1], base[2]) / 255.0f;
+}
+
+Rgba TriangleShader::cap(const glm::vec3& base, uint32_t side, int32_t x, int32_t y) const {
+  const glm::vec3 lit = base * caps_.light(side);
+  if (!hatching_.inked(x, y, side)) return to_bytes(lit);
+  const CapInk ink = cap_ink(base);
+  return to_bytes(lit * ink.scale + ink.add);
+}
+
+Rgba TriangleShader::cap(const SlotTable::Triangle& shown, uint32_t side, int32_t x, int32_t y,
+                         const float (&lit_color)[3]) const {
+  return cap(glm::vec3(lit_color[0], lit_color[1], lit_color[2]) / light_on(shown), side, x, y);
 }
 
 InterpolatedColors TriangleShader::varying(const SlotTable::Triangle& shown) const {
@@ -92,7 +101,7 @@ Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   const uint32_t place = place_of(slot);
   const auto cap = capped_[place] ? shader_.caps().entry(x, y) : std::nullopt;
   if (!varies_[place])
-    return cap ? shader_.cap(buffer_.find(slot), cap->side) : std::bit_cast<Rgba>(colors_[place]);
+    return cap ? shader_.cap(buffer_.find(slot), cap->side, x, y) : std::bit_cast<Rgba>(colors_[place]);
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
@@ -100,7 +109,7 @@ Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   }
   float color[3];
   varying.colors.at(x, y, color);
-  if (cap) return shader_.cap(buffer_.find(slot), cap->side, color);
+  if (cap) return shader_.cap(buffer_.find(slot), cap->side, x, y, color);
   return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
 }
 

@@ -4,6 +4,7 @@
 #include "raster/caps.hpp"
 #include "raster/corner_colors.hpp"
 #include "raster/visibility_buffer.hpp"
+#include "visibility/cap_look.hpp"
 
 #include <array>
 #include <bit>
@@ -20,10 +21,14 @@ class TriangleShader {
   explicit TriangleShader(const FrameView& view);
 
   /// Of a triangle whose chunk has no colours of its own.
-  Rgba operator()(const SlotTable::Triangle& shown) const { return flat(shown, light_on(shown)); }
-  /// Of a cap at a side that shows in place of the triangle, with the colours of its corners if it has any.
-  Rgba cap(const SlotTable::Triangle& shown, uint32_t side) const { return flat(shown, caps_.light(side)); }
-  Rgba cap(const SlotTable::Triangle& shown, uint32_t side, const float (&lit_color)[3]) const;
+  Rgba operator()(const SlotTable::Triangle& shown) const { return to_bytes(base(shown) * light_on(shown)); }
+  /// Of a cap at a side that shows at a pixel in place of the triangle, with the colours of its corners if it
+  /// has any.
+  Rgba cap(const SlotTable::Triangle& shown, uint32_t side, int32_t x, int32_t y) const {
+    return cap(base(shown), side, x, y);
+  }
+  Rgba cap(const SlotTable::Triangle& shown, uint32_t side, int32_t x, int32_t y,
+           const float (&lit_color)[3]) const;
   const Caps& caps() const { return caps_; }
   static bool varies(const SlotTable::Triangle& shown) { return !shown.range->chunk->vertex_color.empty(); }
   InterpolatedColors varying(const SlotTable::Triangle& shown) const;
@@ -31,13 +36,17 @@ class TriangleShader {
   static glm::vec3 normal(const SlotTable::Triangle& shown);
 
  private:
-  Rgba flat(const SlotTable::Triangle& shown, float lit) const;
+  static Rgba to_bytes(const glm::vec3& color);
+  /// The colour of the material, from 0 to 1.
+  glm::vec3 base(const SlotTable::Triangle& shown) const;
+  Rgba cap(const glm::vec3& base, uint32_t side, int32_t x, int32_t y) const;
   float light_on(const SlotTable::Triangle& shown) const;
 
   const std::vector<std::array<uint8_t, 4>>& palette_;
   glm::vec3 light_;
   VertexStage stage_;
   Caps caps_;
+  CapHatching hatching_;
   int width_, height_;
 };
 

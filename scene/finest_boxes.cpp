@@ -21,7 +21,16 @@ Box placed_box(const Skeleton& skeleton, const Placement& placement) {
   return placed;
 }
 
+Box within(const Box& box, const Box& all) { return {glm::max(box.lo, all.lo), glm::min(box.hi, all.hi)}; }
+
 }  // namespace
+
+Box placement_box(const Skeleton& skeleton, SceneNodeId leaf, uint32_t placement) {
+  const SceneNode& node = skeleton.scene_nodes[leaf];
+  const Drawable& finest = skeleton.drawables[node.first_drawable];
+  return within(placed_box(skeleton, skeleton.placements[finest.first_placement + placement]),
+                skeleton.lattice().box(node.box));
+}
 
 std::vector<Box> finest_boxes(const Skeleton& skeleton, const HiddenObjects* hidden) {
   const auto& nodes = skeleton.scene_nodes;
@@ -35,8 +44,7 @@ std::vector<Box> finest_boxes(const Skeleton& skeleton, const HiddenObjects* hid
         if (hidden != nullptr && hidden->hides(static_cast<SceneNodeId>(i), k)) continue;
         own.extend(placed_box(skeleton, skeleton.placements[finest.first_placement + k]));
       }
-      const Box all = skeleton.lattice().box(node.box);
-      own = {glm::max(own.lo, all.lo), glm::min(own.hi, all.hi)};
+      own = within(own, skeleton.lattice().box(node.box));
     }
     if (node.parent != no_id) boxes[node.parent].extend(own);
   }

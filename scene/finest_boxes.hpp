@@ -16,6 +16,9 @@ class HiddenObjects;
 /// placement of a leaf: to be asked once.
 std::vector<Box> finest_boxes(const Skeleton& skeleton, const HiddenObjects* hidden = nullptr);
 
+/// The same of one placement of a leaf, counted from its drawables' first one.
+Box placement_box(const Skeleton& skeleton, SceneNodeId leaf, uint32_t placement);
+
 /// The one of the root; empty for a skeleton without scene nodes.
 Box model_box(const Skeleton& skeleton, const HiddenObjects* hidden = nullptr);
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <fmt/core.h>
 #include <utility>
+#include <vector>
 
 namespace triptych {
 
@@ -70,30 +71,22 @@ const char* what(Scope scope) {
 
 }  // namespace
 
-bool Hider::takes(Command command) {
-  return find(command) != nullptr || command == Command::show_all || command == Command::undo_hiding;
-}
+bool Hider::takes(Command command) { return find(command) != nullptr || command == Command::show_all; }
 
-void Hider::change(Hiding to) {
-  before_.push_back(std::exchange(hiding_, std::move(to)));
-  if (before_.size() > most_remembered) before_.erase(before_.begin());
-}
-
-std::string Hider::take(Command command, const PackObjects& objects, SourceObjectId selected) {
-  if (command == Command::undo_hiding) {
-    if (before_.empty()) return "nothing was hidden before";
-    hiding_ = std::move(before_.back());
-    before_.pop_back();
-    return {};
-  }
+std::string Hider::take(Command command, const PackObjects& objects,
+                        std::span<const SourceObjectId> selected) {
   if (command == Command::show_all) {
-    if (hiding_.objects) change({});
+    hiding_ = {};
     return {};
   }
   const Meant& meant = *find(command);
-  if (selected == no_id) return "no object is selected: click on one";
+  if (selected.empty()) return "no object is selected: click on one";
   const SourceObjects& source = objects.source();
-  const std::vector<SourceObjectId> alike = objects_of(source, selected, meant.scope);
+  std::vector<SourceObjectId> alike;
+  for (const SourceObjectId object : selected) {
+    const std::vector<SourceObjectId> more = objects_of(source, object, meant.scope);
+    alike.insert(alike.end(), more.begin(), more.end());
+  }
   if (alike.empty()) return what(meant.scope);
   ObjectSet set = with_contents(source, alike);
   if (meant.isolates) {
@@ -101,8 +94,7 @@ std::string Hider::take(Command command, const PackObjects& objects, SourceObjec
   } else if (hiding_.objects) {
     set = united(hiding_.objects->objects(), set);
   }
-  Hiding to = hide(skeleton_, objects, std::move(set), "view");
-  if (!(to == hiding_)) change(std::move(to));
+  hiding_ = hide(skeleton_, objects, std::move(set), "view");
   return {};
 }
 

@@ -1,11 +1,11 @@
-// What a person at the window has hidden: by object, layer, storey and file, step by step.
+// What a person at the window has hidden: by object, layer, storey and file.
 #pragma once
 
 #include "scene/hidden_objects.hpp"
 #include "view/window.hpp"
 
+#include <span>
 #include <string>
-#include <vector>
 
 namespace triptych {
 
@@ -16,22 +16,16 @@ class Hider {
 
   /// Whether the command hides or shows something.
   static bool takes(Command command);
-  /// Does what such a command says; selected: the object that it is about, no_id for none. Returns what
-  /// there is to say where it does nothing.
-  std::string take(Command command, const PackObjects& objects, SourceObjectId selected);
+  /// Does what such a command says; selected: the objects that it is about. Returns what there is to say
+  /// where it does nothing.
+  std::string take(Command command, const PackObjects& objects, std::span<const SourceObjectId> selected);
 
   const Hiding& hiding() const { return hiding_; }
-  /// As if that had been hidden at first.
   void begin_at(Hiding hiding) { hiding_ = std::move(hiding); }
 
  private:
-  static constexpr size_t most_remembered = 100;
-
-  void change(Hiding to);
-
   const Skeleton& skeleton_;
   Hiding hiding_;
-  std::vector<Hiding> before_;  ///< for Command::undo_hiding
 };
 
 }  // namespace triptych

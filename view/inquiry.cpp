@@ -1,7 +1,7 @@
 #include "view/inquiry.hpp"
 
 #include "base/notice.hpp"
-#include "scene/hidden_objects.hpp"
+#include "view/help.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,26 +10,15 @@ namespace triptych {
 
 namespace {
 
-/// Whether the object is hidden: then its outline would be around nothing.
-bool is_hidden(const FrameState& frame, SourceObjectId object) {
-  const HiddenObjects* const hidden = frame.hiding.objects.get();
-  return hidden && std::ranges::binary_search(hidden->objects(), object);
-}
-
-/// Whether both are of the same thing.
-bool same(const std::optional<Selection>& a, const std::optional<Selection>& b) {
-  if (a.has_value() != b.has_value()) return false;
-  if (!a) return true;
-  const auto place = [](const Selection& s) {
-    return s.picked ? std::pair(s.picked->drawable, s.picked->placement) : std::pair(no_id, 0u);
-  };
-  return a->object == b->object && (a->object != no_id || place(*a) == place(*b));
+/// Whether both are of the same things.
+bool same(const std::vector<Selection>& a, const std::vector<Selection>& b) {
+  return std::ranges::equal(a, b, same_thing);
 }
 
 }  // namespace
 
 Inquiry::Inquiry(const Pack& pack, Tour& tour)
-    : pack_(pack), tour_(tour), measuring_(model_system(pack.read_options())) {}
+    : pack_(pack), tour_(tour), system_(model_system(pack.read_options())), measuring_(system_) {}
 
 bool Inquiry::take(Input& input, int width, int height) {
   const bool moved = read(std::exchange(input.typed, {}), width, height);
@@ -61,13 +50,19 @@ bool Inquiry::take(Command command) {
       if (!measuring_.active()) return false;
       measuring_.take_back();
       break;
+    case Command::help:
+      helps_ = !helps_;
+      if (helps_) say(viewer_help());
+      break;
     case Command::escape:
-      if (search_) {
+      if (helps_) {
+        helps_ = false;
+      } else if (search_) {
         search_.reset();
       } else if (measuring_.active()) {
         measuring_.end();
-      } else if (tour_.selection()) {
-        tour_.select(std::nullopt);
+      } else if (!tour_.selected().empty()) {
+        tour_.selected().clear();
       } else {
         return false;
       }
@@ -84,20 +79,32 @@ bool Inquiry::read(const std::string& typed, int width, int height) {
   bool moved = false;
   for (size_t i = 0; i < typed.size();) {
     changed_ = true;
-    const size_t letters = std::min(typed.find_first_of("\b\n\r", i), typed.size()) - i;
+    const size_t letters = std::min(typed.find_first_of("\b\n\r\v", i), typed.size()) - i;
     if (letters > 0) search_->type(std::string_view(typed).substr(i, letters));
     i += letters;
     if (i == typed.size()) break;
     if (typed[i] == '\b') {
       search_->erase();
-    } else if (const auto object = search_->step(typed[i] == '\r')) {
-      tour_.select(tour_.selector().describe(*object));
-      say(tour_.selection()->text);
-      if (!tour_.selection()->box.empty()) moved = tour_.take(Command::fit, width, height) || moved;
+    } else if (!search_->found().empty()) {
+      select_found(typed[i]);
+      if (!tour_.selected().box().empty()) moved = tour_.take(Command::fit, width, height) || moved;
     }
     ++i;
   }
   return moved;
+}
+
+void Inquiry::select_found(char key) {
+  Selected& selected = tour_.selected();
+  if (key == '\v') {
+    std::vector<Selection> all;
+    for (const SourceObjectId object : search_->found()) all.push_back(tour_.selector().describe(object));
+    selected.set(std::move(all));
+    say(selected.name() + "\n");
+  } else {
+    selected.set(tour_.selector().describe(*search_->step(key == '\r')));
+    say(selected.all().front().text);
+  }
 }
 
 void Inquiry::hover() {
@@ -112,21 +119,29 @@ void Inquiry::saw() {
   if (measuring_.active()) hover();
 }
 
-bool Inquiry::changed() const { return changed_ || !same(tour_.selection(), outlined_); }
+bool Inquiry::changed() const { return changed_ || !same(tour_.selected().all(), outlined_); }
 
 std::string Inquiry::title() const { return search_ ? search_->title() : measuring_.title(); }
 
-std::vector<ScreenLine> Inquiry::lines(const FrameState& frame) {
+std::vector<ScreenLine> Inquiry::lines(const FrameState& frame, double content_scale) {
   changed_ = false;
-  if (!same(tour_.selection(), outlined_)) {
-    outlined_ = tour_.selection();
+  const Selected& selected = tour_.selected();
+  if (!same(selected.all(), outlined_)) {
+    outlined_ = selected.all();
     outline_.reset();
-    if (outlined_) outline_.emplace(pack_.skeleton(), tour_.picker().chunks(), tour_.selector(), *outlined_);
+    if (!selected.empty())
+      outline_.emplace(pack_.skeleton(), tour_.picker().chunks(), tour_.selector(), outlined_);
   }
-  Overlay overlay(frame.view);
-  if (outline_ && !is_hidden(frame, outlined_->object)) outline_->draw(overlay, frame.view);
+  Overlay overlay(frame.view, content_scale);
+  if (outline_) outline_->draw(overlay, frame);
+  if (helps_) {
+    overlay.page(help_words());
+    return overlay.lines();
+  }
+  if (search_) overlay.panel(Overlay::Corner::upper_left, search_->words());
+  if (!selected.empty())
+    overlay.panel(Overlay::Corner::lower_left, {{selected.name(), selection_color}, {selected.sum(system_)}});
   measuring_.draw(overlay);
-  if (search_) search_->draw(overlay);
   return overlay.lines();
 }
 

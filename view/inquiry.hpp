@@ -28,23 +28,29 @@ class Inquiry {
   bool reads_text() const { return search_.has_value(); }
   /// A few words for a title; empty where there is nothing to say.
   std::string title() const;
-  /// What to draw over the view's picture.
-  std::vector<ScreenLine> lines(const FrameState& frame);
+  /// What to draw over the view's picture. content_scale: as Overlay has it.
+  std::vector<ScreenLine> lines(const FrameState& frame, double content_scale = 1);
+
+  const Measuring& measuring() const { return measuring_; }
+  Measuring& measuring() { return measuring_; }
 
  private:
   /// Whether the command was answered.
   bool take(Command command);
   bool read(const std::string& typed, int width, int height);
+  /// Selects the next object that the search finds, or the one before, or all.
+  void select_found(char key);
   void hover();
 
   const Pack& pack_;
   Tour& tour_;
+  const ModelSystem system_;
   Measuring measuring_;
   std::optional<Search> search_;
   std::optional<SelectionOutline> outline_;
-  std::optional<Selection> outlined_;  ///< what that is of
+  std::vector<Selection> outlined_;  ///< what that is of
   CursorPlace cursor_;
-  bool changed_ = false;
+  bool changed_ = false, helps_ = false;
 };
 
 }  // namespace triptych

@@ -30,7 +30,7 @@ std::optional<Command> command_of(int key, int modifiers) {
     case GLFW_KEY_U:
       return Command::show_all;
     case GLFW_KEY_Z:
-      return (modifiers & GLFW_MOD_CONTROL) != 0 ? Command::undo_hiding : Command::flip_section;
+      return Command::flip_section;
     case GLFW_KEY_HOME:
       return Command::home;
     case GLFW_KEY_BACKSPACE:
@@ -96,8 +96,12 @@ std::optional<Command> command_of(int key, int modifiers) {
   }
 }
 
-std::optional<Command> control_command_of(int key) {
+std::optional<Command> control_command_of(int key, int modifiers) {
   switch (key) {
+    case GLFW_KEY_Z:
+      return (modifiers & GLFW_MOD_SHIFT) != 0 ? Command::redo : Command::undo;
+    case GLFW_KEY_Y:
+      return Command::redo;
     case GLFW_KEY_F:
       return Command::search;
     case GLFW_KEY_C:

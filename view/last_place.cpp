@@ -63,17 +63,47 @@ ObjectSet objects_of_runs(const nlohmann::json& runs, const std::string& place) 
   return objects;
 }
 
+nlohmann::json to_json(const Picked& picked) {
+  return {picked.drawable, picked.placement, picked.triangle, numbers(picked.point), numbers(picked.normal)};
+}
+
+Picked picked_of(const nlohmann::json& json) {
+  return {json.at(0).get<DrawableId>(), json.at(1).get<uint32_t>(), json.at(2).get<uint32_t>(),
+          vector_of(json.at(3), 0), vector_of(json.at(4), 0)};
+}
+
+nlohmann::json to_json(const Measured& measured) {
+  nlohmann::json json = {
+      {"points", nlohmann::json::array()}, {"closed", measured.closed}, {"to_face", nullptr}};
+  for (const glm::dvec3& point : measured.points) json["points"].push_back(numbers(point));
+  if (measured.to_face) json["to_face"] = *measured.to_face;
+  return json;
+}
+
+Measured measured_of(const nlohmann::json& json, const std::string& place) {
+  Measured measured;
+  for (const nlohmann::json& point : json.at("points")) measured.points.push_back(vector_of(point, 0));
+  measured.closed = json.at("closed").get<bool>();
+  if (measured.closed && measured.points.size() < 3)
+    fail(place, "\"measured\" has a polygon of fewer than three points");
+  if (!json.at("to_face").is_null()) measured.to_face = json["to_face"].get<double>();
+  return measured;
+}
+
 }  // namespace
 
 std::string last_place_text(const LastPlace& place) {
-  const nlohmann::json json = {{"camera", path_text({{place.camera}})},
-                               {"pace", place.pace},
-                               {"pixel_error", place.pixel_error},
-                               {"edges", place.edges},
-                               {"culling", place.culling},
-                               {"selected", place.selected},
-                               {"section", to_json(place.section)},
-                               {"hidden", runs_of(place.hidden)}};
+  nlohmann::json json = {{"camera", path_text({{place.camera}})},
+                         {"pace", place.pace},
+                         {"pixel_error", place.pixel_error},
+                         {"edges", place.edges},
+                         {"culling", place.culling},
+                         {"selected", place.selected},
+                         {"section", to_json(place.section)},
+                         {"hidden", runs_of(place.hidden)}};
+  for (const char* list : {"picked", "measured"}) json[list] = nlohmann::json::array();
+  for (const Picked& picked : place.picked) json["picked"].push_back(to_json(picked));
+  for (const Measured& measured : place.measured) json["measured"].push_back(to_json(measured));
   return json.dump() + "\n";
 }
 
@@ -86,7 +116,10 @@ LastPlace parse_last_place(const std::string& text, const std::string& place) {
     last.pixel_error = json.at("pixel_error").get<double>();
     last.edges = json.at("edges").get<bool>();
     last.culling = json.at("culling").get<bool>();
-    last.selected = json.at("selected").get<SourceObjectId>();
+    last.selected = json.at("selected").get<std::vector<SourceObjectId>>();
+    for (const nlohmann::json& picked : json.at("picked")) last.picked.push_back(picked_of(picked));
+    for (const nlohmann::json& measured : json.at("measured"))
+      last.measured.push_back(measured_of(measured, place));
     last.section = section_of(json.at("section"), place);
     last.hidden = objects_of_runs(json.at("hidden"), place);
     if (!(last.pace > 0 && std::isfinite(last.pace))) fail(place, "\"pace\" must be positive");

@@ -6,10 +6,13 @@
 #include "scene/path.hpp"
 #include "scene/section.hpp"
 #include "scene/source_objects.hpp"
+#include "view/measurement.hpp"
+#include "view/picker.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace triptych {
 
@@ -18,9 +21,11 @@ struct LastPlace {
   double pace = 1;  ///< Walker::pace()
   double pixel_error = 1;
   bool edges = false, culling = true;
-  SourceObjectId selected = no_id;
+  std::vector<SourceObjectId> selected = {};
+  std::vector<Picked> picked = {};  ///< what is selected of no object
   Section section = {};
   ObjectSet hidden = {};
+  std::vector<Measured> measured = {};  ///< Measuring::all()
 };
 
 std::string last_place_text(const LastPlace& place);

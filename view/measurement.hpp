@@ -2,8 +2,10 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace triptych {
 
@@ -21,6 +23,15 @@ PolygonSize polygon_size(std::span<const glm::dvec3> corners);
 
 /// The length of a line from corner to corner.
 double path_length(std::span<const glm::dvec3> corners);
+
+/// What a person has measured so far: places one after the other, model space.
+struct Measured {
+  std::vector<glm::dvec3> points;
+  bool closed = false;  ///< a polygon, of at least three points
+  /// From the point before the last to the plane of the face that the last one lies on, model units.
+  std::optional<double> to_face = {};
+  bool operator==(const Measured&) const = default;
+};
 
 /// A number of a length, area or coordinate for people: to a thousandth, with less for large ones, and in
 /// powers of ten where it is small or huge.

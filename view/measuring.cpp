@@ -1,7 +1,5 @@
 #include "view/measuring.hpp"
 
-#include "view/measurement.hpp"
-
 #include <cmath>
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -19,6 +17,21 @@ void Measuring::end() {
   made_ = {};
   under_.reset();
   earlier_.clear();
+}
+
+std::vector<Measured> Measuring::all() const {
+  std::vector<Measured> all = earlier_;
+  if (active_) all.push_back(made_);
+  return all;
+}
+
+void Measuring::go_on(std::vector<Measured> measured) {
+  end();
+  if (measured.empty()) return;
+  active_ = true;
+  made_ = std::move(measured.back());
+  measured.pop_back();
+  earlier_ = std::move(measured);
 }
 
 bool Measuring::hover(std::optional<Snap> snap) {
@@ -82,7 +95,7 @@ std::string Measuring::way_text(const glm::dvec3& from, const glm::dvec3& to) co
   return fmt::format("dx {}, dy {}, dz {}", number_text(own.x), number_text(own.y), number_text(own.z));
 }
 
-std::vector<std::string> Measuring::results(const Made& made) const {
+std::vector<std::string> Measuring::results(const Measured& made) const {
   std::vector<std::string> lines;
   const std::vector<glm::dvec3>& points = made.points;
   if (points.size() < 2) return lines;
@@ -114,44 +127,42 @@ std::string Measuring::title() const {
                      system_.unit);
 }
 
-void Measuring::draw(const Made& made, Overlay& overlay) const {
+void Measuring::draw(const Measured& made, Overlay& overlay) const {
   const std::vector<glm::dvec3>& points = made.points;
-  for (size_t i = 0; i < points.size(); ++i) {
-    overlay.square(points[i], measure_color);
-    if (i + 1 == points.size() && !made.closed) continue;
-    const glm::dvec3& next = points[(i + 1) % points.size()];
-    overlay.line(points[i], next, measure_color);
-    overlay.words((points[i] + next) * 0.5, length_text(glm::distance(points[i], next)), measure_color);
-  }
   const size_t count = points.size();
+  for (size_t i = 0; i < count; ++i) {
+    overlay.square(points[i], measure_color);
+    if (i + 1 == count && !made.closed) continue;
+    const glm::dvec3& next = points[(i + 1) % count];
+    overlay.line(points[i], next, measure_color);
+    std::vector<Words> words = {{length_text(glm::distance(points[i], next)), measure_color}};
+    if (!made.closed && i + 2 == count) {
+      words.push_back({way_text(points[i], next)});
+      if (made.to_face) words.push_back({fmt::format("{} to the face", length_text(*made.to_face))});
+    }
+    overlay.label((points[i] + next) * 0.5, std::move(words));
+  }
   for (size_t i = made.closed ? 0 : 1; i + (made.closed ? 0 : 1) < count; ++i) {
     const double degrees = angle_degrees(points[(i + count - 1) % count], points[i], points[(i + 1) % count]);
-    overlay.words(points[i], fmt::format("{:.2f}°", degrees), word_color, -1);
+    overlay.label(points[i], {{fmt::format("{:.2f}°", degrees)}});
   }
-  if (made.closed) {
-    glm::dvec3 middle(0);
-    for (const glm::dvec3& point : points) middle += (point - points[0]) / static_cast<double>(count);
-    int line = 0;
-    for (const std::string& result : results(made))
-      overlay.words(points[0] + middle, result, word_color, line++);
-  } else if (count >= 2) {
-    const glm::dvec3 &last = points.back(), &before = points[count - 2];
-    overlay.words((before + last) * 0.5, way_text(before, last), word_color, 1);
-    if (made.to_face)
-      overlay.words((before + last) * 0.5, fmt::format("{} to the face", length_text(*made.to_face)),
-                    word_color, 2);
-  }
+  if (!made.closed) return;
+  glm::dvec3 middle(0);
+  for (const glm::dvec3& point : points) middle += (point - points[0]) / static_cast<double>(count);
+  std::vector<Words> words;
+  for (const std::string& result : results(made)) words.push_back({result});
+  overlay.label(points[0] + middle, std::move(words));
 }
 
 void Measuring::draw(Overlay& overlay) const {
-  for (const Made& made : earlier_) draw(made, overlay);
+  for (const Measured& made : earlier_) draw(made, overlay);
   draw(made_, overlay);
   if (!active_ || !under_) return;
   if (!made_.points.empty() && !made_.closed) {
     const glm::dvec3& last = made_.points.back();
     overlay.line(last, under_->point, snap_color);
     if (under_->point != last)
-      overlay.words(under_->point, length_text(glm::distance(last, under_->point)), snap_color);
+      overlay.label(under_->point, {{length_text(glm::distance(last, under_->point)), snap_color}});
   }
   if (under_->kind == SnapKind::edge) overlay.line(under_->from, under_->to, snap_color);
   if (under_->kind == SnapKind::vertex) overlay.square(under_->point, snap_color);

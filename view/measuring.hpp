@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/model_system.hpp"
+#include "view/measurement.hpp"
 #include "view/overlay.hpp"
 #include "view/snap.hpp"
 
@@ -20,6 +21,10 @@ class Measuring {
   void begin();
   /// All measurements are gone.
   void end();
+  /// All of them, and the one that is being made last.
+  std::vector<Measured> all() const;
+  /// As if these had been made, and the last one were being made.
+  void go_on(std::vector<Measured> measured);
   /// What is under the cursor; the measurement goes on to there. True where that is another place.
   bool hover(std::optional<Snap> snap);
   /// Places the point under the cursor. On the first of three points or more it closes their polygon, and
@@ -37,25 +42,19 @@ class Measuring {
   const std::vector<glm::dvec3>& points() const { return made_.points; }
 
  private:
-  struct Made {
-    std::vector<glm::dvec3> points;  ///< model space
-    bool closed = false;
-    /// From the point before the last to the plane of the face that the last one lies on, model units.
-    std::optional<double> to_face;
-  };
   std::string length_text(double model) const;
   std::string area_text(double model) const;
   std::string place_text(const glm::dvec3& model) const;
   std::string way_text(const glm::dvec3& from, const glm::dvec3& to) const;
   /// What it comes to, a line each.
-  std::vector<std::string> results(const Made& made) const;
-  void draw(const Made& made, Overlay& overlay) const;
+  std::vector<std::string> results(const Measured& made) const;
+  void draw(const Measured& made, Overlay& overlay) const;
 
   ModelSystem system_;
   bool active_ = false;
   std::optional<Snap> under_;
-  Made made_;
-  std::vector<Made> earlier_;
+  Measured made_;
+  std::vector<Measured> earlier_;
 };
 
 }  // namespace triptych

@@ -1,5 +1,7 @@
 #include "view/outline.hpp"
 
+#include "scene/hidden_objects.hpp"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -10,6 +12,11 @@ namespace {
 constexpr double crease = 0.34;        // the sine of 20 degrees
 constexpr double least_turn = 1e-4;    // of what may be seen from the side
 constexpr size_t most_lines = 12'000;  // more would hide what they outline
+
+bool is_hidden(const FrameState& frame, SourceObjectId object) {
+  const HiddenObjects* const hidden = frame.hiding.objects.get();
+  return hidden && std::ranges::binary_search(hidden->objects(), object);
+}
 
 /// False where that makes more than there may be.
 bool add_placement(const Skeleton& skeleton, ChunkShelf& chunks, DrawableId drawable, uint32_t placement,
@@ -56,26 +63,35 @@ std::vector<NearFacet> facets_of(const Skeleton& skeleton, ChunkShelf& chunks, S
 }  // namespace
 
 SelectionOutline::SelectionOutline(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
-                                   const Selection& selection)
-    : box_(selection.box),
-      edges_(feature_edges(facets_of(skeleton, chunks, selector, selection), skeleton.lattice().step / 2,
-                           least_turn)) {
-  const auto creases = std::count_if(edges_.begin(), edges_.end(),
-                                     [](const FeatureEdge& edge) { return edge.turn >= crease; });
-  if (static_cast<size_t>(creases) > most_lines) edges_.clear();
+                                   const std::vector<Selection>& selected) {
+  uint64_t triangles = 0;
+  size_t creases = 0;
+  for (const Selection& selection : selected) {
+    Piece& piece = pieces_.emplace_back(Piece{selection.object, selection.box, {}});
+    triangles += selection.triangles;
+    if (triangles > most_triangles || creases > most_lines) continue;
+    piece.edges = feature_edges(facets_of(skeleton, chunks, selector, selection), skeleton.lattice().step / 2,
+                                least_turn);
+    creases += static_cast<size_t>(std::count_if(
+        piece.edges.begin(), piece.edges.end(), [](const FeatureEdge& edge) { return edge.turn >= crease; }));
+    if (creases > most_lines) piece.edges.clear();
+  }
 }
 
-void SelectionOutline::draw(Overlay& overlay, const View& view) const {
-  if (edges_.empty() && !box_.empty()) return overlay.box(box_, selection_color);
-  const glm::dvec3 eye = view.camera.eye, sight = view.camera.target - eye;
-  const bool orthographic = view.camera.orthographic();
+void SelectionOutline::draw(Overlay& overlay, const FrameState& frame) const {
+  const Camera& camera = frame.view.camera;
+  const glm::dvec3 eye = camera.eye, sight = camera.target - eye;
   size_t lines = 0;
-  for (const FeatureEdge& edge : edges_) {
-    const glm::dvec3 way = orthographic ? sight : edge.from - eye;
-    const bool turns_away = (glm::dot(edge.normals[0], way) < 0) != (glm::dot(edge.normals[1], way) < 0);
-    if (edge.turn < crease && !turns_away) continue;
-    if (++lines > most_lines) break;
-    overlay.thin_line(edge.from, edge.to, selection_color);
+  for (const Piece& piece : pieces_) {
+    if (is_hidden(frame, piece.object)) continue;
+    if (piece.edges.empty() && !piece.box.empty()) overlay.box(piece.box, selection_color);
+    for (const FeatureEdge& edge : piece.edges) {
+      const glm::dvec3 way = camera.orthographic() ? sight : edge.from - eye;
+      const bool turns_away = (glm::dot(edge.normals[0], way) < 0) != (glm::dot(edge.normals[1], way) < 0);
+      if (edge.turn < crease && !turns_away) continue;
+      if (++lines > most_lines) return;
+      overlay.thin_line(edge.from, edge.to, selection_color);
+    }
   }
 }
 

@@ -11,19 +11,25 @@ namespace triptych {
 
 class SelectionOutline {
  public:
-  /// Of what is selected at full detail: its creases, and where it turns away from the eye. Of more than
-  /// `most_triangles`, or of what is only known as an inner scene node, the box. Error for a damaged chunk.
+  /// Of what is selected at full detail: its creases, and where it turns away from the eye. Of what has more
+  /// than `most_triangles`, of the rest where all of it has so many, and of what is only known as an inner
+  /// scene node, the boxes. Error for a damaged chunk.
   SelectionOutline(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
-                   const Selection& selection);
+                   const std::vector<Selection>& selected);
 
-  void draw(Overlay& overlay, const View& view) const;
-  size_t edge_count() const { return edges_.size(); }
+  /// Without what the frame hides: that would be around nothing.
+  void draw(Overlay& overlay, const FrameState& frame) const;
 
   static constexpr size_t most_triangles = 200'000;
 
  private:
-  Box box_;
-  std::vector<FeatureEdge> edges_;
+  /// Of one that is selected.
+  struct Piece {
+    SourceObjectId object = no_id;
+    Box box;
+    std::vector<FeatureEdge> edges;  ///< none where the box is drawn
+  };
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace triptych

@@ -5,20 +5,45 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace triptych {
 
 namespace {
+
 constexpr glm::vec4 dark(0.05f, 0.05f, 0.08f, 1);
+/// In units of the font: around words, from line to line, and from a mark to its words.
+constexpr double margin = 3, line_pitch = font_height + 2, label_gap = 7;
+
+/// Letters are 6 units wide and 10 high: 12 pixels and 20 in a window 1,080 pixels high.
+double unit_of(int height, double content_scale) {
+  const double halves = std::round(2 * std::max(0.5 + height / 640.0, content_scale));
+  return std::clamp(halves / 2, 1.0, 8.0);
+}
+
+/// What of a text fits into so many units.
+std::string fitted(const std::string& text, double width) {
+  if (text_width(text) <= width) return text;
+  std::string part = text;
+  do {
+    while (!part.empty() && (static_cast<unsigned char>(part.back()) & 0xc0) == 0x80) part.pop_back();
+    if (!part.empty()) part.pop_back();
+  } while (!part.empty() && text_width(part + "...") > width);
+  return part + "...";
+}
+
 }  // namespace
 
-Overlay::Overlay(const View& view)
-    : space_(view), unit_(std::clamp(std::round(view.height / 450.0), 1.0, 4.0)), thin_(view), solid_(view) {}
+Overlay::Overlay(const View& view, double content_scale)
+    : space_(view),
+      picture_(view.width, view.height),
+      unit_(unit_of(view.height, content_scale)),
+      thin_(view),
+      solid_(view) {}
 
 void Overlay::rim(const ScreenLine& line) {
-  const View& view = space_.view();
   for (const auto& [right, up] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-    const glm::vec4 shift(2.0 * right / view.width, 2.0 * up / view.height, 0, 0);
+    const glm::vec4 shift(2.0 * right / picture_.x, 2.0 * up / picture_.y, 0, 0);
     rims_.push_back({line.from + shift * line.from.w, line.to + shift * line.to.w, dark});
   }
 }
@@ -40,12 +65,15 @@ std::optional<glm::dvec2> Overlay::pixel(const glm::dvec3& at) const {
   return space_.pixel(eye);
 }
 
-void Overlay::stroke(const glm::dvec2& from, const glm::dvec2& to, const glm::vec4& color) {
-  const View& view = space_.view();
+ScreenLine Overlay::flat_line(const glm::dvec2& from, const glm::dvec2& to, const glm::vec4& color) const {
   const auto end = [&](const glm::dvec2& pixel) {
-    return glm::vec4(2 * pixel.x / view.width - 1, 1 - 2 * pixel.y / view.height, 0.5, 1);
+    return glm::vec4(2 * pixel.x / picture_.x - 1, 1 - 2 * pixel.y / picture_.y, 0.5, 1);
   };
-  strokes_.push_back({end(from), end(to), color});
+  return {end(from), end(to), color};
+}
+
+void Overlay::stroke(const glm::dvec2& from, const glm::dvec2& to, const glm::vec4& color) {
+  strokes_.push_back(flat_line(from, to, color));
   rim(strokes_.back());
 }
 
@@ -73,24 +101,69 @@ void Overlay::diamond(const glm::dvec3& at, const glm::vec4& color) {
   mark(at, corners, color);
 }
 
-void Overlay::put_words(const glm::dvec2& at, std::string_view text, const glm::vec4& color) {
-  for (const auto& [from, to] : strokes_of(text)) {
-    const auto place = [&](const glm::dvec2& grid) {
-      return at + unit_ * glm::dvec2(grid.x, font_base - grid.y);
-    };
-    stroke(place(from), place(to), color);
+void Overlay::label(const glm::dvec3& at, std::vector<Words> words) {
+  const auto place = pixel(at);
+  if (!place || words.empty()) return;
+  if (!(place->x >= 0 && place->y >= 0 && place->x <= picture_.x && place->y <= picture_.y)) return;
+  labels_.push_back({*place, std::move(words)});
+}
+
+void Overlay::panel(Corner corner, const std::vector<Words>& words) {
+  std::vector<Words> shown = words;
+  const double edge = std::round(2 * unit_);
+  for (Words& line : shown) line.text = fitted(line.text, (picture_.x - 2 * edge) / unit_ - 2 * margin);
+  const glm::dvec2 size = size_of(shown, unit_);
+  const double top = corner == Corner::upper_left ? edge : picture_.y - edge - size.y;
+  const ScreenBox box{{edge, top}, {edge + size.x, top + size.y}};
+  panels_.push_back(box);
+  write(box, shown, unit_, panel_lines_);
+}
+
+void Overlay::page(const std::vector<Words>& words) {
+  const glm::dvec2 room = picture_ / size_of(words, 1);
+  const double fits = std::floor(4 * std::min({unit_, room.x, room.y})) / 4;
+  const double unit = std::max(fits, 0.75);
+  const ScreenBox box{glm::dvec2(0), size_of(words, unit)};
+  panels_.push_back(box);
+  write(box, words, unit, panel_lines_);
+}
+
+glm::dvec2 Overlay::size_of(const std::vector<Words>& words, double unit) const {
+  double width = 0;
+  for (const Words& line : words) width = std::max(width, text_width(line.text));
+  const double height = line_pitch * static_cast<double>(words.size());
+  return glm::ceil(unit * glm::dvec2(width + 2 * margin, height + 2 * margin - 2));
+}
+
+void Overlay::write(const ScreenBox& box, const std::vector<Words>& words, double unit,
+                    std::vector<ScreenLine>& lines) const {
+  for (double y = std::floor(box.lo.y); y < box.hi.y; ++y)
+    lines.push_back(flat_line({box.lo.x, y + 0.5}, {box.hi.x, y + 0.5}, dark));
+  // Strokes as wide as they are thick in the font, a square of pixels at each of their places.
+  const auto pen = std::max(1, static_cast<int>(std::floor(unit / 1.5 + 0.25)));
+  for (size_t i = 0; i < words.size(); ++i) {
+    const glm::dvec2 corner =
+        glm::round(box.lo + unit * glm::dvec2(margin, margin + line_pitch * static_cast<double>(i))) + 0.5;
+    for (const auto& [from, to] : strokes_of(words[i].text)) {
+      const auto place = [&](const glm::dvec2& grid) {
+        return corner + unit * glm::dvec2(grid.x, font_height - 1 - grid.y);
+      };
+      for (int k = 0; k < pen * pen; ++k) {
+        const glm::dvec2 shift(k % pen, k / pen);
+        lines.push_back(flat_line(place(from) + shift, place(to) + shift, words[i].color));
+      }
+    }
   }
 }
 
-void Overlay::words(const glm::dvec3& at, std::string_view text, const glm::vec4& color, int lines_below) {
-  const auto place = pixel(at);
-  if (!place) return;
-  put_words(glm::round(*place + unit_ * glm::dvec2(8, -6 + (font_height + 1) * lines_below)) + 0.5, text,
-            color);
-}
-
-void Overlay::banner(std::string_view text, const glm::vec4& color, int line) {
-  put_words(unit_ * glm::dvec2(6, 12 + (font_height + 3) * line) + 0.5, text, color);
+std::vector<ScreenBox> Overlay::label_places() const {
+  LabelLayout layout(picture_, label_gap * unit_);
+  for (const ScreenBox& panel : panels_) layout.take(panel);
+  std::vector<ScreenBox> places;
+  places.reserve(labels_.size());
+  for (const Label& label : labels_)
+    places.push_back(layout.place(label.anchor, size_of(label.words, unit_)));
+  return places;
 }
 
 std::vector<ScreenLine> Overlay::lines() const {
@@ -98,6 +171,15 @@ std::vector<ScreenLine> Overlay::lines() const {
   all.insert(all.end(), rims_.begin(), rims_.end());
   all.insert(all.end(), solid_.lines().begin(), solid_.lines().end());
   all.insert(all.end(), strokes_.begin(), strokes_.end());
+  const std::vector<ScreenBox> places = label_places();
+  for (size_t i = 0; i < labels_.size(); ++i) {
+    const glm::dvec2 nearest = glm::clamp(labels_[i].anchor, places[i].lo, places[i].hi);
+    const glm::dvec2 way = nearest - labels_[i].anchor;
+    if (std::max(std::abs(way.x), std::abs(way.y)) > 2 * label_gap * unit_)
+      all.push_back(flat_line(labels_[i].anchor, nearest, labels_[i].words.front().color));
+  }
+  for (size_t i = 0; i < labels_.size(); ++i) write(places[i], labels_[i].words, unit_, all);
+  all.insert(all.end(), panel_lines_.begin(), panel_lines_.end());
   return all;
 }
 

@@ -54,21 +54,26 @@ std::string Search::title() const {
   return fmt::format("search {}: {} of {} objects", in_one_cell(word_, 40), *at_ + 1, found_.size());
 }
 
-void Search::draw(Overlay& overlay) const {
+std::vector<Words> Search::words() const {
   constexpr size_t most_names = 8;
-  overlay.banner("find: " + word_ + "_", word_color);
-  if (objects_.source().empty()) return overlay.banner("the model's files name no objects", word_color, 1);
-  if (word_.empty())
-    return overlay.banner("a word of a name, kind, layer, storey, GUID, property", word_color, 1);
-  overlay.banner(at_ ? fmt::format("{} of {} objects", *at_ + 1, found_.size())
-                     : fmt::format("{} objects", found_.size()),
-                 word_color, 1);
+  std::vector<Words> words = {{"find: " + word_ + "_"}};
+  if (objects_.source().empty()) {
+    words.push_back({"the model's files name no objects"});
+    return words;
+  }
+  if (word_.empty()) {
+    words.push_back({"a word of a name, kind, layer, storey, GUID, property"});
+    return words;
+  }
+  words.push_back({at_ ? fmt::format("{} of {} objects", *at_ + 1, found_.size())
+                       : fmt::format("{} objects", found_.size())});
   const size_t first = at_ && *at_ >= most_names / 2 ? *at_ - most_names / 2 : 0;
   for (size_t i = first; i < std::min(found_.size(), first + most_names); ++i) {
     const bool here = at_ && *at_ == i;
-    overlay.banner((here ? "> " : "  ") + name_of(found_[i]), here ? selection_color : word_color,
-                   static_cast<int>(2 + i - first));
+    words.push_back({(here ? "> " : "  ") + name_of(found_[i]), here ? selection_color : word_color});
   }
+  if (!found_.empty()) words.push_back({"Enter: next  Shift+Enter: back  Ctrl+Enter: select all"});
+  return words;
 }
 
 }  // namespace triptych

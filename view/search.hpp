@@ -27,7 +27,8 @@ class Search {
   const std::vector<SourceObjectId>& found() const { return found_; }
   /// "WORD: 3 of 12 objects: NAME".
   std::string title() const;
-  void draw(Overlay& overlay) const;
+  /// What there is to show of it, line by line.
+  std::vector<Words> words() const;
 
  private:
   void find();

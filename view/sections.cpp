@@ -12,7 +12,7 @@ namespace {
 
 /// Normals that are this near to an axis are meant to be along it: the cosine of five degrees.
 constexpr double along_axis_cosine = 0.9962;
-constexpr double step_share = 1.0 / 50, least_step = 1.0 / 5000;
+constexpr double step_share = 1.0 / 50, least_step = 1.0 / 5000, box_margin = 0.01;
 const std::string place = "section";
 
 glm::dvec3 straightened(const glm::dvec3& normal) {
@@ -27,7 +27,7 @@ glm::dvec3 straightened(const glm::dvec3& normal) {
 
 }  // namespace
 
-bool Sections::is_one(Command command) {
+bool Sections::takes(Command command) {
   return command == Command::begin_section || command == Command::flip_section ||
          command == Command::delete_section || command == Command::push_section ||
          command == Command::pull_section || command == Command::toggle_section_box;
@@ -36,10 +36,7 @@ bool Sections::is_one(Command command) {
 std::string Sections::take(Command command, const Scene& scene) {
   const std::span<const SectionPlane> planes = section_.planes();
   if (command == Command::toggle_section_box) {
-    if (section_.box())
-      section_.remove_box();
-    else
-      section_.set_box(scene.box, place);
+    toggle_box(scene);
     return {};
   }
   if (command == Command::begin_section) {
@@ -47,6 +44,14 @@ std::string Sections::take(Command command, const Scene& scene) {
       return fmt::format("there are {} planes already", planes.size());
     return scene.under_cursor ? begin(*scene.under_cursor, scene.eye)
                               : "there is nothing under the cursor to cut at";
+  }
+  if (planes.empty() && section_.box() && command != Command::flip_section) {
+    if (command == Command::delete_section) {
+      section_.remove_box();
+    } else {
+      shrink_box(command == Command::push_section ? 1 : -1);
+    }
+    return {};
   }
   if (planes.empty()) return "there is no section plane; X begins one under the cursor";
   const SectionPlane last = planes.back();
@@ -62,6 +67,29 @@ std::string Sections::take(Command command, const Scene& scene) {
   return {};
 }
 
+void Sections::begin_at(const Section& section) {
+  section_ = section;
+  hand_.reset();
+}
+
+/// A little larger than what is in it, so that its faces do not lie in the sides. What is selected since the
+/// box was set gets a new one.
+void Sections::toggle_box(const Scene& scene) {
+  const glm::dvec3 more((scene.box.hi - scene.box.lo) * box_margin + least_step * size_);
+  const Box around{scene.box.lo - more, scene.box.hi + more};
+  if (section_.box() && (!scene.is_selected || section_.box() == around)) {
+    section_.remove_box();
+  } else {
+    section_.set_box(around, place);
+  }
+}
+
+void Sections::shrink_box(double steps) {
+  const glm::dvec3 middle = (section_.box()->lo + section_.box()->hi) * 0.5;
+  const glm::dvec3 half = (section_.box()->hi - middle) * std::pow(1 - step_share, steps);
+  section_.set_box({middle - half, middle + half}, place);
+}
+
 /// What the surface hides is kept: the plane is pushed into it from there.
 std::string Sections::begin(const Picked& under, const glm::dvec3& eye) {
   const glm::dvec3 normal = glm::dvec3(0) - straightened(under.normal);
@@ -71,7 +99,10 @@ std::string Sections::begin(const Picked& under, const glm::dvec3& eye) {
 }
 
 void Sections::move(double steps, const glm::dvec3& eye) {
-  if (section_.planes().empty()) return;
+  if (section_.planes().empty()) {
+    if (section_.box()) shrink_box(steps);
+    return;
+  }
   const SectionPlane last = section_.planes().back();
   if (!hand_) hand_ = hand(eye - last.distance(eye) * last.normal, eye);
   hand_->steps += steps;

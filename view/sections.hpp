@@ -10,7 +10,8 @@
 
 namespace triptych {
 
-/// The section of a view, changed by keys and wheel. Of several planes the last one is in hand.
+/// The section of a view, changed by keys and wheel. Of several planes the last one is in hand, and without
+/// planes the box is.
 class Sections {
  public:
   /// size: of the model, its diagonal.
@@ -22,14 +23,18 @@ class Sections {
   struct Scene {
     glm::dvec3 eye;
     std::optional<Picked> under_cursor;
-    Box box;  ///< of what is selected, or of the model
+    Box box;                   ///< of what is selected, or of the model
+    bool is_selected = false;  ///< whether it is of what is selected
   };
-  static bool is_one(Command command);
+  static bool takes(Command command);
   /// What there is to say of it; empty: nothing.
   std::string take(Command command, const Scene& scene);
   /// Moves the plane in hand so many steps towards what it keeps: each a fiftieth of its distance from the
-  /// eye, which is measured where it was begun, or a 5,000th of the model's size if that is more.
+  /// eye, which is measured where it was begun, or a 5,000th of the model's size if that is more. Without
+  /// planes a box gets smaller, by a fiftieth of its sides a step.
   void move(double steps, const glm::dvec3& eye);
+  /// As if that had been cut away at first.
+  void begin_at(const Section& section);
 
   /// "cut by 2 planes and a box", for a title; empty where nothing is cut.
   std::string words() const;
@@ -43,6 +48,8 @@ class Sections {
   };
   Hand hand(const glm::dvec3& at, const glm::dvec3& eye) const;
   void replace_last(const SectionPlane& plane);
+  void toggle_box(const Scene& scene);
+  void shrink_box(double steps);
   std::string begin(const Picked& under, const glm::dvec3& eye);
 
   Section section_;

@@ -1,12 +1,22 @@
 #include "view/selection.hpp"
 
 #include "lod/frame_view.hpp"
+#include "scene/finest_boxes.hpp"
 #include "scene/object_text.hpp"
 
 #include <cmath>
 #include <fmt/core.h>
 
 namespace triptych {
+
+bool same_thing(const Selection& a, const Selection& b) {
+  if (a.object != b.object) return false;
+  if (a.object != no_id) return true;
+  const auto place = [](const Selection& s) {
+    return s.picked ? std::pair(s.picked->drawable, s.picked->placement) : std::pair(no_id, 0u);
+  };
+  return place(a) == place(b);
+}
 
 const PackObjects& Selector::objects() {
   if (!objects_) objects_.emplace(pack_.read_objects());
@@ -27,6 +37,14 @@ std::vector<SourceObjectId> Selector::parts_of(SourceObjectId object) {
   return parts;
 }
 
+void Selector::add_placement(SceneNodeId leaf, uint32_t placement, Selection& selection) const {
+  const Skeleton& skeleton = pack_.skeleton();
+  const Drawable& finest = skeleton.drawables[skeleton.scene_nodes[leaf].first_drawable];
+  selection.box.extend(placement_box(skeleton, leaf, placement));
+  selection.triangles +=
+      skeleton.chunks[skeleton.placements[finest.first_placement + placement].chunk].triangle_count;
+}
+
 void Selector::add_object(SourceObjectId object, Selection& selection) {
   selection.object = object;
   selection.text += object_text(objects(), object);
@@ -37,13 +55,20 @@ void Selector::add_object(SourceObjectId object, Selection& selection) {
     selection.name = in_one_cell(source.texts[text], 60);
     break;
   }
-  const Skeleton& skeleton = pack_.skeleton();
-  Box box;
+  selection.box = {};
+  selection.triangles = 0;
   for (const SourceObjectId part : parts_of(object)) {
-    for (const SceneNodeId leaf : objects().nodes_of(part))
-      box.extend(skeleton.lattice().box(skeleton.scene_nodes[leaf].box));
+    for (const SceneNodeId leaf : objects().nodes_of(part)) {
+      const LeafRuns of_leaf = objects().stored_runs_of(leaf);
+      uint32_t placement = 0;
+      for (const ObjectRun& run : of_leaf.runs) {
+        const bool own = object_in(of_leaf.first_object, run.object) == part;
+        for (uint32_t i = 0; i < run.placements; ++i, ++placement) {
+          if (own) add_placement(leaf, placement, selection);
+        }
+      }
+    }
   }
-  selection.box = box;
 }
 
 Selection Selector::describe(SourceObjectId object) {
@@ -61,7 +86,13 @@ Selection Selector::describe(const Picked& picked, const FrameState& frame) {
   const double pixels = projected_error(view.focal_length, drawable.error, view.eye_space.bounds(node.box));
   Selection selection;
   selection.name = fmt::format("drawable {}", picked.drawable);
-  selection.box = skeleton.lattice().box(node.box);
+  if (node.child_count == 0) {
+    // All drawables of a leaf place the same parts in the same order.
+    add_placement(drawable.scene_node, picked.placement, selection);
+  } else {
+    selection.box = skeleton.lattice().box(node.box);
+    selection.triangles = skeleton.drawables[node.first_drawable].triangles;
+  }
   selection.text = fmt::format(
       "at {:.6g}, {:.6g}, {:.6g}: drawable {} of scene node {}, level {} of {} (0 is the finest), off by at "
       "most "

@@ -14,10 +14,14 @@ namespace triptych {
 struct Selection {
   std::string name;  ///< of the object, for a title; where the model names none, of the drawable
   std::string text;  ///< all that is known, in a few lines
-  Box box;           ///< of the object, or of the scene node, model space; empty where it shows nothing
+  Box box;           ///< of the object, or of the placement, model space; empty where it shows nothing
   SourceObjectId object = no_id;   ///< no_id where the model's files name none
   std::optional<Picked> picked{};  ///< where it was clicked on; nullopt where it was searched for
+  uint64_t triangles = 0;          ///< placed ones, at full detail
 };
+
+/// Whether both are of the same object, or of the same placement of the same drawable where there is none.
+bool same_thing(const Selection& a, const Selection& b);
 
 /// Reads the pack's objects when it is first asked. The pack must outlive it.
 class Selector {
@@ -33,6 +37,7 @@ class Selector {
 
  private:
   void add_object(SourceObjectId object, Selection& selection);
+  void add_placement(SceneNodeId leaf, uint32_t placement, Selection& selection) const;
 
   const Pack& pack_;
   std::optional<PackObjects> objects_;

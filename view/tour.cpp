@@ -56,7 +56,7 @@ void Tour::remember() {
 bool Tour::take(const Input& input, int width, int height) {
   bool moved = false;
   for (const Command command : input.commands) moved = take(command, width, height) || moved;
-  if (input.clicked) select(*input.clicked);
+  if (input.clicked) select(*input.clicked, input.click_adds);
   const auto began = [&](const Drag& drag, glm::dvec3& at) {
     if (drag.begins) at = point_under(*drag.begins);
     return drag.right != 0 || drag.down != 0;
@@ -74,7 +74,7 @@ bool Tour::take(const Input& input, int width, int height) {
 }
 
 Box Tour::subject() const {
-  if (selection_) return selection_->box;
+  if (const Box box = selected_.box(); !box.empty()) return box;
   const Skeleton& skeleton = pack_.skeleton();
   const Box shown = model_box(skeleton, frame_ ? frame_->hiding.objects.get() : nullptr);
   return shown.empty() ? model_box(skeleton) : shown;
@@ -123,12 +123,19 @@ bool Tour::take(Command command, int width, int height) {
   return true;
 }
 
-void Tour::select(const CursorPlace& place) {
-  selection_.reset();
+void Tour::select(const CursorPlace& place, bool adds) {
   const auto picked = under(place);
-  if (!picked) return;
-  selection_ = selector_.describe(*picked, *frame_);
-  say(selection_->text);
+  if (!picked) {
+    if (!adds) selected_.clear();
+    return;
+  }
+  Selection selection = selector_.describe(*picked, *frame_);
+  say(selection.text);
+  if (adds) {
+    selected_.toggle(std::move(selection));
+  } else {
+    selected_.set(std::move(selection));
+  }
 }
 
 PathFrame path_frame(const Camera& camera) {

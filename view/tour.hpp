@@ -3,7 +3,7 @@
 
 #include "base/clock.hpp"
 #include "scene/path.hpp"
-#include "view/selection.hpp"
+#include "view/selected.hpp"
 #include "view/window.hpp"
 
 #include <vector>
@@ -30,9 +30,9 @@ class Tour {
   }
 
   const Walker& walker() const { return walker_; }
-  /// What was clicked on last; nullopt where that was the background.
-  const std::optional<Selection>& selection() const { return selection_; }
-  void select(std::optional<Selection> selection) { selection_ = std::move(selection); }
+  /// What was clicked on or searched for.
+  const Selected& selected() const { return selected_; }
+  Selected& selected() { return selected_; }
   Selector& selector() { return selector_; }
   Picker& picker() { return picker_; }
   /// The last picture, and what it shows; null before the first.
@@ -46,7 +46,8 @@ class Tour {
  private:
   /// Where there is only background a place as far away as what was seen last.
   glm::dvec3 point_under(const CursorPlace& place);
-  void select(const CursorPlace& place);
+  /// Adds what is there to the selection, or takes it away; or selects that alone.
+  void select(const CursorPlace& place, bool adds);
   /// Keeps where the eye is, for Command::back, if it stood still there.
   void remember();
 
@@ -58,7 +59,7 @@ class Tour {
   std::optional<FrameState> frame_;
   VisibleSet visible_;
   glm::dvec3 orbit_at_{0}, pan_at_{0};
-  std::optional<Selection> selection_;
+  Selected selected_;
   Stopwatch since_move_, since_look_;
   bool looked_ = false;
 };

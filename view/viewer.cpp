@@ -26,43 +26,6 @@ Walker start(const Pack& pack, const ViewerOptions& options, double near) {
 
 }  // namespace
 
-std::string viewer_help() {
-  return "  W A S D or arrows   forward, left, back, right     mouse, left button held   look around\n"
-         "  E or space          up                             right button held         orbit what is under "
-         "it\n"
-         "  Q or left shift     down                           middle button held        pan\n"
-         "  + -                 faster, slower (Ctrl + wheel)  wheel                     zoom to the cursor\n"
-         "  F                   fit the selection, or all      left click                select: what is "
-         "it?\n"
-         "  1 3 7               from the front, right, top     5                         orthographic, "
-         "perspective\n"
-         "  Home, Backspace     the start, the place before    P                         play the path, "
-         "stop\n"
-         "  M, left clicks      measure; Backspace: a point    / or Ctrl+F               search: Enter, "
-         "Shift+Enter\n"
-         "                      back; Esc: all gone                                      go on, back; Esc "
-         "ends it\n"
-         "  C                   culling on, off                B                         bird's-eye view\n"
-         "  [ ]                 finer, coarser                 L                         edges as lines, "
-         "off\n"
-         "  F2                  save the picture               F3                        save and print the "
-         "camera\n"
-         "  H I                 hide, isolate the selection    Ctrl, Alt, both with H I  its layer, storey, "
-         "file\n"
-         "  U                   show all                       Ctrl+Z                    as it was before\n"
-         "  X                   cut at the surface under       Page Up, Page Down        move the cut on, "
-         "back (Alt "
-         "+ wheel)\n"
-         "                      the cursor, six times at most  Z, Delete                 flip it, take it "
-         "away\n"
-         "  K                   cut to the box of the selection, or of all; and no longer\n"
-         "  F4                  record the walk, stop          F5                        save a viewpoint "
-         "(BCF)\n"
-         "  Ctrl+C, Ctrl+V      copy the camera, take one\n"
-         "  F1                  this help                      Esc                       nothing selected, "
-         "leave\n";
-}
-
 Viewer::Viewer(const Pack& pack, ViewerOptions options)
     : pack_(pack),
       near_(pack.skeleton().default_near()),
@@ -70,8 +33,7 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
       window_(options_.window),
       tour_(pack, start(pack, options_, near_)),
       inquiry_(pack, tour_),
-      hider_(pack.skeleton(), options_.hiding),
-      sections_(options_.section, pack.skeleton().diagonal()),
+      edits_(pack.skeleton(), options_.hiding, options_.section),
       place_(options_.place) {
   if (options_.path) exact_ = options_.path->frames.front();
   select_first(options_.selected);
@@ -81,9 +43,26 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
 void Viewer::select_first(const std::vector<std::string>& guids) {
   if (guids.empty()) return;
   const auto objects = objects_of(tour_.selector().objects().source(), guids);
-  if (!objects.empty()) tour_.select(tour_.selector().describe(objects.front()));
-  if (objects.size() != 1 || guids.size() != 1)
-    notice("of {} selected objects the model has {}; the first is selected", guids.size(), objects.size());
+  std::vector<Selection> selected;
+  for (const SourceObjectId object : objects) selected.push_back(tour_.selector().describe(object));
+  tour_.selected().set(std::move(selected));
+  if (objects.size() < guids.size())
+    notice("of {} selected objects the model has {}", guids.size(), objects.size());
+}
+
+void Viewer::select_again(const LastPlace& place, const View& view) {
+  std::vector<Selection> selected;
+  const size_t count = tour_.selector().objects().source().objects.size();
+  for (const SourceObjectId object : place.selected) {
+    if (object < count) selected.push_back(tour_.selector().describe(object));
+  }
+  for (const Picked& picked : place.picked) {
+    const Skeleton& skeleton = pack_.skeleton();
+    const bool is_there = picked.drawable < skeleton.drawables.size() &&
+                          picked.placement < skeleton.drawables[picked.drawable].placement_count;
+    if (is_there) selected.push_back(tour_.selector().describe(picked, {view, options_.pixel_error}));
+  }
+  tour_.selected().set(std::move(selected));
 }
 
 void Viewer::begin_at(const LastPlace& place) {
@@ -95,18 +74,27 @@ void Viewer::begin_at(const LastPlace& place) {
   options_.culling = place.culling;
   options_.play = false;
   const PackObjects& objects = tour_.selector().objects();
-  hider_.begin_at(triptych::hide(pack_.skeleton(), objects, place.hidden, options_.place.string()));
-  sections_ = Sections(place.section, pack_.skeleton().diagonal());
-  if (place.selected < tour_.selector().objects().source().objects.size())
-    tour_.select(tour_.selector().describe(place.selected));
+  edits_.begin_at(triptych::hide(pack_.skeleton(), objects, place.hidden, options_.place.string()),
+                  place.section);
+  select_again(place, view);
+  inquiry_.measuring().go_on(place.measured);
 }
 
 void Viewer::keep_place() {
   if (!place_.wanted() || !shown_) return;
-  const auto& selection = tour_.selection();
-  place_.keep({camera(), tour_.walker().pace(), options_.pixel_error, options_.edges, options_.culling,
-               selection ? selection->object : no_id, sections_.section(),
-               hiding().objects ? hiding().objects->objects() : ObjectSet()});
+  LastPlace place{.camera = camera(),
+                  .pace = tour_.walker().pace(),
+                  .pixel_error = options_.pixel_error,
+                  .edges = options_.edges,
+                  .culling = options_.culling,
+                  .selected = tour_.selected().objects(),
+                  .section = edits_.section(),
+                  .hidden = hiding().objects ? hiding().objects->objects() : ObjectSet(),
+                  .measured = inquiry_.measuring().all()};
+  for (const Selection& selection : tour_.selected().all()) {
+    if (selection.object == no_id) place.picked.push_back(*selection.picked);
+  }
+  place_.keep(place);
 }
 
 Viewer::~Viewer() {
@@ -136,28 +124,26 @@ void Viewer::take(Input input) {
   const bool sought = inquiry_.take(input, window_.width(), window_.height());
   window_.read_text(inquiry_.reads_text());
   new_frame_ = new_frame_ || input.resized || input.damaged;
-  for (const Command command : input.commands) take(command);
-  cut(input);
+  for (const Command command : input.commands) {
+    if (!Edits::takes(command)) {
+      take(command);
+    } else {
+      saved_ = edits_.take(command, tour_, input.cursor);
+      new_frame_ = true;
+    }
+  }
+  if (input.section != 0) {
+    edits_.move(input.section, tour_.walker().eye());
+    new_frame_ = true;
+  }
   if (!tour_.take(input, window_.width(), window_.height()) && !sought) return;
   exact_.reset();
   options_.play = false;
   new_frame_ = true;
 }
 
-void Viewer::cut(const Input& input) {
-  for (const Command command : input.commands) {
-    if (!Sections::is_one(command)) continue;
-    Sections::Scene scene{.eye = tour_.walker().eye(), .under_cursor = std::nullopt, .box = tour_.subject()};
-    if (command == Command::begin_section) scene.under_cursor = tour_.under(input.cursor);
-    if (const std::string words = sections_.take(command, scene); !words.empty()) saved_ = words;
-  }
-  if (input.section == 0) return;
-  sections_.move(input.section, tour_.walker().eye());
-  new_frame_ = true;
-}
-
 void Viewer::take(Command command) {
-  new_frame_ = new_frame_ || (command != Command::help && command != Command::escape);
+  new_frame_ = new_frame_ || command != Command::escape;
   switch (command) {
     case Command::escape:
       left_ = true;
@@ -198,18 +184,9 @@ void Viewer::take(Command command) {
     case Command::coarser:
       options_.pixel_error = std::min(options_.pixel_error * 2, 256.0);
       break;
-    case Command::help:
-      say(viewer_help());
-      break;
-    default:  // the tour's, and those that hide
-      if (Hider::takes(command)) hide(command);
+    default:  // the tour's
       break;
   }
-}
-
-void Viewer::hide(Command command) {
-  const auto& selection = tour_.selection();
-  saved_ = hider_.take(command, tour_.selector().objects(), selection ? selection->object : no_id);
 }
 
 void Viewer::take_camera(const std::string& text) {
@@ -229,7 +206,7 @@ PathFrame Viewer::camera() const { return exact_ ? *exact_ : path_frame(view().c
 void Viewer::save_viewpoint(const std::vector<uint8_t>& colors, const FrameState& frame) {
   saved_ = keep(options_.pictures, "viewpoint", "bcfzip", [&](const std::filesystem::path& file) {
     const Viewpoint viewpoint = viewpoint_of(camera(), frame, tour_.selector().objects().source(),
-                                             tour_.selection(), options_.window.title);
+                                             tour_.selected(), options_.window.title);
     write_bcf(file, viewpoint, encode_png(window_.width(), window_.height(), colors, file.string()),
               time_text());
   });
@@ -277,7 +254,7 @@ FrameRequest Viewer::next_frame() {
   if (walk_) walk_->frames.push_back(camera());
   return {
       next_number_++,
-      {view(), options_.pixel_error, options_.samples, options_.edges, sections_.section(), hider_.hiding()}};
+      {view(), options_.pixel_error, options_.samples, options_.edges, edits_.section(), edits_.hiding()}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,
@@ -289,7 +266,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
   }
   shown_ = shown;
   const std::vector<ScreenLine> lines =
-      birds_eye_wanted_ ? std::vector<ScreenLine>() : inquiry_.lines(frame.state);
+      birds_eye_wanted_ ? std::vector<ScreenLine>() : inquiry_.lines(frame.state, window_.content_scale());
   const std::vector<uint8_t> colors = window_.show(*shown, picture_wanted_ || viewpoint_wanted_, lines);
   if (std::exchange(picture_wanted_, false)) {
     saved_ = keep(options_.pictures, "picture", "png", [&](const std::filesystem::path& file) {
@@ -311,7 +288,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
 void Viewer::show_again() {
   const FrameState* frame = tour_.frame();
   if (!shown_ || !frame) return;
-  const std::vector<ScreenLine> lines = inquiry_.lines(*frame);
+  const std::vector<ScreenLine> lines = inquiry_.lines(*frame, window_.content_scale());
   if (!birds_eye_wanted_) window_.show(*shown_, false, lines);
   set_title();
 }
@@ -320,8 +297,8 @@ void Viewer::set_title() {
   std::string title = figures_;
   title +=
       fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
-  if (const std::string cut = sections_.words(); !cut.empty()) title += ", " + cut;
-  if (const auto& selection = tour_.selection()) title += ", " + selection->name;
+  if (const std::string cut = edits_.words(); !cut.empty()) title += ", " + cut;
+  if (const std::string selected = tour_.selected().name(); !selected.empty()) title += ", " + selected;
   if (const uint32_t hidden = hiding().name.count; hidden > 0)
     title += fmt::format(", {} object{} hidden", hidden, hidden == 1 ? "" : "s");
   if (const std::string asked = inquiry_.title(); !asked.empty()) title += ", " + asked;

@@ -7,11 +7,10 @@
 #include "scene/pack.hpp"
 #include "scene/path.hpp"
 #include "view/birds_eye.hpp"
-#include "view/hider.hpp"
+#include "view/edits.hpp"
+#include "view/help.hpp"
 #include "view/inquiry.hpp"
 #include "view/last_place.hpp"
-#include "view/sections.hpp"
-#include "view/tour.hpp"
 #include "view/window.hpp"
 
 #include <filesystem>
@@ -33,13 +32,10 @@ struct ViewerOptions {
   bool culling = true;
   std::filesystem::path pictures = ".";    ///< where F2 to F5 save files; if they can: no key ends a walk
   Section section = {};                    ///< what is cut away
-  std::vector<std::string> selected = {};  ///< GUIDs; the first that the model has is selected
+  std::vector<std::string> selected = {};  ///< GUIDs: those that the model has are selected
   /// Where a person stands is kept in this file, and a viewer that finds it begins there; none where empty.
   std::filesystem::path place = {};
 };
-
-/// What the keys do, one line each.
-std::string viewer_help();
 
 class Viewer {
  public:
@@ -56,7 +52,7 @@ class Viewer {
   /// The frame to draw now; each call gives the next number.
   FrameRequest next_frame();
   bool culling() const { return options_.culling; }
-  const Hiding& hiding() const { return hider_.hiding(); }
+  const Hiding& hiding() const { return edits_.hiding(); }
 
   /// Shows a frame that was drawn: its picture or, if the person wants that, the bird's-eye view of it.
   /// device: any of this pack in the window's context. The picture must stay as it is until the next frame
@@ -72,16 +68,15 @@ class Viewer {
  private:
   void take(Input input);
   void take(Command command);
-  void cut(const Input& input);
   View view() const;
   /// Whether the path's next camera is due.
   bool plays() const;
   void save(Command command);
-  void hide(Command command);
   void take_camera(const std::string& text);
   /// The camera as the person sees through it.
   PathFrame camera() const;
   void select_first(const std::vector<std::string>& guids);
+  void select_again(const LastPlace& place, const View& view);
   void save_viewpoint(const std::vector<uint8_t>& colors, const FrameState& frame);
   void begin_at(const LastPlace& place);
   void keep_place();
@@ -103,8 +98,7 @@ class Viewer {
   std::optional<Path> walk_;        ///< what is being recorded
   std::string saved_;               ///< the title says it with the next picture
   Inquiry inquiry_;
-  Hider hider_;
-  Sections sections_;
+  Edits edits_;
   const FrameTarget* shown_ = nullptr;  ///< what is in the window; null before the first picture
   std::string figures_;                 ///< of the last frame, for the title
   std::string alone_;                   ///< why, for the title

@@ -19,7 +19,7 @@ bool is_ifc_guid(std::string_view text) {
 }
 
 /// The IFC GUIDs of those that have one.
-std::vector<std::string> ifc_guids(const SourceObjects& source, const ObjectSet& objects) {
+std::vector<std::string> ifc_guids(const SourceObjects& source, std::span<const SourceObjectId> objects) {
   std::vector<std::string> guids;
   for (const SourceObjectId id : objects) {
     const std::string_view guid = source.texts[source.objects[id].guid];
@@ -41,16 +41,14 @@ std::vector<SourceObjectId> objects_of(const SourceObjects& source, std::span<co
 }
 
 Viewpoint viewpoint_of(const PathFrame& camera, const FrameState& frame, const SourceObjects& source,
-                       const std::optional<Selection>& selection, const std::string& title) {
+                       const Selected& selected, const std::string& title) {
   Viewpoint viewpoint;
   viewpoint.title = title;
   viewpoint.camera = camera;
   viewpoint.planes = planes_of(frame.section);
-  if (selection && selection->object != no_id) {
-    const std::string guid(source.texts[source.objects[selection->object].guid]);
-    if (is_ifc_guid(guid)) viewpoint.selected.push_back(guid);
-    viewpoint.title += ": " + selection->name;
-  }
+  const std::vector<SourceObjectId> objects = selected.objects();
+  viewpoint.selected = ifc_guids(source, objects);
+  if (!objects.empty()) viewpoint.title += ": " + selected.name();
   if (const HiddenObjects* const hidden = frame.hiding.objects.get()) {
     viewpoint.shows_others = 2 * hidden->objects().size() <= source.objects.size();
     viewpoint.exceptions =

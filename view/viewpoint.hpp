@@ -5,7 +5,7 @@
 #include "scene/hidden_objects.hpp"
 #include "scene/pack_objects.hpp"
 #include "view/bcf/bcf.hpp"
-#include "view/selection.hpp"
+#include "view/selected.hpp"
 
 #include <optional>
 #include <span>
@@ -20,7 +20,7 @@ std::vector<SourceObjectId> objects_of(const SourceObjects& source, std::span<co
 /// What a person sees: the frame's section and, of what has an IFC GUID, the selection and what is hidden; or
 /// what is not, if that is less.
 Viewpoint viewpoint_of(const PathFrame& camera, const FrameState& frame, const SourceObjects& source,
-                       const std::optional<Selection>& selection, const std::string& title);
+                       const Selected& selected, const std::string& title);
 
 /// What it hides of the model: what is named with all that is in it, or all the rest.
 ObjectSet hidden_by(const Viewpoint& viewpoint, const SourceObjects& source);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <utility>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -90,8 +91,9 @@ class Window::Implementation {
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code) { of(w).on_letter(code); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { of(w).on_wheel(y); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).on_cursor(x, y); });
-    glfwSetMouseButtonCallback(
-        window, [](GLFWwindow* w, int button, int action, int) { of(w).on_button(button, action); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+      of(w).on_button(button, action, modifiers);
+    });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).input.resized = true; });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).input.damaged = true; });
   }
@@ -104,30 +106,33 @@ class Window::Implementation {
 
   Input poll(double patience) {
     const bool was_moving = moving;
-    if (was_moving || patience <= 0) {
+    if (was_moving || patience <= 0 || !clicked.empty()) {
       glfwPollEvents();
     } else {
       glfwWaitEventsTimeout(patience);
     }
+    Input now = clicked.empty() ? std::exchange(input, {}) : std::move(clicked.front());
+    if (!clicked.empty()) clicked.pop_front();
     moving = false;
+    // With Ctrl held, letters and Shift are parts of commands.
+    const bool walks = !reads_text && !holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     for (const Direction& direction : directions()) {
-      const bool held =
-          !reads_text && std::any_of(direction.keys.begin(), direction.keys.end(), [&](int key) {
-            return glfwGetKey(window, key) == GLFW_PRESS ||
-                   std::count(pressed.begin(), pressed.end(), key) > 0;
-          });
+      const bool held = walks && std::any_of(direction.keys.begin(), direction.keys.end(), [&](int key) {
+                          return glfwGetKey(window, key) == GLFW_PRESS ||
+                                 std::count(pressed.begin(), pressed.end(), key) > 0;
+                        });
       if (!held) continue;
-      input.motion.*direction.axis += direction.sign;
+      now.motion.*direction.axis += direction.sign;
       moving = true;
     }
     // Slow pictures must not cause leaps, and a key that was only tapped still makes a small step.
     constexpr double tap = 1.0 / 60, leap = 0.25;
-    input.seconds = was_moving ? std::min(since_poll.seconds(), leap) : tap;
+    now.seconds = was_moving ? std::min(since_poll.seconds(), leap) : tap;
     since_poll.restart();
-    input.leave = input.leave || glfwWindowShouldClose(window) != 0;
-    input.cursor = in_pixels(cursor_x, cursor_y);
+    now.leave = glfwWindowShouldClose(window) != 0;
+    now.cursor = in_pixels(cursor_x, cursor_y);
     pressed.clear();
-    return std::exchange(input, {});
+    return now;
   }
 
   void on_key(int key, int action, int modifiers) {
@@ -135,7 +140,7 @@ class Window::Implementation {
     const bool moves_on = action == GLFW_REPEAT && (key == GLFW_KEY_PAGE_UP || key == GLFW_KEY_PAGE_DOWN);
     if (action != GLFW_PRESS && !moves_on) return;
     if ((modifiers & GLFW_MOD_CONTROL) != 0) {
-      if (const auto command = control_command_of(key)) return add(*command);
+      if (const auto command = control_command_of(key, modifiers)) return add(*command);
     }
     pressed.push_back(key);
     if (const auto command = command_of(key, modifiers)) add(*command);
@@ -144,7 +149,11 @@ class Window::Implementation {
   void on_text_key(int key, int action, int modifiers) {
     if (action == GLFW_RELEASE) return;
     const bool enters = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
-    if (enters) input.typed += (modifiers & GLFW_MOD_SHIFT) != 0 ? '\r' : '\n';
+    if (enters) {
+      input.typed += (modifiers & GLFW_MOD_CONTROL) != 0 ? '\v'
+                     : (modifiers & GLFW_MOD_SHIFT) != 0 ? '\r'
+                                                         : '\n';
+    }
     if (key == GLFW_KEY_BACKSPACE) input.typed += '\b';
     if (key == GLFW_KEY_ESCAPE) add(Command::escape);
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12 && action == GLFW_PRESS) {
@@ -163,17 +172,18 @@ class Window::Implementation {
     if (command == Command::escape) reads_text = false;
   }
 
+  bool holds(int left, int right) const {
+    return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+  }
+
   void on_wheel(double steps) {
-    const auto held = [&](int left, int right) {
-      return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
-    };
-    const bool control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
-               alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    const bool control = holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+               alt = holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
     (control ? input.motion.faster : alt ? input.section : input.zoom) += steps;
   }
 
   /// One button at a time: the first that was pressed counts until it is released.
-  void on_button(int button, int action) {
+  void on_button(int button, int action, int modifiers) {
     // Later on, the place of the last event: where the cursor is now can be ahead of the events.
     if (!cursor_known) glfwGetCursorPos(window, &cursor_x, &cursor_y);
     cursor_known = true;
@@ -183,7 +193,11 @@ class Window::Implementation {
       if (Drag* drag = dragging()) drag->begins = in_pixels(cursor_x, cursor_y);
       pressed_at = in_pixels(cursor_x, cursor_y);
     } else if (action == GLFW_RELEASE && button == button_held) {
-      if (button_held == GLFW_MOUSE_BUTTON_LEFT && dragged < click_pixels) input.clicked = pressed_at;
+      if (button_held == GLFW_MOUSE_BUTTON_LEFT && dragged < click_pixels) {
+        input.clicked = pressed_at;
+        input.click_adds = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)) != 0;
+        clicked.push_back(std::exchange(input, {}));
+      }
       button_held = -1;
       if (glfwGetInputMode(window, GLFW_CURSOR) != GLFW_CURSOR_DISABLED) return;
       glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
@@ -232,7 +246,8 @@ class Window::Implementation {
   std::optional<WindowContext> context;
   std::optional<WindowPicture> picture;   ///< of targets that are not OpenGL's
   std::unique_ptr<SharedPicture> shared;  ///< of them, too, where OpenGL has no graphics card to copy them
-  Input input;
+  Input input;                            ///< since the last click
+  std::deque<Input> clicked;  ///< what ended with a click, not polled yet: each counts before what came later
   std::vector<Rgba> drawn_over;      ///< a picture with lines
   std::optional<WindowLines> lines;  ///< over pictures that are OpenGL's
   bool reads_text = false;
@@ -294,6 +309,12 @@ void Window::set_clipboard(const std::string& text) {
 
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(implementation_->window, title.c_str());
+}
+
+double Window::content_scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(implementation_->window, &x, &y);
+  return std::max(x, y);
 }
 
 int Window::width() const {

@@ -56,7 +56,8 @@ enum class Command {
   isolate_storey,
   isolate_file,
   show_all,
-  undo_hiding,
+  undo,  ///< what was hidden, shown or cut last
+  redo,
   save_viewpoint,
   copy_camera,
   paste_camera,
@@ -86,8 +87,10 @@ struct Input {
   double section = 0;                  ///< the same with Alt held
   CursorPlace cursor;                  ///< where it is now
   std::optional<CursorPlace> clicked;  ///< the left button, without a move
+  bool click_adds = false;             ///< with Ctrl or Shift held
   std::vector<Command> commands;       ///< in the order of their keys
-  /// Letters, UTF-8, while keys are text; backspace is \b, enter \n, and with shift \r.
+  /// Letters, UTF-8, while keys are text; backspace is \b, enter \n, with shift \r, with Ctrl
+  /// \v.
   std::string typed;
   bool leave = false;  ///< the window was closed
   bool resized = false, damaged = false;
@@ -115,6 +118,8 @@ class Window {
   std::string clipboard() const;
   void set_clipboard(const std::string& text);
   void set_title(const std::string& title);
+  /// How much larger than usual the display wants words.
+  double content_scale() const;
   int width() const;  ///< in pixels; at least 1
   int height() const;
   const DeviceNames& names() const;

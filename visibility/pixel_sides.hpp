@@ -23,9 +23,6 @@ struct PixelSide {
   float along(float px, float py) const { return (x * px + y * py) + at; }
 };
 
-/// A cut surface has its material's colour times this.
-inline constexpr float cap_tone = 0.62f;
-
 /// One frame's. A fragment is kept or not by where it is drawn, and its depth stays what it was: so what a
 /// section leaves is a subset of the fragments without it, and every bound of those holds.
 class PixelSides {

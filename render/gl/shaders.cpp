@@ -1,6 +1,7 @@
 #include "render/gl/shaders.hpp"
 
 #include "render/draw_list.hpp"
+#include "visibility/cap_look.hpp"
 #include "visibility/layer_offset.hpp"
 #include "visibility/pixel_sides.hpp"
 #include "visibility/shading.hpp"
@@ -96,11 +97,30 @@ int capped_side() {
   }
   return last;
 }
+)" +
+    fmt::format(
+        "const int hatching_period = {};\nconst float cap_tone = {}, dark_material = {};\n"
+        "const vec2 dark_ink = vec2({}, {}), bright_ink = vec2({}, {});\n"
+        "const vec3 luminance = vec3({}, {}, {});\n",
+        CapHatching::period, cap_tone, dark_material, dark_ink.scale, dark_ink.add, bright_ink.scale,
+        bright_ink.add, luminance_of_red, luminance_of_green, luminance_of_blue) +
+    R"(
+uniform int stroke_width;
+vec3 cap_color(vec3 base, float light, int side) {  // CapHatching
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  int pitch = hatching_period * stroke_width;
+  int along = side % 2 == 0 ? pixel.x + pixel.y : pixel.x - pixel.y + (pitch << 16);
+  vec3 lit = base * (cap_tone * light);
+  if (along % pitch >= stroke_width) return lit;
+  vec2 ink = dot(base, luminance) < dark_material ? bright_ink : dark_ink;
+  return lit * ink.x + ink.y;
+}
 )";
 const std::string not_cut = R"(
 void cut_fragment() {}
 const vec3 side_normals[1] = vec3[1](vec3(0.0));
 int capped_side() { return -1; }
+vec3 cap_color(vec3 base, float light, int side) { return base * light; }
 )";
 
 // Of a model that is drawn as a whole: what the section does not keep, without cut surfaces.
@@ -183,9 +203,8 @@ std::string shaded(BaseColors colors, std::optional<int> normal_location = std::
   const std::string written =
       normal_location ? "  face_normal = vec4(normal * 0.5 + 0.5, side < 0 ? 1.0 : float(side) / 16.0);\n"
                       : "";
-  return fmt::format(
-             "const float ambient = {}, diffuse = {}, head = {}, cap_tone = {};\n{}in vec4 base_color;\n",
-             ambient_light, diffuse_light, head_light, cap_tone, flatness(colors)) +
+  return fmt::format("const float ambient = {}, diffuse = {}, head = {};\n{}in vec4 base_color;\n",
+                     ambient_light, diffuse_light, head_light, flatness(colors)) +
          declared + R"(
 in vec3 eye_position;
 uniform vec3 light;  // direction to the light, eye space
@@ -197,8 +216,8 @@ void shade_fragment() {
   int side = capped_side();
   if (side >= 0) normal = side_normals[side];
 )" + written +
-         R"(  float tone = side < 0 ? 1.0 : cap_tone;
-  color = vec4(base_color.rgb * tone * (ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z)), 1.0);
+         R"(  float lit = ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z);
+  color = vec4(side < 0 ? base_color.rgb * lit : cap_color(base_color.rgb, lit, side), 1.0);
 }
 )";
 }

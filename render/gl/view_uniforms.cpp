@@ -1,5 +1,6 @@
 #include "render/gl/view_uniforms.hpp"
 
+#include "visibility/cap_look.hpp"
 #include "visibility/layer_offset.hpp"
 #include "visibility/pixel_sides.hpp"
 #include "visibility/shading.hpp"
@@ -16,7 +17,8 @@ ViewUniforms::ViewUniforms(GLuint program)
       layer_step_(glGetUniformLocation(program, "layer_step")),
       sides_(glGetUniformLocation(program, "sides")),
       side_normals_(glGetUniformLocation(program, "side_normals")),
-      side_count_(glGetUniformLocation(program, "side_count")) {}
+      side_count_(glGetUniformLocation(program, "side_count")),
+      stroke_width_(glGetUniformLocation(program, "stroke_width")) {}
 
 void ViewUniforms::set(const FrameView& view, const SamplePlace& place) const {
   const auto [frustum, depth] = clip_terms(view, place);
@@ -38,6 +40,7 @@ void ViewUniforms::set(const FrameView& view, const SamplePlace& place) const {
     glUniform4fv(sides_, count, &sides.all()[0].x);
     if (side_normals_ >= 0) glUniform3fv(side_normals_, count, &sides.normal(0).x);
     if (side_count_ >= 0) glUniform1i(side_count_, count);
+    if (stroke_width_ >= 0) glUniform1i(stroke_width_, CapHatching(view.view().height).stroke_width());
   }
   if (light_ >= 0) {
     const glm::vec3 light = light_direction(view);

@@ -17,7 +17,8 @@ class ViewUniforms {
   void set(const FrameView& view, const SamplePlace& place = {}) const;
 
  private:
-  GLint frustum_, depth_, sample_place_, light_, layer_view_, layer_step_, sides_, side_normals_, side_count_;
+  GLint frustum_, depth_, sample_place_, light_, layer_view_, layer_step_, sides_, side_normals_, side_count_,
+      stroke_width_;
 };
 
 }  // namespace triptych

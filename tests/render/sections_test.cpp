@@ -7,7 +7,7 @@
 #include "tests/render/rig.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/scenes.hpp"
-#include "visibility/pixel_sides.hpp"
+#include "visibility/cap_look.hpp"
 #include "visibility/shading.hpp"
 
 #include <cmath>
@@ -146,6 +146,43 @@ TEST_F(CutSurfaces, show_where_a_side_goes_through_something_solid) {
           << cut.middle.x << " " << cut.middle.y << " " << cut.middle.z;
       EXPECT_EQ(cut.visible.size(), 1u) << "the wall still hides what is behind it";
     }
+  }
+}
+
+TEST_F(CutSurfaces, are_hatched_and_on_each_side_of_a_section_the_other_way) {
+  LocalPipeline pipeline(pack(), {.width = 120, .height = 90, .device = test::device()});
+  const CapHatching hatching(90);
+  for (const uint32_t side : {0u, 1u}) {
+    FrameState frame = state();
+    if (side == 1) frame.section.add_plane({{0, 1, 0}, -9}, "test");
+    frame.section.add_plane({{0, 0, -1}, 0}, "test");
+    pipeline.draw({0, frame});
+    const std::vector<uint8_t> colors = pipeline.target().read_colors();
+    const CapInk ink = cap_ink({0.75, 0.5, 0.25});
+    const glm::dvec3 plain = lit(pack(), wall, {0, 0, 1}, frame, cap_tone);
+    size_t strokes = 0;
+    for (int32_t y = 40; y < 48; ++y) {
+      for (int32_t x = 50; x < 66; ++x) {
+        const auto at = 4 * static_cast<size_t>(y * 120 + x);
+        const bool inked = hatching.inked(x, y, side);
+        const glm::ivec3 wanted(glm::round(inked ? plain * double{ink.scale} + 255.0 * ink.add : plain));
+        EXPECT_TRUE(alike({colors[at], colors[at + 1], colors[at + 2]}, wanted)) << x << " " << y;
+        strokes += inked;
+      }
+    }
+    EXPECT_EQ(strokes, 8u * 16 / CapHatching::period);
+  }
+  EXPECT_TRUE(hatching.inked(40, 40, 0) && hatching.inked(41, 39, 0) && !hatching.inked(41, 41, 0));
+  EXPECT_TRUE(hatching.inked(40, 40, 1) && hatching.inked(41, 41, 1) && !hatching.inked(41, 39, 1));
+}
+
+TEST(CapInk, is_brighter_on_dark_materials_and_darker_on_bright_ones) {
+  for (const float tone : {0.0f, 0.1f, 0.2f, 0.25f, 0.6f, 1.0f}) {
+    const CapInk ink = cap_ink(glm::vec3(tone));
+    const float surface = tone * cap_tone, stroke = surface * ink.scale + ink.add;
+    EXPECT_GT(std::abs(stroke - surface), 0.08f) << tone;
+    EXPECT_EQ(stroke > surface, tone < dark_material) << tone;
+    EXPECT_LE(stroke, 1);
   }
 }
 

@@ -229,14 +229,48 @@ TEST(Viewpoint, names_the_selection_by_its_ifc_guid) {
   Selection selection;
   selection.name = "Wall";
   selection.object = 0;
-  const Viewpoint viewpoint = viewpoint_of({}, frame, source, selection, "room");
+  Selected selected;
+  selected.set(selection);
+  const Viewpoint viewpoint = viewpoint_of({}, frame, source, selected, "room");
   EXPECT_EQ(viewpoint.selected, std::vector<std::string>{"0123456789abcdefABCD_$"});
   EXPECT_EQ(viewpoint.title, "room: Wall");
   EXPECT_EQ(viewpoint.planes.size(), 6u) << "the sides of the box";
   selection.object = 1;
-  EXPECT_TRUE(viewpoint_of({}, frame, source, selection, "room").selected.empty()) << "which is no IFC GUID";
+  selected.toggle(selection);
+  const Viewpoint of_both = viewpoint_of({}, frame, source, selected, "room");
+  EXPECT_EQ(of_both.selected, viewpoint.selected) << "the other has no IFC GUID";
+  EXPECT_EQ(of_both.title, "room: 2 objects");
   const std::vector<std::string> wanted = {"no guid", "unknown"};
   EXPECT_EQ(objects_of(source, wanted), std::vector<SourceObjectId>{1});
+}
+
+TEST(Viewpoint, has_a_box_and_planes_again_though_bcf_has_planes_only) {
+  Section section;
+  section.add_plane({{0, 0.6, 0.8}, 1.0 / 3}, "test");
+  section.set_box({{-1.0 / 3, 0, 2}, {1, 2, 1e7}}, "test");
+  for (int i = 0; i < 5; ++i) section.add_plane({{1, 0, 0}, 0.1 * i}, "test");
+  Viewpoint viewpoint;
+  viewpoint.planes = planes_of(section);
+  ASSERT_EQ(viewpoint.planes.size(), 12u) << "more than there may be, but for the box";
+  const Section again = section_of(viewpoint, "test");
+  EXPECT_EQ(again.planes().size(), 6u);
+  ASSERT_TRUE(again.box());
+  // What both keep is the same; which of two parallel planes is a side of the box may be another.
+  for (const glm::dvec3& point :
+       {glm::dvec3(0.45, 1, 3), {0.35, 1, 3}, {0.45, -0.1, 3}, {0.9, 1.5, 1e7 + 1}}) {
+    const auto keeps = [&](const Section& of) {
+      const SectionSides sides(of);
+      return std::ranges::all_of(sides.all(),
+                                 [&](const SectionPlane& side) { return side.distance(point) >= 0; });
+    };
+    EXPECT_EQ(keeps(again), keeps(section)) << point.x;
+  }
+  section = {};
+  section.set_box({{-1.0 / 3, 0, 2}, {1, 2, 1e7}}, "test");
+  viewpoint.planes = planes_of(section);
+  EXPECT_EQ(section_of(viewpoint, "test"), section);
+  viewpoint.planes.pop_back();
+  EXPECT_FALSE(section_of(viewpoint, "test").box()) << "five sides are no box";
 }
 
 TEST(LastPlace, is_read_as_it_was_written_and_refused_where_it_is_damaged) {
@@ -248,12 +282,22 @@ TEST(LastPlace, is_read_as_it_was_written_and_refused_where_it_is_damaged) {
   place.camera.near = 0.125;
   place.pace = 1.25;
   place.edges = true;
-  place.selected = 17;
+  place.selected = {17, 3};
+  place.picked = {
+      {.drawable = 7, .placement = 2, .triangle = 9, .point = {1, 2, 1.0 / 3}, .normal = {0, 1, 0}}};
+  place.measured = {{.points = {{0, 0, 0}, {1.0 / 3, 0, 0}, {0, 1, 0}}, .closed = true},
+                    {.points = {{4, 5, 6}, {7, 8, 9}}, .to_face = 1.0 / 7},
+                    {}};
   place.section.add_plane({{0, 0.6, -0.8}, 1.0 / 3}, "test");
   place.section.set_box({{-1, -2, -3}, {1, 2, 1e7}}, "test");
   place.hidden = {1, 2, 3, 7, 9, 10};
   EXPECT_EQ(parse_last_place(last_place_text(place), "place").section, place.section);
-  EXPECT_EQ(parse_last_place(last_place_text(place), "place").hidden, place.hidden);
+  const LastPlace again = parse_last_place(last_place_text(place), "place");
+  EXPECT_EQ(again.hidden, place.hidden);
+  EXPECT_EQ(again.selected, place.selected);
+  ASSERT_EQ(again.picked.size(), 1u);
+  EXPECT_EQ(again.picked[0].point, place.picked[0].point);
+  EXPECT_EQ(again.measured, place.measured);
   const std::string text = last_place_text(place);
   EXPECT_EQ(last_place_text(parse_last_place(text, "place")), text);
   for (size_t i = 0; i + 1 < text.size(); i += 3)

@@ -5,6 +5,7 @@
 #include "lod/frame_view.hpp"
 #include "preprocess/build.hpp"
 #include "tests/support/awkward_meshes.hpp"
+#include "view/edits.hpp"
 #include "view/stroke_font.hpp"
 
 #include <gtest/gtest.h>
@@ -79,40 +80,139 @@ TEST_F(NamedBoxes, are_found_by_a_word_one_after_the_other) {
   const glm::dvec3 eye = tour->walker().eye();
   EXPECT_TRUE(give("\n"));
   EXPECT_NE(tour->walker().eye(), eye) << "it is not fitted in";
-  EXPECT_EQ(tour->selection()->name, "North wall");
+  EXPECT_EQ(tour->selected().name(), "North wall");
   EXPECT_TRUE(give("\n"));
-  EXPECT_EQ(tour->selection()->name, "South wall");
+  EXPECT_EQ(tour->selected().name(), "South wall");
   EXPECT_NE(inquiry->title().find("2 of 2"), std::string::npos) << inquiry->title();
   give("\n");
-  EXPECT_EQ(tour->selection()->name, "North wall") << "round and round";
+  EXPECT_EQ(tour->selected().name(), "North wall") << "round and round";
   give("\r");
-  EXPECT_EQ(tour->selection()->name, "South wall") << "and back";
+  EXPECT_EQ(tour->selected().name(), "South wall") << "and back";
   give("\b\b\b\bDoor\n");
-  EXPECT_EQ(tour->selection()->name, "Door 7");
+  EXPECT_EQ(tour->selected().name(), "Door 7");
   give("\b\b\b\bground\n");
-  EXPECT_EQ(tour->selection()->box.lo.x, 9) << "what is in it shows it";
+  EXPECT_EQ(tour->selected().box().lo.x, 9) << "what is in it shows it";
   give("x");
   EXPECT_FALSE(give("\n")) << "nothing is found";
   give("", {Command::escape});
   EXPECT_TRUE(left.empty());
   EXPECT_FALSE(inquiry->reads_text());
-  EXPECT_TRUE(tour->selection()) << "what was found stays selected";
+  EXPECT_FALSE(tour->selected().empty()) << "what was found stays selected";
   give("", {Command::escape});
   EXPECT_TRUE(left.empty());
-  EXPECT_FALSE(tour->selection());
+  EXPECT_TRUE(tour->selected().empty());
   give("", {Command::escape});
   EXPECT_EQ(left.size(), 1u) << "and then the walk is over";
 }
 
 TEST_F(NamedBoxes, are_outlined_when_they_are_selected) {
   EXPECT_EQ(lines(), 0u);
-  tour->select(tour->selector().describe(SourceObjectId{1}));
+  tour->selected().set(tour->selector().describe(SourceObjectId{1}));
   EXPECT_TRUE(inquiry->changed());
-  EXPECT_EQ(lines(), 12u) << "the edges of a box";
+  const auto edges = [&] {
+    const std::vector<ScreenLine> all = inquiry->lines(*tour->frame());
+    // Not those of the words, which are flat.
+    return std::count_if(all.begin(), all.end(), [](const ScreenLine& line) {
+      return line.color == selection_color && line.from.w != 1;
+    });
+  };
+  EXPECT_EQ(edges(), 12) << "the edges of a box";
   EXPECT_FALSE(inquiry->changed());
-  tour->select(std::nullopt);
+  tour->selected().toggle(tour->selector().describe(SourceObjectId{0}));
+  EXPECT_TRUE(inquiry->changed());
+  EXPECT_EQ(edges(), 24) << "of two boxes";
+  tour->selected().clear();
   EXPECT_TRUE(inquiry->changed());
   EXPECT_EQ(lines(), 0u);
+}
+
+TEST_F(NamedBoxes, are_selected_together_and_added_up) {
+  Selected& selected = tour->selected();
+  const auto toggle = [&](SourceObjectId object) {
+    return selected.toggle(tour->selector().describe(object));
+  };
+  EXPECT_TRUE(toggle(0));
+  EXPECT_EQ(selected.name(), "North wall");
+  EXPECT_EQ(selected.sum({}), "12 triangles, 2.000 x 2.000 x 2.000 m");
+  EXPECT_TRUE(toggle(2));
+  EXPECT_EQ(selected.name(), "2 objects");
+  EXPECT_EQ(selected.sum({}), "24 triangles, 8.000 x 2.000 x 2.000 m") << "around both";
+  EXPECT_EQ(selected.sum({.z_up = true, .metres = 0.001, .unit = "mm"}),
+            "24 triangles, 8000.000 x 2000.000 x 2000.000 mm");
+  EXPECT_EQ(selected.objects(), (std::vector<SourceObjectId>{0, 2}));
+  EXPECT_EQ(tour->subject(), (Box{{0, 0, 0}, {8, 2, 2}})) << "what F fits";
+  EXPECT_TRUE(toggle(3));
+  EXPECT_EQ(selected.triangles(), 36u) << "what is in it counts";
+  EXPECT_FALSE(toggle(0));
+  EXPECT_FALSE(toggle(2));
+  EXPECT_EQ(selected.name(), "Ground floor");
+  give("", {Command::search});
+  give("wall\v");
+  EXPECT_EQ(selected.objects(), (std::vector<SourceObjectId>{0, 2})) << "all that were found";
+}
+
+TEST_F(NamedBoxes, are_clicked_one_after_the_other) {
+  const PictureSpace space(tour->frame()->view);
+  const auto click = [&](const glm::dvec3& at, bool adds) {
+    Input input;
+    const glm::dvec2 pixel = space.pixel(space.from_eye(at));
+    input.clicked = CursorPlace{pixel.x, pixel.y};
+    input.click_adds = adds;
+    tour->take(input, 400, 300);
+    return tour->selected().name();
+  };
+  EXPECT_EQ(click({1, 1, 2}, true), "North wall");
+  EXPECT_EQ(click({4, 1, 2}, true), "2 objects");
+  EXPECT_EQ(click({1, 1, 2}, true), "Door 7") << "once more takes it away";
+  EXPECT_EQ(click({7, 1, 2}, true), "2 objects");
+  EXPECT_EQ(click({-90, 90, 2}, true), "2 objects") << "a miss is no new beginning";
+  EXPECT_EQ(click({1, 1, 2}, false), "North wall");
+  EXPECT_EQ(click({-90, 90, 2}, false), "");
+}
+
+TEST_F(NamedBoxes, are_hidden_and_cut_in_one_history) {
+  Edits edits(pack->skeleton(), {}, {});
+  const auto take = [&](Command command) { return edits.take(command, *tour, {}); };
+  EXPECT_EQ(take(Command::undo), "nothing to undo");
+  EXPECT_NE(take(Command::hide_object), "") << "nothing is selected";
+  EXPECT_EQ(take(Command::undo), "nothing to undo") << "what changed nothing is no step";
+  tour->selected().set(tour->selector().describe(SourceObjectId{0}));
+  tour->selected().toggle(tour->selector().describe(SourceObjectId{1}));
+  EXPECT_EQ(take(Command::hide_object), "");
+  EXPECT_EQ(edits.hiding().name.count, 2u);
+  EXPECT_EQ(take(Command::toggle_section_box), "");
+  const Section with_box = edits.section();
+  ASSERT_TRUE(with_box.box());
+  EXPECT_TRUE(with_box.box()->contains(Box{{0, 0, 0}, {5, 2, 2}}));
+  EXPECT_FALSE(with_box.box()->contains(Box{{0, 0, 0}, {6, 2, 2}}));
+  edits.move(1, {0, 0, 9});
+  edits.move(1, {0, 0, 9});
+  EXPECT_TRUE(with_box.box()->contains(*edits.section().box())) << "it gets smaller";
+  const Section moved = edits.section();
+  EXPECT_EQ(take(Command::show_all), "");
+  EXPECT_EQ(edits.hiding().name.count, 0u);
+  take(Command::undo);
+  EXPECT_EQ(edits.hiding().name.count, 2u);
+  EXPECT_EQ(edits.section(), moved);
+  take(Command::undo);
+  if (edits.section() != with_box) take(Command::undo);  // a machine that was slow between the two moves
+  EXPECT_EQ(edits.section(), with_box);
+  take(Command::undo);
+  EXPECT_TRUE(edits.section().keeps_all());
+  EXPECT_EQ(edits.hiding().name.count, 2u);
+  take(Command::undo);
+  EXPECT_EQ(edits.hiding().name.count, 0u);
+  EXPECT_EQ(take(Command::undo), "nothing to undo");
+  take(Command::redo);
+  take(Command::redo);
+  EXPECT_EQ(edits.section(), with_box);
+  EXPECT_EQ(edits.hiding().name.count, 2u);
+  tour->selected().set(tour->selector().describe(SourceObjectId{2}));
+  take(Command::toggle_section_box);
+  EXPECT_TRUE(edits.section().box() && edits.section() != with_box) << "of what is selected now";
+  EXPECT_EQ(take(Command::redo), "nothing to redo") << "after something else";
+  take(Command::toggle_section_box);
+  EXPECT_TRUE(edits.section().keeps_all()) << "the same again: no box";
 }
 
 TEST_F(NamedBoxes, are_measured_by_clicks_until_escape) {
@@ -129,7 +229,7 @@ TEST_F(NamedBoxes, are_measured_by_clicks_until_escape) {
   click({0, 2, 2});
   click({2, 2, 2});
   EXPECT_NE(inquiry->title().find("distance 2.000 m"), std::string::npos) << inquiry->title();
-  EXPECT_FALSE(tour->selection());
+  EXPECT_TRUE(tour->selected().empty());
   EXPECT_GT(lines(), 20u) << "with its number";
   give("", {Command::back});
   EXPECT_TRUE(left.empty()) << "Backspace takes a point back";
@@ -174,7 +274,8 @@ TEST(Overlay, cuts_off_what_lies_before_the_near_plane) {
     EXPECT_NEAR(from / (from - to), 9.5 / 20, 1e-5);
     Overlay overlay(view);
     overlay.square({0, 0, 1}, word_color);
-    overlay.words({0, 0, -0.2}, "near", word_color);
+    overlay.label({0, 0, -0.2}, {{"near"}});
+    overlay.label({9, 0, -1}, {{"beside the picture"}});
     EXPECT_TRUE(overlay.lines().empty());
   }
 }

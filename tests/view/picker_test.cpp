@@ -131,10 +131,19 @@ TEST(Sections, begin_under_the_cursor_are_moved_flipped_and_taken_away) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(sections.take(Command::begin_section, scene), "");
   EXPECT_FALSE(sections.take(Command::begin_section, scene).empty()) << "a seventh";
   sections.take(Command::toggle_section_box, scene);
-  EXPECT_EQ(sections.section().box(), scene.box);
+  ASSERT_TRUE(sections.section().box());
+  EXPECT_TRUE(sections.section().box()->contains(scene.box));
   EXPECT_EQ(sections.words(), "cut by 6 planes and a box");
   for (int i = 0; i < 6; ++i) sections.take(Command::delete_section, scene);
   EXPECT_EQ(sections.words(), "cut by a box");
+  const Box around = *sections.section().box();
+  sections.take(Command::push_section, scene);
+  EXPECT_TRUE(around.contains(*sections.section().box()) && sections.section().box() != around)
+      << "without planes the box is moved";
+  sections.take(Command::delete_section, scene);
+  EXPECT_TRUE(sections.section().keeps_all());
+  sections.take(Command::toggle_section_box, scene);
+  EXPECT_EQ(sections.section().box(), around);
   sections.take(Command::toggle_section_box, scene);
   EXPECT_TRUE(sections.section().keeps_all());
 }
@@ -180,18 +189,19 @@ TEST(Tour, names_what_is_clicked_on_and_fits_it_into_the_window) {
   Input click;
   click.clicked = CursorPlace{150, 100};
   EXPECT_FALSE(tour.take(click, 300, 200));
-  ASSERT_TRUE(tour.selection());
-  EXPECT_NE(tour.selection()->text.find("scene node"), std::string::npos) << tour.selection()->text;
+  ASSERT_FALSE(tour.selected().empty());
+  const std::string& text = tour.selected().all().front().text;
+  EXPECT_NE(text.find("scene node"), std::string::npos) << text;
   // Fitted in, it takes up more of the window than it did, or the model does.
   EXPECT_TRUE(tour.take(Command::fit, 300, 200));
-  const Box box = tour.selection()->box;
+  const Box box = tour.selected().box();
   const glm::dvec3 centre = (box.lo + box.hi) * 0.5;
   EXPECT_LE(glm::distance(tour.walker().eye(), centre), glm::distance(start.eye(), centre) + 1e-9);
   EXPECT_LT(glm::length(glm::cross(centre - tour.walker().eye(), tour.walker().direction())), 1e-9)
       << "its middle is the picture's";
   click.clicked = CursorPlace{0, 0};
   tour.take(click, 300, 200);
-  EXPECT_FALSE(tour.selection()) << "there is nothing in that corner";
+  EXPECT_TRUE(tour.selected().empty()) << "there is nothing in that corner";
 }
 
 TEST(Tour, a_camera_that_is_saved_is_the_same_again) {

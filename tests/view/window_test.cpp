@@ -35,7 +35,8 @@ TEST_F(ViewWindow, shows_what_a_person_does_and_culling_changes_no_pixel) {
   EXPECT_GT(colors_in(from_above), 2u);
   xdotool("key b");
   EXPECT_EQ(look(), turned);
-  xdotool("key F1");
+  xdotool("key F1 sleep 0.2 key Escape sleep 0.2");
+  EXPECT_EQ(look(), turned) << "Esc does not end the help";
   xdotool("key Escape");
   EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
   EXPECT_NE(program.errors().find("bird's-eye"), std::string::npos) << "F1 prints no help";

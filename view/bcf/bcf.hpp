@@ -37,7 +37,8 @@ std::vector<Viewpoint> read_bcf(const std::filesystem::path& file);
 void write_bcf(const std::filesystem::path& file, const Viewpoint& viewpoint,
                std::span<const std::byte> snapshot, const std::string& time);
 
-/// Its planes as a section. Error (place) for more than there may be.
+/// Its planes as a section; the six sides of a box along the axes are that box. Error (place) for more planes
+/// than there may be.
 Section section_of(const Viewpoint& viewpoint, const std::string& place);
 /// A section's planes and the sides of its box.
 std::vector<SectionPlane> planes_of(const Section& section);

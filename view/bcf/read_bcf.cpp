@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace triptych {
@@ -34,6 +35,12 @@ glm::dvec3 vector(const XmlElement& parent, const char* name, const std::string&
   return to_model({number(*element, "X", place), number(*element, "Y", place), number(*element, "Z", place)});
 }
 
+/// Of length 1; of any but zero, however long or short.
+glm::dvec3 unit(const glm::dvec3& direction) {
+  const glm::dvec3 size = glm::abs(direction);
+  return glm::normalize(direction / std::max({size.x, size.y, size.z}));
+}
+
 PathFrame read_camera(const XmlElement& view, const std::string& place) {
   const XmlElement* perspective = view.child("PerspectiveCamera");
   const XmlElement* orthogonal = view.child("OrthogonalCamera");
@@ -43,7 +50,7 @@ PathFrame read_camera(const XmlElement& view, const std::string& place) {
   frame.eye = vector(camera, "CameraViewPoint", place);
   const glm::dvec3 direction = vector(camera, "CameraDirection", place);
   if (direction == glm::dvec3(0)) fail(place, "the camera has no direction");
-  frame.target = frame.eye + glm::normalize(direction);
+  frame.target = frame.eye + unit(direction);
   if (frame.target == frame.eye) fail(place, "the camera is too far away for its direction to be computed");
   frame.up = vector(camera, "CameraUpVector", place);
   if (perspective) {
@@ -85,7 +92,7 @@ Viewpoint read_viewpoint(const XmlElement& view, const std::string& place) {
     for (const XmlElement* plane : planes->all("ClippingPlane")) {
       const glm::dvec3 location = vector(*plane, "Location", place), cut = vector(*plane, "Direction", place);
       if (cut == glm::dvec3(0)) fail(place, "a clipping plane has no direction");
-      const glm::dvec3 normal = -glm::normalize(cut);  // BCF's points to what is cut away
+      const glm::dvec3 normal = -unit(cut);  // BCF's points to what is cut away
       viewpoint.planes.push_back({normal, glm::dot(normal, location)});
     }
   }
@@ -143,17 +150,6 @@ std::vector<Viewpoint> read(const std::filesystem::path& file) {
 
 std::vector<Viewpoint> read_bcf(const std::filesystem::path& file) {
   return round_to_nearest([&] { return read(file); });
-}
-
-Section section_of(const Viewpoint& viewpoint, const std::string& place) {
-  Section section;
-  for (const SectionPlane& plane : viewpoint.planes) section.add_plane(plane, place);
-  return section;
-}
-
-std::vector<SectionPlane> planes_of(const Section& section) {
-  const SectionSides sides(section);
-  return {sides.all().begin(), sides.all().end()};
 }
 
 }  // namespace triptych

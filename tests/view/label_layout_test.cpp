@@ -1,0 +1,91 @@
+// Words over pictures: where they stand, and how large they are.
+#include "view/label_layout.hpp"
+
+#include "view/help.hpp"
+#include "view/overlay.hpp"
+
+#include <gtest/gtest.h>
+
+namespace triptych {
+namespace {
+
+size_t overlaps(const std::vector<ScreenBox>& boxes) {
+  size_t count = 0;
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    for (size_t k = 0; k < i; ++k) count += boxes[i].overlaps(boxes[k]);
+  }
+  return count;
+}
+
+TEST(LabelLayout, puts_words_to_the_right_and_away_from_what_is_there) {
+  LabelLayout layout({800, 600}, 10);
+  const ScreenBox first = layout.place({400, 300}, {100, 20});
+  EXPECT_EQ(first, (ScreenBox{{410, 290}, {510, 310}}));
+  const ScreenBox second = layout.place({400, 300}, {100, 20});
+  EXPECT_EQ(second, (ScreenBox{{290, 290}, {390, 310}})) << "to the left";
+  std::vector<ScreenBox> all = {first, second};
+  for (int i = 0; i < 60; ++i) all.push_back(layout.place({400.0 + i % 7, 300.0 + i % 5}, {100, 20}));
+  EXPECT_EQ(overlaps(all), 0u);
+}
+
+TEST(LabelLayout, keeps_words_in_the_picture) {
+  LabelLayout layout({200, 100}, 5);
+  for (const glm::dvec2& anchor : {glm::dvec2{199, 1}, {0, 0}, {199, 99}, {1, 99}, {100, 50}}) {
+    const ScreenBox box = layout.place(anchor, {60, 15});
+    EXPECT_TRUE(box.lo.x >= 0 && box.lo.y >= 0 && box.hi.x <= 200 && box.hi.y <= 100);
+  }
+  // Without room for all of them, each still has a place.
+  for (int i = 0; i < 100; ++i) {
+    const ScreenBox box = layout.place({100, 50}, {60, 15});
+    EXPECT_TRUE(box.lo.x >= 0 && box.hi.x <= 200 && box.hi.y - box.lo.y == 15);
+  }
+}
+
+View view_of(int width, int height) {
+  View view{.camera = {.eye = {0, 0, 10}, .target = {0, 0, 0}}, .width = width, .height = height};
+  set_field_of_view(view.camera, 50, static_cast<double>(width) / height);
+  return view;
+}
+
+TEST(Overlay, keeps_labels_of_one_place_apart_from_each_other_and_from_panels) {
+  Overlay overlay(view_of(800, 600));
+  overlay.panel(Overlay::Corner::upper_left, {{"a panel"}, {std::string(1000, 'x')}});
+  overlay.panel(Overlay::Corner::lower_left, {{"another"}});
+  for (int i = 0; i < 12; ++i) overlay.label({0.01 * i, 0, 0}, {{"12.345 m"}, {"dx 1.0, dy 2.0"}});
+  const std::vector<ScreenBox> places = overlay.label_places();
+  EXPECT_EQ(places.size(), 12u);
+  EXPECT_EQ(overlaps(places), 0u);
+  Overlay without_panels(view_of(800, 600));
+  without_panels.label({-4, 4, 0}, {{"beneath the panel"}});
+  overlay.label({-4, 4, 0}, {{"beneath the panel"}});
+  EXPECT_NE(overlay.label_places().back(), without_panels.label_places().back());
+  for (const ScreenLine& line : overlay.lines()) {
+    for (const glm::vec4& end : {line.from, line.to})
+      EXPECT_TRUE(std::abs(end.x) <= end.w * 1.001f) << "what is too long for the picture is cut";
+  }
+}
+
+TEST(Overlay, is_larger_in_larger_windows_and_where_the_display_wants_it) {
+  EXPECT_EQ(Overlay(view_of(320, 240)).unit(), 1);
+  double before = 0;
+  for (const auto& [width, height] : {std::pair(800, 600), {1920, 1080}, {3840, 2160}}) {
+    const double unit = Overlay(view_of(width, height)).unit();
+    EXPECT_GT(unit, before);
+    before = unit;
+  }
+  EXPECT_GT(Overlay(view_of(800, 600), 2).unit(), Overlay(view_of(800, 600)).unit());
+}
+
+TEST(Overlay, has_all_of_the_help_in_one_picture) {
+  for (const auto& [width, height] : {std::pair(800, 600), {1920, 1080}}) {
+    Overlay overlay(view_of(width, height));
+    overlay.page(help_words());
+    for (const ScreenLine& line : overlay.lines()) {
+      for (const glm::vec4& end : {line.from, line.to})
+        EXPECT_TRUE(std::abs(end.x) <= 1.001f && std::abs(end.y) <= 1.001f);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace triptych
