@@ -79,7 +79,6 @@ std::string run_line(const CLI::App& command);
 void add_sample(CLI::App& app, Action& action);
 void add_build(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
-void add_find(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);

@@ -1,6 +1,5 @@
-#include "launch/diff.hpp"
-
 #include "base/one_line.hpp"
+#include "launch/answering.hpp"
 #include "launch/build_flags.hpp"
 #include "launch/built_otherwise.hpp"
 #include "launch/text_table.hpp"

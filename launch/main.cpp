@@ -2,9 +2,9 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
+#include "launch/answering.hpp"
 #include "launch/command.hpp"
 #include "launch/defaults.hpp"
-#include "launch/diff.hpp"
 #include "launch/named_files.hpp"
 #include "launch/usage.hpp"
 #include "launch/version.hpp"
@@ -69,7 +69,7 @@ void add_commands(CLI::App& app, triptych::Action& action, int& failed) {
   triptych::add_sample(app, action);
   triptych::add_build(app, action);
   triptych::add_info(app, action);
-  triptych::add_find(app, action);
+  triptych::add_find(app, action, failed);
   triptych::add_check(app, action);
   triptych::add_diff(app, action, failed);
   triptych::add_render(app, action);

@@ -65,7 +65,7 @@ std::string object_table(const PackObjects& objects, std::span<const SourceObjec
   return text;
 }
 
-void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description) {
+size_t list_objects(const Pack& pack, const std::string& find, nlohmann::json& description) {
   const PackObjects objects = pack.read_objects();
   const std::vector<SourceObjectId> found = ObjectFinder(objects.source()).find(find);
   fmt::print("{} objects", in_threes(static_cast<double>(objects.source().objects.size())));
@@ -79,6 +79,7 @@ void list_objects(const Pack& pack, const std::string& find, nlohmann::json& des
   description["source_object_count"] = objects.source().objects.size();
   nlohmann::json& list = description["source_objects"] = nlohmann::json::array();
   for (const SourceObjectId id : found) list.push_back(to_json(objects, id));
+  return found.size();
 }
 
 }  // namespace triptych

@@ -20,7 +20,7 @@ nlohmann::json to_json(const PackObjects& objects, SourceObjectId id);
 std::string object_table(const PackObjects& objects, std::span<const SourceObjectId> ids);
 
 /// Prints the objects that the word means (scene/object_words.hpp), and adds them to the description:
-/// "source_object_count" and "source_objects".
-void list_objects(const Pack& pack, const std::string& find, nlohmann::json& description);
+/// "source_object_count" and "source_objects". Returns how many they are.
+size_t list_objects(const Pack& pack, const std::string& find, nlohmann::json& description);
 
 }  // namespace triptych

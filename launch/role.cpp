@@ -3,6 +3,7 @@
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
+#include "launch/viewpoint_flags.hpp"
 #include "session/role_command.hpp"
 
 namespace triptych {
@@ -106,6 +107,8 @@ void add_role(CLI::App& app, Action& action) {
       ->check(whole_number(0, max_frames));
   add_until_told_flag(*render, render_command->until_told);
   add_window_flag(*render, render_command->window);
+  add_viewpoint_flags(*render, render_command->viewpoint);
+  render->get_option("--bcf")->needs("--window");
   render
       ->add_option("--place", render_command->place,
                    "Keep where the person at the window stands in this file; begin there if it is there")

@@ -2,6 +2,7 @@
 #include "launch/hide_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
+#include "launch/viewpoint_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/session_faults.hpp"
 #include "measure/session_report.hpp"
@@ -96,6 +97,8 @@ void add_session(CLI::App& app, Action& action) {
   sub->add_flag("--hash", options->hash, "Put each picture's hash into the JSON");
   add_until_told_flag(*sub, options->until_told);
   add_window_flag(*sub, options->window);
+  add_viewpoint_flags(*sub, options->viewpoint);
+  sub->get_option("--bcf")->needs("--window");
   sub->callback([=, &action] {
     require_path(options->run, options->window);
     if (options->window) size_for_window(*sub, options->run);

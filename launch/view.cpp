@@ -5,6 +5,7 @@
 #include "launch/command.hpp"
 #include "launch/hide_flags.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/viewpoint_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
 #include "nodes/frame_watch.hpp"
@@ -26,8 +27,8 @@ struct ViewCommand {
   std::optional<ContextKind> context;  ///< nullopt: the display's own
   bool play = false;
   double rate = 0;
-  std::filesystem::path pictures = ".", bcf;
-  size_t viewpoint = 1;
+  std::filesystem::path pictures = ".";
+  FirstViewpoint viewpoint;
 };
 
 int run(const ViewCommand& command) {
@@ -38,7 +39,7 @@ int run(const ViewCommand& command) {
   options.play = command.play;
   options.rate = command.rate;
   options.pictures = command.pictures;
-  if (!command.bcf.empty()) begin_at_viewpoint(command.bcf, command.viewpoint, pack, options);
+  begin_at_viewpoint(command.viewpoint, pack, options);
   if (options.play && !options.path) fail("view", "--play needs a --path to play");
   Viewer viewer(pack, options);
   say(viewer_help());
@@ -111,13 +112,7 @@ void add_view(CLI::App& app, Action& action) {
   sub->add_option("-o,--output", command->pictures, "Folder for what F2 to F5 save")
       ->type_name("DIR")
       ->capture_default_str();
-  CLI::Option* bcf = sub->add_option("--bcf", command->bcf, "Begin at a viewpoint of this BCF file")
-                         ->type_name("FILE")
-                         ->excludes("--path");
-  sub->add_option("--viewpoint", command->viewpoint, "Which of them, from 1 on")
-      ->needs(bcf)
-      ->check(whole_number(1, 1'000'000))
-      ->capture_default_str();
+  add_viewpoint_flags(*sub, command->viewpoint);
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
     size_for_window(*sub, command->run);

@@ -66,6 +66,8 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
   if (!options.output.empty()) append(words, {"-o", options.output.string()});
   if (!setup.path.empty()) append(words, {"--path", setup.path.string()});
   if (options.window) append(words, {"--window", "--place", setup.place.string()});
+  if (!setup.bcf.empty())
+    append(words, {"--bcf", setup.bcf.string(), "--viewpoint", std::to_string(options.viewpoint.number)});
   if (options.hash) append(words, {"--hash"});
   if (run.edges) append(words, {"--edges"});
   for (const std::string& word : run.hide) append(words, {"--hide=" + word});

@@ -15,6 +15,7 @@ struct SessionSetup {
   uint64_t session = 0;        ///< the number that they share
   uint64_t pack_hash = 0;      ///< of the content of their packs
   std::filesystem::path path;  ///< the session's own copy of its path; empty: none
+  std::filesystem::path bcf;   ///< the same of its viewpoints
   std::optional<Hosts> hosts;  ///< of a session over several machines
   const Listener* render_listener = nullptr;
   const Listener* switch_listener = nullptr;  ///< used by a session on this machine alone

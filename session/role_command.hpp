@@ -2,6 +2,7 @@
 #pragma once
 
 #include "protocol/role.hpp"
+#include "session/first_viewpoint.hpp"
 #include "session/run_options.hpp"
 
 #include <filesystem>
@@ -34,6 +35,7 @@ struct RoleCommand {
   uint32_t begin = 0;
   bool hash = false;
   std::filesystem::path place;  ///< where the person at the window stands, for its successor; empty: not kept
+  FirstViewpoint viewpoint;     ///< where that person begins
   bool until_told = false;      ///< the path is played until a signal comes, which is no interruption then
 };
 

@@ -11,6 +11,7 @@
 #include "session/path_source.hpp"
 #include "session/render_sink.hpp"
 #include "session/session_connector.hpp"
+#include "session/viewpoint_frames.hpp"
 #include "session/window_source.hpp"
 
 #include <algorithm>
@@ -112,6 +113,7 @@ int run_render(const RoleCommand& command) {
     ViewerOptions options = viewer_options(command.run, pack);
     if (!command.output.empty()) options.pictures = command.output;
     options.place = command.place;
+    begin_at_viewpoint(command.viewpoint, pack, options);
     window = std::make_unique<WindowSource>(pack, options, command.begin);
     device = choose_device(command.run.device, window->names());
   } else {

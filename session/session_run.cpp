@@ -13,6 +13,8 @@
 #include "session/child_processes.hpp"
 #include "session/role_arguments.hpp"
 #include "session/temporary_folder.hpp"
+#include "session/viewpoint_frames.hpp"
+#include "session/window_source.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +46,8 @@ class Supervisor {
   Life& life(Role role) { return lives_[static_cast<size_t>(role)]; }
   const Life& life(Role role) const { return lives_[static_cast<size_t>(role)]; }
 
+  /// A render node that is started again reads what the first one read, whatever became of the file.
+  std::filesystem::path own_copy(const std::filesystem::path& file, const std::string& name) const;
   void start(Role role);
   /// True where the session is over. Error where it cannot go on: without a render node.
   bool take_end(Role role, const ChildProcesses::Ended& ended);
@@ -93,13 +97,17 @@ Supervisor::Supervisor(const SessionOptions& options, uint64_t pack_hash)
   setup_.pack_hash = pack_hash;
   setup_.journal = folder_.path() / "frames";
   setup_.place = folder_.path() / "place.json";
-  if (options.run.path.empty()) return;
-  // A render node that is started again plays what the first one played, whatever became of the file.
-  setup_.path = folder_.path() / "path.json";
+  setup_.path = own_copy(options.run.path, "path.json");
+  setup_.bcf = own_copy(options.viewpoint.bcf, "viewpoints.bcfzip");
+}
+
+std::filesystem::path Supervisor::own_copy(const std::filesystem::path& file, const std::string& name) const {
+  if (file.empty()) return {};
+  std::filesystem::path copy = folder_.path() / name;
   std::error_code error;
-  std::filesystem::copy_file(options.run.path, setup_.path, error);
-  if (error)
-    fail(setup_.path.string(), "cannot be copied from {}: {}", options.run.path.string(), error.message());
+  std::filesystem::copy_file(file, copy, error);
+  if (error) fail(copy.string(), "cannot be copied from {}: {}", file.string(), error.message());
+  return copy;
 }
 
 void Supervisor::start(Role role) {
@@ -265,7 +273,9 @@ SessionOutcome run_session(const SessionOptions& asked) {
   {
     const Pack pack(options.run.pack);
     pack_hash = pack.content_hash();
-    hidden = load_hiding(options.run, pack).name;
+    ViewerOptions at_first = viewer_options(options.run, pack);
+    begin_at_viewpoint(options.viewpoint, pack, at_first, false);
+    hidden = at_first.hiding.name;
     if (!options.run.path.empty()) load_frames(options.run, pack.skeleton());
   }
   options.run.device.kind = device_of_all(options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/session_records.hpp"
+#include "session/first_viewpoint.hpp"
 #include "session/run_options.hpp"
 
 #include <sys/types.h>
@@ -26,8 +27,9 @@ struct SessionOptions {
   bool insecure = false;
   uint16_t port = 0;  ///< the render node's; switch node 0 takes the next one. 0: any free ones
   bool hash = false;
-  bool window = false;      ///< a person at the render node moves the camera
-  bool until_told = false;  ///< the path is played until a signal comes
+  bool window = false;       ///< a person at the render node moves the camera
+  FirstViewpoint viewpoint;  ///< where the person begins
+  bool until_told = false;   ///< the path is played until a signal comes
 };
 
 /// A process that was killed and has a successor.

@@ -54,15 +54,15 @@ std::vector<FrameRequest> viewpoint_frames(const std::filesystem::path& bcf, con
   return frames;
 }
 
-void begin_at_viewpoint(const std::filesystem::path& bcf, size_t number, const Pack& pack,
-                        ViewerOptions& options) {
-  const std::vector<Viewpoint> viewpoints = read_bcf(bcf);
-  if (number > viewpoints.size())
-    fail(bcf.string(), "has {} viewpoints, and no number {}", viewpoints.size(), number);
-  const Viewpoint& viewpoint = viewpoints[number - 1];
-  const std::string place = place_of(bcf, number - 1);
+void begin_at_viewpoint(const FirstViewpoint& first, const Pack& pack, ViewerOptions& options, bool says) {
+  if (first.bcf.empty()) return;
+  const std::vector<Viewpoint> viewpoints = read_bcf(first.bcf);
+  if (first.number > viewpoints.size())
+    fail(first.bcf.string(), "has {} viewpoints, and no number {}", viewpoints.size(), first.number);
+  const Viewpoint& viewpoint = viewpoints[first.number - 1];
+  const std::string place = place_of(first.bcf, first.number - 1);
   const PackObjects objects = pack.read_objects();
-  say_left_out(viewpoint, objects.source(), place);
+  if (says) say_left_out(viewpoint, objects.source(), place);
   options.path = Path{{viewpoint.camera}};
   options.section = section_of(viewpoint, place);
   options.hiding = hiding_of(viewpoint, options.hiding, pack.skeleton(), objects, place);

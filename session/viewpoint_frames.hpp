@@ -1,6 +1,7 @@
 // The viewpoints of a BCF file as frames.
 #pragma once
 
+#include "session/first_viewpoint.hpp"
 #include "session/run_options.hpp"
 #include "view/viewer.hpp"
 
@@ -14,8 +15,9 @@ namespace triptych {
 std::vector<FrameRequest> viewpoint_frames(const std::filesystem::path& bcf, const RunOptions& options,
                                            const Pack& pack);
 
-/// A viewer that begins at the viewpoint of that number, counted from 1. Error where there is none.
-void begin_at_viewpoint(const std::filesystem::path& bcf, size_t number, const Pack& pack,
-                        ViewerOptions& options);
+/// A viewer that begins at a viewpoint, if there is to be one. What cannot be shown is said if `says`. Error
+/// where it is not there.
+void begin_at_viewpoint(const FirstViewpoint& first, const Pack& pack, ViewerOptions& options,
+                        bool says = true);
 
 }  // namespace triptych

@@ -72,7 +72,7 @@ std::vector<Words> Search::words() const {
     const bool here = at_ && *at_ == i;
     words.push_back({(here ? "> " : "  ") + name_of(found_[i]), here ? selection_color : word_color});
   }
-  if (!found_.empty()) words.push_back({"Enter: next  Shift+Enter: back  Ctrl+Enter: select all"});
+  if (!found_.empty()) words.push_back({"Enter: next  Shift+Enter: back  Ctrl+Enter: select all  Esc: done"});
   return words;
 }
 

@@ -209,6 +209,8 @@ void Viewer::save_viewpoint(const std::vector<uint8_t>& colors, const FrameState
                                              tour_.selected(), options_.window.title);
     write_bcf(file, viewpoint, encode_png(window_.width(), window_.height(), colors, file.string()),
               time_text());
+    const std::string lost = not_saved_text(frame, tour_.selector().objects().source(), tour_.selected());
+    if (!lost.empty()) notice("{}: without {}", file.string(), lost);
   });
 }
 

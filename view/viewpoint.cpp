@@ -28,6 +28,18 @@ std::vector<std::string> ifc_guids(const SourceObjects& source, std::span<const 
   return guids;
 }
 
+/// What is hidden, or what is not if that is less.
+struct Named {
+  bool are_hidden = true;
+  ObjectSet objects;
+};
+Named named_of(const FrameState& frame, const SourceObjects& source) {
+  const HiddenObjects* const hidden = frame.hiding.objects.get();
+  if (!hidden) return {};
+  if (2 * hidden->objects().size() <= source.objects.size()) return {true, hidden->objects()};
+  return {false, all_but(source, hidden->objects())};
+}
+
 }  // namespace
 
 std::vector<SourceObjectId> objects_of(const SourceObjects& source, std::span<const std::string> guids) {
@@ -49,12 +61,24 @@ Viewpoint viewpoint_of(const PathFrame& camera, const FrameState& frame, const S
   const std::vector<SourceObjectId> objects = selected.objects();
   viewpoint.selected = ifc_guids(source, objects);
   if (!objects.empty()) viewpoint.title += ": " + selected.name();
-  if (const HiddenObjects* const hidden = frame.hiding.objects.get()) {
-    viewpoint.shows_others = 2 * hidden->objects().size() <= source.objects.size();
-    viewpoint.exceptions =
-        ifc_guids(source, viewpoint.shows_others ? hidden->objects() : all_but(source, hidden->objects()));
-  }
+  const Named named = named_of(frame, source);
+  viewpoint.shows_others = named.are_hidden;
+  viewpoint.exceptions = ifc_guids(source, named.objects);
   return viewpoint;
+}
+
+std::string not_saved_text(const FrameState& frame, const SourceObjects& source, const Selected& selected) {
+  std::string text;
+  const auto count = [&](std::span<const SourceObjectId> objects, const char* what) {
+    const size_t without = objects.size() - ifc_guids(source, objects).size();
+    if (without == 0) return;
+    text += fmt::format("{}{} of {} objects that are {}", text.empty() ? "" : ", ", without, objects.size(),
+                        what);
+  };
+  const Named named = named_of(frame, source);
+  count(selected.objects(), "selected");
+  count(named.objects, named.are_hidden ? "hidden" : "shown");
+  return text.empty() ? text : text + ": they have no IFC GUID";
 }
 
 ObjectSet hidden_by(const Viewpoint& viewpoint, const SourceObjects& source) {

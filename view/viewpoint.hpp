@@ -22,6 +22,10 @@ std::vector<SourceObjectId> objects_of(const SourceObjects& source, std::span<co
 Viewpoint viewpoint_of(const PathFrame& camera, const FrameState& frame, const SourceObjects& source,
                        const Selected& selected, const std::string& title);
 
+/// What of that a viewpoint cannot hold, in a few words: objects without an IFC GUID. Empty where there are
+/// none.
+std::string not_saved_text(const FrameState& frame, const SourceObjects& source, const Selected& selected);
+
 /// What it hides of the model: what is named with all that is in it, or all the rest.
 ObjectSet hidden_by(const Viewpoint& viewpoint, const SourceObjects& source);
 

@@ -123,6 +123,35 @@ void write_text_formats() {
   write("stl/binary.stl", stl.bytes());
 }
 
+/// The members of viewpoint files, as the target takes them.
+void write_viewpoints() {
+  const auto vector = [](const std::string& name, const std::string& x, const std::string& y,
+                         const std::string& z) {
+    return "<" + name + "><X>" + x + "</X><Y>" + y + "</Y><Z>" + z + "</Z></" + name + ">";
+  };
+  const std::string camera = vector("CameraViewPoint", "1.5", "-2e3", "+3") +
+                             vector("CameraDirection", "0", "1", "0") +
+                             vector("CameraUpVector", "0", "0", "1");
+  const std::string plane = "<ClippingPlane>" + vector("Location", "1", "2", "3") +
+                            vector("Direction", "0", "-0.5", "0.25") + "</ClippingPlane>";
+  const std::string components =
+      "<Components><Selection><Component IfcGuid=\"0123456789abcdefABCD_$\"/></Selection><Visibility "
+      "DefaultVisibility=\"false\"><Exceptions><Component IfcGuid=\"a\"/></Exceptions></Visibility>"
+      "<Coloring><Color/></Coloring></Components>";
+  const std::string zero(1, '\0'), begin = "<?xml version=\"1.0\"?><VisualizationInfo Guid=\"v\">";
+  write("bcf/2.1", "<Version VersionId=\"2.1\"/>" + zero +
+                       "<Markup><Topic Guid=\"t\"><Title>A &amp; B</Title></Topic><Viewpoints Guid=\"v\">"
+                       "<Viewpoint>a.bcfv</Viewpoint></Viewpoints></Markup>" +
+                       zero + begin + components + "<PerspectiveCamera>" + camera +
+                       "<FieldOfView>50</FieldOfView></PerspectiveCamera><ClippingPlanes>" + plane + plane +
+                       "</ClippingPlanes><Lines><Line/></Lines><Bitmap/></VisualizationInfo>");
+  write("bcf/3.0", "<Version VersionId=\"3.0\"/>" + zero +
+                       "<Markup><Topic Guid=\"t\"><Title>A</Title><Viewpoints><ViewPoint Guid=\"v\">"
+                       "<Viewpoint>a.bcfv</Viewpoint></ViewPoint></Viewpoints></Topic></Markup>" +
+                       zero + begin + "<OrthogonalCamera>" + camera +
+                       "<ViewToWorldScale>7</ViewToWorldScale></OrthogonalCamera></VisualizationInfo>");
+}
+
 /// What a converter writes of two triangles, placed twice.
 void write_scene() {
   const auto file = folder / "scene/two";
@@ -278,6 +307,7 @@ int main(int count, char** arguments) {
   triptych::make_folder(triptych::folder);
   triptych::write_gltf();
   triptych::write_text_formats();
+  triptych::write_viewpoints();
   triptych::write_scene();
   triptych::write_pack();
   for (const auto& [name, bytes] : triptych::fuzz::wire_seeds()) triptych::write(name, bytes);

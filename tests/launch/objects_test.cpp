@@ -61,6 +61,12 @@ TEST_F(NamedObjects, find_lists_those_with_a_word) {
   EXPECT_EQ(report["source_object_count"], cubes + 1);
   EXPECT_EQ(report["source_objects"], listed("cube 1"));
   EXPECT_EQ(report["source_objects"].size(), 7u) << "1 and 10 to 15";
+  Program nothing({"find", pack, "no such thing", "--json", json});
+  EXPECT_EQ(nothing.wait(), 1) << "as of grep: " << nothing.errors();
+  EXPECT_TRUE(json_of(json)["source_objects"].empty());
+  EXPECT_TRUE(nothing.complaints().empty()) << nothing.errors();
+  Program damaged({"find", path, "CUBE"});
+  EXPECT_EQ(damaged.wait(), 2) << "an error is another code than nothing found: " << damaged.errors();
   Program without({"find", pack});
   EXPECT_EQ(without.wait(), 2) << "a word is missing: " << without.errors();
 }

@@ -240,6 +240,9 @@ TEST(Viewpoint, names_the_selection_by_its_ifc_guid) {
   const Viewpoint of_both = viewpoint_of({}, frame, source, selected, "room");
   EXPECT_EQ(of_both.selected, viewpoint.selected) << "the other has no IFC GUID";
   EXPECT_EQ(of_both.title, "room: 2 objects");
+  EXPECT_EQ(not_saved_text(frame, source, selected),
+            "1 of 2 objects that are selected: they have no IFC GUID");
+  EXPECT_EQ(not_saved_text(frame, source, {}), "");
   const std::vector<std::string> wanted = {"no guid", "unknown"};
   EXPECT_EQ(objects_of(source, wanted), std::vector<SourceObjectId>{1});
 }

@@ -1,0 +1,194 @@
+// Several selected objects, cuts and hiding step by step, and what a session's window begins with and keeps,
+// at a real window.
+#include "tests/view/view_window.hpp"
+
+namespace triptych::test {
+namespace {
+
+class EditWindow : public ViewWindow {
+ protected:
+  EditWindow() { scenes::write_pack_with_objects("room", pack); }
+
+  Picture after(const std::string& keys) {
+    xdotool(keys + " sleep 0.2");
+    return look();
+  }
+  bool title_has(const std::string& words) const {
+    for (int tries = 0; tries < 300; ++tries) {
+      if (title().find(words) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+  void click(int x, int y, const std::string& modifier = "") const {
+    const std::string place = std::to_string(x) + " " + std::to_string(y);
+    const bool held = !modifier.empty();
+    xdotool((held ? "keydown " + modifier + " " : "") + "mousemove " + place +
+            " sleep 0.1 click 1 sleep 0.3" + (held ? " keyup " + modifier : ""));
+  }
+  /// Of the places of the picture's middle row and column, Ctrl+clicks those that it takes to select two
+  /// objects.
+  void select_two() const {
+    click(160, 120);
+    for (int i = 1; i < 8 && title().find(", 2 objects") == std::string::npos; ++i) {
+      click(160 + i * 18 * (i % 2 == 0 ? 1 : -1), 120 + i * 9, "ctrl");
+    }
+    EXPECT_TRUE(title_has("2 objects")) << title();
+  }
+  /// Each Esc ends one thing.
+  void leave(Program& program, int escapes = 1) const {
+    for (int i = 0; i < escapes; ++i) xdotool("key Escape sleep 0.3");
+    EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  }
+  /// Kills a session's render node and waits for the window of the next one.
+  void kill_render_node(Program& program) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    const pid_t killed = program.role("render");
+    ::kill(killed, SIGKILL);
+    for (int tries = 0; tries < 2000 && program.last_role("render") == killed; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_NE(program.last_role("render"), killed) << program.errors();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    find_window();
+  }
+};
+
+TEST_F(EditWindow, undoes_and_redoes_cuts_and_hiding_in_their_order) {
+  Program program(view());
+  find_window();
+  click(160, 120);
+  const Picture first = look();
+  const Picture hidden = after("key h");
+  EXPECT_NE(hidden, first);
+  const Picture cut = after("mousemove 160 120 sleep 0.1 key x");
+  EXPECT_TRUE(title_has("cut by 1 plane")) << title();
+  const Picture pushed = after("key Prior");
+  EXPECT_NE(pushed, cut) << "the cut does not move";
+  const Picture flipped = after("key z");
+  EXPECT_NE(flipped, pushed);
+  const Picture shown = after("key u");
+  EXPECT_NE(shown, flipped);
+  for (const Picture* before : {&flipped, &pushed, &cut, &hidden, &first})
+    EXPECT_EQ(after("key ctrl+z"), *before) << "of five steps back";
+  xdotool("key ctrl+z sleep 0.2");
+  EXPECT_TRUE(title_has("nothing to undo")) << title();
+  EXPECT_EQ(after("key ctrl+y"), hidden);
+  EXPECT_EQ(after("key ctrl+shift+z"), cut) << "and the eye has not gone down with Shift";
+  xdotool("key ctrl+y key ctrl+y key ctrl+y sleep 0.2");
+  EXPECT_EQ(look(), shown);
+  xdotool("key ctrl+y sleep 0.2");
+  EXPECT_TRUE(title_has("nothing to redo")) << title();
+  leave(program, 2);
+}
+
+TEST_F(EditWindow, selects_several_objects_and_hides_isolates_and_cuts_to_all_of_them) {
+  Program program(view({"--json", json}));
+  find_window();
+  click(160, 120);
+  const Picture one = look();
+  select_two();
+  const Picture two = look();
+  EXPECT_NE(two, one) << "the second has no outline, and there is no sum";
+  const Picture without = after("key h");
+  EXPECT_TRUE(title_has(" objects hidden")) << title();
+  EXPECT_NE(without, two);
+  EXPECT_EQ(after("key ctrl+z"), two);
+  const Picture alone = after("key i");
+  EXPECT_NE(alone, two);
+  EXPECT_GT(colors_in(alone), 1u);
+  EXPECT_EQ(after("key ctrl+z"), two);
+  const Picture boxed = after("key k");
+  EXPECT_TRUE(title_has("cut by a box")) << title();
+  EXPECT_NE(boxed, two);
+  EXPECT_EQ(after("key k"), two) << "the same again: no box";
+  const Picture fitted = after("key f");
+  EXPECT_NE(fitted, two);
+  leave(program, 2);
+}
+
+TEST_F(EditWindow, shows_its_help_over_the_picture_until_escape) {
+  Program program({"view", pack, "--size", "800x600", "-o", folder.file("pictures")});
+  find_window();
+  const Picture before = look();
+  const Picture helping = after("key F1");
+  EXPECT_NE(helping, before);
+  EXPECT_EQ(after("key F1"), before);
+  EXPECT_EQ(after("key F1"), helping);
+  EXPECT_EQ(after("key Escape"), before);
+  leave(program);
+}
+
+TEST_F(EditWindow, finds_all_objects_of_a_word_and_fits_them) {
+  Program program(view());
+  find_window();
+  const Picture before = look();
+  xdotool("key slash sleep 0.2 type layer");
+  EXPECT_TRUE(title_has("search layer: ")) << title();
+  xdotool("key ctrl+Return sleep 0.3 key Escape sleep 0.3");
+  EXPECT_TRUE(title_has(" objects,") || title_has(" objects")) << title();
+  EXPECT_NE(look(), before);
+  leave(program, 2);
+}
+
+TEST_F(EditWindow, of_a_session_keeps_selection_and_measurements_when_the_render_node_is_killed) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--gather", "60", "-o", folder.file("pictures")});
+  find_window();
+  const Picture untouched = look();
+  select_two();
+  const Picture selected = look();
+  xdotool("key m sleep 0.2");
+  click(160, 120);
+  click(190, 150);
+  EXPECT_TRUE(title_has("distance ")) << title();
+  xdotool("key m sleep 0.2");
+  click(130, 140);
+  click(140, 100);
+  const std::string all = title(), distance = all.substr(0, all.find(", dx")).substr(all.find("distance "));
+  xdotool("mousemove 2 2 sleep 0.5");
+  const Picture measured = look();
+  EXPECT_NE(measured, selected);
+  kill_render_node(program);
+  xdotool("mousemove 3 3 sleep 0.2 mousemove 2 2 sleep 0.5");
+  EXPECT_EQ(look(), measured);
+  EXPECT_NE(title().find(distance), std::string::npos) << title();
+  EXPECT_TRUE(title_has("2 objects")) << title();
+  xdotool("key Escape sleep 0.3");
+  EXPECT_EQ(look(), selected) << "Esc ends measuring";
+  xdotool("key Escape sleep 0.3");
+  EXPECT_EQ(look(), untouched) << "and then nothing is selected";
+  leave(program);
+}
+
+TEST_F(EditWindow, of_a_session_begins_at_a_viewpoint_and_saves_others) {
+  const std::string saved = folder.file("pictures/viewpoint-000.bcfzip");
+  {
+    Program program(view());
+    find_window();
+    click(160, 120);
+    xdotool("key h sleep 0.3 key k sleep 0.2 mousemove 200 150 sleep 0.2 key x sleep 0.2 key F5");
+    EXPECT_TRUE(title_has("saved viewpoint-000.bcfzip")) << title();
+    leave(program, 2);
+  }
+  Program program({"session", pack, "--window", "--bcf", saved, "--size", "320x240", "--json", json,
+                   "--gather", "60", "-o", folder.file("session")});
+  find_window();
+  EXPECT_TRUE(title_has("cut by 1 plane and a box")) << title();
+  xdotool("key F5 sleep 0.2 key F3 sleep 0.2");
+  for (const char* const file : {"session/viewpoint-000.bcfzip", "session/camera-000.json"}) {
+    for (int tries = 0; tries < 500 && !std::filesystem::exists(folder.file(file)); ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(std::filesystem::exists(folder.file(file))) << file;
+  }
+  leave(program);
+  EXPECT_NE(
+      failure({"session", pack, "--window", "--bcf", saved, "--viewpoint", "2"}).find("has 1 viewpoints"),
+      std::string::npos);
+  EXPECT_NE(failure({"session", pack, "--window", "--bcf", path}).find("is not a zip archive"),
+            std::string::npos);
+  Program without_a_window({"session", pack, "--bcf", saved});
+  EXPECT_EQ(without_a_window.wait(), 2) << without_a_window.errors();
+}
+
+}  // namespace
+}  // namespace triptych::test
