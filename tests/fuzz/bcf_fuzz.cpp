@@ -66,8 +66,8 @@ std::vector<uint8_t> archive_of(const std::array<std::string, 3>& texts) {
   file.all.insert(file.all.end(), directory.all.begin(), directory.all.end());
   file.number(0x06054b50, 4);
   file.number(0, 4);
-  file.number(texts.size(), 2);
-  file.number(texts.size(), 2);
+  file.number(static_cast<uint32_t>(texts.size()), 2);
+  file.number(static_cast<uint32_t>(texts.size()), 2);
   file.number(size, 4);
   file.number(begin, 4);
   file.number(0, 2);

@@ -2,7 +2,7 @@
 #include "launch/named_files.hpp"
 
 #include "base/error.hpp"
-#include "launch/diff.hpp"
+#include "launch/answering.hpp"
 #include "session/role_arguments.hpp"
 #include "tests/session/program.hpp"
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <unordered_map>
 #include <unzip.h>
+#include <utility>
 #include <zip.h>
 
 namespace triptych {
