@@ -8,8 +8,11 @@
 
 namespace triptych {
 
-inline constexpr GLuint probe_binding = 0;       ///< storage: vertices of the rasteriser's probe
-inline constexpr GLuint palette_binding = 1;     ///< storage: colours
+inline constexpr GLuint probe_binding = 0;    ///< storage: vertices of the rasteriser's probe
+inline constexpr GLuint palette_binding = 1;  ///< storage: colours
+/// What every shader begins with.
+inline constexpr const char* shader_version = "#version 450\n";
+
 inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under test
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
 inline constexpr GLuint bounds_binding = 4;      ///< storage: one PixelDepthBound a piece

@@ -261,7 +261,7 @@ const std::vector<std::string> places = {
     R"(launch/ifc/(\w+\.mjs|package(-lock)?\.json))",
     R"(cmake/[\w-]+\.cmake|cmake/precompiled/\w+\.[ch]pp)",
     R"(docs/[\w-]+\.(md|png)|docs/hard-cases/\w+\.png)",
-    R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_names|fuzz/run|raster/no_weak_symbols))",
+    R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_formatting|check_names|fuzz/run|raster/no_weak_symbols))",
     R"(tests/fuzz/findings/README\.md|tests/fuzz/findings/\w+/[\w.-]+)"};
 
 TEST(House, everything_lies_in_its_place_and_no_note_was_left_behind) {
@@ -293,8 +293,8 @@ TEST(House, the_list_of_packages_is_sorted_and_names_each_once) {
 }
 
 TEST(House, what_a_newcomer_calls_can_be_called) {
-  for (const char* script :
-       {"launch/install", "launch/compile", "launch/demo", "tests/run", "tests/check_names", ".ci/run"}) {
+  for (const char* script : {"launch/install", "launch/compile", "launch/demo", "tests/run",
+                             "tests/check_formatting", "tests/check_names", ".ci/run"}) {
     const fs::path file = source_dir / script;
     ASSERT_TRUE(fs::exists(file)) << script;
     EXPECT_NE(fs::status(file).permissions() & fs::perms::owner_exec, fs::perms::none) << script;

@@ -124,11 +124,11 @@ TEST_P(DevicesAgree, in_edges_of_one_sample_and_of_several_but_for_a_few_pixels)
   EXPECT_LE(different, edges / 50);
 }
 
-// Not
-// dust, where a pixel is a drawable. Coplanar faces are what differs there.
+// Not slivers, whose coverage is up to how finely a device snaps corners. Not dust, where a pixel is a
+// drawable. Coplanar faces are what differs there.
 INSTANTIATE_TEST_SUITE_P(Scenes, DevicesAgree,
-                         testing::Values("room", "flat", "slivers", "world", "instances", "far", "storeys",
-                                         "painted", "triangle"),
+                         testing::Values("room", "flat", "world", "instances", "far", "storeys", "painted",
+                                         "triangle"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace
