@@ -1,4 +1,5 @@
 #include "base/distribution.hpp"
+#include "base/signals.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/recorded_pack.hpp"
@@ -44,16 +45,24 @@ int run(const MeasureRolesCommand& command) {
     append(stages[0].times, time_local_pipeline(pack, frames, device.options));
     append(stages[1].times, time_render_node(pack, render, frames, device.options));
     for (const size_t node : {size_t{0}, size_t{1}}) {
+      if (stop_requested()) return interrupted_exit_code();
       const SwitchNodeTimes times = time_switch_node(pack, recordings[1 + node], device.options);
       append(stages[2 + 2 * node].times, times.hardware_cull);
       append(stages[3 + 2 * node].times, times.occlusion_representation);
     }
   }
+  if (stop_requested()) return interrupted_exit_code();
   const double local = distribution(stages[0].times).p50;
   double slowest = 0;
   nlohmann::json rows = nlohmann::json::array();
   std::vector<std::vector<std::string>> lines;
   for (const RoleStage& stage : stages) {
+    if (stage.times.empty()) {  // of a session of one frame
+      rows.push_back(
+          {{"role", stage.role}, {"stage", stage.stage}, {"ms", nullptr}, {"over_local", nullptr}});
+      lines.push_back({stage.role, stage.stage, "-", "-", "-"});
+      continue;
+    }
     const Distribution times = distribution(stage.times);
     if (&stage != stages.data()) slowest = std::max(slowest, times.p50);
     rows.push_back({{"role", stage.role},

@@ -72,7 +72,11 @@ constexpr std::chrono::milliseconds no_limit{600'000};
 std::vector<RoleRecording> read_session_recording(const std::filesystem::path& folder) {
   std::vector<RoleRecording> roles;
   for (const Role role : all_roles) roles.push_back(read_role(role, folder));
-  for (const RoleRecording& recording : roles) check_is_one_epoch(recording);
+  for (const RoleRecording& recording : roles) {
+    if (recording.header.own.session != roles.front().header.own.session)
+      fail(recording.file, "is of another session than {}", roles.front().file);
+    check_is_one_epoch(recording);
+  }
   return roles;
 }
 
@@ -103,6 +107,7 @@ SwitchNodeTimes time_switch_node(const Pack& pack, const RoleRecording& recordin
                   {.device = device,
                    .connect = [&](bool again) { return again ? nullptr : peers.connect(); },
                    .stop = [&] { return peers.failed() || stop_requested(); }});
+  if (stop_requested()) return {};
   peers.finish();
   return times;
 }
@@ -121,6 +126,7 @@ std::vector<double> time_render_node(const Pack& pack, const RoleRecording& reco
        .connect =
            [&](const std::function<bool()>&) { return connected.exchange(true) ? nullptr : peers.connect(); },
        .stop = [&] { return peers.failed() || stop_requested(); }});
+  if (stop_requested()) return {};
   peers.finish();
   if (sink.alone()) fail(recording.file, "the render node did not take what it took in the session");
   return sink.take();

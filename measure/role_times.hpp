@@ -20,9 +20,9 @@ struct RoleRecording {
   std::vector<RecordedMessage> messages;
 };
 
-/// Those of the three roles, render node first. Error (file) where one is missing, is cut or damaged, where
-/// roles were restarted, or the render node drew a frame alone: then a role cannot be played from its
-/// recording.
+/// Those of the three roles, render node first. Error (file) where one is missing, is cut or damaged, is
+/// of another session, where roles were restarted, or the render node drew a frame alone: then a role cannot
+/// be played from its recording.
 std::vector<RoleRecording> read_session_recording(const std::filesystem::path& folder);
 
 /// The frames of the session, as its render node had them. pack must outlive the result.
@@ -33,8 +33,8 @@ struct SwitchNodeTimes {
   std::vector<double> hardware_cull, occlusion_representation;  ///< of the frames in which it was that
 };
 
-/// Runs the role alone on all cores, its peers played. Error (file) where it does not send what it sent in
-/// the session.
+/// Runs the role alone on all cores, its peers played. Empty where the process was told to end. Error (file)
+/// where the role does not send what it sent in the session.
 SwitchNodeTimes time_switch_node(const Pack& pack, const RoleRecording& recording,
                                  const DeviceOptions& device);
 /// The same for the render node: from picture to picture.

@@ -162,6 +162,10 @@ bool meets_itself_nowhere(std::span<const ExactTriangle> triangles) {
   return true;
 }
 
+bool holds(const LatticeBox& outer, const LatticeBox& inner) {
+  return glm::all(glm::lessThanEqual(outer.lo, inner.lo)) && glm::all(glm::lessThanEqual(inner.hi, outer.hi));
+}
+
 bool is_outward(std::span<const ExactTriangle> triangles) {
   if (std::any_of(triangles.begin(), triangles.end(), [](const auto& t) { return t.is_degenerate(); }))
     return false;
@@ -180,17 +184,34 @@ std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::spa
     triangles.push_back(corners);
     numbers.push_back(static_cast<uint32_t>(i / 3));
   }
-  std::vector<bool> outward(indices.size() / 3);
+  struct Solid {
+    LatticeBox box;
+    std::vector<uint32_t> members;
+  };
+  std::vector<Solid> solids;
+  std::vector<LatticeBox> turned_in;  // of closed surfaces whose outside may be in
   std::vector<ExactTriangle> group;
   ClosedGroups(points, triangles).visit([&](std::span<const uint32_t> members) {
     group.clear();
+    LatticeBox box;
     for (const uint32_t i : members) {
       const Corners& corners = triangles[i];
       group.emplace_back(std::array{points[corners[0]], points[corners[1]], points[corners[2]]});
+      for (const uint32_t corner : corners) box.extend(points[corner]);
     }
-    if (!is_outward(group)) return;
-    for (const uint32_t i : members) outward[numbers[i]] = true;
+    if (is_outward(group)) {
+      solids.push_back({box, {members.begin(), members.end()}});
+    } else {
+      turned_in.push_back(box);
+    }
   });
+  std::vector<bool> outward(indices.size() / 3);
+  for (const Solid& solid : solids) {
+    // What may be the wall of its cavity: then the inside of the surface is not all solid.
+    if (std::ranges::any_of(turned_in, [&](const LatticeBox& box) { return holds(solid.box, box); }))
+      continue;
+    for (const uint32_t i : solid.members) outward[numbers[i]] = true;
+  }
   return outward;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace triptych {
 
@@ -48,9 +49,20 @@ void Overlay::rim(const ScreenLine& line) {
   }
 }
 
+void Overlay::keep_clear(const glm::dvec2& pixel) {
+  const glm::dvec2 half(std::ceil(4 * unit_));
+  shown_.push_back({pixel - half, pixel + half});
+}
+
 void Overlay::line(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& color) {
   solid_.add_line(from, to, color);
   rim(solid_.lines().back());
+  const auto begin = pixel(from), end = pixel(to);
+  if (!begin || !end) return;
+  const glm::dvec2 way = *end - *begin;
+  constexpr double most_steps = 64;
+  const double steps = std::clamp(std::ceil(glm::length(way) / (8 * unit_)), 1.0, most_steps);
+  for (double i = 0; i <= steps; ++i) keep_clear(*begin + way * (i / steps));
 }
 
 void Overlay::thin_line(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& color) {
@@ -80,6 +92,7 @@ void Overlay::stroke(const glm::dvec2& from, const glm::dvec2& to, const glm::ve
 void Overlay::mark(const glm::dvec3& at, std::span<const glm::dvec2> corners, const glm::vec4& color) {
   const auto middle = pixel(at);
   if (!middle) return;
+  keep_clear(*middle);
   for (size_t i = 0; i + 1 < corners.size(); i += 2)
     stroke(*middle + unit_ * corners[i], *middle + unit_ * corners[i + 1], color);
 }
@@ -137,8 +150,10 @@ glm::dvec2 Overlay::size_of(const std::vector<Words>& words, double unit) const 
 
 void Overlay::write(const ScreenBox& box, const std::vector<Words>& words, double unit,
                     std::vector<ScreenLine>& lines) const {
+  // Through the middles of pixels, and a little beyond the last one, where OpenGL leaves out the end.
+  const double left = std::floor(box.lo.x) + 0.5, right = std::ceil(box.hi.x) + 0.25;
   for (double y = std::floor(box.lo.y); y < box.hi.y; ++y)
-    lines.push_back(flat_line({box.lo.x, y + 0.5}, {box.hi.x, y + 0.5}, dark));
+    lines.push_back(flat_line({left, y + 0.5}, {right, y + 0.5}, dark));
   // Strokes as wide as they are thick in the font, a square of pixels at each of their places.
   const auto pen = std::max(1, static_cast<int>(std::floor(unit / 1.5 + 0.25)));
   for (size_t i = 0; i < words.size(); ++i) {
@@ -159,6 +174,7 @@ void Overlay::write(const ScreenBox& box, const std::vector<Words>& words, doubl
 std::vector<ScreenBox> Overlay::label_places() const {
   LabelLayout layout(picture_, label_gap * unit_);
   for (const ScreenBox& panel : panels_) layout.take(panel);
+  for (const ScreenBox& shown : shown_) layout.take(shown);
   std::vector<ScreenBox> places;
   places.reserve(labels_.size());
   for (const Label& label : labels_)

@@ -21,7 +21,7 @@ struct Words {
 };
 
 /// Of one view. Lines and marks have a dark rim, and words a dark ground, so that they show on anything; both
-/// are larger in larger pictures. Words are moved so that none hide others.
+/// are larger in larger pictures. Words are moved so that they hide neither others nor marks and lines.
 class Overlay {
  public:
   /// content_scale: how much larger than usual the display wants words.
@@ -66,6 +66,8 @@ class Overlay {
   void stroke(const glm::dvec2& from, const glm::dvec2& to, const glm::vec4& color);
   void mark(const glm::dvec3& at, std::span<const glm::dvec2> corners, const glm::vec4& color);
   void rim(const ScreenLine& line);
+  /// Labels do not stand there.
+  void keep_clear(const glm::dvec2& pixel);
   /// How large words are, with the ground around them, pixels.
   glm::dvec2 size_of(const std::vector<Words>& words, double unit) const;
   void write(const ScreenBox& box, const std::vector<Words>& words, double unit,
@@ -78,6 +80,7 @@ class Overlay {
   std::vector<ScreenLine> rims_, strokes_, panel_lines_;
   std::vector<Label> labels_;
   std::vector<ScreenBox> panels_;
+  std::vector<ScreenBox> shown_;  ///< marks and lines, about
 };
 
 }  // namespace triptych

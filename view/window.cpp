@@ -130,6 +130,8 @@ class Window::Implementation {
     now.seconds = was_moving ? std::min(since_poll.seconds(), leap) : tap;
     since_poll.restart();
     now.leave = glfwWindowShouldClose(window) != 0;
+    // In a window that has just opened nothing has told yet.
+    if (!cursor_known) glfwGetCursorPos(window, &cursor_x, &cursor_y);
     now.cursor = in_pixels(cursor_x, cursor_y);
     pressed.clear();
     return now;
@@ -195,7 +197,7 @@ class Window::Implementation {
     } else if (action == GLFW_RELEASE && button == button_held) {
       if (button_held == GLFW_MOUSE_BUTTON_LEFT && dragged < click_pixels) {
         input.clicked = pressed_at;
-        input.click_adds = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)) != 0;
+        input.click_adds = (modifiers & GLFW_MOD_CONTROL) != 0;
         clicked.push_back(std::exchange(input, {}));
       }
       button_held = -1;

@@ -66,6 +66,34 @@ TEST_F(MeasureRoles, a_switch_node_whose_cameras_are_not_all_there_is_not_waited
   EXPECT_EQ(failure(measure()), "triptych: " + file(Role::switch_0) + ": the camera of frame 5 is not there");
 }
 
+TEST_F(MeasureRoles, recordings_of_two_sessions_are_not_mixed) {
+  const std::string other = folder.file("other");
+  run(session({"--record", other, "--gather", "60"}));
+  std::filesystem::copy_file(other + "/" + recording_name(Role::switch_1), file(Role::switch_1),
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(failure(measure()),
+            "triptych: " + file(Role::switch_1) + ": is of another session than " + file(Role::render));
+}
+
+TEST_F(MeasureRoles, that_is_interrupted_says_so_and_nothing_of_the_recording) {
+  Program program({"measure", "roles", recording, "--rounds", "1000"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait(), 130) << program.errors();
+  EXPECT_EQ(program.errors().find(recording), std::string::npos) << program.errors();
+}
+
+TEST_F(MeasureRoles, stages_that_a_session_did_not_have_are_null) {
+  const std::string one = folder.file("one");
+  run(session({"--record", one, "--gather", "60", "--frames", "1"}));
+  run({"measure", "roles", one, "--json", json});
+  const nlohmann::json report = json_of(json);
+  size_t none = 0;
+  for (const auto& row : report.at("rows")) none += row.at("ms").is_null();
+  EXPECT_GT(none, 0u);
+  EXPECT_LT(none, 4u);
+}
+
 TEST_F(MeasureRoles, a_folder_without_a_role_is_one_line) {
   std::filesystem::remove(file(Role::switch_1));
   EXPECT_EQ(failure(measure()), "triptych: " + recording + ": holds no recording of switch node 1");

@@ -165,9 +165,10 @@ TEST_F(EditWindow, of_a_session_begins_at_a_viewpoint_and_saves_others) {
   {
     Program program(view());
     find_window();
-    xdotool("keydown w sleep 0.3 keyup w sleep 0.3");  // BCF has no off-axis cameras, as the path begins with
+    xdotool("key w sleep 0.3");  // BCF has no off-axis cameras, as the path begins with
     click(160, 120);
     xdotool("key h sleep 0.3 key k sleep 0.2 mousemove 200 150 sleep 0.2 key x sleep 0.2 key F5");
+    EXPECT_TRUE(title_has("cut by 1 plane and a box")) << title();
     EXPECT_TRUE(title_has("saved viewpoint-000.bcfzip")) << title() << "\n" << program.errors();
     leave(program, 2);
   }

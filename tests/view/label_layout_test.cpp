@@ -1,10 +1,13 @@
 // Words over pictures: where they stand, and how large they are.
 #include "view/label_layout.hpp"
 
+#include "raster/lines.hpp"
 #include "view/help.hpp"
 #include "view/overlay.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <iterator>
 
 namespace triptych {
 namespace {
@@ -62,6 +65,57 @@ TEST(Overlay, keeps_labels_of_one_place_apart_from_each_other_and_from_panels) {
   for (const ScreenLine& line : overlay.lines()) {
     for (const glm::vec4& end : {line.from, line.to})
       EXPECT_TRUE(std::abs(end.x) <= end.w * 1.001f) << "what is too long for the picture is cut";
+  }
+}
+
+TEST(Overlay, keeps_labels_off_marks_and_lines) {
+  const View view = view_of(1400, 900);
+  const PictureSpace space(view);
+  const auto pixel = [&](const glm::dvec3& at) { return space.pixel(space.from_eye(at)); };
+  Overlay overlay(view);
+  const std::vector<glm::dvec3> corners = {{-1, 0, 0}, {1, 0.2, 0}, {1, -1, 0}, {-0.8, -1.1, 0}};
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3& from = corners[i];
+    const glm::dvec3& to = corners[(i + 1) % corners.size()];
+    overlay.square(from, measure_color);
+    overlay.line(from, to, measure_color);
+    overlay.label((from + to) * 0.5, {{"2.345 m"}});
+  }
+  for (const ScreenBox& place : overlay.label_places()) {
+    for (size_t i = 0; i < corners.size(); ++i) {
+      const glm::dvec2 from = pixel(corners[i]), to = pixel(corners[(i + 1) % corners.size()]);
+      for (double share = 0; share < 1; share += 0.01) {
+        const glm::dvec2 at = from + (to - from) * share;
+        EXPECT_FALSE(place.overlaps({at, at + 1.0})) << "line " << i << " at " << share;
+      }
+    }
+  }
+}
+
+TEST(Overlay, has_no_gaps_in_the_grounds_of_words) {
+  for (const auto& [width, height] :
+       {std::pair(640, 480), {800, 600}, {1024, 768}, {1280, 800}, {1400, 900}, {1920, 1080}}) {
+    Overlay overlay(view_of(width, height));
+    overlay.page({{std::string(60, ' ')}, {"."}});
+    overlay.panel(Overlay::Corner::lower_left, {{std::string(30, ' ')}});
+    constexpr Rgba bright = {255, 255, 255, 255};
+    std::vector<Rgba> picture(static_cast<size_t>(width) * static_cast<size_t>(height), bright);
+    draw_lines(overlay.lines(), width, height, picture);
+    // Each row is dark from its first pixel of a ground to its last, but for the letter's own.
+    size_t gaps = 0, grounds = 0;
+    for (int y = 0; y < height; ++y) {
+      const auto row = picture.begin() + static_cast<std::ptrdiff_t>(y) * width;
+      const auto dark = [](const Rgba& color) { return color[0] < 50; };
+      const auto first = std::find_if(row, row + width, dark);
+      if (first == row + width) continue;
+      const auto last =
+          std::find_if(std::reverse_iterator(row + width), std::reverse_iterator(row), dark).base();
+      ++grounds;
+      const auto open = std::count_if(first, last, [&](const Rgba& color) { return !dark(color); });
+      gaps += open > 8;
+    }
+    EXPECT_GT(grounds, 20u);
+    EXPECT_EQ(gaps, 0u) << width << "x" << height;
   }
 }
 
