@@ -22,7 +22,7 @@ struct CacheHeader {
   uint64_t index_offset = 0, index_count = 0, index_checksum = 0;
 };
 
-constexpr const char* place = "a build's cache";
+constexpr const char* in_general = "a build's cache";
 
 /// Error for a file with something else in it than a cache, which would be lost.
 const std::filesystem::path& checked(const std::filesystem::path& file) {
@@ -80,7 +80,7 @@ std::optional<std::vector<std::byte>> BuildCache::find(const ContentKey& key) co
   if (!entry) return std::nullopt;
   std::vector<std::byte> bytes(entry->size);
   try {
-    read_at(old_.number(), entry->offset, bytes, place);
+    read_at(old_.number(), entry->offset, bytes, in_general);
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -97,7 +97,7 @@ bool BuildCache::read(const ContentKey& key,
   for (uint64_t done = 0; done < entry->size; done += stretch.size()) {
     stretch.resize(std::min<uint64_t>(entry->size - done, uint64_t{1} << 20));
     try {
-      read_at(old_.number(), entry->offset + done, stretch, place);
+      read_at(old_.number(), entry->offset + done, stretch, in_general);
     } catch (const Error&) {
       return false;
     }
@@ -168,7 +168,7 @@ void BuildCache::renew(
 }
 
 void BuildCache::commit() {
-  if (!problem_.empty()) fail(place, "{}", problem_);
+  if (!problem_.empty()) fail(in_general, "{}", problem_);
   std::vector<Entry> index;
   for (const auto& [key, entry] : entries_) index.push_back(entry);
   const auto bytes = std::as_bytes(std::span<const Entry>(index));

@@ -129,11 +129,12 @@ uint32_t material_of(const std::array<glm::dvec3, 3>& corners, const Component& 
   const glm::dvec3 normal =
       glm::cross(corners[1] - corners[0], corners[2] - corners[0]) * (of.is_inside_out ? -1.0 : 1.0);
   for (const Triangle& triangle : component.surface.triangles) {
-    const auto& [a, b, c] = triangle.vertices;
     const auto& points = component.surface.points;
-    const glm::dvec3 own = glm::normalize(area_normal(points[a], points[b], points[c]));
+    const glm::ivec3 first = points[triangle.vertices[0]];
+    const glm::dvec3 own =
+        glm::normalize(area_normal(first, points[triangle.vertices[1]], points[triangle.vertices[2]]));
     const bool in_plane = std::ranges::all_of(corners, [&](const glm::dvec3& corner) {
-      return std::abs(glm::dot(corner - glm::dvec3(points[a]), own)) <= rounding;
+      return std::abs(glm::dot(corner - glm::dvec3(first), own)) <= rounding;
     });
     if (in_plane && glm::dot(own, normal) > 0) return triangle.material;
   }
