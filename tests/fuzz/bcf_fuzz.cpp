@@ -25,7 +25,7 @@ void expect(bool holds, const char* what) {
 class Bytes {
  public:
   void number(uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) all.push_back(static_cast<uint8_t>(value >> 8 * i));
+    for (int i = 0; i < bytes; ++i) all.push_back(i < 4 ? static_cast<uint8_t>(value >> 8 * i) : uint8_t{0});
   }
   void text(const std::string& text) { all.insert(all.end(), text.begin(), text.end()); }
   std::vector<uint8_t> all;
