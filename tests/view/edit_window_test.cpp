@@ -13,13 +13,6 @@ class EditWindow : public ViewWindow {
     xdotool(keys + " sleep 0.2");
     return look();
   }
-  bool title_has(const std::string& words) const {
-    for (int tries = 0; tries < 300; ++tries) {
-      if (title().find(words) != std::string::npos) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-  }
   void click(int x, int y, const std::string& modifier = "") const {
     const std::string place = std::to_string(x) + " " + std::to_string(y);
     const bool held = !modifier.empty();

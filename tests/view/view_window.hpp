@@ -57,6 +57,14 @@ class ViewWindow : public SceneFiles {
     xdotool("windowfocus --sync " + window);
   }
   std::string title() const { return xdotool("getwindowname " + window); }
+  /// Now or soon.
+  bool title_has(const std::string& words) const {
+    for (int tries = 0; tries < 300; ++tries) {
+      if (title().find(words) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
 
   /// Finds the window, walks, makes it 400x200 and walks on: a session's cameras as a person gives them.
   void walk_and_resize() {
