@@ -62,8 +62,7 @@ int run(const MeasureHidingCommand& command) {
   }
   fmt::print(
       "{}milliseconds are of processor time, medians; those of the clock are in the JSON. cold: the clock's, "
-      "of "
-      "the first picture of all, which reads what was never drawn before\n",
+      "of the first picture of all, which reads what was never drawn before\n",
       text_table({"gone", "objects", "bytes", "apply ms", "first picture", "the same shown", "frame ms",
                   "cold ms", "x", "cut", "triangles"},
                  lines));
@@ -80,8 +79,7 @@ void add_measure_hiding(CLI::App& measure, Action& action) {
   auto command = std::make_shared<MeasureHidingCommand>();
   CLI::App* hiding = measure.add_subcommand("hiding",
                                             "What it costs to hide one object, and every second one, and to "
-                                            "cut the model: the step, and frames after "
-                                            "it");
+                                            "cut the model: the step, and frames after it");
   hiding->footer("Example: triptych measure hiding scene.tpk --path walk.json --json hiding.json");
   add_run_flags(*hiding, command->run);
   add_picture_flags(*hiding, command->run);

@@ -5,13 +5,6 @@
 
 namespace triptych {
 
-std::string in_threes(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  const size_t start = text.front() == '-' ? 1 : 0;
-  for (size_t i = std::min(text.find('.'), text.size()); i > start + 3; i -= 3) text.insert(i - 3, ",");
-  return text;
-}
-
 std::string text_table(const std::vector<std::string>& head,
                        const std::vector<std::vector<std::string>>& rows) {
   std::vector<size_t> widths;

@@ -26,8 +26,7 @@ LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, cons
     const Affine& transform = skeleton.transforms[placement.transform];
     Box placed;
     for (int i = 0; i < 8; ++i) placed.extend(transform * glm::dvec4(of_mesh.corner(i), 1));
-    // Where the transform's result is not a number, the outer box's side is
-    // kept.
+    // Where the transform's result is not a number, the outer box's side is kept.
     placed = {glm::max(outer.lo, placed.lo), glm::min(outer.hi, placed.hi)};
     if (placed.empty()) return within;
     box = skeleton.lattice().enclosing(placed);
@@ -47,8 +46,7 @@ PlacedDrawable Hierarchy::placed(DrawableId id) const {
   return {wholes, std::span(boxes.first + boxes.placements, boxes.pieces)};
 }
 
-/// The boxes of the placements, followed by those of the pieces where there are
-/// more pieces than placements.
+/// The boxes of the placements, followed by those of the pieces where there are more pieces than placements.
 Hierarchy::Boxes Hierarchy::place(DrawableId id) const {
   const std::span<const Placement> placements = placements_of(id);
   const LatticeBox& node_box = scene_node_of(id).box;
@@ -61,8 +59,8 @@ Hierarchy::Boxes Hierarchy::place(DrawableId id) const {
     boxes[i] = placed_box(skeleton_, placement, skeleton_.chunks[placement.chunk].box, node_box);
     if (!in_pieces) continue;
     const std::span<const LatticeBox> of_chunk = skeleton_.pieces_of(placement.chunk);
-    // Whatever rounding does, pieces stay in their placement's box, which
-    // replaces them where they are too many.
+    // Whatever rounding does, pieces stay in their placement's box, which replaces them where they are too
+    // many.
     for (const LatticeBox& piece : of_chunk) {
       *piece_box++ = of_chunk.size() == 1 ? boxes[i] : placed_box(skeleton_, placement, piece, boxes[i]);
     }

@@ -1,5 +1,4 @@
-// A skeleton as frames walk it: the scene graph, and the boxes of what is
-// placed in it, computed once.
+// A skeleton as frames walk it: the scene graph, and the boxes of what is placed in it, computed once.
 #pragma once
 
 #include "scene/skeleton.hpp"
@@ -14,9 +13,8 @@ namespace triptych {
 /// Where a drawable's geometry may be, on the model's lattice.
 struct PlacedDrawable {
   std::span<const LatticeBox> placements;  ///< one box per placement
-  /// One box per piece of each placement's chunk, placement by placement, in
-  /// the order of Skeleton::pieces_of(). The same boxes as `placements` where
-  /// every chunk is in one piece.
+  /// One box per piece of each placement's chunk, placement by placement, in the order of
+  /// Skeleton::pieces_of(). The same boxes as `placements` where every chunk is in one piece.
   std::span<const LatticeBox> pieces;
 };
 
@@ -33,16 +31,14 @@ class Hierarchy {
     const Drawable& drawable = skeleton_.drawables[id];
     return std::span(skeleton_.placements).subspan(drawable.first_placement, drawable.placement_count);
   }
-  /// Boxes that hold every vertex that is drawn, within the scene node's.
-  /// Computed when they are first asked for, and kept.
+  /// Boxes that hold every vertex that is drawn, within the scene node's. Computed when they are first asked
+  /// for, and kept.
   PlacedDrawable placed(DrawableId id) const;
 
  private:
   struct Boxes {
-    const LatticeBox* first = nullptr;  ///< of the placements, then of the
-                                        ///< pieces; null until asked for
-    uint32_t placements = 0,
-             pieces = 0;  ///< pieces: 0 where there are no more than placements
+    const LatticeBox* first = nullptr;    ///< of the placements, then of the pieces; null until asked for
+    uint32_t placements = 0, pieces = 0;  ///< pieces: 0 where there are no more of them than placements
   };
   Boxes place(DrawableId id) const;
   LatticeBox* allocate(size_t count) const;
@@ -54,9 +50,8 @@ class Hierarchy {
   mutable size_t left_ = 0;
 };
 
-/// On the model's lattice: a box that holds what is in `local`, a box of the
-/// placement's chunk, plus one step on each side for rounding; clipped to
-/// `within`, which holds all that the placement draws.
+/// On the model's lattice: a box that holds what is in `local`, a box of the placement's chunk, plus one
+/// step on each side for rounding; clipped to `within`, which holds all that the placement draws.
 LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, const LatticeBox& local,
                       const LatticeBox& within);
 

@@ -140,6 +140,7 @@ std::vector<double> time_local_pipeline(const Pack& pack, const std::vector<Fram
   pipeline.resume({});
   std::vector<double> times;
   for (const FrameRequest& frame : frames) {
+    if (stop_requested()) return {};
     const View& view = frame.state.view;
     if (pipeline.target().width() != view.width || pipeline.target().height() != view.height)
       pipeline.resize(view.width, view.height);

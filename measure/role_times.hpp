@@ -40,7 +40,7 @@ SwitchNodeTimes time_switch_node(const Pack& pack, const RoleRecording& recordin
 /// The same for the render node: from picture to picture.
 std::vector<double> time_render_node(const Pack& pack, const RoleRecording& recording,
                                      const std::vector<FrameRequest>& frames, const DeviceOptions& device);
-/// The local pipeline on the same frames, in one process.
+/// The local pipeline on the same frames, in one process. Empty where the process was told to end.
 std::vector<double> time_local_pipeline(const Pack& pack, const std::vector<FrameRequest>& frames,
                                         const DeviceOptions& device);
 

@@ -47,12 +47,7 @@ RecordedPeers::RecordedPeers(Role self, std::vector<RecordedMessage> messages, s
   }
 }
 
-RecordedPeers::~RecordedPeers() {
-  ending_ = true;
-  for (const auto& peer : peers_) {
-    if (peer->thread.joinable()) peer->thread.join();
-  }
-}
+RecordedPeers::~RecordedPeers() { end(); }
 
 std::unique_ptr<Mailbox> RecordedPeers::connect() {
   auto mailbox = std::make_unique<Mailbox>();
@@ -116,11 +111,15 @@ void RecordedPeers::play(Peer& peer) {
   mailbox.leave("");
 }
 
-void RecordedPeers::finish() {
+void RecordedPeers::end() {
   ending_ = true;
   for (const auto& peer : peers_) {
     if (peer->thread.joinable()) peer->thread.join();
   }
+}
+
+void RecordedPeers::finish() {
+  end();
   for (const auto& peer : peers_) {
     if (peer->problem) std::rethrow_exception(peer->problem);
   }

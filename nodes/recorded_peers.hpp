@@ -42,6 +42,7 @@ class RecordedPeers {
  private:
   struct Peer;
   void play(Peer& peer);
+  void end();
 
   Role self_;
   std::string place_;

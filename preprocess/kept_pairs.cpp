@@ -14,6 +14,13 @@ KeptPairs::KeptPairs(const std::vector<std::byte>& before) : is_used_(true) {
     fail("a build's cache", "has pairs without what was found of them");
 }
 
+ContentKey KeptPairs::key_of(const ContentKey& a, const ContentKey& b) {
+  ContentKeyWriter key;
+  key.write(a);
+  key.write(b);
+  return key.key();
+}
+
 const std::vector<std::byte>* KeptPairs::find(const ContentKey& pair) {
   // Most come in the same order as then.
   auto found = std::find(before_.keys.begin() + static_cast<std::ptrdiff_t>(next_), before_.keys.end(), pair);

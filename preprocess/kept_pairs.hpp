@@ -6,6 +6,8 @@
 #include "base/record.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace triptych {
@@ -25,12 +27,12 @@ class KeptPairs {
   /// before: what bytes() of an earlier build was; empty if there was none.
   explicit KeptPairs(const std::vector<std::byte>& before);
 
-  bool is_used() const { return is_used_; }
-
-  /// What `make` gives, a vector, or gave for the same pair.
+  /// What `make` gives, a vector, or gave for the same pair: of those with the numbers a and b, of which
+  /// `keys` tell everything that `make` reads. Without a cache there need be no keys.
   template <typename Value, typename Make>
-  std::vector<Value> get(const ContentKey& pair, const Make& make) {
+  std::vector<Value> get(std::span<const ContentKey> keys, uint32_t a, uint32_t b, const Make& make) {
     if (!is_used_) return make();
+    const ContentKey pair = key_of(keys[a], keys[b]);
     if (const std::vector<std::byte>* known = find(pair)) {
       const std::vector<std::byte> bytes = *known;
       note(pair, bytes);
@@ -46,6 +48,7 @@ class KeptPairs {
   std::vector<std::byte> bytes() const { return record_bytes(now_); }
 
  private:
+  static ContentKey key_of(const ContentKey& a, const ContentKey& b);
   const std::vector<std::byte>* find(const ContentKey& pair);
   void note(const ContentKey& pair, std::vector<std::byte> bytes);
 

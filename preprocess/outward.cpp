@@ -162,10 +162,6 @@ bool meets_itself_nowhere(std::span<const ExactTriangle> triangles) {
   return true;
 }
 
-bool holds(const LatticeBox& outer, const LatticeBox& inner) {
-  return glm::all(glm::lessThanEqual(outer.lo, inner.lo)) && glm::all(glm::lessThanEqual(inner.hi, outer.hi));
-}
-
 bool is_outward(std::span<const ExactTriangle> triangles) {
   if (std::any_of(triangles.begin(), triangles.end(), [](const auto& t) { return t.is_degenerate(); }))
     return false;
@@ -208,7 +204,7 @@ std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::spa
   std::vector<bool> outward(indices.size() / 3);
   for (const Solid& solid : solids) {
     // What may be the wall of its cavity: then the inside of the surface is not all solid.
-    if (std::ranges::any_of(turned_in, [&](const LatticeBox& box) { return holds(solid.box, box); }))
+    if (std::ranges::any_of(turned_in, [&](const LatticeBox& box) { return solid.box.contains(box); }))
       continue;
     for (const uint32_t i : solid.members) outward[numbers[i]] = true;
   }

@@ -7,7 +7,9 @@
 #include "preprocess/kept_pairs.hpp"
 #include "preprocess/parts.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -41,9 +43,19 @@ class PlacedCache {
     return record_of<Value>(cache_->get(key.key(), [&] { return record_bytes(make()); }), "a build's cache");
   }
 
-  /// Calls make(KeptPairs&), which keeps its pairs under the key.
+  /// Calls make(KeptPairs&), for pairs of so many placed parts from `first` on; what: they tell of them.
+  /// keys: of all placed parts. Where there is no cache nothing is kept, and there need be no keys.
   template <typename Make>
-  void with_pairs(const ContentKeyWriter& key, const Make& make) const {
+  void with_pairs(std::string_view what, const PlacedParts& hierarchy, std::span<const ContentKey> keys,
+                  size_t first, size_t count, const Make& make) const {
+    if (!is_used()) {
+      KeptPairs none;
+      make(none);
+      return;
+    }
+    ContentKeyWriter key;
+    begin(key, what, hierarchy);
+    for (const ContentKey& member : keys.subspan(first, count)) key.write(member);
     cache_->renew(key.key(), [&](const std::vector<std::byte>& before) {
       KeptPairs pairs(before);
       make(pairs);

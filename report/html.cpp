@@ -1,5 +1,7 @@
 #include "report/html.hpp"
 
+#include "base/in_threes.hpp"
+
 #include <fmt/core.h>
 
 namespace triptych {
@@ -30,17 +32,7 @@ std::string escape_html(std::string_view text) {
   return escaped;
 }
 
-std::string grouped(double value, int decimals) {
-  const std::string plain = fmt::format("{:.{}f}", value, decimals);
-  const size_t start = plain.front() == '-' ? 1 : 0;
-  const size_t end = plain.find('.') == std::string::npos ? plain.size() : plain.find('.');
-  std::string text = plain.substr(0, start);
-  for (size_t i = start; i < plain.size(); ++i) {
-    if (i > start && i < end && (end - i) % 3 == 0) text += "\u202f";
-    text += plain[i];
-  }
-  return text;
-}
+std::string grouped(double value, int decimals) { return in_threes(value, decimals, "\u202f"); }
 
 std::string to_html(const HtmlTable& table) {
   std::string html = "<div class=\"wide\"><table>\n<thead><tr>";

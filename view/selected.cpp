@@ -1,5 +1,6 @@
 #include "view/selected.hpp"
 
+#include "base/in_threes.hpp"
 #include "view/measurement.hpp"
 
 #include <algorithm>
@@ -7,17 +8,6 @@
 #include <glm/common.hpp>
 
 namespace triptych {
-
-namespace {
-
-/// 1204 as "1,204".
-std::string grouped(uint64_t number) {
-  std::string text = std::to_string(number);
-  for (size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-  return text;
-}
-
-}  // namespace
 
 void Selected::set(Selection selection) {
   all_.clear();
@@ -64,7 +54,8 @@ std::string Selected::name() const {
 
 std::string Selected::sum(const ModelSystem& system) const {
   const uint64_t count = triangles();
-  std::string text = fmt::format("{} triangle{}", grouped(count), count == 1 ? "" : "s");
+  std::string text =
+      fmt::format("{} triangle{}", in_threes(static_cast<double>(count)), count == 1 ? "" : "s");
   const Box around = box();
   if (around.empty()) return text;
   const glm::dvec3 size = glm::abs(system.own(around.hi - around.lo));

@@ -128,7 +128,7 @@ void Viewer::take(Input input) {
     if (!Edits::takes(command)) {
       take(command);
     } else {
-      saved_ = edits_.take(command, tour_, input.cursor);
+      said_ = edits_.take(command, tour_, input.cursor);
       new_frame_ = true;
     }
   }
@@ -150,7 +150,7 @@ void Viewer::take(Command command) {
       break;
     case Command::copy_camera:
       window_.set_clipboard(path_text({{camera()}}));
-      saved_ = "camera copied";
+      said_ = "camera copied";
       break;
     case Command::paste_camera:
       take_camera(window_.clipboard());
@@ -163,7 +163,7 @@ void Viewer::take(Command command) {
       break;
     case Command::toggle_play:
       options_.play = options_.path && !options_.play;
-      if (!options_.path) saved_ = "there is no --path to play";
+      if (!options_.path) said_ = "there is no --path to play";
       break;
     case Command::toggle_edges:
       options_.edges = !options_.edges;
@@ -197,14 +197,14 @@ void Viewer::take_camera(const std::string& text) {
     options_.play = false;
   } catch (const Error& error) {
     notice("no camera: {}", error.what());
-    saved_ = "what was copied is no camera";
+    said_ = "what was copied is no camera";
   }
 }
 
 PathFrame Viewer::camera() const { return exact_ ? *exact_ : path_frame(view().camera); }
 
 void Viewer::save_viewpoint(const std::vector<uint8_t>& colors, const FrameState& frame) {
-  saved_ = keep(options_.pictures, "viewpoint", "bcfzip", [&](const std::filesystem::path& file) {
+  said_ = keep(options_.pictures, "viewpoint", "bcfzip", [&](const std::filesystem::path& file) {
     const Viewpoint viewpoint = viewpoint_of(camera(), frame, tour_.selector().objects().source(),
                                              tour_.selected(), options_.window.title);
     write_bcf(file, viewpoint, encode_png(window_.width(), window_.height(), colors, file.string()),
@@ -226,14 +226,14 @@ void Viewer::save(Command command) {
     say(path_text(path));
   } else if (!walk_) {
     walk_ = Path{};
-    saved_ = "recording the walk";
+    said_ = "recording the walk";
     return;
   } else {
     path = std::move(*walk_);
     walk_.reset();
   }
   const std::string kind = command == Command::save_camera ? "camera" : "walk";
-  saved_ = keep(options_.pictures, kind, "json", [&](const std::filesystem::path& file) {
+  said_ = keep(options_.pictures, kind, "json", [&](const std::filesystem::path& file) {
     if (path.frames.empty()) fail(file.string(), "nothing was drawn since the recording began");
     write_file(file, path_text(path));
   });
@@ -271,7 +271,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
       birds_eye_wanted_ ? std::vector<ScreenLine>() : inquiry_.lines(frame.state, window_.content_scale());
   const std::vector<uint8_t> colors = window_.show(*shown, picture_wanted_ || viewpoint_wanted_, lines);
   if (std::exchange(picture_wanted_, false)) {
-    saved_ = keep(options_.pictures, "picture", "png", [&](const std::filesystem::path& file) {
+    said_ = keep(options_.pictures, "picture", "png", [&](const std::filesystem::path& file) {
       write_png(file, window_.width(), window_.height(), colors);
     });
   }
@@ -305,7 +305,7 @@ void Viewer::set_title() {
     title += fmt::format(", {} object{} hidden", hidden, hidden == 1 ? "" : "s");
   if (const std::string asked = inquiry_.title(); !asked.empty()) title += ", " + asked;
   if (!alone_.empty()) title += ", " + alone_;
-  if (!saved_.empty()) title += ", " + std::exchange(saved_, {});
+  if (const std::string said = said_.now(); !said.empty()) title += ", " + said;
   window_.set_title(title);
 }
 

@@ -11,6 +11,7 @@
 #include "view/help.hpp"
 #include "view/inquiry.hpp"
 #include "view/last_place.hpp"
+#include "view/passing_words.hpp"
 #include "view/window.hpp"
 
 #include <filesystem>
@@ -96,7 +97,7 @@ class Viewer {
   std::optional<BirdsEye> birds_eye_;
   std::optional<PathFrame> exact_;  ///< the path's camera, until the person moves away from it
   std::optional<Path> walk_;        ///< what is being recorded
-  std::string saved_;               ///< the title says it with the next picture
+  PassingWords said_;               ///< for the title
   Inquiry inquiry_;
   Edits edits_;
   const FrameTarget* shown_ = nullptr;  ///< what is in the window; null before the first picture

@@ -11,15 +11,13 @@
 namespace triptych {
 
 namespace {
-/// The vertex stage works in 32-bit floats relative to the eye. A position is
-/// off by at most 11 · 2⁻²⁴ of its distance under the identity, by 83 · 2⁻²⁴
-/// under the worst matrix that a build shares a mesh under (lod/plan.cpp),
-/// which is 2.6 times this.
+/// The vertex stage works in 32-bit floats relative to the eye. A position is off by at most 11 · 2⁻²⁴ of its
+/// distance under the identity, by 83 · 2⁻²⁴ under the worst matrix that a build shares a mesh under
+/// (lod/plan.cpp), which is 2.6 times this.
 constexpr double float_rounding = 0x1p-19;
 /// Beyond this tangent, rounding in w may reach the margin of depths.
 constexpr double max_narrow_tangent = 8;
-/// Boxes whose nearest corner is within this factor of the near plane count as
-/// touching it.
+/// Boxes whose nearest corner is within this factor of the near plane count as touching it.
 constexpr double near_margin = 1.001;
 
 /// Two doubles: one instruction on every processor.
@@ -30,10 +28,9 @@ Pair greater(Pair a, Pair b) { return a < b ? b : a; }
 double least(Pair a) { return std::min(a[0], a[1]); }
 double most(Pair a) { return std::max(a[0], a[1]); }
 
-/// The corners of a box in eye axes, relative to the reference: sums of what
-/// each axis contributes, so that eight corners take 18 products. Corner i is
-/// that of the high sides whose bits are in it: pairs differ along the first
-/// axis.
+/// The corners of a box in eye axes, relative to the reference: sums of what each axis contributes, so that
+/// eight corners take 18 products. Corner i is that of the high sides whose bits are in it: pairs differ
+/// along the first axis.
 struct EyeCorners {
   EyeCorners(const Box& box, const glm::dvec3& reference, const glm::dmat3& rotation, bool in_doubles) {
     low = in_doubles ? box.lo - reference : glm::dvec3(glm::vec3(box.lo) - glm::vec3(reference));
@@ -59,8 +56,7 @@ struct EyeCorners {
   std::array<Pair, 4> x, y, z;
 };
 
-/// Whether the rectangle's depth is the nearest possible, at its middle and its
-/// corners.
+/// Whether the rectangle's depth is the nearest possible, at its middle and its corners.
 bool says_nothing(const ScreenRectangle& r) {
   return r.depth((r.left + r.right) / 2, (r.bottom + r.top) / 2) >= 1 && r.depth(r.left, r.bottom) >= 1 &&
          r.depth(r.right, r.bottom) >= 1 && r.depth(r.left, r.top) >= 1 && r.depth(r.right, r.top) >= 1;
@@ -172,8 +168,8 @@ BoxProjector::Extent BoxProjector::extent(const Box& box) const {
       max_tangent_squared = std::max(max_tangent_squared, corner.x * corner.x + corner.y * corner.y + 1);
     }
   }
-  // Rounding of the projected position, in pixels: the relative error of the
-  // vertex stage times |p|/w, twice (p and w).
+  // Rounding of the projected position, in pixels: the relative error of the vertex stage times |p|/w, twice
+  // (p and w).
   const double rounding = 2 * float_rounding * max_tangent_squared * focal_length_;
   if (!(rounding <= 0.25 || max_tangent_squared <= max_narrow_tangent * max_narrow_tangent)) return {};
   for (int axis = 0; axis < 3; ++axis) {

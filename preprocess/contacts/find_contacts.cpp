@@ -174,16 +174,7 @@ class ContactFinder {
       for (uint32_t i = 0; i < larger.size(); ++i) compare(first + i, i, larger[i], pairs, result);
     };
     const bool is_any = std::any_of(larger.begin(), larger.end(), [](auto& own) { return !own.empty(); });
-    if (!is_any) return result;
-    if (!kept_.is_used()) {
-      KeptPairs none;
-      look(none);
-      return result;
-    }
-    ContentKeyWriter key;
-    kept_.begin(key, "contacts", hierarchy_);
-    for (uint32_t i = 0; i < larger.size(); ++i) key.write(placed_keys_[first + i]);
-    kept_.with_pairs(key, look);
+    if (is_any) kept_.with_pairs("contacts", hierarchy_, placed_keys_, first, larger.size(), look);
     return result;
   }
 
@@ -197,7 +188,7 @@ class ContactFinder {
         return;
       }
       const uint32_t other = larger[i];
-      auto touch = pairs.get<FoundPair>(pair_key(number, other, pairs), [&] {
+      auto touch = pairs.get<FoundPair>(placed_keys_, number, other, [&] {
         if (!own) own.emplace(hierarchy_, number, cache_);
         const Box both{glm::max(boxes_[number].lo, boxes_[other].lo),
                        glm::min(boxes_[number].hi, boxes_[other].hi)};
@@ -214,13 +205,6 @@ class ContactFinder {
       touch.front().neighbour = i;
       found.pairs.push_back(std::move(touch.front()));
     }
-  }
-  ContentKey pair_key(uint32_t a, uint32_t b, const KeptPairs& pairs) const {
-    if (!pairs.is_used()) return {};
-    ContentKeyWriter key;
-    key.write(placed_keys_[a]);
-    key.write(placed_keys_[b]);
-    return key.key();
   }
 
   const PlacedParts& hierarchy_;

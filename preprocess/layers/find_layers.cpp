@@ -228,16 +228,10 @@ class LayerFinder {
   std::vector<FoundOverlap> group(uint32_t first, const std::vector<Compared>& with) const {
     std::vector<FoundOverlap> found;
     const bool is_any = std::any_of(with.begin(), with.end(), [](auto& own) { return !own.is_nothing(); });
-    if (!is_any) return found;
-    if (!kept_.is_used()) {
-      KeptPairs none;
-      look_at_pairs(first, with, none, found);
-      return found;
+    if (is_any) {
+      kept_.with_pairs("layers", hierarchy_, placed_keys_, first, with.size(),
+                       [&](KeptPairs& pairs) { look_at_pairs(first, with, pairs, found); });
     }
-    ContentKeyWriter key;
-    kept_.begin(key, "layers", hierarchy_);
-    for (uint32_t i = 0; i < with.size(); ++i) key.write(placed_keys_[first + i]);
-    kept_.with_pairs(key, [&](KeptPairs& pairs) { look_at_pairs(first, with, pairs, found); });
     return found;
   }
 
@@ -246,7 +240,7 @@ class LayerFinder {
     for (uint32_t i = 0; i < with.size(); ++i) {
       const uint32_t own = first + i;
       const auto add = [&](uint32_t other, uint32_t neighbour, const auto& look) {
-        const auto overlaps = pairs.get<FoundOverlap>(pair_key(own, other, pairs), [&] {
+        const auto overlaps = pairs.get<FoundOverlap>(placed_keys_, own, other, [&] {
           std::vector<FoundOverlap> made;
           look(made);
           return made;
@@ -263,13 +257,6 @@ class LayerFinder {
         add(other, k, [&](auto& made) { between(own, other, made); });
       }
     }
-  }
-  ContentKey pair_key(uint32_t a, uint32_t b, const KeptPairs& pairs) const {
-    if (!pairs.is_used()) return {};
-    ContentKeyWriter key;
-    key.write(placed_keys_[a]);
-    key.write(placed_keys_[b]);
-    return key.key();
   }
 
   uint32_t color_of(uint32_t placed) const { return parts_.parts[hierarchy_.placed[placed].part].color; }

@@ -19,10 +19,6 @@ class AskingWindow : public ViewWindow {
     }
     return false;
   }
-  void leave(Program& program, const std::string& keys = "key Escape") const {
-    xdotool(keys);
-    EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
-  }
   static bool said(const Program& program, const std::string& words) {
     for (int tries = 0; tries < 3000 && program.errors().find(words) == std::string::npos; ++tries)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -57,13 +53,13 @@ TEST_F(AskingWindow, outlines_what_is_selected_until_the_background_is_clicked) 
   Program program(asked());
   find_window();
   const Picture before = look();
-  xdotool("mousemove 240 180 sleep 0.1 click 1 sleep 0.3");
+  click(240, 180);
   EXPECT_TRUE(title_has(", drawable "));
   const Picture outlined = look();
   EXPECT_NE(outlined, before);
-  xdotool("mousemove 2 2 sleep 0.1 click 1 sleep 0.3");
+  click(2, 2);
   EXPECT_EQ(look(), before);
-  xdotool("mousemove 240 180 sleep 0.1 click 1 sleep 0.3");
+  click(240, 180);
   EXPECT_EQ(look(), outlined);
   xdotool("key Escape sleep 0.3");
   EXPECT_EQ(look(), before) << "Esc leaves nothing selected";
@@ -82,7 +78,7 @@ TEST_F(AskingWindow, reads_words_and_not_commands_while_it_searches) {
   EXPECT_EQ(look(), before) << "W and A have moved the eye, or the word is still there";
   xdotool("key ctrl+f sleep 0.2 type é");
   EXPECT_TRUE(title_has("search é")) << title();
-  leave(program, "key Escape sleep 0.2 key Escape");
+  leave(program, 2);
 }
 
 TEST_F(AskingWindow, saves_viewpoints_that_show_the_same_again) {
@@ -153,14 +149,7 @@ TEST_F(AskingWindow, of_a_session_stands_where_the_person_stood_when_the_render_
   xdotool("keydown w sleep 0.4 keyup w keydown a sleep 0.2 keyup a sleep 0.2 key l sleep 0.8");
   const Picture walked = look();
   EXPECT_NE(walked, start);
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  const pid_t killed = program.role("render");
-  ::kill(killed, SIGKILL);
-  for (int tries = 0; tries < 2000 && program.last_role("render") == killed; ++tries)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  ASSERT_NE(program.last_role("render"), killed) << program.errors();
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  find_window();
+  kill_render_node(program);
   EXPECT_EQ(look(), walked) << "the new one stands elsewhere";
   leave(program);
   EXPECT_FALSE(program.anybody_left());

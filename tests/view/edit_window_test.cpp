@@ -13,12 +13,6 @@ class EditWindow : public ViewWindow {
     xdotool(keys + " sleep 0.2");
     return look();
   }
-  void click(int x, int y, const std::string& modifier = "") const {
-    const std::string place = std::to_string(x) + " " + std::to_string(y);
-    const bool held = !modifier.empty();
-    xdotool((held ? "keydown " + modifier + " " : "") + "mousemove " + place +
-            " sleep 0.1 click 1 sleep 0.3" + (held ? " keyup " + modifier : ""));
-  }
   /// Of the places of the picture's middle row and column, Ctrl+clicks those that it takes to select two
   /// objects.
   void select_two() const {
@@ -27,22 +21,6 @@ class EditWindow : public ViewWindow {
       click(160 + i * 18 * (i % 2 == 0 ? 1 : -1), 120 + i * 9, "ctrl");
     }
     EXPECT_TRUE(title_has("2 objects")) << title();
-  }
-  /// Each Esc ends one thing.
-  void leave(Program& program, int escapes = 1) const {
-    for (int i = 0; i < escapes; ++i) xdotool("key Escape sleep 0.3");
-    EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
-  }
-  /// Kills a session's render node and waits for the window of the next one.
-  void kill_render_node(Program& program) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
-    const pid_t killed = program.role("render");
-    ::kill(killed, SIGKILL);
-    for (int tries = 0; tries < 2000 && program.last_role("render") == killed; ++tries)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ASSERT_NE(program.last_role("render"), killed) << program.errors();
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    find_window();
   }
 };
 

@@ -26,7 +26,7 @@ class HidingWindow : public ViewWindow {
     return std::stoul(text.substr(text.rfind(' ', end - 1)));
   }
   void click_in_the_middle() {
-    xdotool("mousemove 160 120 sleep 0.1 click 1 sleep 0.3");
+    click(160, 120);
     EXPECT_NE(title().find(", object "), std::string::npos) << title();
   }
 };
@@ -53,8 +53,7 @@ TEST_F(HidingWindow, hides_and_isolates_what_is_selected_and_shows_it_again) {
   EXPECT_GT(hidden(), 10u) << title();
   EXPECT_EQ(after("u"), first) << "U does not show all";
   EXPECT_EQ(after("ctrl+z"), alone) << "Ctrl+Z does not undo that";
-  xdotool("key Escape sleep 0.3 key Escape");
-  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  leave(program, 2);
   EXPECT_GT(json_of(json).at("hidden_objects").get<int>(), 10);
 }
 
@@ -78,8 +77,7 @@ TEST_F(HidingWindow, hides_layers_and_storeys_and_knows_no_file_of_a_model_of_on
   xdotool("key u key ctrl+alt+h sleep 0.2");
   EXPECT_NE(title().find("the model is of one file"), std::string::npos) << title();
   EXPECT_EQ(look(), first);
-  xdotool("key Escape sleep 0.3 key Escape");
-  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  leave(program, 2);
 }
 
 TEST_F(HidingWindow, begins_with_what_the_command_line_hides) {
@@ -91,8 +89,7 @@ TEST_F(HidingWindow, begins_with_what_the_command_line_hides) {
        "-o", folder.file("rendered")});
   EXPECT_EQ(read_picture(folder.file("rendered/000000.png")), some);
   EXPECT_NE(after("u"), some);
-  xdotool("key Escape sleep 0.3 key Escape");
-  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  leave(program, 2);
 }
 
 TEST_F(HidingWindow, of_a_session_tells_the_switch_nodes_and_the_recording) {
@@ -132,19 +129,11 @@ TEST_F(HidingWindow, of_a_session_keeps_what_is_hidden_and_cut_when_the_render_n
   EXPECT_NE(title().find("cut by 1 plane"), std::string::npos) << title();
   const Picture left = look();
   EXPECT_NE(left, whole);
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  const pid_t killed = program.role("render");
-  ::kill(killed, SIGKILL);
-  for (int tries = 0; tries < 2000 && program.last_role("render") == killed; ++tries)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  ASSERT_NE(program.last_role("render"), killed) << program.errors();
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  find_window();
+  kill_render_node(program);
   EXPECT_EQ(look(), left);
   EXPECT_EQ(hidden(), gone) << title();
   EXPECT_NE(title().find("cut by 1 plane"), std::string::npos) << title();
-  xdotool("key Escape sleep 0.3 key Escape");
-  EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  leave(program, 2);
 }
 
 }  // namespace

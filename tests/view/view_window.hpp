@@ -66,6 +66,31 @@ class ViewWindow : public SceneFiles {
     return false;
   }
 
+  void click(int x, int y, const std::string& modifier = "") const {
+    const std::string place = std::to_string(x) + " " + std::to_string(y);
+    const bool held = !modifier.empty();
+    xdotool((held ? "keydown " + modifier + " " : "") + "mousemove " + place +
+            " sleep 0.1 click 1 sleep 0.3" + (held ? " keyup " + modifier : ""));
+  }
+
+  /// Each Esc ends one thing, and the last one the program.
+  void leave(Program& program, int escapes = 1) const {
+    for (int i = 0; i < escapes; ++i) xdotool("key Escape sleep 0.3");
+    EXPECT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
+  }
+
+  /// Kills a session's render node and waits for the window of the next one.
+  void kill_render_node(const Program& program) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));  // so that the place of now is kept
+    const pid_t killed = program.role("render");
+    ::kill(killed, SIGKILL);
+    for (int tries = 0; tries < 2000 && program.last_role("render") == killed; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_NE(program.last_role("render"), killed) << program.errors();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    find_window();
+  }
+
   /// Finds the window, walks, makes it 400x200 and walks on: a session's cameras as a person gives them.
   void walk_and_resize() {
     find_window();

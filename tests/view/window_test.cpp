@@ -147,10 +147,10 @@ TEST_F(ViewWindow, names_what_is_clicked_on_and_saves_cameras_and_walks) {
   Program program({"view", pack, "--size", "320x240", "-o", folder.file("pictures")});
   find_window();
   const Picture first = look();
-  xdotool("mousemove 160 120 sleep 0.1 click 1 sleep 0.3");
+  click(160, 120);
   EXPECT_NE(title().find(", drawable "), std::string::npos) << title();
   EXPECT_NE(program.errors().find(" of scene node "), std::string::npos) << program.errors();
-  xdotool("mousemove 2 2 sleep 0.1 click 1 sleep 0.3");
+  click(2, 2);
   EXPECT_EQ(title().find(", drawable "), std::string::npos) << "the sky is no drawable: " << title();
   xdotool("key F3 sleep 0.1 key F4 keydown w sleep 0.3 keyup w sleep 0.2 key F4 sleep 0.2");
   const Picture walked = look();
