@@ -84,7 +84,11 @@ void AccuracyGround::begin(size_t frame, const FramePlan& plan) {
     const FrameView full = view_of(frame, 0);
     reference_ = draw_items(full, lister_.list(full));
     recent_reference_.push(reference_.colors);
-    if (plan.compare) reference_.surface = surface_pixels(surfaces_, full, reference_.items);
+    if (plan.compare) {
+      reference_.surface = surface_pixels(surfaces_, full, reference_.items);
+      finer_.emplace(full,
+                     [this](const FrameView& view) { return draw_items(view, lister_.list(view)).items; });
+    }
   } else {
     recent_reference_.clear();
   }
@@ -117,7 +121,7 @@ void AccuracyGround::compare_whole_cut(WholeCut& whole, size_t frame, const Fram
   whole.owners = owners(whole.picture.items);
   whole.picture.surface = surface_pixels(surfaces_, view, whole.picture.items);
   whole.measures = measure_picture(surfaces_, view, frames_[frame].number, reference_, whole.picture,
-                                   {whole.cut, points_});
+                                   {whole.cut, points_, *finer_});
   add_motion(whole.measures, whole.recent);
   if (plan.perceptual && perceptual_) whole.measures.butteraugli = perceptual_distance(whole.picture);
 }
@@ -226,8 +230,8 @@ void AccuracyGround::compare_setting(Setting& setting, size_t frame, const Frame
     ShownPicture shown = draw_items(view, ordered);
     shown.colors = std::move(colors);
     shown.surface = surface_pixels(surfaces_, view, shown.items);
-    measures =
-        measure_picture(surfaces_, view, frames_[frame].number, reference_, shown, {whole.cut, points_});
+    measures = measure_picture(surfaces_, view, frames_[frame].number, reference_, shown,
+                               {whole.cut, points_, *finer_});
     if (plan.perceptual && perceptual_) measures.butteraugli = perceptual_distance(shown);
     if (whole.measures.cover) {
       CoverCounts counts;

@@ -3,6 +3,7 @@
 
 #include "measure/accuracy/accuracy.hpp"
 #include "measure/accuracy/butteraugli.hpp"
+#include "measure/accuracy/finer_reference.hpp"
 #include "nodes/local_pipeline.hpp"
 #include "nodes/picture_stage.hpp"
 
@@ -83,6 +84,7 @@ class AccuracyGround {
   CutLister lister_;
   std::vector<size_t> points_;
   ShownPicture reference_;
+  std::optional<FinerReference> finer_;  ///< of the frame that is compared
   RecentColors recent_reference_;
   std::vector<SceneNodeId> small_leaves_;  ///< of the reference that was compared last
   CoverCounts reference_cover_;            ///< of those

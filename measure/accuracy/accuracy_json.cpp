@@ -78,6 +78,7 @@ json row_json(const AccuracyRow& row) {
   object["hole_pixels"] = pictures.hole_pixels;
   object["hole_largest"] = pictures.hole.pixels;
   object["slit_pixels"] = pictures.slit_pixels;
+  object["thin_pixels"] = pictures.thin_pixels;
   object["swap_share"] = pictures.share_of_surface(pictures.swap_pixels);
   object["swap_pixels"] = pictures.swap_pixels;
   object["swap_largest"] = pictures.swap.pixels;

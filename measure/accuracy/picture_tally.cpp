@@ -1,7 +1,9 @@
 #include "measure/accuracy/picture_tally.hpp"
 
-#include "measure/accuracy/holes_and_swaps.hpp"
+#include "measure/accuracy/holes.hpp"
 #include "measure/accuracy/picture_difference.hpp"
+#include "measure/accuracy/reference_edges.hpp"
+#include "measure/accuracy/swaps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +45,7 @@ void keep_worst(WorstPatch& worst, const Patches& patch, const PointDeviation& a
 
 PictureMeasures measure_picture(const PackSurfaces& surfaces, const FrameView& view, uint32_t frame,
                                 const ShownPicture& reference, const ShownPicture& shown,
-                                const DeviationPoints& points) {
+                                const PictureGround& ground) {
   const int width = view.view().width, height = view.view().height;
   const int radius = search_radius(view.state.pixel_error);
   PictureMeasures measures{.frame = frame, .width = width, .height = height};
@@ -60,14 +62,15 @@ PictureMeasures measure_picture(const PackSurfaces& surfaces, const FrameView& v
   measures.slit_pixels = take_out_slits(surfaces, view, shown.surface, holes);
   measures.holes = find_patches(std::move(holes));
   PixelMask swaps = find_swaps(surfaces.skeleton(), reference.surface, shown.surface, width, height, radius);
+  measures.thin_pixels = take_out_thin(surfaces, ground.finer, shown.surface, swaps, radius);
   measures.inner_swaps = find_patches(away_from_edges(view, reference.surface, swaps, radius - 1));
   measures.swaps = find_patches(std::move(swaps));
   measures.hole_at = place_of(measures.holes, reference.surface, width);
   measures.swap_at = place_of(measures.swaps, shown.surface, width);
   measures.inner_swap_at = place_of(measures.inner_swaps, shown.surface, width);
-  measures.deviations = shown_deviations(surfaces, view, shown.surface, points.pixels);
+  measures.deviations = shown_deviations(surfaces, view, shown.surface, ground.pixels);
   const std::vector<PointDeviation> back =
-      reference_deviations(surfaces, view, points.cut, reference.surface, points.pixels);
+      reference_deviations(surfaces, view, ground.cut, reference.surface, ground.pixels);
   measures.deviations.insert(measures.deviations.end(), back.begin(), back.end());
   for (PointDeviation& deviation : measures.deviations)
     std::tie(deviation.x, deviation.y) = pixel_of(view, deviation.place);
@@ -84,6 +87,7 @@ void PictureTally::add(const PictureMeasures& measures, const std::vector<uint8_
   untraced_pixels += measures.untraced_pixels;
   hole_pixels += measures.holes.pixels;
   slit_pixels += measures.slit_pixels;
+  thin_pixels += measures.thin_pixels;
   swap_pixels += measures.swaps.pixels;
   inner_swap_pixels += measures.inner_swaps.pixels;
   squared_error_ += measures.squared_error;

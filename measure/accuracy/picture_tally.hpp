@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/accuracy/cover.hpp"
+#include "measure/accuracy/finer_reference.hpp"
 #include "measure/accuracy/patches.hpp"
 #include "measure/accuracy/pixel_deviation.hpp"
 #include "measure/accuracy/shade_difference.hpp"
@@ -55,6 +56,7 @@ struct PictureMeasures {
   uint64_t surface_pixels = 0;  ///< of the reference
   uint64_t wrong_pixels = 0, untraced_pixels = 0;
   uint64_t slit_pixels = 0;  ///< of take_out_slits()
+  uint64_t thin_pixels = 0;  ///< of take_out_thin()
   double squared_error = 0, ssim = 1;
   ShadeDifferences shades{};
   Patches holes{}, swaps{}, inner_swaps{};
@@ -67,16 +69,17 @@ struct PictureMeasures {
   std::optional<double> butteraugli{};
 };
 
-/// What both directions of one frame are measured with.
-struct DeviationPoints {
+/// What the pictures of one frame at one pixel error are measured with.
+struct PictureGround {
   const Cut& cut;
-  std::span<const size_t> pixels;  ///< of the picture
+  std::span<const size_t> pixels;  ///< of the picture: where distances are measured
+  FinerReference& finer;
 };
 
 /// All but popping, flicker, cover and butteraugli.
 PictureMeasures measure_picture(const PackSurfaces& surfaces, const FrameView& view, uint32_t frame,
                                 const ShownPicture& reference, const ShownPicture& shown,
-                                const DeviationPoints& points);
+                                const PictureGround& ground);
 
 class PictureTally {
  public:
@@ -88,7 +91,8 @@ class PictureTally {
   double share_of_pixels(uint64_t count) const;
   double share_of_surface(uint64_t count) const;
 
-  uint64_t wrong_pixels = 0, untraced_pixels = 0, hole_pixels = 0, slit_pixels = 0, swap_pixels = 0;
+  uint64_t wrong_pixels = 0, untraced_pixels = 0, hole_pixels = 0, slit_pixels = 0, swap_pixels = 0,
+           thin_pixels = 0;
   uint64_t inner_swap_pixels = 0;  ///< of those the ones away from edges
   WorstPatch hole, swap, inner_swap;
   std::vector<float> deviations;  ///< pixels

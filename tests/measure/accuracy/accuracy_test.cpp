@@ -2,7 +2,8 @@
 #include "measure/accuracy/accuracy.hpp"
 
 #include "measure/accuracy/accuracy_json.hpp"
-#include "measure/accuracy/holes_and_swaps.hpp"
+#include "measure/accuracy/holes.hpp"
+#include "measure/accuracy/swaps.hpp"
 #include "nodes/pack_device.hpp"
 #include "nodes/picture_stage.hpp"
 #include "scene/finest_boxes.hpp"
@@ -146,6 +147,39 @@ TEST(Accuracy, a_hole_is_a_slit_where_what_is_shown_beside_it_covers_its_middle)
   EXPECT_EQ(take_out_slits(surfaces, view, shown, holes), 1u);
   EXPECT_FALSE(std::as_const(holes).at(60, 70));
   EXPECT_TRUE(std::as_const(holes).at(200, 70));
+}
+
+TEST(Accuracy, what_the_full_detail_shows_between_pixels_is_no_swap) {
+  const Pack pack(write_pack(small_pack()));
+  const PackSurfaces surfaces(pack);
+  const FrameRequest frame = from_above(1).front();
+  const FrameView view(pack.skeleton(), frame.state);
+  const int width = frame.state.view.width, height = frame.state.view.height;
+  constexpr DrawableId red_leaf = 1;
+  const SurfacePixel red = surface_pixels(surfaces, view, [&] {
+    std::vector<uint32_t> items(static_cast<size_t>(width * height), 0);
+    items[static_cast<size_t>(70 * width + 60)] = red_leaf + 1;
+    return items;
+  }())[static_cast<size_t>(70 * width + 60)];
+  ASSERT_TRUE(red.found);
+  const std::vector<SurfacePixel> shown(static_cast<size_t>(width * height), red);
+  size_t drawn = 0;
+  FinerReference finer(view, [&](const FrameView& shifted) {
+    EXPECT_FALSE(shifted.view() == view.view()) << drawn;
+    std::vector<uint32_t> items(static_cast<size_t>(width * height), 0);
+    if (++drawn == 3) items[static_cast<size_t>(70 * width + 60)] = red_leaf + 1;
+    return items;
+  });
+  PixelMask swaps(width, height);
+  EXPECT_EQ(take_out_thin(surfaces, finer, shown, swaps, 2), 0u);
+  EXPECT_EQ(drawn, 0u) << "nothing is drawn again where there are no swaps";
+  swaps.at(62, 72) = 1;  // within two pixels of where the full detail shows it for a part of a pixel
+  swaps.at(63, 72) = 1;  // not within them
+  EXPECT_EQ(take_out_thin(surfaces, finer, shown, swaps, 2), 1u);
+  EXPECT_FALSE(std::as_const(swaps).at(62, 72));
+  EXPECT_TRUE(std::as_const(swaps).at(63, 72));
+  EXPECT_EQ(take_out_thin(surfaces, finer, shown, swaps, 3), 1u);
+  EXPECT_EQ(drawn, FinerReference::shifts) << "once a frame";
 }
 
 TEST(Accuracy, a_swap_is_found_where_a_level_shows_another_colour) {

@@ -1,11 +1,13 @@
 // What is found wrong with pictures, on pictures made by hand.
 #include "measure/accuracy/cover.hpp"
-#include "measure/accuracy/holes_and_swaps.hpp"
+#include "measure/accuracy/holes.hpp"
 #include "measure/accuracy/motion.hpp"
 #include "measure/accuracy/picture_difference.hpp"
 #include "measure/accuracy/pixel_deviation.hpp"
+#include "measure/accuracy/reference_edges.hpp"
 #include "measure/accuracy/shade_difference.hpp"
 #include "measure/accuracy/surface_pixels.hpp"
+#include "measure/accuracy/swaps.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
