@@ -6,8 +6,15 @@
 #include <malloc.h>
 #include <string>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace triptych {
+
+uint64_t resident_bytes() {
+  uint64_t size = 0, resident = 0;  // pages
+  std::ifstream("/proc/self/statm") >> size >> resident;
+  return resident * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+}
 
 uint64_t peak_resident_bytes() {
   rusage usage{};

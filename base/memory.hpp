@@ -5,6 +5,9 @@
 
 namespace triptych {
 
+/// The resident size of this process now, in bytes.
+uint64_t resident_bytes();
+
 /// The largest resident size of this process so far, in bytes (VmHWM).
 uint64_t peak_resident_bytes();
 

@@ -15,6 +15,7 @@ void add_measure(CLI::App& app, Action& action) {
   add_measure_hiding(*measure, action);
   add_measure_roles(*measure, action);
   add_measure_target(*measure, action);
+  add_measure_streaming(*measure, action);
   add_measure_speed(*measure, action);
   add_measure_accuracy(*measure, action);
 }

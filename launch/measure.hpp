@@ -13,6 +13,7 @@ void add_measure_hiding(CLI::App& measure, Action& action);
 void add_measure_hierarchy(CLI::App& measure, Action& action);
 void add_measure_simplifiers(CLI::App& measure, Action& action);
 void add_measure_frame(CLI::App& measure, Action& action);
+void add_measure_streaming(CLI::App& measure, Action& action);
 void add_measure_roles(CLI::App& measure, Action& action);
 void add_measure_target(CLI::App& measure, Action& action);
 void add_measure_speed(CLI::App& measure, Action& action);

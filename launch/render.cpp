@@ -3,12 +3,14 @@
 #include "base/timeline.hpp"
 #include "launch/command.hpp"
 #include "launch/hide_flags.hpp"
+#include "launch/memory_flags.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "lod/sectioned.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
+#include "measure/streaming_report.hpp"
 #include "measure/timeline_trace.hpp"
 #include "nodes/frame_watch.hpp"
 #include "nodes/local_steering.hpp"
@@ -57,6 +59,7 @@ int run(const RenderCommand& command) {
       watch.begin(frame.number);
       if (command.full_detail) frame.state.pixel_error = 0;
       records.push_back(steering ? steering->draw(frame) : pipeline.draw(frame));
+      frame.state.pixel_error = records.back().pixel_error;
       sectioned.push_back(counter.count(FrameView(pack.skeleton(), frame.state), records.back().visible));
       const FrameTarget& target = pipeline.target();
       write_png(command.output / picture_name(frame.number), width, height,
@@ -82,6 +85,10 @@ int run(const RenderCommand& command) {
       {"tests", distribution_json(records, [](const FrameRecord& r) { return r.tests; })},
       {"series", frame_series(records)},
       {"peak_rss_bytes", peak_resident_bytes()}};
+  if (command.run.device.memory.streams()) {
+    nlohmann::json& errors = report["series"]["pixel_error"];
+    for (const FrameRecord& record : records) errors.push_back(record.pixel_error);
+  }
   add_device(report, device.names);
   add_picture(report, command.run);
   add_hidden(report, frames.empty() ? HiddenName() : frames.front().state.hiding.name);
@@ -96,6 +103,8 @@ int run(const RenderCommand& command) {
         report["sectioned"]["mean"].get<double>(), open);
   }
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
+  if (const MemoryCaps& caps = command.run.device.memory; caps.streams())
+    fmt::print("{}", add_streaming(report, records, caps, pipeline));
   write_json(command.run.json, report);
   if (!command.timeline.empty()) write_json(command.timeline, chrome_trace({own_timeline("render")}, {}));
   return 0;
@@ -112,6 +121,7 @@ void add_render(CLI::App& app, Action& action) {
   add_picture_flags(*sub, command->run);
   add_hide_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
+  add_memory_flags(*sub, command->run.device.memory);
   sub->add_option("-o,--output", command->output, "Folder for the PNG files")->required()->type_name("DIR");
   add_cull_flags(*sub, command->cull);
   add_timeline_flag(*sub, command->timeline);

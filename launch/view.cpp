@@ -4,10 +4,12 @@
 #include "base/signals.hpp"
 #include "launch/command.hpp"
 #include "launch/hide_flags.hpp"
+#include "launch/memory_flags.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/viewpoint_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
+#include "measure/streaming_report.hpp"
 #include "nodes/frame_watch.hpp"
 #include "nodes/local_steering.hpp"
 #include "scene/pack.hpp"
@@ -64,6 +66,7 @@ int run(const ViewCommand& command) {
     pipeline.set_strategy(viewer.culling() ? command.cull.kind : StrategyKind::frustum);
     watch.begin(frame.number);
     const FrameRecord record = steering ? steering->draw(frame) : pipeline.draw(frame);
+    frame.state.pixel_error = record.pixel_error;
     watch.end();
     const Stopwatch stopwatch;
     viewer.show(frame, record, pipeline.target(), pipeline.device());
@@ -84,6 +87,8 @@ int run(const ViewCommand& command) {
   fmt::print("{} frames on {}, median {:.1f} ms\n", records.size(), device_name(device.options.kind),
              report["frame_ms"]["p50"].get<double>());
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
+  if (const MemoryCaps& caps = command.run.device.memory; caps.streams())
+    fmt::print("{}", add_streaming(report, records, caps, pipeline));
   write_json(command.run.json, report);
   return interrupted_exit_code();
 }
@@ -98,6 +103,7 @@ void add_view(CLI::App& app, Action& action) {
   add_picture_flags(*sub, command->run);
   add_hide_flags(*sub, command->run);
   add_target_flag(*sub, command->run);
+  add_memory_flags(*sub, command->run.device.memory);
   sub->get_option("--path")->required(false)->description("A camera path to start from, and to play");
   sub->get_option("--frames")->required(false);
   sub->get_option("--size")->default_str("1280x800");

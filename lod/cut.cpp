@@ -96,6 +96,16 @@ DrawableId choose_level(const FrameView& view, SceneNodeId node, FrustumCulling 
   return choose(view, node, culling);
 }
 
+bool may_stand_for_node(const FrameView& view, DrawableId id) {
+  const NearestRounding rounding;
+  const Skeleton& skeleton = *view.skeleton;
+  const SceneNodeId of = skeleton.drawables[id].scene_node;
+  const SceneNode& node = skeleton.scene_nodes[of];
+  if (node.child_count == 0 && id == node.first_drawable) return true;
+  if (node.child_count > 0 && view.hidden(of) != HiddenShare::nothing) return false;
+  return view.section_place(node.box).inside() && !shows_what_it_lacks(view, node, skeleton.drawables[id]);
+}
+
 Cut select_cut(const FrameView& view, FrustumCulling culling) {
   Cut cut;
   cut.choice.assign(view.skeleton->scene_nodes.size(), no_id);

@@ -31,6 +31,10 @@ struct Cut {
 /// select_cut() and LazyCut choose.
 DrawableId choose_level(const FrameView& view, SceneNodeId node, FrustumCulling culling = FrustumCulling::on);
 
+/// Whether the drawable may stand for all of its scene node in this view, as far as what is hidden, cut away
+/// or left out goes, whatever its error is.
+bool may_stand_for_node(const FrameView& view, DrawableId id);
+
 /// The whole cut at once: the reference that LazyCut must agree with. Pixel error 0 selects full detail:
 /// every leaf's finest drawable.
 Cut select_cut(const FrameView& view, FrustumCulling culling = FrustumCulling::on);

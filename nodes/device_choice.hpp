@@ -1,6 +1,7 @@
 // What a process draws with: OpenGL or the rasteriser, chosen once.
 #pragma once
 
+#include "nodes/memory_caps.hpp"
 #include "render/context.hpp"
 #include "render/gl_device.hpp"
 
@@ -22,6 +23,7 @@ struct DeviceOptions {
   DeviceKind kind = DeviceKind::cpu;
   ContextKind context = ContextKind::egl;  ///< of `gl`
   TestKind test = TestKind::storage;       ///< of `gl`
+  MemoryCaps memory = {};
   bool operator==(const DeviceOptions&) const = default;
 };
 

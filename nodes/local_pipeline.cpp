@@ -29,6 +29,21 @@ LocalPipeline::LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOp
       device_(parts_->device.device()),
       strategy_(&parts_->strategy(options.cull)) {
   resize(options.width, options.height);
+  const MemoryCaps& caps = options.device.memory;
+  if (!caps.streams()) return;
+  // Depth, ids, and colours, for each sample, and a copy of the picture.
+  const uint64_t pixels = static_cast<uint64_t>(options.width) * static_cast<uint64_t>(options.height);
+  constexpr uint64_t a_pixel = 24;
+  const uint64_t ahead = PackDevice::read_ahead_bytes(caps);
+  keeper_.emplace(device_, caps, ahead, a_pixel * pixels);
+  prefetch_.emplace(hierarchy_.skeleton(), device_, *parts_->device.read_ahead(), ahead / 4);
+  if (caps.on_miss == OnMiss::coarser)
+    substitutes_.emplace(hierarchy_.skeleton(), device_, *parts_->device.read_ahead());
+}
+
+std::optional<ReadAheadUse> LocalPipeline::read_ahead() const {
+  if (!parts_ || parts_->device.read_ahead() == nullptr) return std::nullopt;
+  return parts_->device.read_ahead()->use();
 }
 
 void LocalPipeline::resize(int width, int height) {
@@ -57,7 +72,40 @@ void LocalPipeline::set_strategy(StrategyKind kind) {
 }
 
 const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
+  if (!keeper_) {
+    draw_once(frame);
+    return record_;
+  }
+  const Stopwatch whole;
+  FrameRequest raised = frame;
+  const VisibleSet before = visible_;
+  const uint64_t no_room = device_.geometry_use().no_room;
+  parts_->device.read_ahead()->next_frame();
+  for (;;) {
+    raised.state.pixel_error = keeper_->raise(frame.state.pixel_error);
+    try {
+      draw_once(raised);
+      break;
+    } catch (const NoRoom& why) {
+      visible_ = before;
+      keeper_->refused(raised.state.pixel_error, why);
+    }
+  }
+  record_.raised_for_memory = raised.state.pixel_error > frame.state.pixel_error;
+  keeper_->drawn();
+  if (device_.geometry_use().no_room > no_room) keeper_->crowded(raised.state.pixel_error);
+  prefetch_->drawn(occlusion_->view(), visible_);
+  record_.loading = record_.owed_drawables > 0 && read_ahead()->open > 0;
+  record_.frame_ms = record_.camera_to_image_ms = whole.milliseconds();
+  return record_;
+}
+
+void LocalPipeline::draw_once(const FrameRequest& frame) {
   record_.number = frame.number;
+  record_.pixel_error = frame.state.pixel_error;
+  record_.owed_drawables = 0;
+  const uint64_t left_out = substitutes_ ? device_.geometry_use().left_out : 0;
+  if (substitutes_) device_.set_missing({.wait = false, .refuse = false});
   std::swap(previous_, visible_);
   const Stopwatch whole;
   Stopwatch stage;
@@ -84,6 +132,7 @@ const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
   const bool begun = !depth_ && !own_view && strategy_->representation() != nullptr;
   if (!begun) picture_->begin(view, frame.number);
   picture_->draw(ordered_);
+  if (substitutes_ && device_.geometry_use().left_out > left_out) draw_substitutes(view);
   picture_->finish();
   record_.render_ms = stage.milliseconds();
   record_.frame_ms = record_.camera_to_image_ms = whole.milliseconds();
@@ -93,7 +142,15 @@ const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
   record_.removed = delta_.removed.size();
   record_.visible_count = visible_.size();
   record_.visible = visible_;
-  return record_;
+}
+
+void LocalPipeline::draw_substitutes(const FrameView& view) {
+  VisibleSet shown = visible_;
+  record_.owed_drawables = substitutes_->replace(view, shown);
+  sorter_.sort(hierarchy_.skeleton(), view.cell, shown);
+  device_.set_missing({.wait = true, .refuse = true});
+  picture_->begin(view, record_.number);
+  picture_->draw(shown);
 }
 
 }  // namespace triptych

@@ -3,9 +3,12 @@
 
 #include "nodes/frame_record.hpp"
 #include "nodes/injected_rules.hpp"
+#include "nodes/memory_keeper.hpp"
 #include "nodes/occlusion_stage.hpp"
 #include "nodes/pack_device.hpp"
 #include "nodes/picture_stage.hpp"
+#include "nodes/prefetch.hpp"
+#include "nodes/substitutes.hpp"
 #include "visibility/strategies.hpp"
 
 #include <map>
@@ -38,13 +41,18 @@ class LocalPipeline {
   /// With a device and strategies of its own.
   LocalPipeline(const Pack& pack, const LocalPipelineOptions& options);
 
-  /// Draws the frame; record and picture are valid until the next one.
+  /// Draws the frame; record and picture are valid until the next one. With the caps of a device of its own
+  /// the pixel error is raised where the frame has no room, and the frame drawn anew; with OnMiss::coarser
+  /// what is not read yet is drawn coarser, and the record says how much.
   const FrameRecord& draw(const FrameRequest& frame);
   FrameTarget& target() { return picture_->target(); }
   const FrameTarget& target() const { return picture_->target(); }
   Device& device() { return device_; }
+  const Device& device() const { return device_; }
   const Hierarchy& hierarchy() const { return hierarchy_; }
   const FrameRules& rules() const { return options_.rules; }
+  /// How well reading ahead went; nullopt where nothing is read ahead.
+  std::optional<ReadAheadUse> read_ahead() const;
 
   /// Culls with this strategy from the next frame on.
   void set_strategy(Strategy& strategy);
@@ -71,6 +79,8 @@ class LocalPipeline {
   };
   LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options);
   void make_occlusion_stage();
+  void draw_once(const FrameRequest& frame);
+  void draw_substitutes(const FrameView& view);
 
   std::unique_ptr<Parts> parts_;  ///< what the pipeline owns; null where device and strategy are the caller's
   LocalPipelineOptions options_;
@@ -85,6 +95,9 @@ class LocalPipeline {
   VisibleDelta delta_;
   RankSorter sorter_;
   FrameRecord record_;
+  std::optional<MemoryKeeper> keeper_;  ///< where there are caps
+  std::optional<Prefetch> prefetch_;
+  std::optional<Substitutes> substitutes_;  ///< where frames do not wait for chunks
 };
 
 }  // namespace triptych

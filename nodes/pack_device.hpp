@@ -3,7 +3,7 @@
 
 #include "lod/hierarchy.hpp"
 #include "nodes/device_choice.hpp"
-#include "residency/load_on_demand.hpp"
+#include "residency/read_ahead.hpp"
 #include "scene/pack.hpp"
 #include "visibility/device.hpp"
 
@@ -21,11 +21,16 @@ class PackDevice {
   const Skeleton& skeleton() const { return hierarchy_.skeleton(); }
   Device& device() { return *device_; }
   const Representation& representation() const { return representation_; }
+  /// Null where nothing is read ahead: without caps, once read, chunks stay.
+  ReadAhead* read_ahead() const { return read_ahead_; }
+  /// Bytes that are read ahead at most.
+  static uint64_t read_ahead_bytes(const MemoryCaps& caps);
 
  private:
   Hierarchy hierarchy_;
   LevelsRepresentation representation_;
-  LoadOnDemand residency_;
+  std::unique_ptr<Residency> residency_;
+  ReadAhead* read_ahead_ = nullptr;  ///< where the residency is one
   std::unique_ptr<Device> device_;
 };
 

@@ -1,7 +1,9 @@
 #include "raster/chunk_geometry.hpp"
 
+#include "base/clock.hpp"
+#include "residency/take.hpp"
+
 #include <algorithm>
-#include <limits>
 
 namespace triptych {
 
@@ -10,13 +12,19 @@ namespace {
 constexpr uint32_t block = 64;  ///< triangles
 
 template <typename Value>
-uint64_t bytes_of(const std::vector<Value>& values) {
+uint64_t capacity_of(const std::vector<Value>& values) {
   return values.capacity() * sizeof(Value);
 }
 
 }  // namespace
 
 RasterChunk::RasterChunk(const Chunk& chunk) : vertex_color(chunk.colors) {
+  const size_t vertices = chunk.vertices.size(), triangles = chunk.triangle_count();
+  for (auto* const values : {&x, &y, &z}) values->reserve(vertices + spare_vertices);
+  for (auto& values : corner) values.reserve(triangles + spare_vertices);
+  piece.reserve(vertices);
+  color.reserve(triangles);
+  ranges_.reserve((triangles + block - 1) / block);
   for (const ChunkVertex& vertex : chunk.vertices) {
     x.push_back(vertex.point.x);
     y.push_back(vertex.point.y);
@@ -35,6 +43,7 @@ RasterChunk::RasterChunk(const Chunk& chunk) : vertex_color(chunk.colors) {
     color.push_back(chunk.vertices[chunk.indices[i + 2]].color);
   }
   if (std::ranges::any_of(chunk.vertices, [](auto& vertex) { return vertex.layer > 0; })) {
+    layers.reserve(triangles);
     for (size_t i = 2; i < chunk.indices.size(); i += 3)
       layers.push_back(chunk.vertices[chunk.indices[i]].layer);
   }
@@ -55,25 +64,57 @@ RasterChunk::VertexRange RasterChunk::vertices(uint32_t first_triangle, uint32_t
 }
 
 uint64_t RasterChunk::bytes() const {
-  uint64_t sum = sizeof *this + bytes_of(x) + bytes_of(y) + bytes_of(z) + bytes_of(piece) + bytes_of(color) +
-                 bytes_of(outward) + bytes_of(ranges_) + bytes_of(layers) + bytes_of(vertex_color);
-  for (const auto& values : corner) sum += bytes_of(values);
+  uint64_t sum = sizeof *this + capacity_of(x) + capacity_of(y) + capacity_of(z) + capacity_of(piece) +
+                 capacity_of(color) + capacity_of(outward) + capacity_of(ranges_) + capacity_of(layers) +
+                 capacity_of(vertex_color);
+  for (const auto& values : corner) sum += capacity_of(values);
   return sum;
 }
 
+uint64_t RasterChunk::bytes_of(const ChunkInfo& info) {
+  const uint64_t a_vertex = 3 * sizeof(int32_t) + sizeof(uint8_t) + sizeof(VertexColor);
+  const uint64_t a_triangle = 4 * sizeof(uint32_t) + sizeof(uint8_t);
+  const uint64_t spare = 6 * spare_vertices * sizeof(uint32_t) + 2 * sizeof(uint32_t);
+  return sizeof(RasterChunk) + info.vertex_count * a_vertex + info.triangle_count * a_triangle + spare +
+         (info.triangle_count / block + 1) * sizeof(VertexRange) +
+         (info.triangle_count / 32) * sizeof(uint32_t);
+}
+
 ChunkGeometry::ChunkGeometry(const Skeleton& skeleton, Residency& residency)
-    : residency_(residency), chunks_(skeleton.chunks.size()) {}
+    : skeleton_(skeleton),
+      residency_(residency),
+      chunks_(skeleton.chunks.size()),
+      cache_(skeleton.chunks.size()) {}
+
+void ChunkGeometry::make_room(uint64_t bytes) {
+  for (uint32_t old; (old = cache_.next_to_go(bytes)) != ChunkCache::none;) {
+    chunks_[old].reset();
+    cache_.remove(old);
+  }
+}
+
+void ChunkGeometry::load(uint32_t chunk) {
+  const Stopwatch stopwatch;
+  try {
+    make_room(RasterChunk::bytes_of(skeleton_.chunks[chunk]));
+  } catch (const NoRoom&) {
+    if (missing_.refuse) throw;
+    return cache_.leave_out(true);
+  }
+  const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
+  if (!taken) return cache_.leave_out(false);
+  auto read = std::make_unique<const RasterChunk>(*taken);
+  cache_.add(chunk, read->bytes(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
+  chunks_[chunk] = std::move(read);
+}
 
 void ChunkGeometry::require(std::span<const DrawItem> items) {
   for (const DrawItem& item : items) {
-    if (chunks_[item.chunk]) continue;
-    residency_.request(item.chunk, 0);
-    residency_.pump(std::numeric_limits<double>::infinity());
-    auto chunk = std::make_unique<const RasterChunk>(*residency_.pin(item.chunk));
-    residency_.unpin(item.chunk);
-    residency_.evict(item.chunk);  // it has its place here now
-    bytes_ += chunk->bytes();
-    chunks_[item.chunk] = std::move(chunk);
+    if (chunks_[item.chunk]) {
+      cache_.touch(item.chunk);
+    } else {
+      load(item.chunk);
+    }
   }
 }
 

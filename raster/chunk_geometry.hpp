@@ -1,7 +1,8 @@
-// Geometry as the rasteriser reads it: chunks of a pack, kept once something wants to be drawn.
+// Geometry as the rasteriser reads it: chunks of a pack, kept within a cap once something wants to be drawn.
 #pragma once
 
 #include "lod/representation.hpp"
+#include "residency/chunk_cache.hpp"
 #include "residency/residency.hpp"
 
 #include <cstdint>
@@ -25,6 +26,8 @@ class RasterChunk {
   };
   VertexRange vertices(uint32_t first_triangle, uint32_t triangle_count) const;
   uint64_t bytes() const;
+  /// About what it will take, more rather than less, before it is read.
+  static uint64_t bytes_of(const ChunkInfo& info);
   /// Whether backs of the triangle cannot be seen from outside of the chunk's box (Chunk::outward).
   bool is_outward(size_t triangle) const { return outward[triangle / 32] >> triangle % 32 & 1; }
   uint32_t layer(size_t triangle) const { return layers.empty() ? 0 : layers[triangle]; }
@@ -42,21 +45,37 @@ class RasterChunk {
   std::vector<VertexRange> ranges_;  ///< of blocks of triangles
 };
 
-/// The chunks that were asked for so far.
+/// The chunks that were asked for last.
 class ChunkGeometry {
  public:
   ChunkGeometry(const Skeleton& skeleton, Residency& residency);
 
-  /// Asks the residency for the chunks that are needed and are not here. Error for a damaged chunk.
+  /// Chunks that only earlier views needed may go from now on.
+  void begin_view() {
+    cache_.begin_view();
+    make_room(0);  // the cap may have been lowered
+  }
+  /// Asks the residency for the chunks that are needed and are not here, or does without them. Error for a
+  /// damaged chunk, NoRoom where the view needs more than the cap.
   void require(std::span<const DrawItem> items);
-  const RasterChunk& chunk(uint32_t index) const { return *chunks_[index]; }
+  /// One that was required for the current view: it stays until the next view begins. Null where it is to be
+  /// done without.
+  const RasterChunk* chunk(uint32_t index) const { return chunks_[index].get(); }
 
-  uint64_t memory_bytes() const { return bytes_; }
+  void set_cap(uint64_t bytes) { cache_.set_cap(bytes); }
+  void set_missing(const MissingChunks& missing) { missing_ = missing; }
+  const GeometryUse& use() const { return cache_.use(); }
+  bool has(uint32_t chunk) const { return cache_.has(chunk); }
 
  private:
+  void load(uint32_t chunk);
+  void make_room(uint64_t bytes);
+
+  const Skeleton& skeleton_;
   Residency& residency_;
-  std::vector<std::unique_ptr<const RasterChunk>> chunks_;  ///< null where it was not asked for
-  uint64_t bytes_ = 0;
+  std::vector<std::unique_ptr<const RasterChunk>> chunks_;  ///< null where it is not here
+  ChunkCache cache_;
+  MissingChunks missing_;
 };
 
 }  // namespace triptych

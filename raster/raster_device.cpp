@@ -21,7 +21,10 @@ class RasterDevice final : public Device {
     return std::make_unique<RasterTarget>(scene_, kind, width, height, options_);
   }
   const DeviceNames& names() const override { return raster_device_names(); }
-  uint64_t memory_bytes() const override { return scene_.memory_bytes(); }
+  void set_geometry_cap(uint64_t bytes) override { scene_.set_geometry_cap(bytes); }
+  void set_missing(const MissingChunks& missing) override { scene_.set_missing(missing); }
+  GeometryUse geometry_use() const override { return scene_.geometry_use(); }
+  bool has_chunk(uint32_t chunk) const override { return scene_.has_chunk(chunk); }
   bool order_matters() const override { return false; }
 
  private:

@@ -24,6 +24,7 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
 [[gnu::noinline]] void RasterScene::set_view(const FrameView& view) {
   if (view_ && view.state == view_->state && view.rules == view_->rules) return;
   view_ = view;
+  geometry_.begin_view();
   representation_.begin(view);
   placer_.begin(view);
   projector_.emplace(view, steady_margins);
@@ -45,13 +46,15 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   uint64_t triangles = 0;
   auto rank = ranks_.begin();
   for (const DrawItem& item : items_) {
+    const RasterChunk* const chunk = geometry_.chunk(item.chunk);
+    if (chunk == nullptr) continue;
     const SectionPlace place = view_->section_place(item.pieces);
     if (place.outside) continue;
     const bool same = !stretches_.empty() && stretches_.back().rank.id == item.drawable;
     while (rank->id != item.drawable) ++rank;
     PlacedStretch stretch{.rank = *rank,
                           .part = same ? stretches_.back().part + 1 : 0,
-                          .chunk = &geometry_.chunk(item.chunk),
+                          .chunk = chunk,
                           .first_triangle = item.first_index / 3,
                           .triangle_count = item.index_count / 3,
                           .placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice),

@@ -23,7 +23,10 @@ class RasterScene {
   uint64_t draw(std::span<const DrawableId> drawables, SamplePlanes& planes);
 
   const Skeleton& skeleton() const { return skeleton_; }
-  uint64_t memory_bytes() const { return geometry_.memory_bytes(); }
+  void set_geometry_cap(uint64_t bytes) { geometry_.set_cap(bytes); }
+  void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
+  const GeometryUse& geometry_use() const { return geometry_.use(); }
+  bool has_chunk(uint32_t chunk) const { return geometry_.has(chunk); }
 
  private:
   const Skeleton& skeleton_;

@@ -17,7 +17,7 @@ namespace triptych {
 struct ChunkRange {
   uint32_t first_index = 0, index_count = 0, base_vertex = 0;
   std::vector<uint32_t> outward_runs = {};  ///< Chunk::outward_runs
-  bool colored = false;                     ///< whether vertices have colours, in buffers of such chunks
+  bool colored = false;                     ///< whether vertices have colours
   bool loaded() const { return index_count > 0; }
 };
 

@@ -20,7 +20,10 @@ class GlDevice final : public Device {
     return std::make_unique<GlFrameTarget>(passes_, kind, width, height);
   }
   const DeviceNames& names() const override { return names_; }
-  uint64_t memory_bytes() const override { return passes_.renderer.memory_bytes(); }
+  void set_geometry_cap(uint64_t bytes) override { passes_.renderer.set_geometry_cap(bytes); }
+  void set_missing(const MissingChunks& missing) override { passes_.renderer.set_missing(missing); }
+  GeometryUse geometry_use() const override { return passes_.renderer.geometry_use(); }
+  bool has_chunk(uint32_t chunk) const override { return passes_.renderer.has_chunk(chunk); }
 
  private:
   GlPasses passes_;

@@ -1,36 +1,29 @@
-// The seam to residency: which chunks of a pack are in memory, and which come next.
+// The seam to residency: how a device gets the chunks of a pack.
 #pragma once
 
 #include "scene/chunk.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace triptych {
 
-/// Chunks by their index. A device requests the chunks that it will need, gives the residency time to get
-/// them, and pins those that it uses; a chunk that is not resident is not drawn, and counts as visible. To be
-/// used by one thread; it may read on others.
+/// Of a chunk that a picture lacks; coarser levels that would stand in for it have more.
+inline constexpr float urgent = 4;
+
+/// Chunks by their index. A device says which chunks it may need soon, and takes those that it draws; what it
+/// has taken is its own, and is to be taken again once it was dropped (residency/chunk_cache.hpp). To be used
+/// by one thread; it may read on others.
 class Residency {
  public:
   virtual ~Residency() = default;
 
-  /// Requests a chunk; costs nothing if it is resident already. Higher priorities are read first, equal ones
-  /// in the order of their requests.
-  virtual void request(uint32_t chunk, float priority) = 0;
-  /// Reads what was requested, for about budget_ms milliseconds; with an infinite budget until all is read.
-  /// Returns how many requests are still open. Error (pack, chunk) for damage: that request is dropped.
-  virtual size_t pump(double budget_ms) = 0;
-
-  /// The chunk's geometry, which stays until unpin(); null if it is not resident. Pins are counted.
-  virtual const Chunk* pin(uint32_t chunk) = 0;
-  virtual void unpin(uint32_t chunk) = 0;
-
-  /// Drops a chunk that is not pinned; a device calls this once it has its own copy. Does nothing if it is
-  /// not resident.
-  virtual void evict(uint32_t chunk) = 0;
-
-  /// Bytes that chunks take here.
-  virtual uint64_t memory_bytes() const = 0;
+  /// The chunk may be needed soon: it may be read ahead. Higher priorities first.
+  virtual void expect(uint32_t chunk, float priority) = 0;
+  /// The chunk's geometry; read now, if it was not read ahead. Error (pack, chunk) for damage.
+  virtual Chunk take(uint32_t chunk) = 0;
+  /// The same without waiting: nullopt, and it is expected urgently, where it was not read ahead.
+  virtual std::optional<Chunk> take_if_ready(uint32_t chunk) = 0;
 };
 
 }  // namespace triptych

@@ -2,6 +2,7 @@
 // keeps the rules below.
 #pragma once
 
+#include "scene/geometry_use.hpp"
 #include "visibility/frame_target.hpp"
 
 #include <cstdint>
@@ -38,8 +39,15 @@ class Device {
   /// Where it does not, what was drawn to test against may become the picture, and what was drawn already is
   /// not drawn again.
   virtual bool order_matters() const { return true; }
-  /// Bytes of device memory that geometry takes.
-  virtual uint64_t memory_bytes() const = 0;
+  /// Geometry takes no more device memory than this from the next view on: chunks that were not drawn for
+  /// longest go. A view that needs more ends in NoRoom (scene/geometry_use.hpp), thrown by draw(); its
+  /// targets are to be begun again then.
+  virtual void set_geometry_cap(uint64_t bytes) = 0;
+  /// From the next draw() on; at first draws wait, and refuse.
+  virtual void set_missing(const MissingChunks& missing) = 0;
+  virtual GeometryUse geometry_use() const = 0;
+  /// Whether the chunk is in device memory.
+  virtual bool has_chunk(uint32_t chunk) const = 0;
 };
 
 }  // namespace triptych

@@ -1,34 +1,35 @@
 #include "render/gl/geometry.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "render/gl/shaders.hpp"
 #include "render/gl/vertex_layout.hpp"
+#include "residency/take.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace triptych {
 
-uint64_t Geometry::Arena::append(std::span<const std::byte> bytes) {
-  constexpr uint64_t smallest = 16 << 20;
-  if (used + bytes.size() > capacity) {
-    const uint64_t grown = std::max({smallest, capacity * 2, used + bytes.size()});
-    GlBuffer larger;
-    glNamedBufferStorage(larger, static_cast<GLsizeiptr>(grown), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    check_gl("device memory");
-    if (used > 0) glCopyNamedBufferSubData(buffer, larger, 0, 0, static_cast<GLsizeiptr>(used));
-    std::swap(buffer, larger);
-    capacity = grown;
+namespace {
+
+/// At most what all chunks of a pack take.
+uint64_t bytes_of_all(const Skeleton& skeleton) {
+  uint64_t bytes = 0;
+  for (const ChunkInfo& chunk : skeleton.chunks) {
+    bytes += (uint64_t{chunk.vertex_count} + 2) * sizeof(ColoredVertex) +
+             uint64_t{chunk.triangle_count} * 3 * sizeof(uint32_t);
   }
-  const uint64_t offset = used;
-  glNamedBufferSubData(buffer, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
-                       bytes.data());
-  used += bytes.size();
-  return offset;
+  return bytes;
 }
 
+}  // namespace
+
 Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
-    : skeleton_(skeleton), residency_(residency), ranges_(skeleton.chunks.size()) {
+    : skeleton_(skeleton),
+      residency_(residency),
+      ranges_(skeleton.chunks.size()),
+      places_(skeleton.chunks.size()),
+      cache_(skeleton.chunks.size()) {
   const auto& palette = skeleton_.palette;
   // Colours as floats: 16 bytes an entry, read by the vertex stage.
   std::vector<float> colors;
@@ -40,42 +41,115 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
   describe_vertices(colored_vertex_array_, true);
 }
 
-void Geometry::attach_buffers() {
-  glVertexArrayVertexBuffer(vertex_array_, vertices_stream, vertices_.buffer, 0, sizeof(ChunkVertex));
-  glVertexArrayElementBuffer(vertex_array_, indices_.buffer);
-  if (colors_.used == 0) return;
-  glVertexArrayVertexBuffer(colored_vertex_array_, vertices_stream, colored_vertices_.buffer, 0,
-                            sizeof(ChunkVertex));
-  glVertexArrayVertexBuffer(colored_vertex_array_, colors_stream, colors_.buffer, 0, sizeof(VertexColor));
-  glVertexArrayElementBuffer(colored_vertex_array_, indices_.buffer);
+void Geometry::begin_view() {
+  cache_.begin_view();
+  if (cap_ == cache_.use().cap) return;
+  cache_.set_cap(cap_);
+  if (cap_ == no_cap) return;
+  const uint64_t size = std::min(cap_, bytes_of_all(skeleton_));
+  if (size < space_.size()) {  // smaller than what is there: it begins anew
+    while (cache_.least_recently_used() != ChunkCache::none) drop(cache_.least_recently_used());
+    space_ = {};
+  }
+  make_buffer(size);
 }
 
-void Geometry::upload(uint32_t chunk, const Chunk& geometry) {
-  const bool colored = !geometry.colors.empty();
-  Arena& vertices = colored ? colored_vertices_ : vertices_;
-  const uint64_t vertex = vertices.append(std::as_bytes(std::span(geometry.vertices)));
-  if (colored) colors_.append(std::as_bytes(std::span(geometry.colors)));
-  const uint64_t index = indices_.append(std::as_bytes(std::span(geometry.indices)));
-  if (index / sizeof(uint32_t) > UINT32_MAX || vertex / sizeof(ChunkVertex) > INT32_MAX) {
-    fail("device memory", "more geometry than one buffer can address");
+void Geometry::make_buffer(uint64_t bytes) {
+  GlBuffer other;
+  glNamedBufferStorage(other, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  check_gl("device memory");
+  if (space_.size() > 0)
+    glCopyNamedBufferSubData(buffer_, other, 0, 0, static_cast<GLsizeiptr>(space_.size()));
+  std::swap(buffer_, other);
+  space_.grow(bytes);
+  glVertexArrayVertexBuffer(vertex_array_, vertices_stream, buffer_, 0, sizeof(ChunkVertex));
+  glVertexArrayElementBuffer(vertex_array_, buffer_);
+  glVertexArrayVertexBuffer(colored_vertex_array_, vertices_stream, buffer_, 0, sizeof(ColoredVertex));
+  glVertexArrayElementBuffer(colored_vertex_array_, buffer_);
+}
+
+bool Geometry::try_place(Place& place, uint64_t stride) {
+  const auto vertices = space_.take(place.vertex_bytes, stride);
+  if (!vertices) return false;
+  const auto indices = space_.take(place.index_bytes, sizeof(uint32_t));
+  if (!indices) {
+    space_.give_back(*vertices, place.vertex_bytes);
+    return false;
   }
-  ranges_[chunk] = {static_cast<uint32_t>(index / sizeof(uint32_t)),
+  place.vertices = *vertices;
+  place.indices = *indices;
+  return true;
+}
+
+Geometry::Place Geometry::place(uint64_t vertex_bytes, uint64_t stride, uint64_t index_bytes) {
+  constexpr uint64_t smallest = 32 << 20;
+  Place place{.vertex_bytes = vertex_bytes, .index_bytes = index_bytes};
+  const uint64_t bytes = vertex_bytes + index_bytes;
+  for (uint32_t old; (old = cache_.next_to_go(bytes)) != ChunkCache::none;) drop(old);
+  while (!try_place(place, stride)) {
+    if (cache_.use().cap == no_cap) {
+      make_buffer(std::max({smallest, 2 * space_.size(), space_.size() + bytes + stride}));
+      continue;
+    }
+    // There is room, but not in one place.
+    const uint32_t old = cache_.least_recently_used();
+    if (old == ChunkCache::none) throw NoRoom(cache_.use().view_bytes + bytes, cache_.use().cap);
+    drop(old);
+  }
+  return place;
+}
+
+void Geometry::drop(uint32_t chunk) {
+  const Place& place = places_[chunk];
+  space_.give_back(place.vertices, place.vertex_bytes);
+  space_.give_back(place.indices, place.index_bytes);
+  ranges_[chunk] = {};
+  cache_.remove(chunk);
+}
+
+void Geometry::write(uint64_t offset, std::span<const std::byte> bytes) {
+  glNamedBufferSubData(buffer_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
+                       bytes.data());
+}
+
+void Geometry::load(uint32_t chunk) {
+  const Stopwatch stopwatch;
+  const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
+  if (!taken) return cache_.leave_out(false);
+  const Chunk& geometry = *taken;
+  std::vector<ColoredVertex> colored;
+  for (size_t i = 0; i < geometry.colors.size(); ++i)
+    colored.push_back({geometry.vertices[i], geometry.colors[i]});
+  const auto vertices =
+      colored.empty() ? std::as_bytes(std::span(geometry.vertices)) : std::as_bytes(std::span(colored));
+  const auto indices = std::as_bytes(std::span(geometry.indices));
+  const uint64_t stride = colored.empty() ? sizeof(ChunkVertex) : sizeof(ColoredVertex);
+  Place where;
+  try {
+    where = place(vertices.size(), stride, indices.size());
+  } catch (const NoRoom&) {
+    if (missing_.refuse) throw;
+    return cache_.leave_out(true);
+  }
+  if (where.indices / sizeof(uint32_t) > UINT32_MAX || where.vertices / stride > INT32_MAX)
+    fail("device memory", "more geometry than one buffer can address");
+  write(where.vertices, vertices);
+  write(where.indices, indices);
+  places_[chunk] = where;
+  ranges_[chunk] = {static_cast<uint32_t>(where.indices / sizeof(uint32_t)),
                     static_cast<uint32_t>(geometry.indices.size()),
-                    static_cast<uint32_t>(vertex / sizeof(ChunkVertex)), geometry.outward_runs, colored};
+                    static_cast<uint32_t>(where.vertices / stride), geometry.outward_runs, !colored.empty()};
+  cache_.add(chunk, vertices.size() + indices.size(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
 }
 
 void Geometry::require(std::span<const DrawItem> items) {
-  bool changed = false;
   for (const DrawItem& item : items) {
-    if (ranges_[item.chunk].loaded()) continue;
-    residency_.request(item.chunk, 0);
-    residency_.pump(std::numeric_limits<double>::infinity());
-    upload(item.chunk, *residency_.pin(item.chunk));
-    residency_.unpin(item.chunk);
-    residency_.evict(item.chunk);  // it is in device memory now
-    changed = true;
+    if (ranges_[item.chunk].loaded()) {
+      cache_.touch(item.chunk);
+    } else {
+      load(item.chunk);
+    }
   }
-  if (changed) attach_buffers();
 }
 
 void Geometry::bind(GLuint records, bool colored) const {

@@ -1,8 +1,10 @@
-// Geometry in device memory: chunks of a pack, uploaded when they are first drawn.
+// Geometry in device memory: chunks of a pack, uploaded when they are first drawn, within a cap.
 #pragma once
 
 #include "render/draw_list.hpp"
+#include "render/gl/device_space.hpp"
 #include "render/gl/objects.hpp"
+#include "residency/chunk_cache.hpp"
 #include "residency/residency.hpp"
 
 #include <span>
@@ -10,39 +12,49 @@
 
 namespace triptych {
 
-/// Vertices and indices of the chunks uploaded so far, in growing buffers, and the palette. Chunks whose
-/// vertices have colours have buffers of vertices of their own.
+/// Vertices and indices of the chunks that were drawn last, in one buffer, and the palette. Without a cap the
+/// buffer grows; with one it is as large as that, or as the pack's geometry.
 class Geometry {
  public:
   Geometry(const Skeleton& skeleton, Residency& residency);
 
-  /// Requests the chunks that are needed and not uploaded yet from the residency, and uploads them. Error for
-  /// a damaged chunk, or where OpenGL has no memory left.
+  /// Chunks that only earlier views needed may go from now on.
+  void begin_view();
+  /// Asks the residency for the chunks that are needed and not uploaded, and uploads them, or does without
+  /// them. Error for a damaged chunk, or where OpenGL has no memory left; NoRoom where the view needs more
+  /// than the cap.
   void require(std::span<const DrawItem> items);
   std::span<const ChunkRange> ranges() const { return ranges_; }
 
-  /// Bytes of device memory in use.
-  uint64_t memory_bytes() const {
-    return vertices_.capacity + indices_.capacity + colored_vertices_.capacity + colors_.capacity;
-  }
+  /// From the next view on.
+  void set_cap(uint64_t bytes) { cap_ = bytes; }
+  void set_missing(const MissingChunks& missing) { missing_ = missing; }
+  const GeometryUse& use() const { return cache_.use(); }
+  bool has(uint32_t chunk) const { return cache_.has(chunk); }
   /// Binds vertex array and palette for drawing, of chunks whose vertices have colours or of the others.
   /// records: a buffer with a DrawRecord for each base instance.
   void bind(GLuint records, bool colored) const;
 
  private:
-  struct Arena {
-    GlBuffer buffer;
-    uint64_t used = 0, capacity = 0;
-    /// Appends; returns the offset. The buffer is replaced by a larger one when it is full.
-    uint64_t append(std::span<const std::byte> bytes);
+  struct Place {
+    uint64_t vertices = 0, vertex_bytes = 0, indices = 0, index_bytes = 0;
   };
-  void upload(uint32_t chunk, const Chunk& geometry);
-  void attach_buffers();
+  void load(uint32_t chunk);
+  void drop(uint32_t chunk);
+  Place place(uint64_t vertex_bytes, uint64_t stride, uint64_t index_bytes);
+  bool try_place(Place& place, uint64_t stride);
+  void make_buffer(uint64_t bytes);
+  void write(uint64_t offset, std::span<const std::byte> bytes);
 
   const Skeleton& skeleton_;
   Residency& residency_;
   std::vector<ChunkRange> ranges_;
-  Arena vertices_, indices_, colored_vertices_, colors_;
+  std::vector<Place> places_;
+  ChunkCache cache_;
+  MissingChunks missing_;
+  uint64_t cap_ = no_cap;
+  DeviceSpace space_;
+  GlBuffer buffer_;
   GlBuffer palette_;
   GlVertexArray vertex_array_, colored_vertex_array_;
 };

@@ -63,6 +63,7 @@ Renderer::Pass& Renderer::winding_pass() {
 void Renderer::set_view(const FrameView& view) {
   if (view_ && view.state == view_->state && view.rules == view_->rules) return;
   view_ = view;
+  geometry_.begin_view();
   representation_.begin(view);
   builder_.begin(view);
 }

@@ -23,7 +23,10 @@ class Renderer {
   /// Draws in the order given, over what the framebuffer holds already, each of its planes at a sample of its
   /// own; at equal depth what was drawn first stays. Returns the number of triangles drawn into a plane.
   uint64_t draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer);
-  uint64_t memory_bytes() const { return geometry_.memory_bytes(); }
+  void set_geometry_cap(uint64_t bytes) { geometry_.set_cap(bytes); }
+  void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
+  const GeometryUse& geometry_use() const { return geometry_.use(); }
+  bool has_chunk(uint32_t chunk) const { return geometry_.has(chunk); }
 
  private:
   struct Pass {

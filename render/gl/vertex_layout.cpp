@@ -31,8 +31,9 @@ void describe_vertices(GLuint vertex_array, bool colored) {
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, first_bound));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, cut));
   if (colored) {
-    glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
-    add(colors_stream);
+    glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE,
+                              offsetof(ColoredVertex, color));
+    add(vertices_stream);
   }
   glVertexArrayBindingDivisor(vertex_array, records_stream, 1);
 }

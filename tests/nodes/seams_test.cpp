@@ -64,7 +64,10 @@ class FakeDevice final : public Device {
   bool order_matters() const override { return order_matters_; }
   size_t targets() const { return targets_; }
   const DeviceNames& names() const override { return names_; }
-  uint64_t memory_bytes() const override { return 0; }
+  void set_geometry_cap(uint64_t) override {}
+  void set_missing(const MissingChunks&) override {}
+  GeometryUse geometry_use() const override { return {}; }
+  bool has_chunk(uint32_t) const override { return true; }
 
  private:
   DeviceNames names_{"nobody", "fake", "1"};

@@ -1,5 +1,6 @@
 // Where depths are equal the lower draw rank wins, whoever was drawn when.
 #include "render/gl/renderer.hpp"
+#include "residency/load_on_demand.hpp"
 #include "tests/render/rig.hpp"
 #include "tests/support/small_pack.hpp"
 

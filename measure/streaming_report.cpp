@@ -1,0 +1,78 @@
+#include "measure/streaming_report.hpp"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace triptych {
+
+namespace {
+
+using nlohmann::json;
+
+json cap_json(uint64_t cap) { return cap == no_cap ? json() : json(cap); }
+
+json share(uint64_t part, uint64_t whole) {
+  return whole == 0 ? json() : json(static_cast<double>(part) / static_cast<double>(whole));
+}
+
+std::string percent(const json& share) {
+  return share.is_null() ? "none" : fmt::format("{:.0f} %", 100 * share.get<double>());
+}
+
+}  // namespace
+
+std::string add_streaming(json& report, const std::vector<FrameRecord>& records, const MemoryCaps& caps,
+                          const LocalPipeline& pipeline) {
+  const GeometryUse use = pipeline.device().geometry_use();
+  const ReadAheadUse ahead = pipeline.read_ahead().value_or(ReadAheadUse());
+  uint64_t raised = 0, owing = 0, owed = 0;
+  double largest = 0;
+  for (const FrameRecord& record : records) {
+    raised += record.raised_for_memory;
+    owing += record.owed_drawables > 0;
+    owed += record.owed_drawables;
+    largest = std::max(largest, record.pixel_error);
+  }
+  const uint64_t useful = ahead.in_time + ahead.late;
+  const json prefetch = {{"precision", share(useful, ahead.read_ahead)},
+                         {"recall", share(useful, ahead.taken)}};
+  report["memory_cap"] = cap_json(caps.memory);
+  report["device_cap"] = cap_json(caps.device_memory);
+  report["geometry_cap"] = cap_json(use.cap);
+  report["peak_device_bytes"] = use.peak_bytes;
+  report["hits"] = use.hits;
+  report["misses"] = use.loaded_chunks;
+  report["waits"] = use.loaded_chunks - std::min(use.loaded_chunks, ahead.in_time);
+  report["wait_ms"] = use.wait_ms;
+  report["evicted_chunks"] = use.evicted_chunks;
+  report["reloaded_chunks"] = use.reloaded_chunks;
+  report["bytes_read"] = use.read_bytes;
+  report["bytes_uploaded"] = use.uploaded_bytes;
+  report["prefetch"] = prefetch;
+  report["raised_frames"] = raised;
+  report["owing_frames"] = owing;
+  report["owed_drawables"] = owed;
+  report["raised_pixel_error_max"] = largest;
+  std::string words = fmt::format(
+      "geometry took {:.1f} MiB at most; {} chunks came ({:.1f} MiB of the pack), {} of them while a frame "
+      "waited, and {} went\n",
+      static_cast<double>(use.peak_bytes) / 0x1p20, use.loaded_chunks,
+      static_cast<double>(use.read_bytes) / 0x1p20, report["waits"].get<uint64_t>(), use.evicted_chunks);
+  if (ahead.read_ahead > 0) {
+    words += fmt::format("of what was read ahead {} was needed, of what was needed {} was read ahead\n",
+                         percent(prefetch["precision"]), percent(prefetch["recall"]));
+  }
+  if (raised > 0) {
+    words += fmt::format("{} of {} frames had no room: their pixel error was raised, to {:.2f} px at most\n",
+                         raised, records.size(), largest);
+  }
+  if (owing > 0) {
+    words +=
+        fmt::format("{} of {} frames drew something coarser that was not read yet, {} drawables in all\n",
+                    owing, records.size(), owed);
+  }
+  return words;
+}
+
+}  // namespace triptych

@@ -1,0 +1,72 @@
+#include "nodes/prefetch.hpp"
+
+#include <algorithm>
+
+namespace triptych {
+
+namespace {
+
+View ahead(const View& before, const View& now, double frames) {
+  View view = now;
+  const auto further = [&](const glm::dvec3& from, const glm::dvec3& to) {
+    return to + frames * (to - from);
+  };
+  view.camera.eye = further(before.camera.eye, now.camera.eye);
+  view.camera.target = further(before.camera.target, now.camera.target);
+  return view;
+}
+
+}  // namespace
+
+/// Whether the visible set has a level of the scene node, or of one right above or below it.
+bool Prefetch::shows_now(SceneNodeId node, const VisibleSet& visible) const {
+  const auto has = [&](SceneNodeId id) {
+    const SceneNode& scene_node = skeleton_.scene_nodes[id];
+    const auto first = std::lower_bound(visible.begin(), visible.end(), scene_node.first_drawable);
+    return first != visible.end() && *first < scene_node.first_drawable + scene_node.drawable_count;
+  };
+  if (has(node)) return true;
+  const SceneNode& scene_node = skeleton_.scene_nodes[node];
+  if (scene_node.parent != no_id && has(scene_node.parent)) return true;
+  for (uint32_t child = 0; child < scene_node.child_count; ++child) {
+    if (has(scene_node.first_child + child)) return true;
+  }
+  return false;
+}
+
+void Prefetch::drawn(const FrameView& view, const VisibleSet& visible) {
+  const std::optional<View> before = last_;
+  last_ = view.view();
+  if (!before || before->width != view.view().width || before->height != view.view().height) return;
+  // The next frames are urgent; what comes later is read where there is time.
+  constexpr double next = 1.5, later = 8;
+  expect(view, *before, next, 2, visible);
+  expect(view, *before, later, 0, visible);
+}
+
+void Prefetch::expect(const FrameView& view, const View& before, double frames, float least,
+                      const VisibleSet& visible) {
+  FrameState state = view.state;
+  state.view = ahead(before, view.view(), frames);
+  if (state.view.camera.eye == state.view.camera.target) return;
+  const FrameView then(skeleton_, state, view.rules);
+  uint64_t bytes = 0;
+  float place = 0;  // in the order in which they lie behind each other
+  for (const DrawableId id : lister_.list(then)) {
+    const Drawable& drawable = skeleton_.drawables[id];
+    place += 1;
+    const bool other_level = shows_now(drawable.scene_node, visible);
+    // What is in the frustum now and does not show is most likely hidden then, too.
+    if (!other_level && !view.eye_space.bounds(skeleton_.scene_nodes[drawable.scene_node].box).outside)
+      continue;
+    for (uint32_t i = 0; i < drawable.placement_count; ++i) {
+      const uint32_t chunk = skeleton_.placements[drawable.first_placement + i].chunk;
+      if (device_.has_chunk(chunk)) continue;
+      residency_.expect(chunk, least + (other_level ? 1 : 0) + 1 / place);
+      bytes += skeleton_.chunks[chunk].size;
+    }
+    if (bytes > bytes_) return;
+  }
+}
+
+}  // namespace triptych

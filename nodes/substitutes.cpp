@@ -1,0 +1,79 @@
+#include "nodes/substitutes.hpp"
+
+#include "lod/cut.hpp"
+
+#include <algorithm>
+
+namespace triptych {
+
+template <typename Use>
+void Substitutes::for_each_chunk(DrawableId id, const Use& use) const {
+  const Drawable& drawable = skeleton_.drawables[id];
+  for (uint32_t i = 0; i < drawable.placement_count; ++i)
+    use(skeleton_.placements[drawable.first_placement + i].chunk);
+}
+
+bool Substitutes::is_there(DrawableId id) const {
+  bool all = true;
+  for_each_chunk(id,
+                 [&](uint32_t chunk) { all = all && (device_.has_chunk(chunk) || ready_.contains(chunk)); });
+  return all;
+}
+
+DrawableId Substitutes::nearest(const FrameView& view, DrawableId id) {
+  DrawableId found = no_id, coarsest = no_id, next = id + 1;
+  between_.clear();
+  for (SceneNodeId of = skeleton_.drawables[id].scene_node; of != no_id && found == no_id;) {
+    const SceneNode& node = skeleton_.scene_nodes[of];
+    for (; next < node.first_drawable + node.drawable_count && found == no_id; ++next) {
+      if (!may_stand_for_node(view, next)) continue;
+      coarsest = next;
+      if (is_there(next)) {
+        found = next;
+      } else {
+        between_.push_back(next);
+      }
+    }
+    of = node.parent;
+    if (of != no_id) next = skeleton_.scene_nodes[of].first_drawable;
+  }
+  float priority = urgent;
+  for (const DrawableId level : between_) {
+    priority += 1;
+    for_each_chunk(level, [&](uint32_t chunk) { residency_.expect(chunk, priority); });
+  }
+  return found != no_id ? found : coarsest;
+}
+
+/// The chosen one of the highest scene node that the drawable is below or of; itself where there is none.
+DrawableId Substitutes::topmost(DrawableId id) const {
+  DrawableId result = id;
+  for (SceneNodeId of = skeleton_.drawables[id].scene_node; of != no_id;
+       of = skeleton_.scene_nodes[of].parent) {
+    const auto found = chosen_.find(of);
+    if (found != chosen_.end()) result = found->second;
+  }
+  return result;
+}
+
+size_t Substitutes::replace(const FrameView& view, VisibleSet& drawables) {
+  chosen_.clear();
+  ready_ = residency_.ready();
+  size_t missing = 0;
+  for (const DrawableId id : drawables) {
+    if (is_there(id)) continue;
+    ++missing;
+    const DrawableId other = nearest(view, id);
+    if (other == no_id) continue;
+    // Of two levels of one scene node the coarser one: the finer one may not be there.
+    DrawableId& chosen = chosen_.try_emplace(skeleton_.drawables[other].scene_node, other).first->second;
+    chosen = std::max(chosen, other);
+  }
+  if (chosen_.empty()) return missing;
+  for (DrawableId& id : drawables) id = topmost(id);
+  std::sort(drawables.begin(), drawables.end());
+  drawables.erase(std::unique(drawables.begin(), drawables.end()), drawables.end());
+  return missing;
+}
+
+}  // namespace triptych

@@ -1,0 +1,16 @@
+// How a device takes a chunk that it has not.
+#pragma once
+
+#include "residency/chunk_cache.hpp"
+#include "residency/residency.hpp"
+
+#include <optional>
+
+namespace triptych {
+
+/// The chunk's geometry; nullopt where the draw is to do without it: it is still to be read, or cannot be,
+/// which is said once. Error for damage where draws wait.
+std::optional<Chunk> take(Residency& residency, uint32_t chunk, const MissingChunks& missing,
+                          ChunkCache& cache);
+
+}  // namespace triptych

@@ -1,0 +1,167 @@
+// Drawing within caps of memory: the same pictures where there is room, coarser ones where there is not.
+#include "base/error.hpp"
+#include "nodes/local_pipeline.hpp"
+#include "render/gl/device_space.hpp"
+#include "tests/support/scenes.hpp"
+#include "tests/support/test_device.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace triptych {
+namespace {
+
+constexpr int width = 96, height = 80;
+
+class CappedPictures : public testing::Test {
+ protected:
+  const Pack& pack = scenes::pack("room");
+
+  std::vector<FrameRequest> frames(size_t count) const {
+    std::vector<FrameRequest> frames;
+    const std::vector<View> views = scenes::path(pack.skeleton(), width, height);
+    for (size_t i = 0; i < std::min(count, views.size()); ++i)
+      frames.push_back({static_cast<uint32_t>(i), {views[i], 1}});
+    return frames;
+  }
+  std::unique_ptr<LocalPipeline> pipeline(const MemoryCaps& caps = {}) const {
+    DeviceOptions device = test::device();
+    device.memory = caps;
+    return std::make_unique<LocalPipeline>(
+        pack, LocalPipelineOptions{.width = width, .height = height, .device = device});
+  }
+};
+
+TEST_F(CappedPictures, are_the_same_where_each_frame_has_room_and_chunks_come_and_go) {
+  const std::vector<FrameRequest> path = frames(60);
+  const auto whole = pipeline();
+  uint64_t largest = 0;
+  std::vector<std::vector<uint8_t>> pictures;
+  for (const FrameRequest& frame : path) {
+    whole->draw(frame);
+    pictures.push_back(whole->target().read_colors());
+    largest = std::max(largest, whole->device().geometry_use().view_bytes);
+  }
+  const GeometryUse all = whole->device().geometry_use();
+  EXPECT_EQ(all.evicted_chunks, 0u);
+  // Gaps of the buffer on gl, and what a chunk is thought to take before it is read, need some more.
+  const uint64_t cap = largest + largest / 4;
+  ASSERT_GT(all.bytes, cap) << "no frame shows all of the model";
+  const auto capped = pipeline({.device_memory = 64 << 20});
+  capped->device().set_geometry_cap(cap);
+  for (size_t i = 0; i < path.size(); ++i) {
+    const FrameRecord& record = capped->draw(path[i]);
+    ASSERT_FALSE(record.raised_for_memory) << i;
+    ASSERT_EQ(capped->target().read_colors(), pictures[i]) << i;
+  }
+  const GeometryUse use = capped->device().geometry_use();
+  EXPECT_GT(use.evicted_chunks, 0u);
+  EXPECT_GT(use.reloaded_chunks, 0u);
+  EXPECT_LE(use.peak_bytes, use.cap);
+}
+
+TEST_F(CappedPictures, are_coarser_where_a_frame_has_no_room_and_say_so) {
+  const std::vector<FrameRequest> path = frames(30);
+  const auto whole = pipeline();
+  uint64_t largest = 0, least = no_cap;
+  for (const FrameRequest& frame : path) {
+    whole->draw(frame);
+    largest = std::max(largest, whole->device().geometry_use().view_bytes);
+    FrameRequest coarse = frame;
+    coarse.state.pixel_error = 4096;
+    whole->draw(coarse);
+    least = std::min(least, whole->device().geometry_use().view_bytes);
+  }
+  auto capped = pipeline({.device_memory = 64 << 20});
+  capped->device().set_geometry_cap(largest / 2);
+  size_t raised = 0;
+  whole->forget();
+  for (const FrameRequest& frame : path) {
+    FrameRequest drawn = frame;
+    try {
+      drawn.state.pixel_error = capped->draw(frame).pixel_error;
+    } catch (const Error& error) {
+      // The same frame at the largest error does take more.
+      EXPECT_NE(std::string(error.what()).find("at any pixel error"), std::string::npos) << error.what();
+      continue;
+    }
+    EXPECT_LE(capped->device().geometry_use().peak_bytes, largest / 2);
+    raised += drawn.state.pixel_error > frame.state.pixel_error;
+    whole->draw(drawn);
+    ASSERT_EQ(capped->target().read_colors(), whole->target().read_colors()) << frame.number;
+  }
+  EXPECT_GT(raised, 0u);
+  EXPECT_GT(least, 0u);
+}
+
+TEST_F(CappedPictures, a_cap_that_cannot_work_is_refused_with_what_would) {
+  const auto message = [&](const MemoryCaps& caps) {
+    try {
+      const auto refused = pipeline(caps);
+      for (const FrameRequest& frame : frames(3)) refused->draw(frame);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string process = message({.memory = 1 << 20});
+  EXPECT_EQ(process.find("--memory: 1 MiB, but"), 0u) << process;
+  EXPECT_NE(process.find("MiB are needed"), std::string::npos) << process;
+  const std::string device = message({.device_memory = 1000});
+  EXPECT_EQ(device.find("--device-memory: "), 0u) << device;
+  EXPECT_NE(device.find("at least"), std::string::npos) << device;
+}
+
+TEST_F(CappedPictures, a_cap_may_change_while_frames_are_drawn) {
+  const std::vector<FrameRequest> path = frames(40);
+  const auto whole = pipeline(), capped = pipeline({.device_memory = 64 << 20});
+  uint64_t largest = 0;
+  for (const FrameRequest& frame : path) {
+    whole->draw(frame);
+    largest = std::max(largest, whole->device().geometry_use().view_bytes);
+  }
+  whole->forget();
+  const uint64_t caps[] = {2 * largest, largest + largest / 3, 8 * largest};
+  for (size_t i = 0; i < path.size(); ++i) {
+    if (i % 5 == 0) capped->device().set_geometry_cap(caps[i / 5 % 3]);
+    FrameRequest drawn = path[i];
+    drawn.state.pixel_error = capped->draw(path[i]).pixel_error;
+    whole->draw(drawn);
+    ASSERT_EQ(capped->target().read_colors(), whole->target().read_colors()) << i;
+    EXPECT_LE(capped->device().geometry_use().bytes, caps[i / 5 % 3]) << i;
+  }
+}
+
+TEST(DeviceSpace, gives_each_byte_to_one_and_joins_what_comes_back) {
+  DeviceSpace space;
+  EXPECT_FALSE(space.take(1, 1).has_value());
+  space.grow(1000);
+  space.grow(4096);
+  std::mt19937 random(1);
+  std::vector<std::pair<uint64_t, uint64_t>> taken;
+  std::vector<uint8_t> owned(4096, 0);
+  for (size_t round = 0; round < 20'000; ++round) {
+    if (random() % 2 == 0 || taken.empty()) {
+      const uint64_t bytes = 1 + random() % 200, alignment = std::array{1, 4, 16, 20}[random() % 4];
+      const auto offset = space.take(bytes, alignment);
+      if (!offset) continue;
+      ASSERT_EQ(*offset % alignment, 0u);
+      ASSERT_LE(*offset + bytes, 4096u);
+      for (uint64_t i = *offset; i < *offset + bytes; ++i) ASSERT_EQ(owned[i]++, 0) << round;
+      taken.emplace_back(*offset, bytes);
+    } else {
+      const size_t which = random() % taken.size();
+      const auto [offset, bytes] = taken[which];
+      taken[which] = taken.back();
+      taken.pop_back();
+      for (uint64_t i = offset; i < offset + bytes; ++i) --owned[i];
+      space.give_back(offset, bytes);
+    }
+  }
+  for (const auto& [offset, bytes] : taken) space.give_back(offset, bytes);
+  EXPECT_EQ(space.take(4096, 20), std::optional<uint64_t>(0)) << "all of it is one gap again";
+}
+
+}  // namespace
+}  // namespace triptych
