@@ -61,7 +61,7 @@ void Prefetch::expect(const FrameView& view, const View& before, double frames, 
       continue;
     for (uint32_t i = 0; i < drawable.placement_count; ++i) {
       const uint32_t chunk = skeleton_.placements[drawable.first_placement + i].chunk;
-      if (device_.has_chunk(chunk)) continue;
+      if (device_.has_chunk(chunk) || device_.is_damaged(chunk)) continue;
       residency_.expect(chunk, least + (other_level ? 1 : 0) + 1 / place);
       bytes += skeleton_.chunks[chunk].size;
     }

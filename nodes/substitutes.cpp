@@ -40,7 +40,9 @@ DrawableId Substitutes::nearest(const FrameView& view, DrawableId id) {
   float priority = urgent;
   for (const DrawableId level : between_) {
     priority += 1;
-    for_each_chunk(level, [&](uint32_t chunk) { residency_.expect(chunk, priority); });
+    for_each_chunk(level, [&](uint32_t chunk) {
+      if (!device_.has_chunk(chunk) && !device_.is_damaged(chunk)) residency_.expect(chunk, priority);
+    });
   }
   return found != no_id ? found : coarsest;
 }

@@ -66,6 +66,7 @@ class ChunkGeometry {
   void set_missing(const MissingChunks& missing) { missing_ = missing; }
   const GeometryUse& use() const { return cache_.use(); }
   bool has(uint32_t chunk) const { return cache_.has(chunk); }
+  bool is_damaged(uint32_t chunk) const { return cache_.is_damaged(chunk); }
 
  private:
   void load(uint32_t chunk);

@@ -25,6 +25,7 @@ class RasterDevice final : public Device {
   void set_missing(const MissingChunks& missing) override { scene_.set_missing(missing); }
   GeometryUse geometry_use() const override { return scene_.geometry_use(); }
   bool has_chunk(uint32_t chunk) const override { return scene_.has_chunk(chunk); }
+  bool is_damaged(uint32_t chunk) const override { return scene_.is_damaged(chunk); }
   bool order_matters() const override { return false; }
 
  private:

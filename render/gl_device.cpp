@@ -24,6 +24,7 @@ class GlDevice final : public Device {
   void set_missing(const MissingChunks& missing) override { passes_.renderer.set_missing(missing); }
   GeometryUse geometry_use() const override { return passes_.renderer.geometry_use(); }
   bool has_chunk(uint32_t chunk) const override { return passes_.renderer.has_chunk(chunk); }
+  bool is_damaged(uint32_t chunk) const override { return passes_.renderer.is_damaged(chunk); }
 
  private:
   GlPasses passes_;

@@ -31,6 +31,7 @@ class Geometry {
   void set_missing(const MissingChunks& missing) { missing_ = missing; }
   const GeometryUse& use() const { return cache_.use(); }
   bool has(uint32_t chunk) const { return cache_.has(chunk); }
+  bool is_damaged(uint32_t chunk) const { return cache_.is_damaged(chunk); }
   /// Binds vertex array and palette for drawing, of chunks whose vertices have colours or of the others.
   /// records: a buffer with a DrawRecord for each base instance.
   void bind(GLuint records, bool colored) const;

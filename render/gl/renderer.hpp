@@ -27,6 +27,7 @@ class Renderer {
   void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
   const GeometryUse& geometry_use() const { return geometry_.use(); }
   bool has_chunk(uint32_t chunk) const { return geometry_.has(chunk); }
+  bool is_damaged(uint32_t chunk) const { return geometry_.is_damaged(chunk); }
 
  private:
   struct Pass {

@@ -68,6 +68,7 @@ class FakeDevice final : public Device {
   void set_missing(const MissingChunks&) override {}
   GeometryUse geometry_use() const override { return {}; }
   bool has_chunk(uint32_t) const override { return true; }
+  bool is_damaged(uint32_t) const override { return false; }
 
  private:
   DeviceNames names_{"nobody", "fake", "1"};

@@ -6,8 +6,12 @@
 #include "tests/support/test_device.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <random>
+#include <thread>
 
 namespace triptych {
 namespace {
@@ -131,6 +135,62 @@ TEST_F(CappedPictures, a_cap_may_change_while_frames_are_drawn) {
     ASSERT_EQ(capped->target().read_colors(), whole->target().read_colors()) << i;
     EXPECT_LE(capped->device().geometry_use().bytes, caps[i / 5 % 3]) << i;
   }
+}
+
+TEST_F(CappedPictures, that_do_not_wait_become_the_exact_ones_while_the_camera_rests) {
+  const std::vector<FrameRequest> path = frames(12);
+  const auto whole = pipeline(), hasty = pipeline({.on_miss = OnMiss::coarser});
+  for (const FrameRequest& frame : path) {
+    whole->draw(frame);
+    for (size_t tries = 0; hasty->draw(frame).owed_drawables > 0; ++tries) {
+      ASSERT_LT(tries, 20'000u) << frame.number;
+      EXPECT_GT(hasty->target().drawn_triangles(), 0u);
+      std::this_thread::yield();
+    }
+    EXPECT_FALSE(hasty->draw(frame).loading) << frame.number;
+    ASSERT_EQ(hasty->target().read_colors(), whole->target().read_colors()) << frame.number;
+  }
+}
+
+TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_do_not) {
+  const std::filesystem::path file = testing::TempDir() + "triptych_damaged_chunks.tpk";
+  scenes::write_pack("room", file);
+  const Pack pack(file);
+  // The finest drawable of a leaf that has coarser ones.
+  const Skeleton& skeleton = pack.skeleton();
+  const auto leaf =
+      std::find_if(skeleton.scene_nodes.begin(), skeleton.scene_nodes.end(),
+                   [](const SceneNode& node) { return node.child_count == 0 && node.drawable_count > 1; });
+  ASSERT_NE(leaf, skeleton.scene_nodes.end());
+  const uint32_t chunk = skeleton.placements[skeleton.drawables[leaf->first_drawable].first_placement].chunk;
+  {
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekp(
+        static_cast<std::streamoff>(32 + skeleton.chunks[chunk].offset + skeleton.chunks[chunk].size / 2));
+    bytes.put('\x5a').put('\x5a').put('\x5a').put('\x5a');
+  }
+  EXPECT_THROW(pack.read_chunk(chunk), Error);
+  const Box box = skeleton.lattice().box(leaf->box);
+  FrameRequest frame{0, {scenes::path(skeleton, width, height).front(), 0}};
+  Camera& camera = frame.state.view.camera;
+  camera.target = (box.lo + box.hi) * 0.5;
+  camera.eye = camera.target + glm::dvec3(0.3, 0.4, 1) * (2 * glm::length(box.hi - box.lo));
+  const auto pipeline = [&](OnMiss on_miss) {
+    DeviceOptions device = test::device();
+    device.memory.on_miss = on_miss;
+    return std::make_unique<LocalPipeline>(
+        pack, LocalPipelineOptions{
+                  .width = width, .height = height, .cull = StrategyKind::frustum, .device = device});
+  };
+  EXPECT_THROW(pipeline(OnMiss::exact)->draw(frame), Error);
+  const auto hasty = pipeline(OnMiss::coarser);
+  hasty->draw(frame);
+  for (size_t tries = 0; hasty->draw(frame).loading; ++tries) {
+    ASSERT_LT(tries, 20'000u);
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(hasty->draw(frame).owed_drawables, 1u) << "and nothing else is awaited";
+  std::filesystem::remove(file);
 }
 
 TEST(DeviceSpace, gives_each_byte_to_one_and_joins_what_comes_back) {
