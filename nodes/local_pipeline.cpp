@@ -29,13 +29,15 @@ LocalPipeline::LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOp
       device_(parts_->device.device()),
       strategy_(&parts_->strategy(options.cull)) {
   resize(options.width, options.height);
-  const MemoryCaps& caps = options.device.memory;
-  if (!caps.streams()) return;
+}
+
+void LocalPipeline::begin_streaming(const FrameState& first) {
+  const MemoryCaps& caps = options_.device.memory;
   // Depth, ids, and colours, for each sample, and a copy of the picture.
-  const uint64_t pixels = static_cast<uint64_t>(options.width) * static_cast<uint64_t>(options.height);
-  constexpr uint64_t a_pixel = 24;
+  const uint64_t pixels = static_cast<uint64_t>(options_.width) * static_cast<uint64_t>(options_.height);
+  constexpr uint64_t a_sample = 16, a_pixel = 8;
   const uint64_t ahead = PackDevice::read_ahead_bytes(caps);
-  keeper_.emplace(device_, caps, ahead, a_pixel * pixels);
+  keeper_.emplace(device_, caps, ahead, (a_sample * first.samples + a_pixel) * pixels);
   prefetch_.emplace(hierarchy_.skeleton(), device_, *parts_->device.read_ahead(), ahead / 4);
   if (caps.on_miss == OnMiss::coarser)
     substitutes_.emplace(hierarchy_.skeleton(), device_, *parts_->device.read_ahead());
@@ -72,10 +74,11 @@ void LocalPipeline::set_strategy(StrategyKind kind) {
 }
 
 const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
-  if (!keeper_) {
+  if (!parts_ || !options_.device.memory.streams()) {
     draw_once(frame);
     return record_;
   }
+  if (!keeper_) begin_streaming(frame.state);
   const Stopwatch whole;
   FrameRequest raised = frame;
   const VisibleSet before = visible_;

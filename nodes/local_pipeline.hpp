@@ -79,6 +79,7 @@ class LocalPipeline {
   };
   LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options);
   void make_occlusion_stage();
+  void begin_streaming(const FrameState& first);
   void draw_once(const FrameRequest& frame);
   void draw_substitutes(const FrameView& view);
 
