@@ -3,13 +3,13 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_words.hpp"
+#include "session/parse_toml.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <set>
 #include <string_view>
-#include <toml++/toml.h>
 
 namespace triptych {
 
@@ -69,15 +69,7 @@ class DefaultsFile {
   void read(CLI::App& app) {
     const std::string text = read_text_file(file_);
     check_is_plain(text);
-    toml::table table;
-    try {
-      table = toml::parse(text);
-    } catch (const toml::parse_error& error) {
-      // TOML has no words without quotes.
-      const bool unquoted = error.description().find("determine value type") != std::string_view::npos;
-      fail(file_.string(), "line {}: {}{}", error.source().begin.line, error.description(),
-           unquoted ? "; text stands in quotes, as in device = \"cpu\"" : "");
-    }
+    const toml::table table = parse_toml(text, file_.string());
     // What is said of one command counts before what is said of all.
     read_tables(app, table, "");
     std::set<std::string> flags;

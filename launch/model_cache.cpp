@@ -5,6 +5,7 @@
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "base/notice.hpp"
+#include "base/parse_json.hpp"
 #include "launch/entry_lock.hpp"
 #include "launch/model_content.hpp"
 #include "launch/run_program.hpp"
@@ -70,7 +71,7 @@ class Entry {
     if (!std::filesystem::is_regular_file(pack_, error) || !std::filesystem::exists(said(), error))
       return false;
     try {
-      const json said_then = json::parse(read_text_file(said()));
+      const json said_then = parse_json(read_text_file(said()), said().string());
       if (said_then.at("key") != content_.key() ||
           !content_.still_holds(said_then.at("read").get<ModelContent::Files>()))
         return false;
