@@ -153,6 +153,22 @@ class DefaultsFile {
   Defaults& defaults_;
 };
 
+/// Flags that need another one, which neither the command line nor the files give, are not of this run.
+void drop_what_stands_alone(const WordsRead& line, Defaults& defaults) {
+  const auto is_given = [&](const CLI::Option* option) {
+    return line.given.count(option) > 0 || defaults.places.count(option->get_name()) > 0;
+  };
+  for (CLI::Option* const option : line.command->get_options()) {
+    const auto needs = option->get_needs();
+    if (defaults.places.count(option->get_name()) == 0 || std::all_of(needs.begin(), needs.end(), is_given))
+      continue;
+    defaults.places.erase(option->get_name());
+    std::erase_if(defaults.words, [&](const std::string& word) {
+      return word.substr(0, word.find('=')) == option->get_name();
+    });
+  }
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> default_files() {
@@ -181,6 +197,7 @@ Defaults read_defaults(CLI::App& app, const WordsRead& line,
                        const std::vector<std::filesystem::path>& files) {
   Defaults defaults;
   for (const auto& file : files) DefaultsFile(file, line, defaults).read(app);
+  drop_what_stands_alone(line, defaults);
   return defaults;
 }
 
