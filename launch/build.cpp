@@ -14,6 +14,7 @@
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "model/import/import.hpp"
+#include "model/import/kept_conversions.hpp"
 #include "model/import/own_system.hpp"
 
 #include <fmt/core.h>
@@ -120,9 +121,11 @@ class UsedCache {
     if (file_.empty()) return;
     cache_.emplace(file_, this_program(), command.cache_limit);
     build_.emplace(*cache_, command.flags);
+    conversions_.emplace(*cache_, key_of_readers());
   }
 
   BuildCache* cache() { return cache_ ? &*cache_ : nullptr; }
+  KeptConversions* conversions() { return conversions_ ? &*conversions_ : nullptr; }
 
   /// KeptBuild::take(); what there is in the cache then stays.
   std::optional<nlohmann::json> take(const std::filesystem::path& output) const {
@@ -161,6 +164,7 @@ class UsedCache {
   std::filesystem::path file_;
   std::optional<BuildCache> cache_;
   std::optional<KeptBuild> build_;
+  std::optional<KeptConversions> conversions_;
 };
 
 int run(const BuildCommand& command) {
@@ -182,6 +186,7 @@ int run(const BuildCommand& command) {
   keep_freed_memory_below(memory / 16);
   import.held_bytes = memory / 8;
   import.position_cache_bytes = memory / 16;
+  import.kept_conversions = kept.conversions();
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
   BuildOptions options = command.flags.options();
