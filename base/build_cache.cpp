@@ -14,7 +14,7 @@ namespace triptych {
 
 namespace {
 
-constexpr std::array<char, 8> cache_magic = {'T', 'R', 'I', 'C', 'A', 'C', 'H', '1'};
+constexpr std::array<char, 8> cache_magic = {'T', 'R', 'I', 'C', 'A', 'C', 'H', '2'};
 
 struct CacheHeader {
   std::array<char, 8> magic = cache_magic;
@@ -39,8 +39,9 @@ const std::filesystem::path& checked(const std::filesystem::path& file) {
 
 }  // namespace
 
-BuildCache::BuildCache(const std::filesystem::path& file, const ContentKey& program)
-    : program_(program), file_(checked(file)) {
+BuildCache::BuildCache(const std::filesystem::path& file, const ContentKey& program,
+                       std::optional<uint64_t> limit)
+    : program_(program), limit_(limit), file_(checked(file)) {
   const CacheHeader unfinished{.magic = {}, .program = {}};
   file_.write(std::as_bytes(std::span(&unfinished, 1)));
   open_old(file);
@@ -107,39 +108,64 @@ bool BuildCache::read(const ContentKey& key,
   return hash.checksum() == entry->checksum;
 }
 
-void BuildCache::add(const ContentKey& key, const std::function<void()>& write) {
-  if (!problem_.empty()) return;
-  const auto [at, is_new] = entries_.try_emplace(key);
-  if (!is_new) return;
-  at->second = {key, file_.size(), 0, 0};
-  try {
-    write();
-  } catch (const Error& error) {
-    problem_ = error.what();
-  }
-  at->second.size = file_.size() - at->second.offset;
+bool BuildCache::has_room(uint64_t bytes) const {
+  return !limit_ || file_.size() + bytes + (entries_.size() + 1) * sizeof(Entry) <= *limit_;
 }
 
 void BuildCache::keep(const ContentKey& key, std::span<const std::byte> bytes) {
-  const std::lock_guard lock(mutex_);
-  add(key, [&] {
-    file_.write(bytes);
-    entries_[key].checksum = hash_bytes(bytes);
-  });
+  keep_stretches(key, bytes.size(), [&](const Take& take) { take(bytes); });
 }
 
 void BuildCache::keep_file(const ContentKey& key, const std::filesystem::path& file) {
+  const Descriptor opened = open_to_read(file);
+  const uint64_t size = size_of(opened.number(), file.string());
+  keep_stretches(key, size,
+                 [&](const Take& take) { read_in_stretches(opened.number(), size, file.string(), take); });
+}
+
+void BuildCache::keep_stretches(const ContentKey& key, uint64_t bytes,
+                                const std::function<void(const Take& take)>& write_to) {
   const std::lock_guard lock(mutex_);
-  add(key, [&] {
-    const Descriptor opened = open_to_read(file);
-    StreamHash hash;
-    read_in_stretches(opened.number(), size_of(opened.number(), file.string()), file.string(),
-                      [&](std::span<const std::byte> bytes) {
-                        file_.write(bytes);
-                        hash.add(bytes);
-                      });
-    entries_[key].checksum = hash.checksum();
+  if (!problem_.empty() || entries_.count(key) > 0) return;
+  if (!has_room(bytes)) {
+    if (left_out_.insert(key).second) left_out_bytes_ += bytes + sizeof(Entry);
+    return;
+  }
+  Entry entry{key, file_.size(), 0, 0, 0};
+  StreamHash hash;
+  try {
+    write_to([&](std::span<const std::byte> stretch) {
+      file_.write(stretch);
+      hash.add(stretch);
+    });
+  } catch (const Error& error) {
+    problem_ = error.what();
+  }
+  entry.size = file_.size() - entry.offset;
+  entry.checksum = hash.checksum();
+  entries_[key] = entry;
+}
+
+void BuildCache::keep_earlier() {
+  std::vector<const Entry*> earlier;
+  for (const auto& [key, entry] : old_entries_) {
+    if (entries_.count(key) == 0) earlier.push_back(&entry);
+  }
+  std::sort(earlier.begin(), earlier.end(), [](const Entry* a, const Entry* b) {
+    return std::pair(a->builds, a->offset) < std::pair(b->builds, b->offset);
   });
+  for (const Entry* entry : earlier) {
+    if (!has_room(entry->size)) continue;
+    const uint64_t offset = file_.size();
+    // What is damaged leaves a gap.
+    if (read(entry->key, [&](std::span<const std::byte> stretch) { file_.write(stretch); }))
+      entries_[entry->key] = {entry->key, offset, entry->size, entry->checksum, entry->builds + 1};
+  }
+}
+
+void BuildCache::count(bool is_found) {
+  const std::lock_guard lock(mutex_);
+  ++(is_found ? found_ : made_);
 }
 
 std::vector<std::byte> BuildCache::get(const ContentKey& key,
@@ -147,10 +173,7 @@ std::vector<std::byte> BuildCache::get(const ContentKey& key,
   std::optional<std::vector<std::byte>> known = find(key);
   const bool found = known.has_value();
   std::vector<std::byte> bytes = found ? std::move(*known) : make();
-  {
-    const std::lock_guard lock(mutex_);
-    ++(found ? found_ : made_);
-  }
+  count(found);
   keep(key, bytes);
   return bytes;
 }
@@ -160,15 +183,13 @@ void BuildCache::renew(
     const std::function<std::vector<std::byte>(const std::vector<std::byte>& before)>& make) {
   const std::vector<std::byte> before = find(key).value_or(std::vector<std::byte>());
   const std::vector<std::byte> bytes = make(before);
-  {
-    const std::lock_guard lock(mutex_);
-    ++(bytes == before ? found_ : made_);
-  }
+  count(bytes == before);
   keep(key, bytes);
 }
 
 void BuildCache::commit() {
   if (!problem_.empty()) fail(in_general, "{}", problem_);
+  if (limit_) keep_earlier();
   std::vector<Entry> index;
   for (const auto& [key, entry] : entries_) index.push_back(entry);
   const auto bytes = std::as_bytes(std::span<const Entry>(index));

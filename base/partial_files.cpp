@@ -22,14 +22,6 @@ namespace {
 
 constexpr std::string_view mark = ".partial-";
 
-bool is_partial_name(std::string_view name) {
-  const size_t at = name.rfind(mark);
-  if (at == std::string_view::npos) return false;
-  const std::string_view digits = name.substr(at + mark.size());
-  return !digits.empty() && std::all_of(digits.begin(), digits.end(),
-                                        [](unsigned char letter) { return std::isdigit(letter) != 0; });
-}
-
 /// Whether the open file has no name any more.
 bool is_nameless(int file) {
   struct stat state {};
@@ -50,6 +42,16 @@ std::filesystem::path partial_name(const std::filesystem::path& path) {
   return path.string() + std::string(mark) + std::to_string(::getpid());
 }
 
+std::string_view name_of_partial(std::string_view name) {
+  const size_t at = name.rfind(mark);
+  if (at == std::string_view::npos) return {};
+  const std::string_view digits = name.substr(at + mark.size());
+  const bool is_partial =
+      !digits.empty() && std::all_of(digits.begin(), digits.end(),
+                                     [](unsigned char letter) { return std::isdigit(letter) != 0; });
+  return is_partial ? name.substr(0, at) : std::string_view();
+}
+
 std::FILE* open_partial_file(const std::filesystem::path& partial) {
   // Another process may take it for a forsaken one before it is locked, and remove it.
   constexpr int tries = 100;
@@ -68,7 +70,8 @@ void remove_forsaken_partial_files(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, ignored), end;
        !ignored && entry != end; entry.increment(ignored)) {
-    if (!is_partial_name(entry->path().filename().string())) continue;
+    const std::string name = entry->path().filename().string();
+    if (name_of_partial(name).empty()) continue;
     const Descriptor file(
         ::open(entry->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
     // Whoever makes one looks, once it is locked, whether it has kept its name.

@@ -3,11 +3,15 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 
 namespace triptych {
 
 /// "PATH.partial-PID", of this process.
 std::filesystem::path partial_name(const std::filesystem::path& path);
+
+/// What it is to become, of such a name without folder; empty for another name.
+std::string_view name_of_partial(std::string_view name);
 
 /// Opens the empty file of that name for writing. Other processes see that it is under construction for as
 /// long as it is open. Null, with errno, where it cannot be opened.

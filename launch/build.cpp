@@ -10,9 +10,11 @@
 #include "launch/command.hpp"
 #include "launch/import_flags.hpp"
 #include "launch/kept_build.hpp"
+#include "launch/number_flags.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
 #include "model/import/import.hpp"
+#include "model/import/kept_conversions.hpp"
 #include "model/import/own_system.hpp"
 
 #include <fmt/core.h>
@@ -23,6 +25,7 @@ namespace {
 
 struct BuildCommand {
   BuildFlags flags;
+  std::optional<uint64_t> cache_limit;
   std::filesystem::path output, json, cache;
 };
 
@@ -116,11 +119,13 @@ class UsedCache {
  public:
   explicit UsedCache(const BuildCommand& command) : file_(command.cache) {
     if (file_.empty()) return;
-    cache_.emplace(file_, this_program());
+    cache_.emplace(file_, this_program(), command.cache_limit);
     build_.emplace(*cache_, command.flags);
+    conversions_.emplace(*cache_, key_of_readers());
   }
 
   BuildCache* cache() { return cache_ ? &*cache_ : nullptr; }
+  KeptConversions* conversions() { return conversions_ ? &*conversions_ : nullptr; }
 
   /// KeptBuild::take(); what there is in the cache then stays.
   std::optional<nlohmann::json> take(const std::filesystem::path& output) const {
@@ -142,6 +147,9 @@ class UsedCache {
     }
     fmt::print("{}: {} of {} pieces of work were done before\n", file_.string(), cache_->found(),
                cache_->found() + cache_->made());
+    if (cache_->left_out_bytes() > 0)
+      notice("warning: {}: {} bytes of what this build asked for have no room within --cache-limit",
+             file_.string(), in_threes(static_cast<double>(cache_->left_out_bytes())));
     return figures(cache_->found(), cache_->made());
   }
 
@@ -149,12 +157,14 @@ class UsedCache {
   nlohmann::json figures(uint64_t found, uint64_t made) const {
     return {{"found", found},
             {"made", made},
+            {"left_out_bytes", cache_->left_out_bytes()},
             {"bytes", std::filesystem::exists(file_) ? std::filesystem::file_size(file_) : 0}};
   }
 
   std::filesystem::path file_;
   std::optional<BuildCache> cache_;
   std::optional<KeptBuild> build_;
+  std::optional<KeptConversions> conversions_;
 };
 
 int run(const BuildCommand& command) {
@@ -176,6 +186,7 @@ int run(const BuildCommand& command) {
   keep_freed_memory_below(memory / 16);
   import.held_bytes = memory / 8;
   import.position_cache_bytes = memory / 16;
+  import.kept_conversions = kept.conversions();
   Model model = import_model(command.flags.inputs, import);
   const double import_seconds = stopwatch.seconds();
   BuildOptions options = command.flags.options();
@@ -217,6 +228,10 @@ void add_build(CLI::App& app, Action& action) {
          "--cache", command->cache,
          "Keep what this build makes, and take from there what an earlier one made of the same parts")
       ->type_name("FILE");
+  add_cache_limit(*sub, command->cache_limit,
+                  "How large that cache may become: what earlier builds asked for stays as well, the latest "
+                  "first (default: only what the last build asked for)")
+      ->needs("--cache");
   sub->callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

@@ -3,13 +3,13 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_words.hpp"
+#include "session/parse_toml.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <set>
 #include <string_view>
-#include <toml++/toml.h>
 
 namespace triptych {
 
@@ -69,15 +69,7 @@ class DefaultsFile {
   void read(CLI::App& app) {
     const std::string text = read_text_file(file_);
     check_is_plain(text);
-    toml::table table;
-    try {
-      table = toml::parse(text);
-    } catch (const toml::parse_error& error) {
-      // TOML has no words without quotes.
-      const bool unquoted = error.description().find("determine value type") != std::string_view::npos;
-      fail(file_.string(), "line {}: {}{}", error.source().begin.line, error.description(),
-           unquoted ? "; text stands in quotes, as in device = \"cpu\"" : "");
-    }
+    const toml::table table = parse_toml(text, file_.string());
     // What is said of one command counts before what is said of all.
     read_tables(app, table, "");
     std::set<std::string> flags;
@@ -161,6 +153,22 @@ class DefaultsFile {
   Defaults& defaults_;
 };
 
+/// Flags that need another one, which neither the command line nor the files give, are not of this run.
+void drop_what_stands_alone(const WordsRead& line, Defaults& defaults) {
+  const auto is_given = [&](const CLI::Option* option) {
+    return line.given.count(option) > 0 || defaults.places.count(option->get_name()) > 0;
+  };
+  for (CLI::Option* const option : line.command->get_options()) {
+    const auto needs = option->get_needs();
+    if (defaults.places.count(option->get_name()) == 0 || std::all_of(needs.begin(), needs.end(), is_given))
+      continue;
+    defaults.places.erase(option->get_name());
+    std::erase_if(defaults.words, [&](const std::string& word) {
+      return word.substr(0, word.find('=')) == option->get_name();
+    });
+  }
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> default_files() {
@@ -189,6 +197,7 @@ Defaults read_defaults(CLI::App& app, const WordsRead& line,
                        const std::vector<std::filesystem::path>& files) {
   Defaults defaults;
   for (const auto& file : files) DefaultsFile(file, line, defaults).read(app);
+  drop_what_stands_alone(line, defaults);
   return defaults;
 }
 

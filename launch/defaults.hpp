@@ -23,9 +23,9 @@ struct Defaults {
 std::vector<std::filesystem::path> default_files();
 
 /// What the files say of the command, without what the command line gives itself, or what does not go
-/// together with it. A file has flags for every command that takes them, and tables for one: [render],
-/// [measure.session]. Error (file, line, key) for a file that is no TOML, a flag or command that there is
-/// none of, and a value of a kind that no flag has.
+/// together with it, or needs another flag that is not given. A file has flags for every command that takes
+/// them, and tables for one: [render], [measure.session]. Error (file, line, key) for a file that is no TOML,
+/// a flag or command that there is none of, and a value of a kind that no flag has.
 Defaults read_defaults(CLI::App& app, const WordsRead& line, const std::vector<std::filesystem::path>& files);
 
 }  // namespace triptych

@@ -5,13 +5,13 @@
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "base/notice.hpp"
+#include "base/parse_json.hpp"
+#include "launch/cache_room.hpp"
 #include "launch/entry_lock.hpp"
 #include "launch/model_content.hpp"
 #include "launch/run_program.hpp"
 #include "scene/pack.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -28,34 +28,6 @@ std::filesystem::path variable(const char* name) {
   return value ? value : "";
 }
 
-/// Whether the folder is an entry of the cache: NAME-0123456789abcdef, with a lock.
-bool is_entry(const std::filesystem::path& folder) {
-  constexpr size_t digits = 16;
-  const std::string name = folder.filename().string();
-  std::error_code error;
-  return name.size() > digits && name[name.size() - digits - 1] == '-' &&
-         name.find_first_not_of("0123456789abcdef", name.size() - digits) == std::string::npos &&
-         std::filesystem::is_regular_file(folder / EntryLock::name, error);
-}
-
-/// Removes entries that nobody has wanted for a long time, such as those of earlier versions of the program.
-void remove_unused(const std::filesystem::path& cache) {
-  constexpr std::chrono::hours patience(60 * 24);
-  const auto long_ago = std::filesystem::file_time_type::clock::now() - patience;
-  std::error_code error;
-  std::vector<std::filesystem::path> unused;
-  for (std::filesystem::directory_iterator entry(cache, error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (is_entry(entry->path()) &&
-        std::filesystem::last_write_time(entry->path() / EntryLock::name, error) < long_ago)
-      unused.push_back(entry->path());
-  }
-  for (const auto& folder : unused) {
-    const EntryLock lock(folder);
-    if (lock.try_now()) std::filesystem::remove_all(folder, error);
-  }
-}
-
 /// One pack of the cache, in a folder of its own: the pack, what the build said, and, written last, its key
 /// and the files that were read beside those of the key, relative to the first model.
 class Entry {
@@ -70,7 +42,7 @@ class Entry {
     if (!std::filesystem::is_regular_file(pack_, error) || !std::filesystem::exists(said(), error))
       return false;
     try {
-      const json said_then = json::parse(read_text_file(said()));
+      const json said_then = parse_json(read_text_file(said()), said().string());
       if (said_then.at("key") != content_.key() ||
           !content_.still_holds(said_then.at("read").get<ModelContent::Files>()))
         return false;
@@ -111,6 +83,22 @@ class Entry {
   std::filesystem::path pack_;
 };
 
+/// Makes the entry where it is not there. Another process may remove it until this one has its lock.
+EntryLock locked_entry(const std::filesystem::path& folder) {
+  for (;;) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) fail(folder.string(), "cannot be made: {}", error.message());
+    try {
+      EntryLock lock(folder);
+      lock.wait();
+      if (lock.is_there()) return lock;
+    } catch (const Error&) {
+      if (std::filesystem::exists(folder, error)) throw;
+    }
+  }
+}
+
 }  // namespace
 
 std::filesystem::path cache_folder() {
@@ -121,27 +109,23 @@ std::filesystem::path cache_folder() {
        "there is no folder for packs of models: set TRIPTYCH_CACHE to one, or build the pack with `build`");
 }
 
-std::filesystem::path cached_pack(const BuildFlags& flags) {
+std::filesystem::path cached_pack(const BuildFlags& flags, std::optional<uint64_t> limit) {
   const ModelContent content(flags);
   const std::string key = content.key(), name = flags.inputs.front().stem().string();
   const std::filesystem::path folder =
       cache_folder() / fmt::format("{}-{:016x}", name, hash_values(std::span<const char>(key)));
-  std::optional<EntryLock> lock;
-  do {
-    std::error_code ignored;
-    std::filesystem::create_directories(folder, ignored);  // the lock says what is wrong
-    lock.emplace(folder);
-    lock->wait();
-  } while (!lock->is_there());
-  lock->note_use();
+  const EntryLock lock = locked_entry(folder);
+  lock.note_use();
   const Entry entry(folder, content, name);
   if (!entry.holds()) {
-    remove_unused(cache_folder());
+    make_room(cache_folder(), limit, folder);
     notice("{}{}: building a pack, which is kept as {}", flags.inputs.front().string(),
            flags.inputs.size() > 1 ? fmt::format(" and {} more", flags.inputs.size() - 1) : "",
            entry.pack().string());
-    entry.build(flags, *lock);
+    entry.build(flags, lock);
+    make_room(cache_folder(), limit, folder);
   }
+  keep_in_use(entry.pack());
   return entry.pack();
 }
 

@@ -68,6 +68,12 @@ std::vector<std::filesystem::path> reader_files() {
 
 }  // namespace
 
+ContentKey key_of_readers() {
+  ContentKeyWriter writer;
+  for (const auto& reader : reader_files()) writer.write_all(std::span<const char>(content_of(reader)));
+  return writer.key();
+}
+
 ModelContent::ModelContent(const BuildFlags& flags)
     : flags_(flags),
       folder_(std::filesystem::absolute(flags.inputs.front()).parent_path()),

@@ -1,6 +1,7 @@
 // What decides what a pack is: the content of the models' files, the flags and the program.
 #pragma once
 
+#include "base/content_key.hpp"
 #include "launch/build_flags.hpp"
 
 #include <filesystem>
@@ -9,6 +10,9 @@
 #include <vector>
 
 namespace triptych {
+
+/// The programs that read further formats, beside this one, by their content.
+ContentKey key_of_readers();
 
 /// The files of models, named as they lie from the folder of the first one: models that were moved together
 /// are the same.

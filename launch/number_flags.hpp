@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <fmt/core.h>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace triptych {
@@ -76,6 +77,14 @@ inline CLI::Validator bytes_from(uint64_t least, const std::string& min_text) {
         return std::string();
       },
       "");
+}
+
+/// --cache-limit: bytes; less than a megabyte holds nothing of use.
+inline CLI::Option* add_cache_limit(CLI::App& command, std::optional<uint64_t>& limit,
+                                    const std::string& description) {
+  return command.add_option("--cache-limit", limit, description)
+      ->transform(bytes_from(uint64_t{1} << 20, "1M"))
+      ->type_name("BYTES");
 }
 
 /// Limits of times (one day) and of rates, beyond which a value is certainly a mistake.

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/inject.hpp"
+#include "base/parse_json.hpp"
 #include "base/threads.hpp"
 #include "session/child_processes.hpp"
 
@@ -21,11 +22,7 @@ nlohmann::json run_program(const std::string& name, std::vector<std::string> arg
   const pid_t process = child.start(name, arguments, ChildProcesses::Output::as_error);
   if (started) started(process);
   if (!child.wait(stop)) fail(name, "was told to end");
-  try {
-    return nlohmann::json::parse(read_text_file(json));
-  } catch (const nlohmann::json::exception& error) {
-    fail(json.string(), "is no JSON: {}", error.what());
-  }
+  return parse_json(read_text_file(json), json.string());
 }
 
 nlohmann::json run_build(const BuildFlags& flags, const std::filesystem::path& pack, bool (*stop)(),

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file_access.hpp"
+#include "base/partial_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,6 +42,7 @@ void check_holds_only_samples(const std::filesystem::path& folder, const std::ve
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
+    if (!name_of_partial(name).empty()) continue;  // nobody's: a process that is gone left it half written
     const auto is_name = [&](const std::string& pattern) {
       return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
     };

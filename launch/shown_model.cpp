@@ -2,6 +2,7 @@
 
 #include "launch/build_flags.hpp"
 #include "launch/model_cache.hpp"
+#include "launch/number_flags.hpp"
 #include "model/import/import.hpp"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ void add_build_of_model(CLI::App& command, ShownModel& model) {
       .add_option("--build", model.build,
                   "Of model files: flags of `build`, as one word: --build \"--keep none\"")
       ->type_name("FLAGS");
+  add_cache_limit(command, model.cache_limit,
+                  "Of model files: how much their packs may take in the cache; those that were wanted the "
+                  "longest time ago go first (default: a tenth of its disk)");
 }
 
 }  // namespace
@@ -54,7 +58,7 @@ void check_shown_model(const CLI::App& command, const ShownModel& model) {
 std::filesystem::path pack_of(const ShownModel& model, const std::vector<std::filesystem::path>& outputs) {
   if (!is_model_name(model.files.front())) return model.files.front();
   check_is_no_model_file(outputs, model.files);
-  return cached_pack(parse_build_flags(model.build, model.files));
+  return cached_pack(parse_build_flags(model.build, model.files), model.cache_limit);
 }
 
 }  // namespace triptych

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +14,10 @@ namespace triptych {
 struct ShownModel {
   std::vector<std::filesystem::path> files;  ///< one pack, or model files that become one model
   std::string build;                         ///< flags of `build`, in one text
+  std::optional<uint64_t> cache_limit{};     ///< bytes that the cache of packs may take
 };
 
-/// The positional "pack" and --build.
+/// The positional "pack", --build and --cache-limit.
 void add_shown_model(CLI::App& command, ShownModel& model);
 /// The same of one file alone, so that other words may stand behind it.
 void add_one_shown_model(CLI::App& command, ShownModel& model);

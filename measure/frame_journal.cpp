@@ -1,6 +1,7 @@
 #include "measure/frame_journal.hpp"
 
 #include "base/error.hpp"
+#include "base/parse_json.hpp"
 #include "measure/session_records.hpp"
 
 #include <cerrno>
@@ -42,11 +43,7 @@ std::vector<FrameRecord> read_frame_journal(const std::filesystem::path& path) {
   std::vector<FrameRecord> records;
   for (std::string line; std::getline(in, line);) {
     const std::string place = fmt::format("{}: line {}", path.string(), records.size() + 1);
-    try {
-      records.push_back(frame_record_from_json(nlohmann::json::parse(line), place));
-    } catch (const nlohmann::json::exception& error) {
-      fail(place, "is no JSON: {}", error.what());
-    }
+    records.push_back(frame_record_from_json(parse_json(line, place), place));
   }
   return records;
 }

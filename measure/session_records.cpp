@@ -1,6 +1,7 @@
 #include "measure/session_records.hpp"
 
 #include "base/error.hpp"
+#include "base/parse_json.hpp"
 #include "base/timeline.hpp"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ FrameRecord frame_record_from_json(const json& document, const std::string& plac
   try {
     return document.get<FrameRecord>();
   } catch (const json::exception& error) {
-    fail(place, "is not the record of a frame: {}", error.what());
+    fail(place, "is not the record of a frame: {}", in_words(error));
   }
 }
 
@@ -138,7 +139,7 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
             document.at("most_waiting").get<Backlog>(),
             document.at("cost_coefficients").get<CostCoefficients>()};
   } catch (const json::exception& error) {
-    fail(place, "is not the record of a role: {}", error.what());
+    fail(place, "is not the record of a role: {}", in_words(error));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/parse_json.hpp"
 #include "scene/known_keys.hpp"
 #include "scene/path.hpp"
 
@@ -14,12 +15,7 @@ using nlohmann::json;
 namespace {
 
 json read_json(const std::filesystem::path& file) {
-  json document;
-  try {
-    document = json::parse(read_text_file(file));
-  } catch (const json::exception& error) {
-    fail(file.string(), "is no JSON: {}", error.what());
-  }
+  json document = parse_json(read_text_file(file), file.string());
   if (!document.is_object()) fail(file.string(), "does not hold a JSON object");
   return document;
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/parse_json.hpp"
 #include "base/rounding.hpp"
 #include "scene/known_keys.hpp"
 
@@ -88,12 +89,7 @@ View Path::view(size_t i, int width, int height, double default_near) const {
 namespace {
 
 Path parse(const std::string& text, const std::string& place) {
-  json document;
-  try {
-    document = json::parse(text);
-  } catch (const json::exception& error) {
-    fail(place, "is no JSON: {}", error.what());
-  }
+  const json document = parse_json(text, place);
   if (!document.is_object() || !document.contains("triptych_path"))
     fail(place, "is not a camera path (\"triptych_path\": 1 is missing)");
   if (document["triptych_path"] != 1)

@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "session/parse_toml.hpp"
 
 #include <algorithm>
-#include <toml++/toml.h>
 
 namespace triptych {
 
@@ -72,13 +72,7 @@ std::string fill_in(const std::string& text, const Marks& marks) {
 }  // namespace
 
 Hosts read_hosts(const std::filesystem::path& path, const std::string& pack) {
-  toml::table file;
-  const std::string text = read_text_file(path);  // its error says best why the file cannot be read
-  try {
-    file = toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    fail(path.string(), "line {}: {}", error.source().begin.line, error.description());
-  }
+  const toml::table file = parse_toml(read_text_file(path), path.string());
   for (const auto& [key, node] : file) {
     const std::string name(key.str());
     if (node.is_table() && name != "render" && name != "switch_0" && name != "switch_1")

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
+#include "base/parse_json.hpp"
 #include "base/partial_files.hpp"
 #include "base/signals.hpp"
 #include "measure/frame_journal.hpp"
@@ -67,11 +68,7 @@ class Supervisor {
 };
 
 RoleRecord parse_record(const std::string& text, const std::string& place) {
-  try {
-    return role_record_from_json(nlohmann::json::parse(text), place);
-  } catch (const nlohmann::json::exception& error) {
-    fail(place, "is no JSON: {}", error.what());
-  }
+  return role_record_from_json(parse_json(text, place), place);
 }
 
 /// As the command line names it.

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/notice.hpp"
+#include "base/parse_json.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -109,7 +110,7 @@ std::string last_place_text(const LastPlace& place) {
 
 LastPlace parse_last_place(const std::string& text, const std::string& place) {
   try {
-    const nlohmann::json json = nlohmann::json::parse(text);
+    const nlohmann::json json = parse_json(text, place);
     LastPlace last;
     last.camera = parse_path(json.at("camera").get<std::string>(), place).frames.front();
     last.pace = json.at("pace").get<double>();
@@ -127,7 +128,7 @@ LastPlace parse_last_place(const std::string& text, const std::string& place) {
       fail(place, "\"pixel_error\" must not be negative");
     return last;
   } catch (const nlohmann::json::exception& error) {
-    fail(place, "is no place of a person: {}", error.what());
+    fail(place, "is no place of a person: {}", in_words(error));
   }
 }
 

@@ -12,6 +12,8 @@
 
 namespace triptych {
 
+class KeptConversions;
+
 enum class UpAxis : uint8_t { y, z };
 enum class LengthUnit : uint8_t { metre, centimetre, millimetre, inch, foot };
 
@@ -51,6 +53,9 @@ struct ImportOptions {
   /// It is killed if it takes more memory, or so much time without saying that it has come further.
   uint64_t converter_bytes = uint64_t{4} << 30;
   double converter_seconds = 600;
+  /// What those programs made of IFC, STEP and IGES files is taken from there, and kept; null: they always
+  /// run.
+  KeptConversions* kept_conversions = nullptr;
 };
 
 /// Reads every file into one model in metres, y up. The model's report says what was dropped, merged or not

@@ -1,12 +1,12 @@
 // The XML of 3MF (core specification 1.3, materials extension): read element by element with expat.
 #include "base/error.hpp"
+#include "base/xml_fault.hpp"
 #include "model/import/import_3mf.hpp"
 #include "model/import/import_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <expat.h>
 #include <limits>
 
 namespace triptych {
@@ -214,9 +214,7 @@ ThreeMfPart parse_3mf_part(const std::shared_ptr<const StreamSource>& source, Fi
     if (last) break;
   }
   if (good) return part;
-  const std::string what =
-      fmt::format("line {} is not well-formed XML ({})", XML_GetCurrentLineNumber(parser.get()),
-                  XML_ErrorString(XML_GetErrorCode(parser.get())));
+  const std::string what = xml_fault(parser.get());
   handler.end("object");
   if (part.objects.empty()) fail(source->name(), "{}", what);
   target.remark(what + "; what stands before was read");

@@ -57,9 +57,10 @@ std::string take_buffers(std::string& json, const std::string& place);
 /// The files that buffers and images of the JSON text name; invalid values are ignored.
 std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place);
 /// Finds what the JSON value "buffers" names. Files are looked for beside the target, and a buffer without an
-/// URI is `binary`, the second chunk of a binary file.
-std::vector<GltfBuffer> find_buffers(const std::string& json, FileImport& target,
-                                     const std::optional<GltfBuffer>& binary);
+/// URI is `binary`, the second chunk of a binary file. Nothing if it is not JSON; Error (place) for a buffer
+/// that is none.
+std::optional<std::vector<GltfBuffer>> find_buffers(const std::string& json, FileImport& target,
+                                                    const std::optional<GltfBuffer>& binary);
 
 /// The elements of one accessor, sparse ones included. Construction checks every range (Error, place), so
 /// that element 0 … count() − 1 never leaves the buffer.

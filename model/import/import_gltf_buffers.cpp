@@ -168,11 +168,12 @@ std::vector<std::string> names_in_gltf(const std::string& text, const std::strin
   return names;
 }
 
-std::vector<GltfBuffer> find_buffers(const std::string& json, FileImport& target,
-                                     const std::optional<GltfBuffer>& binary) {
+std::optional<std::vector<GltfBuffer>> find_buffers(const std::string& json, FileImport& target,
+                                                    const std::optional<GltfBuffer>& binary) {
   std::vector<GltfBuffer> buffers;
   if (json.empty()) return buffers;
   const auto list = nlohmann::json::parse(json, nullptr, false);
+  if (list.is_discarded()) return std::nullopt;
   if (!list.is_array()) fail(target.place(), "\"buffers\" is not a list");
   for (const auto& entry : list) {
     const std::string place = fmt::format("{}: buffer {}", target.place(), buffers.size());

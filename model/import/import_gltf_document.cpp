@@ -1,7 +1,7 @@
 #include "model/import/import_gltf_document.hpp"
 
 #include "base/error.hpp"
-#include "base/one_line.hpp"
+#include "base/parse_json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -240,21 +240,24 @@ class DocumentParser {
 
 }  // namespace
 
-GltfDocument parse_gltf(const std::string& json, const std::string& place) {
+namespace {
+
+/// Names in another encoding than UTF-8 are no reason to lose a file.
+std::string in_ascii(std::string json) {
+  std::replace_if(
+      json.begin(), json.end(), [](char letter) { return static_cast<unsigned char>(letter) >= 0x80; }, '?');
+  return json;
+}
+
+}  // namespace
+
+std::string gltf_fault(const std::string& json) { return json_fault(in_ascii(json)); }
+
+std::optional<GltfDocument> parse_gltf(const std::string& json, const std::string& place) {
   GltfDocument document;
   Json parsed = Json::parse(json, nullptr, false);
-  if (parsed.is_discarded()) {
-    // Names in another encoding than UTF-8 are no reason to lose a file.
-    std::string plain = json;
-    std::replace_if(
-        plain.begin(), plain.end(), [](char letter) { return static_cast<unsigned char>(letter) >= 0x80; },
-        '?');
-    try {
-      parsed = Json::parse(plain);
-    } catch (const Json::exception& error) {
-      fail(place, "is not JSON: {}", one_line(std::string(error.what()).substr(0, 160)));
-    }
-  }
+  if (parsed.is_discarded()) parsed = Json::parse(in_ascii(json), nullptr, false);
+  if (parsed.is_discarded()) return std::nullopt;
   if (!parsed.is_object()) fail(place, "is not glTF: its JSON is no object");
   DocumentParser(document).parse(parsed);
   return document;

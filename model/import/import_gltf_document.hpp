@@ -111,7 +111,11 @@ struct GltfDocument {
   std::map<std::string, uint64_t> misread;
 };
 
-/// Parses the text. Error (place) if it is not JSON, or no object.
-GltfDocument parse_gltf(const std::string& json, const std::string& place);
+/// Parses the text; nothing if it is not JSON. Names in another encoding than UTF-8 get question marks. Error
+/// (place) if it is no object.
+std::optional<GltfDocument> parse_gltf(const std::string& json, const std::string& place);
+
+/// What is wrong with text that is not JSON (json_fault()), letters beyond ASCII aside.
+std::string gltf_fault(const std::string& json);
 
 }  // namespace triptych

@@ -124,9 +124,13 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
   const std::string buffers = take_buffers(json, place);
   GltfFile gltf;
   gltf.options = target.options();
-  gltf.model = parse_gltf(json, place);
+  auto document = parse_gltf(json, place);
   json = {};
-  gltf.buffers = find_buffers(buffers, target, binary);
+  auto found = document ? find_buffers(buffers, target, binary) : std::nullopt;
+  // What is wrong is said of the whole text, with what was taken out of it.
+  if (!found) fail(place, "{}", gltf_fault(open_container(source, place, nullptr).json));
+  gltf.model = std::move(*document);
+  gltf.buffers = std::move(*found);
   if (const std::string& version = gltf.model.version; !version.starts_with("2"))
     fail(place, "is glTF of version {}; only 2 is known", one_line(version.substr(0, 20)));
   check_extensions(gltf.model, target);

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/partial_folder.hpp"
 #include "samples/kit/kit_files.hpp"
 #include "samples/kit/kit_plan.hpp"
 #include "samples/kit/run_writer.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <unistd.h>
 
 namespace triptych {
 
@@ -39,25 +39,6 @@ constexpr std::array formats = {Format{"gltf", own, "kit.bin"},
                                 Format{"step", occt},
                                 Format{"igs", occt},
                                 Format{"ifc", web_ifc}};
-
-/// Where files are written first: below their folder, and gone at the end.
-class WorkFolder {
- public:
-  explicit WorkFolder(const std::filesystem::path& folder)
-      : path_(folder / ("kit.partial-" + std::to_string(::getpid()))) {
-    make_folder(path_);
-  }
-  ~WorkFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::filesystem::path this_programs_folder() {
   std::error_code error;
@@ -124,7 +105,7 @@ KitReport make_kit(const KitOptions& options, const std::filesystem::path& folde
       options.programs.empty() ? this_programs_folder() : std::filesystem::absolute(options.programs);
   make_folder(folder);
   check_places(folder);
-  const WorkFolder work(folder);
+  const PartialFolder work(folder / "kit");  // files are written there first
   KitReport report = described();
   for (const Format& format : formats) {
     if (options.stop && options.stop()) fail(std::string("kit.") + format.name, "was told to end before it");

@@ -32,16 +32,19 @@ class Cache : public testing::Test {
     return std::vector<std::byte>(static_cast<size_t>(number), static_cast<std::byte>(number));
   }
   /// Asks for these, and returns how many were found.
-  uint64_t use(const std::vector<uint64_t>& numbers, bool commit = true, const ContentKey& program = {1, 2}) {
-    BuildCache cache(file, program);
+  uint64_t use(const std::vector<uint64_t>& numbers, bool commit = true, const ContentKey& program = {1, 2},
+               std::optional<uint64_t> limit = std::nullopt) {
+    BuildCache cache(file, program, limit);
     for (const uint64_t number : numbers)
       EXPECT_EQ(cache.get(key(number), [&] { return bytes(number); }), bytes(number));
     EXPECT_EQ(cache.found() + cache.made(), numbers.size());
     if (commit) cache.commit();
+    left_out = cache.left_out_bytes();
     return cache.found();
   }
 
   std::filesystem::path file;
+  uint64_t left_out = 0;
 };
 
 TEST_F(Cache, what_was_kept_is_found_by_the_next_build) {
@@ -55,6 +58,59 @@ TEST_F(Cache, keeps_only_what_the_last_build_asked_for) {
   use({100});
   EXPECT_LT(std::filesystem::file_size(file), size - 400);
   EXPECT_EQ(use({100, 200}), 1u);
+}
+
+TEST_F(Cache, within_a_limit_keeps_what_earlier_builds_asked_for_the_latest_first) {
+  constexpr uint64_t limit = 3900;
+  for (const uint64_t number : {1000, 1500, 2000}) use({number}, true, {1, 2}, limit);
+  EXPECT_LE(std::filesystem::file_size(file), limit);
+  {
+    const BuildCache cache(file, {1, 2});
+    EXPECT_EQ(cache.find(key(2000)), bytes(2000));
+    EXPECT_EQ(cache.find(key(1500)), bytes(1500));
+    EXPECT_FALSE(cache.find(key(1000)).has_value());
+  }
+  use({1500}, true, {1, 2}, limit);  // now that is the latest
+  use({1000}, true, {1, 2}, limit);
+  const BuildCache cache(file, {1, 2});
+  EXPECT_TRUE(cache.find(key(1500)).has_value());
+  EXPECT_FALSE(cache.find(key(2000)).has_value());
+}
+
+TEST_F(Cache, never_passes_its_limit) {
+  constexpr uint64_t limit = 4000;
+  use({3000, 3001, 100}, true, {1, 2}, limit);
+  EXPECT_LE(std::filesystem::file_size(file), limit);
+  EXPECT_EQ(use({3000, 3001, 100}, true, {1, 2}, limit), 2u);
+  EXPECT_EQ(left_out, 3001u + 48);
+  use({3001}, true, {1, 2}, limit);  // what a build asks for goes first
+  EXPECT_EQ(use({3001}, true, {1, 2}, limit), 1u);
+  EXPECT_EQ(left_out, 0u);
+}
+
+TEST_F(Cache, does_not_go_on_with_what_is_damaged) {
+  use({1000}, true, {1, 2}, 100000);
+  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekp(500);
+  stream.put('x');
+  stream.close();
+  use({2000}, true, {1, 2}, 100000);
+  const BuildCache cache(file, {1, 2});
+  EXPECT_FALSE(cache.find(key(1000)).has_value());
+  EXPECT_EQ(cache.find(key(2000)), bytes(2000));
+}
+
+TEST_F(Cache, of_a_larger_limit_is_cut_to_a_smaller_one) {
+  use({3000, 2000, 1000}, true, {1, 2}, 100000);
+  use({500}, true, {1, 2}, 2000);
+  EXPECT_LE(std::filesystem::file_size(file), 2000u);
+  EXPECT_EQ(use({500, 1000}, true, {1, 2}, 100000), 2u);
+}
+
+TEST_F(Cache, counts_what_it_leaves_out_once) {
+  BuildCache cache(file, {1, 2}, 1000);
+  for (int i = 0; i < 2; ++i) cache.get(key(2000), [&] { return bytes(2000); });
+  EXPECT_EQ(cache.left_out_bytes(), 2000u + 48);
 }
 
 TEST_F(Cache, stays_as_it_was_where_a_build_fails) {

@@ -154,6 +154,23 @@ TEST_F(CachedBuild, beside_another_one_with_the_same_file_gives_its_own_bytes) {
   EXPECT_TRUE(equal("other.tpk", "meshopt.tpk"));
 }
 
+TEST_F(CachedBuild, within_a_limit_gives_the_same_bytes_and_keeps_revisions_as_long_as_there_is_room) {
+  const std::string ample = "200M", tight = "1M";
+  cached("first.tpk", {"--cache-limit", ample});
+  sample("statue", "statue", {"--triangles", "40000", "--seed", "2"});
+  cached("second.tpk", {"--cache-limit", ample});
+  sample("statue", "statue", {"--triangles", "40000"});
+  EXPECT_EQ(cached("again.tpk", {"--cache-limit", ample}), 1);  // back to the first revision
+  EXPECT_TRUE(equal("again.tpk", "first.tpk"));
+  EXPECT_LT(cached("tight.tpk", {"--cache-limit", tight, "--up", "y", "--simplifier", "collapse",
+                                 "--part-triangles", "2000"}),
+            1);
+  EXPECT_LE(std::filesystem::file_size(folder.file("cache")), 1u << 20);
+  EXPECT_GT(json_of(folder.file("json"))["cache"]["left_out_bytes"], 0);
+  cached("small.tpk", {"--cache-limit", tight});
+  EXPECT_TRUE(equal("small.tpk", "first.tpk"));
+}
+
 TEST_F(CachedBuild, does_not_write_its_cache_over_a_file_of_the_model) {
   const std::string scene = folder.file("plant/scene.bin"), before = text_of(scene);
   failure(words("a.tpk", {"--cache", scene}));

@@ -1,6 +1,9 @@
 // Model files where a pack is shown: built once, and again where anything about them is another.
 #include "tests/launch/model_files.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
 namespace triptych::test {
 namespace {
 
@@ -95,6 +98,92 @@ TEST_F(ShownModel, that_nobody_has_wanted_for_long_leaves_the_cache) {
   run({"info", model, "--build", "--keep cover"});
   EXPECT_EQ(cached(), 2u);
   EXPECT_TRUE(std::filesystem::exists(folder.file("cache/not-of-the-cache/lock")));
+}
+
+/// Entries of the cache, of packs that are no packs, that were wanted so many hours ago.
+class LimitedCache : public ModelFiles {
+ protected:
+  std::filesystem::path entry(const std::string& name, size_t bytes, int hours) const {
+    const std::filesystem::path where = folder.file("cache/" + name + "-0123456789abcdef");
+    std::filesystem::create_directories(where);
+    std::ofstream(where / (name + ".tpk")) << std::string(bytes, 'x');
+    std::ofstream(where / "lock") << "";
+    std::filesystem::last_write_time(
+        where / "lock", std::filesystem::file_time_type::clock::now() - std::chrono::hours(hours));
+    return where;
+  }
+  /// What is said when the model is built into it.
+  std::string build(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"info", model};
+    words.insert(words.end(), more.begin(), more.end());
+    Program program(words);
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+    return program.errors();
+  }
+};
+
+TEST_F(LimitedCache, loses_what_was_wanted_the_longest_time_ago_and_says_so) {
+  const auto oldest = entry("c", 400'000, 3), older = entry("a", 400'000, 2), old = entry("b", 400'000, 1),
+             other = std::filesystem::path(folder.file("cache/other"));
+  std::filesystem::create_directories(other);
+  std::ofstream(other / "a.tpk") << std::string(2'000'000, 'x');
+  // What is left of one that another process was removing when it was killed.
+  const std::filesystem::path left = oldest.string() + ".partial-1";
+  std::filesystem::create_directories(left);
+  std::ofstream(left / "a.tpk") << "half";
+  EXPECT_EQ(build({}).find("left it"), std::string::npos);
+  EXPECT_EQ(cached(), 5u);
+  EXPECT_FALSE(std::filesystem::exists(left));
+  const std::string said = build({"--cache-limit", "1M", "--build", "--keep none"});
+  EXPECT_NE(said.find("1 pack of 400,000 bytes left it"), std::string::npos) << said;
+  EXPECT_FALSE(std::filesystem::exists(oldest));
+  EXPECT_TRUE(std::filesystem::exists(older) && std::filesystem::exists(old) &&
+              std::filesystem::exists(other));
+}
+
+TEST_F(LimitedCache, keeps_what_is_in_use_or_looked_at_and_what_it_has_just_built) {
+  const auto shown = entry("a", 2'000'000, 3), looked_at = entry("b", 2'000'000, 2),
+             free = entry("c", 2'000'000, 1);
+  const int pack = ::open((shown / "a.tpk").c_str(), O_RDONLY | O_CLOEXEC),
+            lock = ::open((looked_at / "lock").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(::flock(pack, LOCK_SH), 0);
+  ASSERT_EQ(::flock(lock, LOCK_EX), 0);
+  build({"--cache-limit", "1M"});
+  EXPECT_TRUE(std::filesystem::exists(shown / "a.tpk"));
+  EXPECT_TRUE(std::filesystem::exists(looked_at / "b.tpk"));
+  EXPECT_FALSE(std::filesystem::exists(free));
+  EXPECT_EQ(cached(), 3u);
+  ::close(pack);
+  ::close(lock);
+}
+
+TEST_F(LimitedCache, keeps_the_pack_of_a_session_that_runs) {
+  Program session({"session", model, "--path", path, "--until-told", "--size", "64x64", "--device", "cpu",
+                   "-o", folder.file("p")});
+  for (int tries = 0; tries < 6000 && picture("p").empty(); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_FALSE(picture("p").empty()) << session.errors();
+  const auto pack = std::filesystem::directory_iterator(folder.file("cache"))->path() / "box.tpk";
+  std::filesystem::last_write_time(
+      pack.parent_path() / "lock",
+      std::filesystem::file_time_type::clock::now() - std::chrono::hours(24 * 61));
+  build({"--cache-limit", "1M", "--build", "--keep none"});
+  EXPECT_TRUE(std::filesystem::exists(pack));
+  session.signal(SIGKILL);
+  session.wait();
+  build({"--cache-limit", "1M", "--build", "--keep cover"});
+  EXPECT_FALSE(std::filesystem::exists(pack));
+}
+
+TEST_F(LimitedCache, has_its_limit_from_a_file_of_defaults_also_where_a_build_has_no_cache) {
+  const Variable config("TRIPTYCH_CONFIG", folder.file("triptych.toml"));
+  std::ofstream(folder.file("triptych.toml")) << "cache-limit = '1M'\n";
+  const auto oldest = entry("c", 2'000'000, 3);
+  build({});
+  EXPECT_FALSE(std::filesystem::exists(oldest));
+  run({"build", model, "-o", folder.file("box.tpk")});
+  Program alone({"build", model, "-o", folder.file("box.tpk"), "--cache-limit", "1M"});
+  EXPECT_EQ(alone.wait(), 2);
 }
 
 TEST_F(ShownModel, that_cannot_be_read_gives_the_errors_of_a_build_and_leaves_no_pack) {

@@ -114,10 +114,10 @@ TEST_F(Usage, a_file_of_defaults_that_is_wrong_is_named_with_line_and_key) {
         {"[render]\nsize = 'small'\n", ": line 2: size: --size: \"small\" is no WxH"},
         {"[render]\nedges = 3\n", ": line 2: edges: is true or false"},
         {"[role]\ndevice = 'cpu'\n", ": line 1: [role]: gets its flags from its session alone"},
-        {"size = \n", ": line 1: "},
+        {"size = \n", ": line 1, column 8: is no TOML: a value is expected"},
         {"device = cpu\n",
-         ": line 1: Error while parsing value: could not determine value type; text stands in quotes, as in "
-         "device = \"cpu\""}}) {
+         ": line 1, column 10: is no TOML: a value is expected; text stands in quotes, as in device = "
+         "\"cpu\""}}) {
     std::ofstream(file) << text;
     const std::string error = usage_error({"render", model, "--path", path, "-o", folder.file("p")});
     EXPECT_EQ(error.rfind("triptych: " + file + said, 0), 0u) << error;

@@ -330,7 +330,7 @@ TEST_F(ReportFiles, what_is_missing_or_broken_is_named_once) {
   change("coarse", {{"frames", 3}});
   EXPECT_EQ(complaint(), (folder / "coarse.json").string() + ": has no number at /drawn_triangles/mean");
   write_file(folder / "coarse.json", "{\"frames\": ");
-  EXPECT_TRUE(holds(complaint(), (folder / "coarse.json").string() + ": is no JSON"));
+  EXPECT_TRUE(holds(complaint(), (folder / "coarse.json").string() + ": line 1, column 12: is no JSON"));
   write_file(folder / "coarse.json", "[1, 2]");
   EXPECT_EQ(complaint(), (folder / "coarse.json").string() + ": does not hold a JSON object");
   std::filesystem::remove(folder / "coarse.json");

@@ -116,6 +116,8 @@ TEST(Path, a_path_without_frames_or_of_another_kind_is_refused) {
         R"({"triptych_path": 1, "frames": [{}]})"}) {
     EXPECT_NE(error_of([&] { load(text); }), "") << text;
   }
+  EXPECT_EQ(error_of([] { parse_path("{\"triptych_path\": 1,\n\"frames\": [}", "walk.json"); }),
+            "walk.json: line 2, column 12: is no JSON: a value or ] is expected, not }");
   EXPECT_NE(error_of([] { load_path("/nonexistent/walk.json"); }).find("/nonexistent/walk.json"),
             std::string::npos);
 }

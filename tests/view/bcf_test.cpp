@@ -167,8 +167,9 @@ TEST_F(BcfFile, that_is_damaged_is_one_error_with_its_place) {
   says(view(camera("50", "1.5x")), "is no finite number");
   says(view(camera("0")), "<FieldOfView>");
   says(view(camera("180")), "<FieldOfView>");
-  says("<VisualizationInfo><a></VisualizationInfo>", "is no XML");
-  says("", "is no XML");
+  says("<VisualizationInfo><a></VisualizationInfo>",
+       "line 1, column 25: is no XML: what is closed here is not the element that is open");
+  says("", "is no XML: it ends before");
   says("<Markup/>", "is no viewpoint");
   says("<!DOCTYPE a [<!ENTITY b \"c\">]>" + view(camera()), "document type definition");
   std::string deep;

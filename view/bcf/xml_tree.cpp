@@ -1,9 +1,9 @@
 #include "view/bcf/xml_tree.hpp"
 
 #include "base/error.hpp"
+#include "base/xml_fault.hpp"
 
 #include <algorithm>
-#include <expat.h>
 #include <memory>
 
 namespace triptych {
@@ -96,10 +96,8 @@ XmlElement parse_xml(std::string_view text, const std::string& place) {
   XML_SetCharacterDataHandler(parser.get(), take_text);
   XML_SetStartDoctypeDeclHandler(parser.get(), refuse_types);
   const auto status = XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), 1);
-  const auto line = XML_GetCurrentLineNumber(parser.get());
-  if (reading.why) fail(place, "line {}: {}", line, reading.why);
-  if (status != XML_STATUS_OK)
-    fail(place, "line {}: is no XML: {}", line, XML_ErrorString(XML_GetErrorCode(parser.get())));
+  if (reading.why) fail(place, "line {}: {}", XML_GetCurrentLineNumber(parser.get()), reading.why);
+  if (status != XML_STATUS_OK) throw Error(place, xml_fault(parser.get()));
   return std::move(reading.root.children.front());
 }
 

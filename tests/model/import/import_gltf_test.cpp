@@ -140,6 +140,21 @@ TEST(ImportGltf, instancing_on_the_card_places_every_instance) {
   EXPECT_NE(json_error(document), "");
 }
 
+TEST(ImportGltf, text_that_is_no_json_is_named_by_line_and_column) {
+  const std::string good = square().dump(1);
+  const auto error_with = [&](const std::string& what, const std::string& by) {
+    std::string text = good;
+    text.replace(text.find(what), what.size(), by);
+    return import_error("a.gltf", text);
+  };
+  // Before, within and behind what is read apart from the rest.
+  EXPECT_EQ(error_with("\"asset\"", "asset"),
+            "line 16, column 2: is no JSON: a name in quotes is expected, not asset");
+  EXPECT_EQ(error_with("60,", "60"), "line 33, column 4: is no JSON: a comma or } is expected, not \"uri\"");
+  EXPECT_EQ(error_with("\"scene\"", "scene"),
+            "line 67, column 2: is no JSON: a name in quotes is expected, not scene");
+}
+
 TEST(ImportGltf, a_required_extension_that_is_not_known_is_refused_by_name) {
   json document = square();
   document["extensionsRequired"] = {"KHR_draco_mesh_compression"};

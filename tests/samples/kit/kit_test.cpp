@@ -223,6 +223,14 @@ std::filesystem::path programs_with(const std::string& script) {
   return folder;
 }
 
+TEST(SampleKit, what_a_killed_one_left_is_removed_by_the_next) {
+  const Folder folder("kit_left");
+  std::filesystem::create_directories(folder.path() / "kit.partial-1/below");
+  std::ofstream(folder.path() / "kit.partial-1/below/kit.obj") << "half";
+  EXPECT_THROW(make_kit({.programs = "", .stop = [] { return true; }}, folder.path()), Error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(SampleKit, a_program_that_is_missing_or_fails_is_named_with_its_format_and_nothing_is_left) {
   const auto nothing = test::empty_folder("nothing");
   EXPECT_EQ(complaint(nothing),
