@@ -65,16 +65,18 @@ ChunkGeometry::ChunkGeometry(const Skeleton& skeleton, Residency& residency)
     : residency_(residency), chunks_(skeleton.chunks.size()) {}
 
 void ChunkGeometry::require(std::span<const DrawItem> items) {
-  for (const DrawItem& item : items) {
-    if (chunks_[item.chunk]) continue;
-    residency_.request(item.chunk, 0);
-    residency_.pump(std::numeric_limits<double>::infinity());
-    auto chunk = std::make_unique<const RasterChunk>(*residency_.pin(item.chunk));
-    residency_.unpin(item.chunk);
-    residency_.evict(item.chunk);  // it has its place here now
-    bytes_ += chunk->bytes();
-    chunks_[item.chunk] = std::move(chunk);
-  }
+  for (const DrawItem& item : items) require(item.chunk);
+}
+
+void ChunkGeometry::require(uint32_t index) {
+  if (chunks_[index]) return;
+  residency_.request(index, 0);
+  residency_.pump(std::numeric_limits<double>::infinity());
+  auto chunk = std::make_unique<const RasterChunk>(*residency_.pin(index));
+  residency_.unpin(index);
+  residency_.evict(index);  // it has its place here now
+  bytes_ += chunk->bytes();
+  chunks_[index] = std::move(chunk);
 }
 
 }  // namespace triptych

@@ -49,6 +49,7 @@ class ChunkGeometry {
 
   /// Asks the residency for the chunks that are needed and are not here. Error for a damaged chunk.
   void require(std::span<const DrawItem> items);
+  void require(uint32_t chunk);
   const RasterChunk& chunk(uint32_t index) const { return *chunks_[index]; }
 
   uint64_t memory_bytes() const { return bytes_; }

@@ -65,17 +65,17 @@ void Geometry::upload(uint32_t chunk, const Chunk& geometry) {
 }
 
 void Geometry::require(std::span<const DrawItem> items) {
-  bool changed = false;
-  for (const DrawItem& item : items) {
-    if (ranges_[item.chunk].loaded()) continue;
-    residency_.request(item.chunk, 0);
-    residency_.pump(std::numeric_limits<double>::infinity());
-    upload(item.chunk, *residency_.pin(item.chunk));
-    residency_.unpin(item.chunk);
-    residency_.evict(item.chunk);  // it is in device memory now
-    changed = true;
-  }
-  if (changed) attach_buffers();
+  for (const DrawItem& item : items) require(item.chunk);
+}
+
+void Geometry::require(uint32_t chunk) {
+  if (ranges_[chunk].loaded()) return;
+  residency_.request(chunk, 0);
+  residency_.pump(std::numeric_limits<double>::infinity());
+  upload(chunk, *residency_.pin(chunk));
+  residency_.unpin(chunk);
+  residency_.evict(chunk);  // it is in device memory now
+  attach_buffers();
 }
 
 void Geometry::bind(GLuint records, bool colored) const {

@@ -19,6 +19,7 @@ class Geometry {
   /// Requests the chunks that are needed and not uploaded yet from the residency, and uploads them. Error for
   /// a damaged chunk, or where OpenGL has no memory left.
   void require(std::span<const DrawItem> items);
+  void require(uint32_t chunk);
   std::span<const ChunkRange> ranges() const { return ranges_; }
 
   /// Bytes of device memory in use.
