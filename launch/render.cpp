@@ -50,7 +50,6 @@ int run(const RenderCommand& command) {
                                 .item_buffer = command.item_buffer});
   std::optional<LocalSteering> steering = steer(pipeline, command.run.target_ms, device.names);
   std::vector<FrameRecord> records;
-  SectionedCounter counter(pack, pipeline.hierarchy());
   std::vector<SectionedCounts> sectioned;  ///< of each frame
   {
     Progress progress("render", frames.size());
@@ -60,7 +59,8 @@ int run(const RenderCommand& command) {
       if (command.full_detail) frame.state.pixel_error = 0;
       records.push_back(steering ? steering->draw(frame) : pipeline.draw(frame));
       frame.state.pixel_error = records.back().pixel_error;
-      sectioned.push_back(counter.count(FrameView(pack.skeleton(), frame.state), records.back().visible));
+      sectioned.push_back(count_sectioned(pipeline.hierarchy(), FrameView(pack.skeleton(), frame.state),
+                                          records.back().visible));
       const FrameTarget& target = pipeline.target();
       write_png(command.output / picture_name(frame.number), width, height,
                 command.item_buffer ? item_colors(target.read_items()) : target.read_colors());

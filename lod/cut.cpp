@@ -54,7 +54,7 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
   const SceneNode& node = skeleton.scene_nodes[id];
   const HiddenShare hidden = view.hidden(id);
   if (hidden == HiddenShare::all) return no_id;
-  const SectionPlace place = view.section_place(node.box);
+  const SectionPlace place = view.section_place(skeleton.closed.reach(id, node));
   if (place.outside) return no_id;
   EyeBounds bounds = view.eye_space.bounds(node.box);
   if (bounds.outside) {
@@ -65,7 +65,8 @@ DrawableId coarsest(const FrameView& view, const SceneNode& node, const EyeBound
   }
   // No drawable of it leaves out what is hidden; those of leaves do, placement by placement.
   if (hidden == HiddenShare::some && node.child_count > 0) return Cut::inner;
-  // Simplified solids are often not proven closed any more: where something is cut, it is so as it is.
+  // Simplified solids are often not closed any more: where something is cut, it and all chunks that its
+  // surface was divided among are drawn as they are, and those that are cut away, too: they may hold the cap.
   const bool may_be_coarse = view.state.pixel_error > 0 && place.inside();
   const DrawableId chosen = may_be_coarse ? coarsest(view, node, bounds) : no_id;
   if (chosen != no_id) return chosen;

@@ -1,6 +1,7 @@
 // A skeleton as frames walk it: the scene graph, and the boxes of what is placed in it, computed once.
 #pragma once
 
+#include "scene/placed_box.hpp"
 #include "scene/skeleton.hpp"
 
 #include <cstddef>
@@ -49,10 +50,5 @@ class Hierarchy {
   mutable LatticeBox* next_ = nullptr;
   mutable size_t left_ = 0;
 };
-
-/// On the model's lattice: a box that holds what is in `local`, a box of the placement's chunk, plus one
-/// step on each side for rounding; clipped to `within`, which holds all that the placement draws.
-LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, const LatticeBox& local,
-                      const LatticeBox& within);
 
 }  // namespace triptych

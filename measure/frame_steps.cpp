@@ -68,6 +68,7 @@ class FramePlayer final : public CullSink {
         strategy_(hierarchy),
         representation_(hierarchy),
         draw_lists_(hierarchy.skeleton()),
+        cut_bodies_(hierarchy.skeleton()),
         ranges_(skeleton_.chunks.size()) {
     // As if every chunk were resident.
     for (size_t i = 0; i < ranges_.size(); ++i)
@@ -107,7 +108,8 @@ class FramePlayer final : public CullSink {
       representation_.begin(view);
       for (const DrawableId id : ordered_) representation_.append(id, items_);
       draw_lists_.begin(view);
-      draw_lists_.append(ranges_, items_, list_);
+      cut_bodies_.find(view, items_);
+      draw_lists_.append(ranges_, items_, cut_bodies_, list_);
       return 0;
     });
     clock_.run(FrameStep::select_cut, [&] { return select_cut(view).drawables.size(); });
@@ -128,6 +130,7 @@ class FramePlayer final : public CullSink {
   OcclusionStrategy strategy_;
   LevelsRepresentation representation_;
   DrawListBuilder draw_lists_;
+  CutBodies cut_bodies_;
   std::vector<DrawItem> items_;
   DrawList list_;
   RankSorter sorter_;

@@ -14,6 +14,7 @@
 #include "preprocess/layers/layer_facets.hpp"
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
+#include "preprocess/part_bodies.hpp"
 #include "preprocess/parts.hpp"
 #include "preprocess/placed_cache.hpp"
 #include "scene/expand.hpp"
@@ -262,6 +263,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   stage("HLODs", [&] { hierarchies.make_drawables(parts, levels, options, work, skeleton.import); });
   stage("write", [&] {
     for (std::string& warning : skeleton.import.warnings) warning = without_folders(warning, files);
+    skeleton.closed = closed_surfaces_of(parts, levels, work.pack().chunks().size());
     levels = {};
     const std::vector<std::byte> objects = hierarchies.encoded_objects(std::move(source_objects), parts);
     hierarchies.move_to(stored, parts);

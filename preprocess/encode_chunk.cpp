@@ -39,11 +39,20 @@ std::vector<Value> moved(const std::vector<Value>& values, const std::vector<uin
 
 }  // namespace
 
-std::vector<std::byte> encode_chunk(const Chunk& chunk) {
+std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t> runs_kept) {
   // Vertex cache order, then vertices in the order of their first use: both codecs compress better so.
   std::vector<uint32_t> indices(chunk.indices.size());
-  meshopt_optimizeVertexCacheFifo(indices.data(), chunk.indices.data(), indices.size(), chunk.vertices.size(),
-                                  cache_size);
+  const auto reorder = [&](size_t first, size_t end) {
+    if (first == end) return;
+    meshopt_optimizeVertexCacheFifo(indices.data() + 3 * first, chunk.indices.data() + 3 * first,
+                                    3 * (end - first), chunk.vertices.size(), cache_size);
+  };
+  size_t first = 0;
+  for (const uint32_t end : runs_kept) {
+    reorder(first, end);
+    first = end;
+  }
+  reorder(first, chunk.triangle_count());
   std::vector<uint32_t> places(chunk.vertices.size());
   const size_t vertex_count =
       meshopt_optimizeVertexFetchRemap(places.data(), indices.data(), indices.size(), chunk.vertices.size());

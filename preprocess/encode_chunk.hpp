@@ -4,6 +4,8 @@
 #include "scene/chunk.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace triptych {
@@ -11,6 +13,9 @@ namespace triptych {
 /// Finds out which triangles are outward, reorders for the vertex cache and compresses with meshoptimizer's
 /// codecs (Arseny Kapoulkine). Degenerate triangles stay. The chunk must hold at least one triangle, indices
 /// in range.
-std::vector<std::byte> encode_chunk(const Chunk& chunk);
+///
+/// runs: where runs of triangles end, ascending, that stay where they are; triangles change their places
+/// within each, and behind the last.
+std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t> runs = {});
 
 }  // namespace triptych

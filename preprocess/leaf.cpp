@@ -122,6 +122,13 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
   levels = std::move(kept);
 }
 
+/// Where the runs of a part's triangles end.
+std::vector<uint32_t> run_ends(const PartInfo& info) {
+  std::vector<uint32_t> ends;
+  for (const PartRun& run : info.runs) ends.push_back((ends.empty() ? 0 : ends.back()) + run.triangles);
+  return ends;
+}
+
 /// What make_levels() makes its result of.
 void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, const PartInfo& info,
                       const Lattice& lattice, const BuildOptions& options, size_t kept_triangles) {
@@ -133,6 +140,7 @@ void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, co
   key.write(info.moved);
   key.write(info.covered_step);
   key.write(info.variant_of == no_id);
+  for (const PartRun& run : info.runs) key.write(run.triangles);
   write_record(key, info.contacts);
   write_record(key, info.layers);
   write_record(key, info.covered);
@@ -184,7 +192,8 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
     const auto& [level, bound, grown] = levels[i];
     // The other chain has the first one's chunk.
     if (i > 0 || info.variant_of == no_id) {
-      EncodedChunk chunk = encode(level.surface, options.in_pieces());
+      EncodedChunk chunk =
+          encode(level.surface, options.in_pieces(), i == 0 ? run_ends(info) : std::vector<uint32_t>());
       chunk.seen_from_outside = level.seen_from_outside;
       result.chunks.push_back({std::move(chunk), info.lattice});
     }

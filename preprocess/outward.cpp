@@ -1,7 +1,6 @@
 #include "preprocess/outward.hpp"
 
-#include "base/disjoint_sets.hpp"
-#include "preprocess/edge_wedges.hpp"
+#include "preprocess/closed_groups.hpp"
 #include "preprocess/triangle_contact.hpp"
 #include "scene/box.hpp"
 
@@ -21,7 +20,7 @@ namespace {
 /// So many pairs of triangles are looked at for each triangle of a surface, on average; of small ones more.
 constexpr size_t max_pairs = 32, always_pairs = 4096;
 
-using Corners = std::array<uint32_t, 3>;
+using Corners = ClosedGroups::Corners;
 
 /// For each point the lowest index of one at its place.
 std::vector<uint32_t> first_at_place(std::span<const glm::ivec3> points) {
@@ -35,79 +34,6 @@ std::vector<uint32_t> first_at_place(std::span<const glm::ivec3> points) {
   }
   return first;
 }
-
-/// Triangles that hang together by edges: by those with exactly two triangles, which go along it in opposite
-/// directions, and around others by wedges; groups each of whose triangles has a neighbour at every edge.
-class ClosedGroups {
- public:
-  ClosedGroups(std::span<const glm::ivec3> points, std::span<const Corners> triangles)
-      : sets_(triangles.size()), is_open_(triangles.size()) {
-    std::vector<Edge> edges;
-    edges.reserve(3 * triangles.size());
-    for (uint32_t i = 0; i < triangles.size(); ++i) {
-      for (size_t k = 0; k < 3; ++k) {
-        const uint64_t from = triangles[i][k], to = triangles[i][(k + 1) % 3];
-        const auto [low, high] = std::minmax(from, to);
-        edges.push_back({low << 32 | high, i, triangles[i][(k + 2) % 3], from < to});
-      }
-    }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.key < b.key; });
-    for (auto first = edges.begin(); first != edges.end();) {
-      const auto last = std::find_if(first, edges.end(), [&](const Edge& e) { return e.key != first->key; });
-      if (last - first == 2 && first[0].forward != first[1].forward) {
-        sets_.join(first[0].triangle, first[1].triangle);
-      } else {
-        join_wedges(points, {first, last});
-      }
-      first = last;
-    }
-  }
-
-  /// Calls visit(triangles) for each.
-  template <typename Visit>
-  void visit(const Visit& visit) {
-    std::vector<std::pair<uint32_t, uint32_t>> members;  // root, triangle
-    std::vector<bool> open_roots(is_open_.size());
-    for (uint32_t i = 0; i < is_open_.size(); ++i) {
-      const uint32_t root = sets_.root(i);
-      members.emplace_back(root, i);
-      if (is_open_[i]) open_roots[root] = true;
-    }
-    std::sort(members.begin(), members.end());
-    std::vector<uint32_t> group;
-    for (size_t i = 0; i < members.size(); ++i) {
-      group.push_back(members[i].second);
-      if (i + 1 < members.size() && members[i + 1].first == members[i].first) continue;
-      if (!open_roots[members[i].first]) visit(group);
-      group.clear();
-    }
-  }
-
- private:
-  struct Edge {
-    uint64_t key;
-    uint32_t triangle;
-    uint32_t apex;  ///< the triangle's third corner
-    bool forward;
-  };
-
-  void join_wedges(std::span<const glm::ivec3> points, std::span<const Edge> edges) {
-    std::vector<EdgeTriangle> around;
-    for (uint32_t i = 0; i < edges.size(); ++i)
-      around.push_back({points[edges[i].apex], edges[i].forward, i});
-    std::vector<bool> has_neighbour(edges.size());
-    const uint64_t key = edges.front().key;
-    for (const auto& [one, other] : wedges_at(points[key >> 32], points[key & 0xffffffffu], around)) {
-      sets_.join(edges[one].triangle, edges[other].triangle);
-      has_neighbour[one] = has_neighbour[other] = true;
-    }
-    for (size_t i = 0; i < edges.size(); ++i) {
-      if (!has_neighbour[i]) is_open_[edges[i].triangle] = true;
-    }
-  }
-  DisjointSets sets_;
-  std::vector<bool> is_open_;
-};
 
 /// Its share of the sphere around the origin, in steradians, for corners that go round clockwise as seen from
 /// there (Van Oosterom and Strackee, The solid angle of a plane triangle, 1983).
@@ -180,34 +106,17 @@ std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::spa
     triangles.push_back(corners);
     numbers.push_back(static_cast<uint32_t>(i / 3));
   }
-  struct Solid {
-    LatticeBox box;
-    std::vector<uint32_t> members;
-  };
-  std::vector<Solid> solids;
-  std::vector<LatticeBox> turned_in;  // of closed surfaces whose outside may be in
+  std::vector<bool> outward(indices.size() / 3);
   std::vector<ExactTriangle> group;
   ClosedGroups(points, triangles).visit([&](std::span<const uint32_t> members) {
     group.clear();
-    LatticeBox box;
     for (const uint32_t i : members) {
       const Corners& corners = triangles[i];
       group.emplace_back(std::array{points[corners[0]], points[corners[1]], points[corners[2]]});
-      for (const uint32_t corner : corners) box.extend(points[corner]);
     }
-    if (is_outward(group)) {
-      solids.push_back({box, {members.begin(), members.end()}});
-    } else {
-      turned_in.push_back(box);
-    }
+    if (!is_outward(group)) return;
+    for (const uint32_t i : members) outward[numbers[i]] = true;
   });
-  std::vector<bool> outward(indices.size() / 3);
-  for (const Solid& solid : solids) {
-    // What may be the wall of its cavity: then the inside of the surface is not all solid.
-    if (std::ranges::any_of(turned_in, [&](const LatticeBox& box) { return solid.box.contains(box); }))
-      continue;
-    for (const uint32_t i : solid.members) outward[numbers[i]] = true;
-  }
   return outward;
 }
 

@@ -10,10 +10,9 @@ namespace triptych {
 
 /// For each triangle whether it is proven to belong to a surface that is closed, that meets itself in corners
 /// and edges at most, and whose triangles go round counter-clockwise where they are seen from outside. Points
-/// with one place are one. Solids that touch, in corners, edges or faces, are each for itself. One whose box
-/// holds that of a closed surface for which this is not proven may be hollow, and is left out. The proof is
-/// exact, but does not find every such surface: it is given up where too many boxes of triangles overlap.
-/// points: within ±2^29. indices: three a triangle.
+/// with one place are one. Solids that touch, in corners, edges or faces, are each for itself; of a
+/// hollow one it is the outer surface. The proof is exact, but does not find every such surface: it is given
+/// up where too many boxes of triangles overlap. points: within ±2^29. indices: three a triangle.
 std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::span<const uint32_t> indices);
 
 }  // namespace triptych

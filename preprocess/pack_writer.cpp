@@ -35,8 +35,8 @@ const std::filesystem::path& without_header(const std::filesystem::path& partial
 
 }  // namespace
 
-EncodedChunk::EncodedChunk(const Chunk& chunk)
-    : bytes(encode_chunk(chunk)),
+EncodedChunk::EncodedChunk(const Chunk& chunk, std::span<const uint32_t> runs)
+    : bytes(encode_chunk(chunk, runs)),
       triangles(static_cast<uint32_t>(chunk.triangle_count())),
       box(chunk.box()),
       pieces(chunk.pieces()) {
@@ -86,6 +86,7 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
                         const PackOptions& options) {
   skeleton.surrounding.chunks = std::move(chunks_);
   const auto& effects = skeleton.surrounding.effects;
+  const ClosedSurfaces& closed = skeleton.surrounding.closed;
   const bool colored = std::count(effects.begin(), effects.end(), vertex_colors_effect) > 0;
   const uint32_t version = has_layers(effects) ? layered_geometry_version
                            : colored           ? colored_geometry_version
@@ -125,6 +126,10 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
     add_section(seen_from_outside_type,
                 [&](const auto& write) { write(encode_seen_from_outside(seen_from_outside_)); });
     table.back().version = seen_from_outside_version;
+  }
+  if (!closed.empty()) {
+    add_section(closed_surfaces_type, [&](const auto& write) { write(encode_closed_surfaces(closed)); });
+    table.back().version = closed_surfaces_version;
   }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,

@@ -18,7 +18,7 @@ namespace triptych {
 /// A chunk that waits for its turn to be written: threads encode, one writes in a fixed order.
 struct EncodedChunk {
   EncodedChunk() = default;
-  explicit EncodedChunk(const Chunk& chunk);
+  explicit EncodedChunk(const Chunk& chunk, std::span<const uint32_t> runs = {});
 
   std::vector<std::byte> bytes;
   uint32_t vertices = 0, triangles = 0;

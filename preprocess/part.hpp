@@ -20,6 +20,15 @@ struct BorderPoint {
   uint32_t number = 0;  ///< the same for the same point in all parts of the mesh
 };
 
+/// Triangles of a part that follow each other and belong to one closed surface, or to several.
+struct PartRun {
+  uint32_t triangles = 0;
+  uint32_t body =
+      0;  ///< of those that are divided among parts; no_id where the part has all of its triangles
+  LatticeBox box;
+};
+
+/// Its triangles begin with the runs of a Division.
 struct Part {
   Surface surface;
   std::vector<BorderPoint> borders;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "preprocess/closed_groups.hpp"
 #include "preprocess/covered/closed_surface.hpp"
 #include "preprocess/divide.hpp"
 #include "preprocess/sorted_mesh.hpp"
@@ -21,13 +22,17 @@ struct PartFigures {
   uint32_t color = no_id;  ///< PartInfo::color
   Outside outside = Outside::none;
   std::vector<LatticeBox> boxes;  ///< in each of the mesh's instances
+  std::vector<PartRun> runs;      ///< Division's
+  PartRun rest = {};              ///< of a bucket's part: what follows
 };
 
 /// What is known of a mesh, or of a bucket of one, beside the geometry of its parts.
 struct DivisionFigures {
-  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0;
+  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0, turned_bodies = 0;
   bool enlarged = false;  ///< whether points were moved by a step, so that no triangle vanishes
   uint32_t own_borders = 0, first_own = 0;  ///< Division's
+  uint32_t bodies = 0;                      ///< Division's
+  EdgeSum rest = {};                        ///< of a bucket: of what is not closed
   std::vector<PartFigures> parts;
 };
 
@@ -36,12 +41,13 @@ struct DivisionFigures {
 template <>
 inline constexpr auto record_members<PartFigures> = std::tuple(&PartFigures::triangles, &PartFigures::borders,
                                                                &PartFigures::color, &PartFigures::outside,
-                                                               &PartFigures::boxes);
+                                                               &PartFigures::boxes, &PartFigures::runs,
+                                                               &PartFigures::rest);
 template <>
-inline constexpr auto record_members<DivisionFigures> =
-    std::tuple(&DivisionFigures::dropped_triangles, &DivisionFigures::welded_vertices,
-               &DivisionFigures::lone_triangles, &DivisionFigures::enlarged, &DivisionFigures::own_borders,
-               &DivisionFigures::first_own, &DivisionFigures::parts);
+inline constexpr auto record_members<DivisionFigures> = std::tuple(
+    &DivisionFigures::dropped_triangles, &DivisionFigures::welded_vertices, &DivisionFigures::lone_triangles,
+    &DivisionFigures::turned_bodies, &DivisionFigures::enlarged, &DivisionFigures::own_borders,
+    &DivisionFigures::first_own, &DivisionFigures::bodies, &DivisionFigures::rest, &DivisionFigures::parts);
 
 namespace {
 
@@ -111,8 +117,9 @@ class PartMaker {
   std::vector<uint32_t> meshes;                ///< for each part its planned mesh
   std::vector<uint32_t> border_counts;         ///< for each planned mesh
   std::vector<std::vector<LatticeBox>> boxes;  ///< for each part its box in each of the mesh's instances
-  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0;
+  uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0, turned_bodies = 0;
   double largest_step = 0;  ///< of the lattices of lone triangles
+  uint32_t bodies = 0;      ///< that are divided among parts
 
  private:
   static uint64_t triangles_of(const BuildPlan& plan) {
@@ -127,6 +134,7 @@ class PartMaker {
     const auto figures = stored.figures_as<DivisionFigures>();
     dropped_triangles += figures.dropped_triangles;
     welded_vertices += figures.welded_vertices;
+    turned_bodies += figures.turned_bodies;
     if (figures.lone_triangles > 0) {
       lone_triangles += figures.lone_triangles;
       const PlannedMesh& planned = plan_.meshes[mesh];
@@ -143,10 +151,17 @@ class PartMaker {
                        .own_borders_from = figures.first_own,
                        .own_borders_behind = border_counts[mesh] - figures.first_own,
                        .color = part.color,
-                       .outside = part.outside});
+                       .outside = part.outside,
+                       .runs = part.runs});
+      for (PartRun& run : infos.back().runs) {
+        if (run.body != no_id) run.body += bodies;
+      }
       boxes.push_back(part.boxes);
     }
     border_counts[mesh] += figures.own_borders;
+    bodies += figures.bodies;
+    rest_.add(figures.rest);
+    for (const PartFigures& part : figures.parts) rests_.push_back(part.rest);
   }
 
   PartitionLimits limits(const PlannedMesh& mesh, uint64_t triangles) const {
@@ -160,15 +175,22 @@ class PartMaker {
     return limits;
   }
 
-  UnitResult divide_welded(const PlannedMesh& mesh, const Welded& welded, const PartitionLimits& limits,
+  UnitResult divide_welded(const PlannedMesh& mesh, Welded welded, const PartitionLimits& limits,
                            std::span<const SharedPoint> shared, uint32_t first_own) const {
-    const Division division = divide(welded.surface, limits, shared, first_own);
+    ClosedTriangles closed = find_closed(welded.surface);
+    // What a bucket has may be the wall of a cavity in what several of them have.
+    const uint64_t turned = shared.empty() ? turn_outward(welded.surface, closed) : 0;
+    join_cavities(welded.surface, closed);
+    const Division division = divide(welded.surface, limits, closed, shared, first_own);
     DivisionFigures figures{.dropped_triangles = welded.dropped_triangles,
                             .welded_vertices = welded.welded_vertices,
                             .lone_triangles = welded.lone_triangles,
+                            .turned_bodies = turned,
                             .enlarged = welded.enlarged_triangles > 0,
                             .own_borders = division.own_borders,
                             .first_own = division.first_own,
+                            .bodies = division.bodies,
+                            .rest = {},
                             .parts = {}};
     // Of a bucket nobody knows.
     const Outside outside =
@@ -180,12 +202,39 @@ class PartMaker {
                                                  static_cast<uint32_t>(part.borders.size()),
                                                  color_of(part.surface),
                                                  outside,
+                                                 {},
+                                                 division.runs[figures.parts.size()],
                                                  {}});
+      if (!shared.empty()) add_rest(part.surface, of_part, figures.rest);
       for (const uint32_t instance : mesh.instances) of_part.boxes.push_back(box_in(instance, mesh, part));
       result.geometry.push_back(record_bytes(part));
     }
     result.figures = record_bytes(figures);
     return result;
+  }
+
+  /// What of a bucket's part is not closed may be so together with other buckets.
+  static void add_rest(const Surface& surface, PartFigures& part, EdgeSum& sum) {
+    size_t first = 0;
+    for (const PartRun& run : part.runs) first += run.triangles;
+    part.rest.triangles = static_cast<uint32_t>(surface.triangles.size() - first);
+    for (const auto& [vertices, material] : std::span(surface.triangles).subspan(first)) {
+      const std::array corners = {surface.points[vertices[0]], surface.points[vertices[1]],
+                                  surface.points[vertices[2]]};
+      sum.add(corners);
+      for (const glm::ivec3& corner : corners) part.rest.box.extend(corner);
+    }
+  }
+
+  /// What is left of the mesh's buckets is one body, if it is closed.
+  void join_rests(size_t first_part) {
+    const bool is_body =
+        rest_.is_closed() && std::ranges::any_of(rests_, [](auto& r) { return r.triangles > 0; });
+    for (size_t i = 0; is_body && i < rests_.size(); ++i) {
+      if (rests_[i].triangles == 0) continue;
+      infos[first_part + i].runs.push_back({rests_[i].triangles, bodies, rests_[i].box});
+    }
+    bodies += is_body ? 1 : 0;
   }
 
   LatticeBox box_in(uint32_t index, const PlannedMesh& mesh, const Part& part) const {
@@ -198,9 +247,10 @@ class PartMaker {
 
   UnitResult divide_whole(const PlannedMesh& mesh) const {
     if (mesh.triangles == 0) return {{}, {}, record_bytes(DivisionFigures())};
-    const Welded welded = weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice],
-                               plan_.colors, plan_.tint);
-    return divide_welded(mesh, welded, limits(mesh, welded.surface.triangles.size()), {}, 0);
+    Welded welded = weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors,
+                         plan_.tint);
+    const PartitionLimits of_mesh = limits(mesh, welded.surface.triangles.size());
+    return divide_welded(mesh, std::move(welded), of_mesh, {}, 0);
   }
 
   /// A mesh that is too large for memory: sorted into buckets, which are then divided.
@@ -224,6 +274,9 @@ class PartMaker {
     std::vector<uint32_t> buckets(sizes.size());
     std::iota(buckets.begin(), buckets.end(), first_bucket_);
     const PartitionLimits part_limits = limits(mesh, mesh.triangles);
+    const size_t first_part = infos.size();
+    rest_ = {};
+    rests_.clear();
     for (size_t first = 0; first < sizes.size();) {
       const size_t end = end_of_group(first, sizes.size(), unit_triangles(options_),
                                       [&](size_t bucket) { return sizes[bucket]; });
@@ -231,10 +284,10 @@ class PartMaker {
           UnitKind::divided_bucket, std::span(buckets).subspan(first, end - first),
           [&](uint32_t number) {
             Bucket bucket = sorted.buckets().load(number - first_bucket_);
-            const Welded welded = weld(bucket.triangles, colored);
+            Welded welded = weld(bucket.triangles, colored);
             bucket.triangles = {};
-            return record_bytes(
-                divide_welded(mesh, welded, part_limits, bucket.shared, sorted.buckets().shared_points()));
+            return record_bytes(divide_welded(mesh, std::move(welded), part_limits, bucket.shared,
+                                              sorted.buckets().shared_points()));
           },
           [&](uint32_t number, const StoredUnit& stored) {
             take(index, stored);
@@ -242,6 +295,7 @@ class PartMaker {
           });
       first = end;
     }
+    join_rests(first_part);
     first_bucket_ += static_cast<uint32_t>(sizes.size());
   }
 
@@ -252,6 +306,8 @@ class PartMaker {
   Progress progress_;
   double small_ = 0, large_ = 0;
   uint32_t first_bucket_ = 0;  ///< how many buckets the meshes before this one have
+  EdgeSum rest_;               ///< of the mesh's buckets so far, as `rests_`: of each part
+  std::vector<PartRun> rests_;
 };
 
 }  // namespace
@@ -277,6 +333,11 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
         "{} triangles are less than a step of their lattice wide, up to {} model units, and would "
         "have vanished: they are drawn a step wide",
         maker.lone_triangles, maker.largest_step));
+  }
+
+  if (maker.turned_bodies > 0) {
+    report.warnings.push_back(fmt::format(
+        "{} closed surfaces were inside out, and are turned round: they are solid", maker.turned_bodies));
   }
 
   // The parts of one mesh came one after the other.
@@ -318,6 +379,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   parts.parts = std::move(maker.infos);
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);
+  parts.bodies = maker.bodies;
   parts.has_objects = !plan.objects.empty();
   return parts;
 }

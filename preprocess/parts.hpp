@@ -46,6 +46,8 @@ struct PartInfo {
   std::vector<LayeredTriangle> layers = {};
   /// Of its mesh; none where that is not known.
   Outside outside = Outside::none;
+  /// What its triangles begin with: what is closed (Division::runs). Bodies: below Parts::bodies.
+  std::vector<PartRun> runs = {};
   /// Triangles that lie right beneath other surfaces in all placements (preprocess/covered/).
   std::vector<CoveredTriangle> covered = {};
   /// The step in which their classes count, in the units of its lattice's space: the longest of its
@@ -95,6 +97,7 @@ struct Parts {
   std::vector<PlacedParts> hierarchies;
   std::vector<Lattice> lattices;  ///< 0: the model's
   std::vector<std::array<uint8_t, 4>> palette;
+  uint32_t bodies = 0;       ///< closed surfaces that are divided among parts
   bool has_objects = false;  ///< whether the model has source objects
 };
 

@@ -180,8 +180,9 @@ std::vector<uint8_t> fitting_pieces(const Surface& surface) {
   return pieces;
 }
 
-EncodedChunk encode(const Surface& surface, bool in_pieces) {
-  return EncodedChunk(make_chunk(surface, in_pieces ? fitting_pieces(surface) : std::vector<uint8_t>{}));
+EncodedChunk encode(const Surface& surface, bool in_pieces, std::span<const uint32_t> runs) {
+  return EncodedChunk(make_chunk(surface, in_pieces ? fitting_pieces(surface) : std::vector<uint8_t>{}),
+                      runs);
 }
 
 }  // namespace triptych

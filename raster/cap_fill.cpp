@@ -5,33 +5,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <vector>
 
 namespace triptych {
 
 namespace {
-
-/// What rays through the pixels of some rows pass, beyond where they come in. All 0 between uses.
-struct Passed {
-  struct Pixel {
-    int32_t winding = 0;
-    float depth = 0;    ///< of the nearest back
-    uint32_t slot = 0;  ///< its triangle's
-    float limit = 0;    ///< of its piece
-  };
-  std::vector<Pixel> pixels;
-  int32_t width = 0, bottom = 0;
-
-  void make_room(int32_t of_width, int32_t first, int32_t last) {
-    width = of_width;
-    bottom = first;
-    const auto size = static_cast<size_t>(of_width) * static_cast<size_t>(last - first + 1);
-    if (pixels.size() < size) pixels.resize(size);
-  }
-  Pixel& at(int32_t x, int32_t y) {
-    return pixels[static_cast<size_t>(y - bottom) * static_cast<size_t>(width) + static_cast<size_t>(x)];
-  }
-};
 
 /// Whether a ray comes in at one of these sides, and all at which it does keep what is so deep.
 bool lies_beyond_entry(const SectionSidesOver& sides, uint32_t cut, int32_t x, int32_t y, float depth) {
@@ -70,96 +47,122 @@ bool tiles_hide(const FillTarget& target, const PixelBox& box, float nearest) {
 
 class CapFiller {
  public:
-  CapFiller(const GeometryTerms& terms, const DrawnRange& range, const StretchTriangles& triangles,
-            Passed& passed)
-      : terms_(terms),
-        range_(range),
-        triangles_(triangles),
-        passed_(passed),
-        mirrors_(mirrors(range.placed)) {}
+  CapFiller(const GeometryTerms& terms, int32_t first, int32_t last, CapCounters& counters,
+            const FillTarget& target)
+      : terms_(terms), first_(first), last_(last), counters_(counters), target_(target) {}
 
+  /// A surface, all of whose runs are there: nothing, where none of its caps could win.
+  void fill_whole(std::span<const CapRun> runs) {
+    PixelBox box{target_.width, -1, target_.height, -1};
+    float nearest = 0;
+    for (const CapRun& run : runs) {
+      if (!run.is_drawn) continue;
+      for_each_triangle(run, first_, last_, [&](const WindowTriangle& triangle) {
+        box = {std::min(box.left, triangle.left), std::max(box.right, triangle.right),
+               std::min(box.bottom, std::max(triangle.bottom, first_)),
+               std::max(box.top, std::min(triangle.top, last_))};
+        nearest = std::max(nearest, limit_of(run, triangle).nearest);
+      });
+    }
+    if (box.empty() || tiles_hide(target_, box, nearest)) return;
+    for (const CapRun& run : runs) count(run, box);
+    draw();
+  }
+  void count(const CapRun& run) { count(run, {0, target_.width - 1, first_, last_}); }
+  /// Draws the caps of the surface that was counted, and forgets it.
+  void draw() {
+    for (int32_t y = first_; y <= last_; ++y) {
+      CapCounters::Extent& row = counters_.row(y);
+      for (int32_t x = row.left; x <= row.right; ++x) {
+        CapCounters::Pixel& pixel = counters_.at(x, y);
+        if (pixel.winding > 0 && pixel.limit > 0) write(pixel, x, y);
+        pixel = {};
+      }
+      row = {};
+    }
+  }
+
+ private:
   template <typename Visit>
-  void for_each_triangle(int32_t first, int32_t last, const Visit& visit) const {
-    for (const auto* const list : {&triangles_.small, &triangles_.large}) {
+  static void for_each_triangle(const CapRun& run, int32_t bottom, int32_t top, const Visit& visit) {
+    if (run.triangles->bottom > top || run.triangles->top < bottom) return;
+    for (const auto* const list : {&run.triangles->small, &run.triangles->large}) {
       for (const WindowTriangle& triangle : *list) {
-        if (triangle.bottom <= last && triangle.top >= first) visit(triangle);
+        if (triangle.bottom <= top && triangle.top >= bottom) visit(triangle);
       }
     }
   }
-  const DepthLimit& limit_of(const WindowTriangle& triangle) const {
-    const RasterChunk& chunk = *range_.chunk;
-    return triangles_.limits[chunk.piece[chunk.corner[0][number(triangle)]]];
+  static const DepthLimit& limit_of(const CapRun& run, const WindowTriangle& triangle) {
+    const RasterChunk& chunk = *run.range->chunk;
+    const uint32_t number = run.range->first_triangle + (triangle.slot - run.range->first_slot);
+    return run.triangles->limits[chunk.piece[chunk.corner[0][number]]];
   }
-  void pass(const WindowTriangle& triangle, int32_t first, int32_t last) {
+  void count(const CapRun& run, const PixelBox& box) {
+    const bool mirrored = mirrors(run.range->placed);
+    for_each_triangle(run, box.bottom, box.top, [&](const WindowTriangle& triangle) {
+      if (triangle.left <= box.right && triangle.right >= box.left) count(run, triangle, mirrored, box);
+    });
+  }
+  void count(const CapRun& run, const WindowTriangle& triangle, bool mirrored, const PixelBox& box) {
     WindowTriangle whole = triangle;
     whole.sides = nullptr;
-    const bool back = triangle.clockwise != mirrors_;
-    const DepthLimit& limit = limit_of(triangle);
-    for_each_pixel(whole, first, last, [&](int32_t x, int32_t y, float depth) {
-      if (!(depth > 0) || !lies_beyond_entry(terms_.sides, range_.cut, x, y, depth)) return;
-      Passed::Pixel& pixel = passed_.at(x, y);
+    whole.limit = nullptr;  // whether it is drawn makes no difference
+    const bool back = triangle.clockwise != mirrored;
+    const DepthLimit* const limit = run.is_drawn ? &limit_of(run, triangle) : nullptr;
+    for (int32_t y = std::max(triangle.bottom, box.bottom); y <= std::min(triangle.top, box.top); ++y) {
+      CapCounters::Extent& row = counters_.row(y);
+      row = {std::min(row.left, std::max(triangle.left, box.left)),
+             std::max(row.right, std::min(triangle.right, box.right))};
+    }
+    for_each_pixel(whole, box.bottom, box.top, [&](int32_t x, int32_t y, float depth) {
+      if (x < box.left || x > box.right) return;
+      if (!(depth > 0) || !lies_beyond_entry(terms_.sides, run.range->cut, x, y, depth)) return;
+      CapCounters::Pixel& pixel = counters_.at(x, y);
       pixel.winding += back ? 1 : -1;
       if (!back) return;
       if (depth < pixel.depth || (depth == pixel.depth && triangle.slot > pixel.slot)) return;
       pixel.depth = depth;
       pixel.slot = triangle.slot;
-      pixel.limit = limit_at(limit, x, y);
+      pixel.limit = limit ? limit_at(*limit, x, y) : 0;
     });
   }
-  void draw(const PixelBox& box, const FillTarget& target) {
-    for (int32_t y = box.bottom; y <= box.top; ++y) {
-      for (int32_t x = box.left; x <= box.right; ++x) {
-        Passed::Pixel& pixel = passed_.at(x, y);
-        if (pixel.winding > 0) write(pixel, x, y, target);
-        pixel = {};
-      }
-    }
-  }
-
- private:
-  uint32_t number(const WindowTriangle& triangle) const {
-    return range_.first_triangle + (triangle.slot - range_.first_slot);
-  }
-  void write(const Passed::Pixel& cap, int32_t x, int32_t y, const FillTarget& target) {
+  void write(const CapCounters::Pixel& cap, int32_t x, int32_t y) {
     const float entry = entry_depth(terms_.sides, x, y), depth = std::min(entry, cap.limit);
     if (!(depth > 0) || !is_kept_at_entry(terms_.sides, x, y, entry)) return;
-    const size_t at = static_cast<size_t>(y) * static_cast<size_t>(target.stride) + static_cast<size_t>(x);
+    const size_t at = static_cast<size_t>(y) * static_cast<size_t>(target_.stride) + static_cast<size_t>(x);
     const auto bits = std::bit_cast<uint32_t>(depth);
-    if (bits < target.depths[at]) return;
-    if (target.slots != nullptr) {
-      if (bits == target.depths[at] && !target.precedes(target.order, cap.slot, target.slots[at])) return;
-      target.slots[at] = cap.slot;
+    if (bits < target_.depths[at]) return;
+    if (target_.slots != nullptr) {
+      if (bits == target_.depths[at] && !target_.precedes(target_.order, cap.slot, target_.slots[at])) return;
+      target_.slots[at] = cap.slot;
     }
-    target.depths[at] = bits;
-    target.marked[int64_t{y / tile_side} * target.columns + x / tile_side] = 1;
+    target_.depths[at] = bits;
+    target_.marked[int64_t{y / tile_side} * target_.columns + x / tile_side] = 1;
   }
 
   const GeometryTerms& terms_;
-  const DrawnRange& range_;
-  const StretchTriangles& triangles_;
-  Passed& passed_;
-  const bool mirrors_;
+  const int32_t first_, last_;
+  CapCounters& counters_;
+  const FillTarget& target_;
 };
 
 }  // namespace
 
-void fill_caps(const GeometryTerms& terms, const DrawnRange& range, const StretchTriangles& triangles,
-               int32_t first, int32_t last, const FillTarget& target) {
-  static thread_local Passed passed;
-  CapFiller filler(terms, range, triangles, passed);
-  PixelBox box{target.width, -1, target.height, -1};
-  float nearest = 0;
-  filler.for_each_triangle(first, last, [&](const WindowTriangle& triangle) {
-    box = {std::min(box.left, triangle.left), std::max(box.right, triangle.right),
-           std::min(box.bottom, std::max(triangle.bottom, first)),
-           std::max(box.top, std::min(triangle.top, last))};
-    nearest = std::max(nearest, filler.limit_of(triangle).nearest);
-  });
-  if (box.empty() || tiles_hide(target, box, nearest)) return;
-  passed.make_room(target.width, box.bottom, box.top);
-  filler.for_each_triangle(
-      first, last, [&](const WindowTriangle& triangle) { filler.pass(triangle, box.bottom, box.top); });
-  filler.draw(box, target);
+void fill_caps(const GeometryTerms& terms, std::span<const CapRun> runs, int32_t first, int32_t last,
+               CapCounters& counters, const FillTarget& target) {
+  CapFiller filler(terms, first, last, counters, target);
+  while (!runs.empty()) {
+    size_t count = 1;
+    while (count < runs.size() && !runs[count].is_first) ++count;
+    const auto surface = runs.first(count);
+    if (surface.front().is_first && surface.back().is_last) {
+      filler.fill_whole(surface);
+    } else {
+      for (const CapRun& run : surface) filler.count(run);
+      if (surface.back().is_last) filler.draw();
+    }
+    runs = runs.subspan(count);
+  }
 }
 
 }  // namespace triptych

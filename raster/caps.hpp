@@ -9,16 +9,14 @@
 
 namespace triptych {
 
-/// Caps are drawn (raster/cap_fill.hpp) in the name of the nearest back behind them. So where an outward
-/// triangle (Chunk::outward) that may be cut shows at a pixel with its back, and the pixel's ray comes in at
-/// a side, it is the cap that shows.
+/// Caps are drawn (raster/cap_fill.hpp) in the name of the nearest back behind them, with slots of their own.
 class Caps {
  public:
   /// Pixel centres lie at this sample of each pixel.
   explicit Caps(const FrameView& view, const SamplePlace& place = {});
 
-  /// Whether caps show where the triangle does, and rays come in at a side.
-  bool lie_before(const SlotTable::Triangle& shown) const;
+  /// Whether it is caps that show in the triangle's name.
+  static bool show(const SlotTable::Triangle& shown) { return shown.range->caps; }
   /// Where the ray of a pixel comes in; nullopt where that is the near plane.
   std::optional<PixelSides::Entry> entry(int32_t x, int32_t y) const {
     return sides_.entry(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
@@ -31,7 +29,6 @@ class Caps {
  private:
   PixelSides sides_;
   std::array<float, Section::max_sides> lights_{};
-  bool orthographic_;
 };
 
 /// Whether outsides go round clockwise under a placement.

@@ -109,12 +109,14 @@ void ChunkGeometry::load(uint32_t chunk) {
 }
 
 void ChunkGeometry::require(std::span<const DrawItem> items) {
-  for (const DrawItem& item : items) {
-    if (chunks_[item.chunk]) {
-      cache_.touch(item.chunk);
-    } else {
-      load(item.chunk);
-    }
+  for (const DrawItem& item : items) require(item.chunk);
+}
+
+void ChunkGeometry::require(uint32_t chunk) {
+  if (chunks_[chunk]) {
+    cache_.touch(chunk);
+  } else {
+    load(chunk);
   }
 }
 

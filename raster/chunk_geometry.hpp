@@ -58,6 +58,7 @@ class ChunkGeometry {
   /// Asks the residency for the chunks that are needed and are not here, or does without them. Error for a
   /// damaged chunk, NoRoom where the view needs more than the cap.
   void require(std::span<const DrawItem> items);
+  void require(uint32_t chunk);
   /// One that was required for the current view: it stays until the next view begins. Null where it is to be
   /// done without.
   const RasterChunk* chunk(uint32_t index) const { return chunks_[index].get(); }

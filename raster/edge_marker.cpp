@@ -57,7 +57,7 @@ const EdgeMarker::Face& EdgeMarker::face(uint32_t slot) {
   Face& face = faces_[slot % count];
   if (face.slot != slot) {
     const SlotTable::Triangle shown = plane_->find(slot);
-    face = {slot, TriangleShader::normal(shown), caps_.lie_before(shown)};
+    face = {slot, TriangleShader::normal(shown), Caps::show(shown)};
   }
   return face;
 }

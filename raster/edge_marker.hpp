@@ -24,7 +24,7 @@ class EdgeMarker {
   struct Face {
     uint32_t slot;
     glm::vec3 normal;
-    bool capped;  ///< Caps::lie_before()
+    bool capped;  ///< Caps::show()
   };
 
   EdgeOwner between(int32_t x, int32_t y, int32_t other_x, int32_t other_y);

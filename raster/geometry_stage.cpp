@@ -231,7 +231,7 @@ size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, St
 
 [[gnu::noinline]] void make_triangles(const GeometryTerms& terms, const DrawnRange& range,
                                       std::span<const LatticeBox> pieces, const DepthSource& drawn,
-                                      StretchTriangles& result, bool outward_alone) {
+                                      StretchTriangles& result) {
   result.kernel.clear();
   result.small.clear();
   result.large.clear();
@@ -247,10 +247,9 @@ size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, St
   transform_vertices(terms, range.placed, chunk, chunk.vertices(range.first_triangle, range.triangle_count),
                      stage);
   size_t found = find_candidates(terms, range, drawn, stage);
-  if (!outward_alone) found = make_with_kernels(terms, range, stage, found, result);
+  found = make_with_kernels(terms, range, stage, found, result);
   for (size_t candidate = 0; candidate < found; ++candidate) {
     const uint32_t i = stage.candidates[candidate], triangle = range.first_triangle + i;
-    if (outward_alone && !chunk.is_outward(triangle)) continue;
     const std::array<uint32_t, 3> corners = {chunk.corner[0][triangle], chunk.corner[1][triangle],
                                              chunk.corner[2][triangle]};
     const DepthLimit& limit = result.limits[chunk.piece[corners[0]]];

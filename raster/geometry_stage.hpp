@@ -48,11 +48,11 @@ struct GeometryTerms : VertexStage {
   LayerTerms layer_terms() const;
 };
 
-/// outward_alone: only those of solids (Chunk::outward). range: numbered. pieces: boxes of the chunk's
+/// range: numbered. pieces: boxes of the chunk's
 /// pieces, placed. Depths of `triangles` keep the limits of their piece: by a proof, or by
 /// FillTriangle::limit. Those that lie behind what is drawn already may be left out. A function of its
 /// arguments alone.
 void make_triangles(const GeometryTerms& terms, const DrawnRange& range, std::span<const LatticeBox> pieces,
-                    const DepthSource& drawn, StretchTriangles& result, bool outward_alone = false);
+                    const DepthSource& drawn, StretchTriangles& result);
 
 }  // namespace triptych

@@ -19,7 +19,10 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
     : skeleton_(skeleton),
       representation_(representation),
       geometry_(skeleton, residency),
-      placer_(skeleton) {}
+      placer_(skeleton),
+      cut_bodies_(skeleton),
+      everywhere_(max_chunk_pieces,
+                  skeleton.scene_nodes.empty() ? LatticeBox() : skeleton.scene_nodes[0].box) {}
 
 [[gnu::noinline]] void RasterScene::set_view(const FrameView& view) {
   if (view_ && view.state == view_->state && view.rules == view_->rules) return;
@@ -42,18 +45,22 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   items_.clear();
   for (const DrawRank& rank : ranks_) representation_.append(rank.id, items_);
   geometry_.require(items_);
+  cut_bodies_.find(*view_, items_);
+  for (const CutRun& run : cut_bodies_.runs()) geometry_.require(run.chunk);
   stretches_.clear();
+  names_.clear();
   uint64_t triangles = 0;
   auto rank = ranks_.begin();
   for (const DrawItem& item : items_) {
+    const bool same = !names_.empty() && names_.back().rank.id == item.drawable;
+    while (rank->id != item.drawable) ++rank;
+    names_.push_back({*rank, same ? names_.back().part + 1 : 0});
     const RasterChunk* const chunk = geometry_.chunk(item.chunk);
     if (chunk == nullptr) continue;
     const SectionPlace place = view_->section_place(item.pieces);
     if (place.outside) continue;
-    const bool same = !stretches_.empty() && stretches_.back().rank.id == item.drawable;
-    while (rank->id != item.drawable) ++rank;
-    PlacedStretch stretch{.rank = *rank,
-                          .part = same ? stretches_.back().part + 1 : 0,
+    PlacedStretch stretch{.rank = names_.back().rank,
+                          .part = names_.back().part,
                           .chunk = chunk,
                           .first_triangle = item.first_index / 3,
                           .triangle_count = item.index_count / 3,
@@ -66,8 +73,39 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
     triangles += stretch.triangle_count;
     stretches_.push_back(stretch);
   }
-  for (size_t i = 0; i < planes.size(); ++i) planes[i].draw(terms_[i], stretches_);
+  add_cap_runs();
+  for (size_t i = 0; i < planes.size(); ++i) {
+    planes[i].draw(terms_[i], stretches_);
+    planes[i].draw_caps(terms_[i], cap_runs_, cap_counters_);
+  }
   return triangles;
+}
+
+void RasterScene::add_cap_runs() {
+  cap_runs_.clear();
+  for (const CutBody& body : cut_bodies_.all()) {
+    const std::span<const CutRun> runs = cut_bodies_.runs_of(body);
+    // A surface of which a part is still to be read has no winding numbers.
+    if (std::ranges::any_of(runs, [&](const CutRun& run) { return geometry_.chunk(run.chunk) == nullptr; }))
+      continue;
+    for (size_t i = 0; i < runs.size(); ++i) {
+      const CutRun& run = runs[i];
+      const bool drawn = run.item != no_id;
+      const Name name = drawn ? names_[run.item] : Name();
+      cap_runs_.push_back({{.rank = name.rank,
+                            .part = name.part,
+                            .chunk = geometry_.chunk(run.chunk),
+                            .first_triangle = run.first_triangle,
+                            .triangle_count = run.triangle_count,
+                            .placed = placer_.place(body.transform, skeleton_.chunks[run.chunk].lattice),
+                            .front = 0,
+                            .cut = body.cut,
+                            .pieces = drawn ? items_[run.item].pieces : everywhere(run.chunk)},
+                           drawn,
+                           i == 0,
+                           i + 1 == runs.size()});
+    }
+  }
 }
 
 RasterTarget::RasterTarget(RasterScene& scene, TargetKind kind, int width, int height,

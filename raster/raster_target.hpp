@@ -5,6 +5,7 @@
 #include "raster/raster_device.hpp"
 #include "raster/sample_planes.hpp"
 #include "raster/shade.hpp"
+#include "visibility/cut_bodies.hpp"
 #include "visibility/frame_target.hpp"
 
 #include <optional>
@@ -30,6 +31,17 @@ class RasterScene {
   bool is_damaged(uint32_t chunk) const { return geometry_.is_damaged(chunk); }
 
  private:
+  /// Of a draw item: its drawable, and which of that's items it is.
+  struct Name {
+    DrawRank rank = {};
+    uint32_t part = 0;
+  };
+  void add_cap_runs();
+  /// As many boxes as the chunk has pieces.
+  std::span<const LatticeBox> everywhere(uint32_t chunk) const {
+    return std::span(everywhere_).first(skeleton_.pieces_of(chunk).size());
+  }
+
   const Skeleton& skeleton_;
   Representation& representation_;
   ChunkGeometry geometry_;
@@ -39,7 +51,12 @@ class RasterScene {
   std::vector<GeometryTerms> terms_;  ///< of each sample
   std::vector<DrawRank> ranks_;
   std::vector<DrawItem> items_;
+  std::vector<Name> names_;  ///< of `items_`
   std::vector<PlacedStretch> stretches_;
+  CutBodies cut_bodies_;
+  std::vector<PlacedCapRun> cap_runs_;
+  CapCounters cap_counters_;
+  std::vector<LatticeBox> everywhere_;  ///< as pieces of what is not drawn
 };
 
 class RasterTarget final : public FrameTarget {

@@ -53,7 +53,7 @@ bool SlotTable::precedes(uint32_t slot, uint32_t other) const {
   const auto key = [&](uint32_t of) {
     const Triangle found = find(of);
     return std::tuple(found.range->chunk->layer(found.triangle), found.range->rank, found.range->part,
-                      found.triangle);
+                      found.triangle, !found.range->caps);
   };
   return key(slot) < key(other);
 }

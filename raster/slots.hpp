@@ -21,6 +21,7 @@ struct DrawnRange {
   uint32_t first_slot = 0;
   int32_t front = 0;  ///< outward_front()
   uint32_t cut = 0;   ///< SectionPlace::cut
+  bool caps = false;  ///< what shows are the caps of its triangles
   const RasterChunk* chunk = nullptr;
   PlacedLattice placed = {};
 };
@@ -53,7 +54,7 @@ class SlotTable {
   /// Whether compact() was called since clear().
   bool is_compacted() const { return compacted_ > 0; }
   /// Whether the first wins over the second at equal depth: that of the higher layer (the lower number), then
-  /// the lower draw rank, part, triangle.
+  /// the lower draw rank, part, triangle, and its cap before the triangle.
   bool precedes(uint32_t slot, uint32_t other) const;
 
  private:

@@ -118,7 +118,7 @@ uint32_t KeptShades::place_of(uint32_t slot) {
   if (slots_[place] != slot) {
     const SlotTable::Triangle shown = buffer_.find(slot, range_);
     varies_[place] = TriangleShader::varies(shown);
-    capped_[place] = shader_.caps().lie_before(shown);
+    capped_[place] = Caps::show(shown);
     colors_[place] = varies_[place] ? 0 : std::bit_cast<uint32_t>(shader_(shown));
     slots_[place] = slot;
     even_slots_[place] = varies_[place] || capped_[place] ? no_slot(place) : slot;

@@ -1,7 +1,6 @@
 #include "raster/visibility_buffer.hpp"
 
 #include "base/threads.hpp"
-#include "raster/cap_fill.hpp"
 #include "raster/float_state.hpp"
 #include "raster/instruction_set.hpp"
 
@@ -61,62 +60,78 @@ void VisibilityBuffer::draw(const GeometryTerms& terms, std::span<const PlacedSt
     }
   }
   draw_batch(terms);
-  if (terms.sides.count > 0) draw_caps(terms, stretches);
 }
 
-/// Each stretch as a whole: its surfaces are closed.
-void VisibilityBuffer::draw_caps(const GeometryTerms& terms, std::span<const PlacedStretch> stretches) {
+void VisibilityBuffer::draw_caps(const GeometryTerms& terms, std::span<const PlacedCapRun> runs,
+                                 CapCounters& counters) {
+  if (runs.empty()) return;
   if (!nothing_) nothing_.emplace(width_, height_);
-  for (const PlacedStretch& stretch : stretches) {
-    if (!may_have_caps(*stretch.chunk, stretch.cut)) continue;
-    if (table_.left() < stretch.triangle_count) {
-      draw_cap_batch(terms);
-      if (!depth_alone_) table_.compact(depths_, slots_);
+  counters.make_room(width_, height_);
+  uint32_t next = 0;  // number of a triangle of its surface, where there are no slots
+  for (size_t i = 0; i < runs.size(); ++i) {
+    const PlacedCapRun& run = runs[i];
+    if (run.is_first) {
+      next = 0;
+      uint64_t triangles = 0;
+      for (size_t k = i; k == i || (k < runs.size() && !runs[k].is_first); ++k)
+        triangles += runs[k].stretch.triangle_count;
+      if (!depth_alone_ && table_.left() < triangles) {
+        draw_cap_batch(terms, counters);
+        table_.compact(depths_, slots_);
+      }
     }
-    number(stretch, 0, stretch.triangle_count);
-    if (batch_triangles_ >= batch_size) draw_cap_batch(terms);
+    DrawnRange& range = number(run.stretch, 0, run.stretch.triangle_count, true);
+    if (depth_alone_) range.first_slot = next;
+    next += run.stretch.triangle_count;
+    cap_runs_.push_back({nullptr, nullptr, run.is_drawn, run.is_first, run.is_last});
+    if (batch_triangles_ >= batch_size) draw_cap_batch(terms, counters);
   }
-  draw_cap_batch(terms);
+  draw_cap_batch(terms, counters);
 }
 
-void VisibilityBuffer::draw_cap_batch(const GeometryTerms& terms) {
+void VisibilityBuffer::draw_cap_batch(const GeometryTerms& terms, CapCounters& counters) {
   if (batch_.empty()) return;
   DepthSource nothing = source();
   nothing_->hand_out(nothing);
-  const bool side_by_side = make_batch(terms, nothing, true);
+  const bool side_by_side = make_batch(terms, nothing);
+  for (size_t i = 0; i < batch_.size(); ++i) {
+    cap_runs_[i].range = &batch_[i].range;
+    cap_runs_[i].triangles = &triangles_[i];
+  }
   const FillTarget into = target();
   for_each_band(side_by_side, [&](int32_t first, int32_t last) {
-    for (size_t i = 0; i < batch_.size(); ++i) {
-      if (triangles_[i].bottom <= last && triangles_[i].top >= first)
-        fill_caps(terms, batch_[i].range, triangles_[i], first, last, into);
-    }
+    fill_caps(terms, cap_runs_, first, last, counters, into);
     tiles_.refresh_rows(depths_, first, last);
   });
   tiles_.refresh_blocks();
   batch_.clear();
+  cap_runs_.clear();
   batch_triangles_ = 0;
 }
 
-void VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint32_t count) {
+DrawnRange& VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t first, uint32_t count,
+                                     bool caps) {
   DrawnRange range{.rank = stretch.rank,
                    .part = stretch.part,
                    .first_triangle = stretch.first_triangle + first,
                    .triangle_count = count,
                    .front = stretch.front,
                    .cut = stretch.cut,
+                   .caps = caps,
                    .chunk = stretch.chunk,
                    .placed = stretch.placed};
   if (!depth_alone_) range.first_slot = table_.add(range);
   batch_.push_back({range, stretch.pieces});
   batch_triangles_ += count;
+  return batch_.back().range;
 }
 
-bool VisibilityBuffer::make_batch(const GeometryTerms& terms, const DepthSource& drawn, bool outward_alone) {
+bool VisibilityBuffer::make_batch(const GeometryTerms& terms, const DepthSource& drawn) {
   if (triangles_.size() < batch_.size()) triangles_.resize(batch_.size());
   const bool side_by_side = thread_count() > 1 && batch_triangles_ >= worth_sharing;
   const auto make = [&](size_t i) {
     const FloatState state;
-    make_triangles(terms, batch_[i].range, batch_[i].pieces, drawn, triangles_[i], outward_alone);
+    make_triangles(terms, batch_[i].range, batch_[i].pieces, drawn, triangles_[i]);
   };
   if (side_by_side) {
     parallel_for(batch_.size(), make);
@@ -132,7 +147,7 @@ bool VisibilityBuffer::make_batch(const GeometryTerms& terms, const DepthSource&
 void VisibilityBuffer::draw_batch(const GeometryTerms& terms) {
   if (batch_.empty()) return;
   const DepthSource drawn = source();
-  const bool side_by_side = make_batch(terms, drawn, false);
+  const bool side_by_side = make_batch(terms, drawn);
   sort_large();
   for_each_band(side_by_side, [&](int32_t first, int32_t last) {
     fill_rows(first, last);

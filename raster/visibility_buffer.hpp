@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/threads.hpp"
+#include "raster/cap_fill.hpp"
 #include "raster/depth_tiles.hpp"
 #include "raster/fill.hpp"
 #include "raster/geometry_stage.hpp"
@@ -26,6 +27,13 @@ struct PlacedStretch {
   std::span<const LatticeBox> pieces;
 };
 
+/// Triangles of a closed surface that a section may cut, and where surfaces begin and end among such.
+struct PlacedCapRun {
+  PlacedStretch stretch;  ///< cut: that of the whole surface
+  bool is_drawn;          ///< or only counts
+  bool is_first, is_last;
+};
+
 /// Reversed depth of width × height pixels, rows from bottom to top; besides, unless it keeps depth alone,
 /// the slot of the triangle that shows. What it holds is a function of the set drawn: not of order, batches
 /// or threads.
@@ -36,6 +44,8 @@ class VisibilityBuffer {
   void clear();
   /// Draws, with all threads; returns when all is drawn.
   void draw(const GeometryTerms& terms, std::span<const PlacedStretch> stretches);
+  /// Draws the cut surfaces of closed surfaces, whose runs follow each other, all of each.
+  void draw_caps(const GeometryTerms& terms, std::span<const PlacedCapRun> runs, CapCounters& counters);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -60,12 +70,11 @@ class VisibilityBuffer {
   bool is_renumbered() const { return table_.is_compacted(); }
 
  private:
-  void number(const PlacedStretch& stretch, uint32_t first, uint32_t count);
+  DrawnRange& number(const PlacedStretch& stretch, uint32_t first, uint32_t count, bool caps = false);
   /// The batch's triangles. Returns whether it is worth several threads.
-  bool make_batch(const GeometryTerms& terms, const DepthSource& drawn, bool outward_alone);
+  bool make_batch(const GeometryTerms& terms, const DepthSource& drawn);
   void draw_batch(const GeometryTerms& terms);
-  void draw_caps(const GeometryTerms& terms, std::span<const PlacedStretch> stretches);
-  void draw_cap_batch(const GeometryTerms& terms);
+  void draw_cap_batch(const GeometryTerms& terms, CapCounters& counters);
   void sort_large();
   void fill_rows(int32_t first, int32_t last);
   FillTarget target();
@@ -83,6 +92,7 @@ class VisibilityBuffer {
     std::span<const LatticeBox> pieces;
   };
   std::vector<BatchEntry> batch_;
+  std::vector<CapRun> cap_runs_;  ///< of the batch, where it is one of caps
   uint64_t batch_triangles_ = 0;
   std::vector<StretchTriangles> triangles_;  ///< of the batch, at least as many as it has entries
   /// The large ones among them, nearest first: what lies behind them is found hidden by tiles.

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "lod/representation.hpp"
+#include "visibility/cut_bodies.hpp"
 #include "visibility/screen_bounds.hpp"
 #include "visibility/vertex_terms.hpp"
 
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -29,7 +31,7 @@ struct DrawRecord {
   uint32_t first_bound;  ///< of the chunk's first piece; those of the others follow
   uint32_t cut;          ///< SectionPlace::cut, and the two bits below where it is not 0
 
-  static constexpr uint32_t outward = 1u << 30;   ///< its triangles are (Chunk::outward)
+  static constexpr uint32_t closed = 1u << 30;    ///< its triangles belong to a closed surface
   static constexpr uint32_t mirrored = 1u << 31;  ///< their fronts go round clockwise
 };
 
@@ -39,13 +41,16 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Commands that follow each other, show the same sides of triangles, and are all of coloured chunks or none.
+/// Commands that follow each other, show the same sides of triangles, and are all of coloured chunks or none;
+/// or those of one closed surface that a section may cut, for its cut surfaces.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
   bool colored = false;
-  /// What is outward of one placement that a section may cut: it has cut surfaces.
   enum class Caps : uint8_t { none, plain, mirrored } caps = Caps::none;
   uint32_t count = 0;
+  /// Of cut surfaces: so many commands behind those `count`, which draw the whole surface, draw what of it
+  /// shows them.
+  uint32_t shown = 0;
 };
 
 struct DrawList {
@@ -66,18 +71,25 @@ class DrawListBuilder {
 
   void begin(const FrameView& view);
   /// ranges: for each chunk where it lies in device memory; chunks that are not loaded are left out.
-  void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, DrawList& list);
+  /// bodies: found among the items; all of their chunks are loaded.
+  void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, const CutBodies& bodies,
+              DrawList& list);
 
  private:
   static void add_command(const ChunkRange& range, const DrawGroup& group, uint32_t first_triangle,
                           uint32_t end, DrawList& list);
-  static void add_solid(const ChunkRange& range, bool mirrored, uint32_t first_triangle, uint32_t end,
-                        DrawList& list);
+  void add_surfaces(const ChunkRange& range, const DrawItem& item, DrawList& list);
+  void add_caps(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, const CutBody& body,
+                std::span<const CutRun> runs, uint32_t first, uint32_t last, DrawList& list);
+  DrawRecord record(uint32_t transform, uint32_t lattice, const DrawList& list);
 
   const Skeleton& skeleton_;
   LatticePlacer placer_;
   std::optional<FrameView> view_;
   std::optional<BoxProjector> projector_;
+  std::vector<std::pair<uint32_t, uint32_t>>
+      capped_items_;  ///< item, index of the body that it shows a part of
+  std::vector<DrawCommand> shown_;
 };
 
 }  // namespace triptych

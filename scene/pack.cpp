@@ -3,6 +3,7 @@
 #include "base/bytes.hpp"
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
+#include "scene/closed_surfaces.hpp"
 #include "scene/expand.hpp"
 #include "scene/pack_objects.hpp"
 #include "scene/pack_skeleton.hpp"
@@ -51,13 +52,27 @@ void Pack::read() {
     fail(name_ + ": section GEOM",
          "its checksum does not match the skeleton's chunks: they come from different packs, build it again");
   }
-  if (!seen_from_outside_) return;
-  const std::string seen_place = name_ + ": section SEEN";
-  check_version(*seen_from_outside_, seen_from_outside_version, seen_place);
-  skeleton_.seen_from_outside = decode_seen_from_outside(read_section(*seen_from_outside_, seen_place),
-                                                         skeleton_.chunks.size(), seen_place);
-  const std::array hashes = {content_hash_, seen_from_outside_->checksum};
-  content_hash_ = hash_values(std::span<const uint64_t>(hashes), format_version_);
+  read_drawn_sections();
+}
+
+/// What else decides about what is drawn.
+void Pack::read_drawn_sections() {
+  const auto read = [&](const std::optional<PackSection>& section, const char* name, uint32_t version,
+                        const auto& decode) {
+    if (!section) return;
+    const std::string place = name_ + ": section " + name;
+    check_version(*section, version, place);
+    decode(read_section(*section, place), place);
+    const std::array hashes = {content_hash_, section->checksum};
+    content_hash_ = hash_values(std::span<const uint64_t>(hashes), format_version_);
+  };
+  read(seen_from_outside_, "SEEN", seen_from_outside_version, [&](const auto& bytes, const auto& place) {
+    skeleton_.seen_from_outside = decode_seen_from_outside(bytes, skeleton_.chunks.size(), place);
+  });
+  read(closed_surfaces_, "BODY", closed_surfaces_version, [&](const auto& bytes, const auto& place) {
+    skeleton_.closed = decode_closed_surfaces(bytes, skeleton_.chunks, place);
+    skeleton_.closed.find_reach(skeleton_);
+  });
 }
 
 std::vector<PackSection> Pack::read_table() {
@@ -97,6 +112,7 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
     take_once(objects_type, section, objects_);
     take_once(options_type, section, options_);
     take_once(seen_from_outside_type, section, seen_from_outside_);
+    take_once(closed_surfaces_type, section, closed_surfaces_);
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));

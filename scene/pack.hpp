@@ -50,6 +50,7 @@ class Pack {
   void read();
   std::vector<PackSection> read_table();
   Sections find_sections(std::span<const PackSection> table);
+  void read_drawn_sections();
   static void check_version(const PackSection& section, uint32_t known, const std::string& place);
   std::vector<std::byte> read_section(const PackSection& section, const std::string& place) const;
   std::vector<std::byte> read_bytes(uint64_t offset, uint64_t count, const std::string& place) const;
@@ -59,7 +60,7 @@ class Pack {
   uint32_t format_version_ = 0;
   uint64_t size_ = 0, geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
-  std::optional<PackSection> objects_, options_, seen_from_outside_;
+  std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_;
 };
 
 }  // namespace triptych

@@ -35,6 +35,9 @@ inline constexpr uint32_t options_version = 1;
 /// Only in packs with chunks that are made to be seen from outside.
 inline constexpr std::array<char, 4> seen_from_outside_type = {'S', 'E', 'E', 'N'};
 inline constexpr uint32_t seen_from_outside_version = 1;
+/// Only in packs with closed surfaces.
+inline constexpr std::array<char, 4> closed_surfaces_type = {'B', 'O', 'D', 'Y'};
+inline constexpr uint32_t closed_surfaces_version = 1;
 
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;

@@ -3,6 +3,7 @@
 
 #include "scene/affine.hpp"
 #include "scene/box.hpp"
+#include "scene/closed_surfaces.hpp"
 #include "scene/import_report.hpp"
 #include "scene/lattice.hpp"
 
@@ -93,6 +94,7 @@ struct Skeleton {
   /// For each chunk whether it is made to be seen from outside (scene/seen_from_outside.hpp); empty if none
   /// is.
   std::vector<bool> seen_from_outside;
+  ClosedSurfaces closed;  ///< what has cut surfaces
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
   ImportReport import;

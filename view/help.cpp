@@ -1,5 +1,6 @@
 #include "view/help.hpp"
 
+#include <algorithm>
 #include <fmt/core.h>
 
 namespace triptych {
@@ -52,10 +53,32 @@ std::string viewer_help() {
   return text;
 }
 
-std::vector<Words> help_words() {
-  std::vector<Words> words;
-  for (const Row& row : rows) words.push_back({line_of(row)});
-  return words;
+std::vector<std::vector<Words>> help_pages(size_t columns, size_t lines) {
+  std::vector<Words> wide, narrow;
+  size_t widest = 0;
+  for (const Row& row : rows) {
+    wide.push_back({line_of(row)});
+    widest = std::max(widest, wide.back().text.size());
+  }
+  if (widest <= columns && wide.size() <= lines) return {wide};
+  const auto add = [&](const char* keys, const char* does) {
+    if (*does) narrow.push_back({fmt::format("{:<25} {}", keys, does)});
+  };
+  for (const Row& row : rows) add(row.keys, row.does);
+  for (const Row& row : rows) add(row.more_keys, row.more);
+  const size_t on_a_page = std::max<size_t>(lines, 4) - 1,
+               count = (narrow.size() + on_a_page - 1) / on_a_page;
+  std::vector<std::vector<Words>> pages;
+  for (size_t first = 0; first < narrow.size(); first += on_a_page) {
+    const size_t end = std::min(first + on_a_page, narrow.size());
+    std::vector<Words>& page = pages.emplace_back();
+    for (size_t i = first; i < end; ++i) page.push_back(narrow[i]);
+    const size_t number = pages.size();
+    if (count > 1)
+      page.push_back(
+          {fmt::format("page {} of {}; F1: {}", number, count, number < count ? "the next" : "no help")});
+  }
+  return pages;
 }
 
 }  // namespace triptych

@@ -51,12 +51,11 @@ bool Inquiry::take(Command command) {
       measuring_.take_back();
       break;
     case Command::help:
-      helps_ = !helps_;
-      if (helps_) say(viewer_help());
+      if (++help_page_ == 1) say(viewer_help());
       break;
     case Command::escape:
-      if (helps_) {
-        helps_ = false;
+      if (help_page_ > 0) {
+        help_page_ = 0;
       } else if (search_) {
         search_.reset();
       } else if (measuring_.active()) {
@@ -134,9 +133,19 @@ std::vector<ScreenLine> Inquiry::lines(const FrameState& frame, double content_s
   }
   Overlay overlay(frame.view, content_scale);
   if (outline_) outline_->draw(overlay, frame);
-  if (helps_) {
-    overlay.page(help_words());
-    return overlay.lines();
+  if (help_page_ > 0) {
+    // Two columns in letters that can be read, or one in those that other words have.
+    const glm::dvec2 small = overlay.letters(1), usual = overlay.letters(overlay.unit());
+    auto pages =
+        help_pages(static_cast<size_t>(std::max(small.x, 0.0)), static_cast<size_t>(std::max(small.y, 0.0)));
+    if (pages.size() > 1)
+      pages = help_pages(static_cast<size_t>(std::max(usual.x, 0.0)),
+                         static_cast<size_t>(std::max(usual.y, 0.0)));
+    if (help_page_ <= pages.size()) {
+      overlay.page(pages[help_page_ - 1]);
+      return overlay.lines();
+    }
+    help_page_ = 0;
   }
   if (search_) overlay.panel(Overlay::Corner::upper_left, search_->words());
   if (!selected.empty())

@@ -50,7 +50,8 @@ class Inquiry {
   std::optional<SelectionOutline> outline_;
   std::vector<Selection> outlined_;  ///< what that is of
   CursorPlace cursor_;
-  bool changed_ = false, helps_ = false;
+  bool changed_ = false;
+  size_t help_page_ = 0;  ///< that is shown, counted from 1; 0: none
 };
 
 }  // namespace triptych

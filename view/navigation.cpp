@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -101,16 +102,19 @@ void Walker::zoom(const glm::dvec3& point, double steps) {
   half_height_ = std::clamp(half_height_ * left, reach_ * 1e-9, reach_ * 10);
 }
 
-void Walker::frame(const Box& box, double aspect) {
-  const glm::dvec3 centre = (box.lo + box.hi) * 0.5;
-  const double radius = std::max(glm::length(box.hi - box.lo) / 2, 2 * near_);
+void Walker::frame(const Box& box, double aspect, double most) {
+  const glm::dvec3 centre = (box.lo + box.hi) * 0.5, half = box.hi - centre;
+  const double radius = std::max(glm::length(half), 2 * near_);
   const double narrow = std::min(aspect, 1.0);
+  double back = 0;
   if (orthographic()) {
     half_height_ = radius / narrow;
-    eye_ = centre - (radius + reach_) * direction();  // nothing of the model is behind the eye
+    back = radius + reach_;  // nothing of the model is behind the eye
   } else {
-    eye_ = centre - radius / std::sin(std::atan(half_height_ * narrow)) * direction();
+    back = radius / std::sin(std::atan(half_height_ * narrow));
   }
+  const double outside = glm::dot(half, glm::abs(direction())) + near_;
+  eye_ = centre - (most > outside ? std::min(back, most) : back) * direction();
 }
 
 void Walker::look_at(Side side) {
@@ -118,7 +122,7 @@ void Walker::look_at(Side side) {
   pitch_ = side == Side::top ? -steepest : 0;
 }
 
-void Walker::switch_projection(const glm::dvec3& point) {
+void Walker::switch_projection(const glm::dvec3& point, bool stays) {
   const double depth = std::max(depth_of(point), 2 * near_);
   if (orthographic()) {
     const double now = half_height_ / half_height_at_1_;  // how deep a perspective picture is as large
@@ -128,7 +132,7 @@ void Walker::switch_projection(const glm::dvec3& point) {
   } else {
     half_height_at_1_ = half_height_;
     half_height_ *= depth;
-    eye_ -= reach_ * direction();  // nothing that was in the picture is behind the eye
+    if (!stays) eye_ -= reach_ * direction();  // what comes into the picture is not behind the eye
     projection_ = Projection::orthographic;
   }
 }

@@ -5,6 +5,7 @@
 #include "scene/camera.hpp"
 
 #include <glm/vec3.hpp>
+#include <limits>
 
 namespace triptych {
 
@@ -45,12 +46,17 @@ class Walker {
   /// Comes nearer to a point, by a fifth of the way a step, or goes away from it; it stays where it is on the
   /// screen. Orthographic: everything gets larger.
   void zoom(const glm::dvec3& point, double steps);
-  /// Goes back, or forward, along the line of sight until the box just fits. aspect: width over height.
-  void frame(const Box& box, double aspect);
+  /// Goes back, or forward, along the line of sight until the box just fits. aspect: width over height. most:
+  /// no further from its middle than that, if that is still outside of the box: then not all of it is in
+  /// sight.
+  void frame(const Box& box, double aspect, double most = std::numeric_limits<double>::infinity());
+  /// Turns on the spot, radians.
+  void turn(double right, double up);
   /// Turns to look at that side.
   void look_at(Side side);
   /// Between a perspective and an orthographic picture in which what is as deep as the point stays as large.
-  void switch_projection(const glm::dvec3& point);
+  /// stays: does not go back for an orthographic one, so that what is behind the eye does not come before it.
+  void switch_projection(const glm::dvec3& point, bool stays);
   /// From now on a second takes the walker as far as that times its pace: what it looks at is so far away.
   void see(double distance);
 
@@ -71,7 +77,6 @@ class Walker {
   double depth_of(const glm::dvec3& point) const;
   /// Model units a pixel at that depth.
   double units_a_pixel(double depth, int window_height) const;
-  void turn(double right, double up);
 
   glm::dvec3 eye_{0}, up_{0, 1, 0}, north_{0, 0, -1};  ///< up and north: unit, at right angles
   double heading_ = 0, pitch_ = 0;                     ///< radians; from north to the right, and upwards

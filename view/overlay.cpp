@@ -39,13 +39,32 @@ Overlay::Overlay(const View& view, double content_scale)
     : space_(view),
       picture_(view.width, view.height),
       unit_(unit_of(view.height, content_scale)),
+      width_(std::max(1, static_cast<int>(std::round(unit_ / 2)))),
       thin_(view),
       solid_(view) {}
 
+ScreenLine Overlay::moved(const ScreenLine& line, int right, int up) const {
+  const glm::vec4 shift(2.0 * right / picture_.x, 2.0 * up / picture_.y, 0, 0);
+  return {line.from + shift * line.from.w, line.to + shift * line.to.w, line.color};
+}
+
 void Overlay::rim(const ScreenLine& line) {
-  for (const auto& [right, up] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-    const glm::vec4 shift(2.0 * right / picture_.x, 2.0 * up / picture_.y, 0, 0);
-    rims_.push_back({line.from + shift * line.from.w, line.to + shift * line.to.w, dark});
+  const int before = -(width_ / 2) - 1, behind = width_ - width_ / 2;
+  for (const auto& [right, up] : {std::pair(behind, 0), {before, 0}, {0, behind}, {0, before}}) {
+    rims_.push_back(moved(line, right, up));
+    rims_.back().color = dark;
+  }
+}
+
+/// Of lines that are nearly upright beside each other, of others above each other.
+void Overlay::add_wide(std::span<const ScreenLine> lines, std::vector<ScreenLine>& all) const {
+  for (const ScreenLine& line : lines) {
+    const bool before_eye = line.from.w > 0 && line.to.w > 0;
+    const glm::dvec2 way =
+        before_eye ? picture_ * glm::dvec2(line.to / line.to.w - line.from / line.from.w) : glm::dvec2(0);
+    const bool upright = std::abs(way.y) > std::abs(way.x);
+    for (int i = -(width_ / 2); i < width_ - width_ / 2; ++i)
+      all.push_back(moved(line, upright ? i : 0, upright ? 0 : i));
   }
 }
 
@@ -124,6 +143,11 @@ void Overlay::label(const glm::dvec3& at, std::vector<Words> words) {
 void Overlay::panel(Corner corner, const std::vector<Words>& words) {
   std::vector<Words> shown = words;
   const double edge = std::round(2 * unit_);
+  double taken = edge;
+  for (const ScreenBox& panel : panels_) taken += panel.hi.y - panel.lo.y + edge;
+  const double lines = std::floor(((picture_.y - taken - edge) / unit_ - 2 * margin + 2) / line_pitch);
+  if (lines < 1) return;
+  if (static_cast<double>(shown.size()) > lines) shown.resize(static_cast<size_t>(lines));
   for (Words& line : shown) line.text = fitted(line.text, (picture_.x - 2 * edge) / unit_ - 2 * margin);
   const glm::dvec2 size = size_of(shown, unit_);
   const double top = corner == Corner::upper_left ? edge : picture_.y - edge - size.y;
@@ -132,10 +156,16 @@ void Overlay::panel(Corner corner, const std::vector<Words>& words) {
   write(box, shown, unit_, panel_lines_);
 }
 
-void Overlay::page(const std::vector<Words>& words) {
+glm::dvec2 Overlay::letters(double unit) const {
+  const glm::dvec2 room = picture_ / unit - 2 * margin;
+  return glm::floor(glm::dvec2(room.x / font_advance, (room.y + 2) / line_pitch));
+}
+
+void Overlay::page(std::vector<Words> words) {
   const glm::dvec2 room = picture_ / size_of(words, 1);
   const double fits = std::floor(4 * std::min({unit_, room.x, room.y})) / 4;
-  const double unit = std::max(fits, 0.75);
+  const double unit = std::max(fits, 1.0);
+  for (Words& line : words) line.text = fitted(line.text, picture_.x / unit - 2 * margin);
   const ScreenBox box{glm::dvec2(0), size_of(words, unit)};
   panels_.push_back(box);
   write(box, words, unit, panel_lines_);
@@ -183,16 +213,17 @@ std::vector<ScreenBox> Overlay::label_places() const {
 }
 
 std::vector<ScreenLine> Overlay::lines() const {
-  std::vector<ScreenLine> all(thin_.lines().begin(), thin_.lines().end());
+  std::vector<ScreenLine> all;
+  add_wide(thin_.lines(), all);
   all.insert(all.end(), rims_.begin(), rims_.end());
-  all.insert(all.end(), solid_.lines().begin(), solid_.lines().end());
-  all.insert(all.end(), strokes_.begin(), strokes_.end());
+  add_wide(solid_.lines(), all);
+  add_wide(strokes_, all);
   const std::vector<ScreenBox> places = label_places();
   for (size_t i = 0; i < labels_.size(); ++i) {
     const glm::dvec2 nearest = glm::clamp(labels_[i].anchor, places[i].lo, places[i].hi);
     const glm::dvec2 way = nearest - labels_[i].anchor;
     if (std::max(std::abs(way.x), std::abs(way.y)) > 2 * label_gap * unit_)
-      all.push_back(flat_line(labels_[i].anchor, nearest, labels_[i].words.front().color));
+      add_wide(std::array{flat_line(labels_[i].anchor, nearest, labels_[i].words.front().color)}, all);
   }
   for (size_t i = 0; i < labels_.size(); ++i) write(places[i], labels_[i].words, unit_, all);
   all.insert(all.end(), panel_lines_.begin(), panel_lines_.end());

@@ -6,6 +6,7 @@
 #include "visibility/screen_lines.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,16 +43,21 @@ class Overlay {
   void label(const glm::dvec3& at, std::vector<Words> words);
 
   /// Lines of words in a corner of the picture: those that are there keep clear of the labels. What is longer
-  /// than the picture is wide ends with "...".
+  /// than the picture is wide ends with "...", and lines for which other panels leave no room are left out.
   enum class Corner { upper_left, lower_left };
   void panel(Corner corner, const std::vector<Words>& words);
-  /// One in the upper left, in letters that are small enough for the whole of it.
-  void page(const std::vector<Words>& words);
+  /// One in the upper left, in letters that are small enough for the whole of it, but not too small to be
+  /// read.
+  void page(std::vector<Words> words);
+  /// How many letters fit beside each other, and above each other, in a page of that unit.
+  glm::dvec2 letters(double unit) const;
 
   /// In the order in which they are to be drawn.
   std::vector<ScreenLine> lines() const;
   /// Of marks and letters: pixels for a unit of stroke_font.hpp.
   double unit() const { return unit_; }
+  /// Of lines: pixels, 1 in a window 1,080 pixels high.
+  int line_width() const { return width_; }
   /// Where labels would stand, in the order in which they were given; for tests.
   std::vector<ScreenBox> label_places() const;
 
@@ -66,6 +72,9 @@ class Overlay {
   void stroke(const glm::dvec2& from, const glm::dvec2& to, const glm::vec4& color);
   void mark(const glm::dvec3& at, std::span<const glm::dvec2> corners, const glm::vec4& color);
   void rim(const ScreenLine& line);
+  /// By so many pixels.
+  ScreenLine moved(const ScreenLine& line, int right, int up) const;
+  void add_wide(std::span<const ScreenLine> lines, std::vector<ScreenLine>& all) const;
   /// Labels do not stand there.
   void keep_clear(const glm::dvec2& pixel);
   /// How large words are, with the ground around them, pixels.
@@ -76,6 +85,7 @@ class Overlay {
   PictureSpace space_;
   glm::dvec2 picture_;
   double unit_;
+  int width_;
   ScreenLines thin_, solid_;
   std::vector<ScreenLine> rims_, strokes_, panel_lines_;
   std::vector<Label> labels_;

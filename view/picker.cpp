@@ -31,17 +31,33 @@ glm::dvec3 Picker::place_at(const View& view, double x, double y, double depth) 
 
 std::optional<Picked> Picker::at(const FrameState& frame, std::span<const DrawableId> shown, double x,
                                  double y) {
+  const EyeRay eye = eye_ray(frame.view, x, y);
+  const ShownNodes nodes(pack_.skeleton(), shown);
+  return nearest(kept_part(eye.from, eye.way, eye.near, SectionSides(frame.section)), frame,
+                 [&](SceneNodeId node) { return nodes.of(node); });
+}
+
+std::optional<Picked> Picker::along(const FrameState& frame, const glm::dvec3& from, const glm::dvec3& way,
+                                    double least) {
+  const std::vector<SceneNode>& nodes = pack_.skeleton().scene_nodes;
+  return nearest(kept_part(from, way, least, SectionSides(frame.section)), frame, [&](SceneNodeId node) {
+    return nodes[node].child_count > 0 ? no_id : nodes[node].first_drawable;
+  });
+}
+
+template <typename DrawableOf>
+std::optional<Picked> Picker::nearest(PlacedRay ray, const FrameState& frame, const DrawableOf& drawable_of) {
   const Skeleton& skeleton = pack_.skeleton();
   const HiddenObjects* const hidden = frame.hiding.objects.get();
-  const EyeRay eye = eye_ray(frame.view, x, y);
-  PlacedRay ray = kept_part(eye.from, eye.way, eye.near, SectionSides(frame.section));
   const RaySpan span(ray.from, ray.way, ray.least, ray.most);
-  const ShownNodes nodes(skeleton, shown);
   std::optional<Picked> found;
   using Entry = std::pair<double, SceneNodeId>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;  // the nearest box first
   const auto add = [&](SceneNodeId node) {
-    const double entry = span.entry(skeleton.lattice().box(skeleton.scene_nodes[node].box));
+    // A cut surface may be before the box of the back behind it, or before that of what is cut away.
+    const LatticeBox& own = skeleton.scene_nodes[node].box;
+    const LatticeBox& box = ray.entered ? skeleton.closed.reach(node, skeleton.scene_nodes[node]) : own;
+    const double entry = span.entry(skeleton.lattice().box(box));
     if (entry <= ray.most && std::isfinite(entry)) open.emplace(entry, node);
   };
   if (!skeleton.scene_nodes.empty()) add(0);
@@ -49,7 +65,7 @@ std::optional<Picked> Picker::at(const FrameState& frame, std::span<const Drawab
     const SceneNodeId at = open.top().second;
     open.pop();
     const SceneNode& node = skeleton.scene_nodes[at];
-    const DrawableId drawable = nodes.of(at);
+    const DrawableId drawable = drawable_of(at);
     if (drawable == no_id) {
       for (uint32_t i = 0; i < node.child_count; ++i) add(node.first_child + i);
       continue;

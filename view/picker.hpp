@@ -36,11 +36,19 @@ class Picker {
   /// away is not met; where a section shows a cut surface, the place is there, and the triangle the back
   /// behind it. Nullopt where there is background. Error for a damaged chunk.
   std::optional<Picked> at(const FrameState& frame, std::span<const DrawableId> shown, double x, double y);
+  /// The nearest triangle at full detail of all that is not hidden or cut away, from + t · way with t >=
+  /// least.
+  std::optional<Picked> along(const FrameState& frame, const glm::dvec3& from, const glm::dvec3& way,
+                              double least);
   /// What is so deep at a place of the window, model space.
   static glm::dvec3 place_at(const View& view, double x, double y, double depth);
   ChunkShelf& chunks() { return chunks_; }
 
  private:
+  /// drawable_of(scene node): what it shows; no_id of those that are to be looked into.
+  template <typename DrawableOf>
+  std::optional<Picked> nearest(PlacedRay ray, const FrameState& frame, const DrawableOf& drawable_of);
+
   const Pack& pack_;
   ChunkShelf chunks_;
 };

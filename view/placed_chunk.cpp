@@ -4,6 +4,7 @@
 #include "scene/ray.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -50,44 +51,95 @@ std::shared_ptr<const Chunk> ChunkShelf::get(uint32_t number) {
   return chunks_.emplace(number, std::move(read)).first->second;
 }
 
+namespace {
+
+/// A ray on the lattice of a chunk, where lengths along it are the same.
+struct LatticeRay {
+  glm::dvec3 from, way;
+};
+
+/// What a ray passes from where it comes in, of a closed surface: backs less fronts, and the nearest back.
+struct Passed {
+  int winding = 0;
+  double along = infinite;
+  uint32_t chunk = no_id, triangle = 0;
+};
+
+std::array<glm::dvec3, 3> corners_of(const Chunk& chunk, uint32_t triangle) {
+  const auto corner = [&](size_t k) {
+    return glm::dvec3(chunk.vertices[chunk.indices[size_t{3} * triangle + k]].point);
+  };
+  return {corner(0), corner(1), corner(2)};
+}
+
+void pass(const LatticeRay& ray, double least, const ClosedRun& run, const Chunk& chunk, Passed& passed) {
+  for (uint32_t i = run.first_triangle; i < run.first_triangle + run.triangle_count; ++i) {
+    const auto [a, b, c] = corners_of(chunk, i);
+    const auto hit = meet_triangle(ray.from, ray.way, a, b, c);
+    if (!hit || hit->along < least) continue;
+    const bool is_back = glm::dot(glm::cross(b - a, c - a), ray.way) > 0;
+    passed.winding += is_back ? 1 : -1;
+    if (!is_back || hit->along >= passed.along) continue;
+    passed.along = hit->along;
+    passed.chunk = run.chunk;
+    passed.triangle = i;
+  }
+}
+
+/// The cut surface that the chunk shows: the back behind it is the chunk's.
+std::optional<ChunkHit> meet_cap(const PlacedRay& ray, const LatticeRay& on_lattice, const Skeleton& skeleton,
+                                 const Placement& placement, ChunkShelf& chunks) {
+  if (!ray.entered || !(ray.enters < ray.most)) return std::nullopt;
+  const ClosedSurfaces& closed = skeleton.closed;
+  const auto cap_of = [&](std::span<const ClosedRun> runs) -> std::optional<ChunkHit> {
+    Passed passed;
+    for (const ClosedRun& run : runs) {
+      const LatticeBox& box = skeleton.chunks[run.chunk].box;
+      const RaySpan span(on_lattice.from, on_lattice.way, ray.least, infinite);
+      if (!span.meets({glm::dvec3(box.lo), glm::dvec3(box.hi)})) continue;
+      pass(on_lattice, ray.least, run, *chunks.get(run.chunk), passed);
+    }
+    if (passed.winding <= 0 || passed.chunk != placement.chunk) return std::nullopt;
+    return ChunkHit{ray.enters, passed.triangle, -ray.entered->normal};
+  };
+  const ClosedRun alone{placement.chunk, 0, closed.in_chunk(placement.chunk), 0};
+  if (const auto hit = cap_of({&alone, 1})) return hit;
+  for (const uint32_t run : closed.runs_in(placement.chunk)) {
+    const DividedBody& body = closed.bodies[closed.runs[run].body];
+    if (const auto hit = cap_of(std::span(closed.runs).subspan(body.first_run, body.run_count))) return hit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, const Placement& placement,
                              ChunkShelf& chunks) {
   const Affine& transform = skeleton.transforms[placement.transform];
   const ChunkInfo& info = skeleton.chunks[placement.chunk];
   const Lattice& lattice = skeleton.lattices[info.lattice];
-  const RaySpan span(ray.from, ray.way, ray.least, ray.most);
-  if (!span.meets(placed_box(transform, lattice.box(info.box)))) return std::nullopt;
+  const Box placed = placed_box(transform, lattice.box(info.box));
+  // The back behind a cut surface may be cut away.
+  if (!RaySpan(ray.from, ray.way, ray.least, ray.entered ? infinite : ray.most).meets(placed))
+    return std::nullopt;
   const glm::dmat3 linear(transform);
   if (glm::determinant(linear) == 0) return std::nullopt;  // it is flat, and has no area to be seen
-  // On the chunk's own lattice, where lengths along the ray are the same.
   const glm::dmat3 inverse = glm::inverse(linear);
-  const glm::dvec3 from = (inverse * (ray.from - transform[3]) - lattice.origin) / lattice.step;
-  const glm::dvec3 way = inverse * ray.way / lattice.step;
+  const LatticeRay on_lattice{(inverse * (ray.from - transform[3]) - lattice.origin) / lattice.step,
+                              inverse * ray.way / lattice.step};
+  if (const auto cap = meet_cap(ray, on_lattice, skeleton, placement, chunks)) return cap;
+  if (!RaySpan(ray.from, ray.way, ray.least, ray.most).meets(placed)) return std::nullopt;
   const std::shared_ptr<const Chunk> chunk = chunks.get(placement.chunk);
-  const std::vector<bool> outward = ray.entered ? chunk->outward() : std::vector<bool>();
   std::optional<ChunkHit> found;
   double nearest = ray.most;
-  // Backs less fronts of what is solid, from where the ray comes in; and the nearest of the backs.
-  int winding = 0;
-  std::pair<double, uint32_t> back{infinite, 0};
   for (uint32_t i = 0; i < chunk->triangle_count(); ++i) {
-    const auto corner = [&](size_t k) {
-      return glm::dvec3(chunk->vertices[chunk->indices[3 * i + k]].point);
-    };
-    const auto hit = meet_triangle(from, way, corner(0), corner(1), corner(2));
-    if (!hit || hit->along < ray.least) continue;
-    if (ray.entered && outward[i]) {
-      const bool is_back = glm::dot(glm::cross(corner(1) - corner(0), corner(2) - corner(0)), way) > 0;
-      winding += is_back ? 1 : -1;
-      if (is_back) back = std::min(back, {hit->along, i});
-    }
-    if (hit->along >= nearest) continue;
+    const auto [a, b, c] = corners_of(*chunk, i);
+    const auto hit = meet_triangle(on_lattice.from, on_lattice.way, a, b, c);
+    if (!hit || hit->along < ray.least || hit->along >= nearest) continue;
     nearest = hit->along;
-    const glm::dvec3 across =
-        glm::normalize(glm::cross(linear * (corner(1) - corner(0)), linear * (corner(2) - corner(0))));
+    const glm::dvec3 across = glm::normalize(glm::cross(linear * (b - a), linear * (c - a)));
     found = ChunkHit{nearest, i, glm::dot(across, ray.way) > 0 ? -across : across};
   }
-  if (winding > 0 && ray.enters < ray.most) return ChunkHit{ray.enters, back.second, -ray.entered->normal};
   return found;
 }
 

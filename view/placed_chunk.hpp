@@ -45,9 +45,10 @@ struct ChunkHit {
   glm::dvec3 normal{0};  ///< of the surface there, against the ray; length 1
 };
 
-/// The nearest triangle of a placement that the ray meets. Where a section opens what is solid (its outward
-/// triangles), the ray meets the cut surface at its beginning, and the triangle is the back behind it. Reads
-/// the chunk where the ray meets its box.
+/// The nearest triangle of a placement that the ray meets. Where a section opens what is solid (a closed
+/// surface, Skeleton::closed, whichever chunks it was divided among), the ray meets the cut surface at its
+/// beginning, and the triangle is the back behind it: of the placement of that one's chunk. Reads chunks
+/// where the ray meets their boxes.
 std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, const Placement& placement,
                              ChunkShelf& chunks);
 

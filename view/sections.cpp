@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace triptych {
 
@@ -12,7 +13,7 @@ namespace {
 
 /// Normals that are this near to an axis are meant to be along it: the cosine of five degrees.
 constexpr double along_axis_cosine = 0.9962;
-constexpr double step_share = 1.0 / 50, least_step = 1.0 / 5000, box_margin = 0.01;
+constexpr double step_share = 1.0 / 50, least_step = 1.0 / 5000, box_margin = 0.01, box_rounding = 1e-6;
 const std::string place = "section";
 
 glm::dvec3 straightened(const glm::dvec3& normal) {
@@ -77,7 +78,14 @@ void Sections::begin_at(const Section& section) {
 void Sections::toggle_box(const Scene& scene) {
   const glm::dvec3 more((scene.box.hi - scene.box.lo) * box_margin + least_step * size_);
   const Box around{scene.box.lo - more, scene.box.hi + more};
-  if (section_.box() && (!scene.is_selected || section_.box() == around)) {
+  // Files of viewpoints round what they keep.
+  const double rounding = box_rounding * size_;
+  const auto alike = [&](const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::dvec3(rounding)));
+  };
+  const bool same =
+      section_.box() && alike(section_.box()->lo, around.lo) && alike(section_.box()->hi, around.hi);
+  if (section_.box() && (!scene.is_selected || same)) {
     section_.remove_box();
   } else {
     section_.set_box(around, place);

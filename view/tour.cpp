@@ -4,8 +4,10 @@
 #include "scene/finest_boxes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 namespace triptych {
@@ -80,12 +82,75 @@ Box Tour::subject() const {
   return shown.empty() ? model_box(skeleton) : shown;
 }
 
+bool Tour::is_inside() const {
+  const glm::dvec3& eye = walker_.eye();
+  return model_box(pack_.skeleton()).contains({eye, eye});
+}
+
+double Tour::clear_distance(const Box& box, const glm::dvec3& sight) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const glm::dvec3 centre = center(box), half = box.hi - centre, back = -sight;
+  const glm::dvec3 aside = glm::cross(sight, walker_.up());
+  const glm::dvec3 right = glm::length(aside) > 1e-3 ? glm::normalize(aside) : glm::cross(sight, {1, 0, 0});
+  const glm::dvec3 up = glm::cross(right, sight);
+  constexpr double share = 0.4;  // of the way from the middle to the rim
+  std::array<double, 5> clear{};
+  constexpr glm::dvec2 places[] = {
+      {0, 0}, {-share, -share}, {share, -share}, {-share, share}, {share, share}};
+  for (size_t i = 0; i < clear.size(); ++i) {
+    const glm::dvec3 from = centre + places[i].x * glm::dot(half, glm::abs(right)) * right +
+                            places[i].y * glm::dot(half, glm::abs(up)) * up;
+    // What touches it, as the floor that it stands on, is passed.
+    double leaves = infinite;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (back[axis] == 0) continue;
+      leaves = std::min(leaves, ((back[axis] > 0 ? box.hi : box.lo)[axis] - from[axis]) / back[axis]);
+    }
+    const auto hit =
+        picker_.along(*frame_, from, back, leaves * (1 + 1e-6) + pack_.skeleton().lattice().step);
+    clear[i] = hit ? glm::dot(hit->point - centre, back) : infinite;
+  }
+  std::ranges::sort(clear);
+  return clear[clear.size() / 2];
+}
+
+void Tour::fit(double aspect, bool turns) {
+  const Box box = subject();
+  const Walker from_here = walker_;
+  walker_.frame(box, aspect);
+  if (selected_.box().empty() || !frame_) return;
+  constexpr double degree = std::numbers::pi / 180, before_walls = 0.95;
+  constexpr int headings[] = {0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150, 180};
+  double best_share = 0;
+  std::optional<Walker> best;
+  for (const int down : {0, 30, 60}) {
+    for (const int heading : headings) {
+      Walker there = from_here;
+      there.turn(heading * degree, -down * degree);
+      there.frame(box, aspect);
+      const double clear = clear_distance(box, there.direction());
+      const double share = clear / glm::distance(there.eye(), center(box));
+      if (share > best_share) {
+        best_share = share;
+        there.frame(box, aspect, before_walls * clear);
+        best = there;
+      }
+      // An orthographic picture begins where the eye is, so that walls behind that hide nothing.
+      if (share >= 1 || !turns || there.orthographic()) {
+        if (best) walker_ = *best;
+        return;
+      }
+    }
+  }
+  if (best) walker_ = *best;
+}
+
 bool Tour::take(Command command, int width, int height) {
   const Walker was = walker_;
   const double aspect = static_cast<double>(width) / height;
   const auto look_at = [&](Side side) {
     walker_.look_at(side);
-    walker_.frame(subject(), aspect);
+    fit(aspect, false);
   };
   switch (command) {
     case Command::home:
@@ -97,7 +162,7 @@ bool Tour::take(Command command, int width, int height) {
       before_.pop_back();
       return true;
     case Command::fit:
-      walker_.frame(subject(), aspect);
+      fit(aspect, true);
       break;
     case Command::look_at_front:
       look_at(Side::front);
@@ -109,7 +174,7 @@ bool Tour::take(Command command, int width, int height) {
       look_at(Side::top);
       break;
     case Command::switch_projection:
-      walker_.switch_projection(point_under({width / 2.0, height / 2.0}));
+      walker_.switch_projection(point_under({width / 2.0, height / 2.0}), is_inside());
       break;
     case Command::slower:
     case Command::faster:

@@ -44,6 +44,12 @@ class Tour {
   std::optional<Picked> under(const CursorPlace& place);
 
  private:
+  /// Fits what is selected, or all, into the window, as near to where one looks now as something can be seen
+  /// of it; without turning where a side was asked for.
+  void fit(double aspect, bool turns);
+  /// How far from a box's middle one may stand, so that nothing else hides the most of it.
+  double clear_distance(const Box& box, const glm::dvec3& sight);
+  bool is_inside() const;
   /// Where there is only background a place as far away as what was seen last.
   glm::dvec3 point_under(const CursorPlace& place);
   /// Adds what is there to the selection, or takes it away; or selects that alone.

@@ -5,6 +5,7 @@
 #include "base/file.hpp"
 #include "base/notice.hpp"
 #include "base/signals.hpp"
+#include "lod/sectioned.hpp"
 #include "render/png_file.hpp"
 #include "scene/finest_boxes.hpp"
 #include "view/keepsakes.hpp"
@@ -34,6 +35,7 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
       tour_(pack, start(pack, options_, near_)),
       inquiry_(pack, tour_),
       edits_(pack.skeleton(), options_.hiding, options_.section),
+      hierarchy_(pack.skeleton()),
       place_(options_.place) {
   if (options_.path) exact_ = options_.path->frames.front();
   select_first(options_.selected);
@@ -276,6 +278,7 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
     });
   }
   if (std::exchange(viewpoint_wanted_, false)) save_viewpoint(colors, frame.state);
+  open_ = open_words(frame.state, record.visible);
   tour_.saw(frame.state, record.visible);
   inquiry_.saw();
   // What was asked for may have been raised, to keep a target of time.
@@ -299,11 +302,17 @@ void Viewer::show_again() {
   set_title();
 }
 
+std::string Viewer::open_words(const FrameState& frame, const VisibleSet& visible) const {
+  if (frame.section.keeps_all()) return {};
+  const uint64_t open = count_sectioned(hierarchy_, FrameView(pack_.skeleton(), frame), visible).open;
+  return open == 0 ? "" : fmt::format(" ({} cut {} open)", open, open == 1 ? "part is" : "parts are");
+}
+
 void Viewer::set_title() {
   std::string title = figures_;
   title +=
       fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
-  if (const std::string cut = edits_.words(); !cut.empty()) title += ", " + cut;
+  if (const std::string cut = edits_.words(); !cut.empty()) title += ", " + cut + open_;
   if (const std::string selected = tour_.selected().name(); !selected.empty()) title += ", " + selected;
   if (const uint32_t hidden = hiding().name.count; hidden > 0)
     title += fmt::format(", {} object{} hidden", hidden, hidden == 1 ? "" : "s");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lod/frame_rules.hpp"
+#include "lod/hierarchy.hpp"
 #include "nodes/frame_record.hpp"
 #include "scene/frame_state.hpp"
 #include "scene/pack.hpp"
@@ -84,6 +85,8 @@ class Viewer {
   /// What is drawn over the picture has changed.
   void show_again();
   void set_title();
+  /// What of a frame is cut open and has no cut surface, for the title; empty where nothing is.
+  std::string open_words(const FrameState& frame, const VisibleSet& visible) const;
 
   const Pack& pack_;
   const double near_;  ///< the near plane where the path names none
@@ -102,7 +105,9 @@ class Viewer {
   Edits edits_;
   const FrameTarget* shown_ = nullptr;  ///< what is in the window; null before the first picture
   std::string figures_;                 ///< of the last frame, for the title
-  std::string alone_;                   ///< why, for the title
+  std::string open_;                    ///< open_words() of it
+  Hierarchy hierarchy_;
+  std::string alone_;  ///< why, for the title
   PlaceKeeper place_;
   Stopwatch since_path_frame_;
 };

@@ -5,6 +5,7 @@
 #include "base/rounding.hpp"
 #include "base/threads.hpp"
 #include "preprocess/check/check_distances.hpp"
+#include "preprocess/check/said_closed.hpp"
 #include "preprocess/outward.hpp"
 #include "scene/pack_objects.hpp"
 
@@ -92,11 +93,13 @@ class Checking {
     std::vector<std::string> damage(users.size());
     std::vector<std::vector<DrawableId>> outside(users.size());
     std::vector<uint8_t> turned(users.size());
+    SaidClosed said(skeleton_);
     Progress progress("check: chunks", users.size());
     parallel_for(users.size(), [&](size_t i) {
       try {
         const Chunk chunk = pack_.read_chunk(static_cast<uint32_t>(i));
         turned[i] = !is_outward_as_said(chunk);
+        said.add(static_cast<uint32_t>(i), chunk);
         for (const auto& [id, transform] : users[i]) {
           if (leaves_box(chunk, skeleton_.lattices[skeleton_.chunks[i].lattice], id, transform))
             outside[i].push_back(id);
@@ -107,6 +110,7 @@ class Checking {
       }
       progress.advance();
     });
+    if (std::ranges::all_of(damage, &std::string::empty)) check_closed(said);
     for (size_t i = 0; i < users.size(); ++i) {
       if (!damage[i].empty()) {
         ++report_.checksum_errors;
@@ -121,6 +125,16 @@ class Checking {
                   skeleton_.drawables[id].scene_node);
       }
     }
+  }
+
+  void check_closed(const SaidClosed& said) {
+    for (const uint32_t chunk : said.open_chunks()) {
+      violation(report_.outward_violations,
+                "chunk {}: its first {} triangles are not closed, and are said to be", chunk,
+                skeleton_.closed.in_chunk(chunk));
+    }
+    for (const uint32_t body : said.open_bodies())
+      violation(report_.outward_violations, "body {} is not closed within its box, and is said to be", body);
   }
 
   /// Those that opening the pack did not read.

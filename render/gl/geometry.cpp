@@ -143,12 +143,14 @@ void Geometry::load(uint32_t chunk) {
 }
 
 void Geometry::require(std::span<const DrawItem> items) {
-  for (const DrawItem& item : items) {
-    if (ranges_[item.chunk].loaded()) {
-      cache_.touch(item.chunk);
-    } else {
-      load(item.chunk);
-    }
+  for (const DrawItem& item : items) require(item.chunk);
+}
+
+void Geometry::require(uint32_t chunk) {
+  if (ranges_[chunk].loaded()) {
+    cache_.touch(chunk);
+  } else {
+    load(chunk);
   }
 }
 

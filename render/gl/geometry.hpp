@@ -24,6 +24,7 @@ class Geometry {
   /// them. Error for a damaged chunk, or where OpenGL has no memory left; NoRoom where the view needs more
   /// than the cap.
   void require(std::span<const DrawItem> items);
+  void require(uint32_t chunk);
   std::span<const ChunkRange> ranges() const { return ranges_; }
 
   /// From the next view on.

@@ -31,13 +31,20 @@ void show_sides(int32_t front) {
   glCullFace(front > 0 ? GL_BACK : GL_FRONT);
 }
 
+/// So many, from that byte of the buffer on.
+void draw_commands(uintptr_t offset, uint32_t count) {
+  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
+                              static_cast<GLsizei>(count), 0);
+}
+
 }  // namespace
 
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
     : layers_(has_layers(skeleton.effects)),
       geometry_(skeleton, residency),
       representation_(representation),
-      builder_(skeleton) {}
+      builder_(skeleton),
+      cut_bodies_(skeleton) {}
 
 Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
   const Projection projection = view_->view().camera.projection;
@@ -74,7 +81,9 @@ uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer
   for (const DrawableId id : drawables) representation_.append(id, items_);
   geometry_.require(items_);
   list_.clear();
-  builder_.append(geometry_.ranges(), items_, list_);
+  cut_bodies_.find(*view_, items_);
+  for (const CutRun& run : cut_bodies_.runs()) geometry_.require(run.chunk);
+  builder_.append(geometry_.ranges(), items_, cut_bodies_, list_);
   if (list_.commands.empty()) return 0;
   records_.upload(std::span<const DrawRecord>(list_.records));
   bounds_.upload(std::span<const PixelDepthBound>(list_.bounds));
@@ -120,13 +129,13 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
   for (const DrawGroup& group : list_.groups) {
     if (group.colored != colored) use(colored = group.colored);
     show_sides(group.front);
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                static_cast<GLsizei>(group.count), 0);
-    if (group.caps != DrawGroup::Caps::none) {
+    if (group.caps == DrawGroup::Caps::none) {
+      draw_commands(offset, group.count);
+    } else {
       draw_caps(group, offset, *winding, *caps);
       glUseProgram(surfaces->program);
     }
-    offset += group.count * sizeof(DrawCommand);
+    offset += (group.count + group.shown) * sizeof(DrawCommand);
   }
   show_sides(0);
 }
@@ -140,13 +149,12 @@ void Renderer::bind_nearest_backs(int width, int height) {
   glBindImageTexture(nearest_backs_image, nearest_backs_->texture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
 }
 
-/// Of the closed surfaces of one placement: counts in the stencil what rays pass beyond where they come into
+/// Of a closed surface: counts in the stencil what rays pass beyond where they come into
 /// the section, backs less fronts; draws before the nearest back where that is above 0; and forgets both.
 void Renderer::draw_caps(const DrawGroup& group, uintptr_t offset, const Pass& winding, const Pass& caps) {
   const auto draw = [&] {
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                static_cast<GLsizei>(group.count), 0);
+    draw_commands(offset, group.count);
   };
   const auto write = [](GLboolean on) {
     glColorMask(on, on, on, on);
@@ -168,7 +176,8 @@ void Renderer::draw_caps(const DrawGroup& group, uintptr_t offset, const Pass& w
   glStencilFunc(GL_LESS, winding_zero, 0xff);  // zero is less than what is there
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   show_sides(mirrored ? 1 : -1);
-  draw();
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  draw_commands(offset + group.count * sizeof(DrawCommand), group.shown);
   show_sides(0);
   glUseProgram(winding.program);
   glUniform1i(forget, 1);

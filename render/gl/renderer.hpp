@@ -55,6 +55,7 @@ class Renderer {
   std::optional<NearestBacks> nearest_backs_;
   Representation& representation_;
   DrawListBuilder builder_;
+  CutBodies cut_bodies_;
   std::vector<DrawItem> items_;
   DrawList list_;
   std::optional<FrameView> view_;

@@ -66,10 +66,10 @@ float place_fragment(float z) {
 )";
 const std::string not_layered = "float place_fragment(float z) { return z; }\n";
 
-// Fragments that a section does not keep are dropped (PixelSides). Where the back of an outward triangle is
-// left, the cut surface shows of that side at which the ray came in last.
+// Fragments that a section does not keep are dropped (PixelSides). In the name of backs of closed surfaces
+// the cut surface is drawn of that side at which the ray came in last.
 const std::string cut_away =
-    fmt::format("const uint outward = {}u, mirrored = {}u;\n", DrawRecord::outward, DrawRecord::mirrored) +
+    fmt::format("const uint closed = {}u, mirrored = {}u;\n", DrawRecord::closed, DrawRecord::mirrored) +
     R"(
 flat in uint cut;
 uniform vec4 sides[12];
@@ -83,7 +83,7 @@ void cut_fragment() {
   }
 }
 int capped_side() {
-  if ((cut & outward) == 0u || gl_FrontFacing == ((cut & mirrored) == 0u)) return -1;
+  if ((cut & closed) == 0u || gl_FrontFacing == ((cut & mirrored) == 0u)) return -1;
   int last = -1;
   float depth = 0.0;
   for (int i = 0; i < side_count; ++i) {

@@ -4,13 +4,10 @@
 #include "lod/sectioned.hpp"
 #include "preprocess/build.hpp"
 #include "scene/solid_objects.hpp"
-#include "tests/render/rig.hpp"
+#include "tests/render/random_sections.hpp"
 #include "tests/support/awkward_meshes.hpp"
-#include "tests/support/scenes.hpp"
 #include "visibility/cap_look.hpp"
-#include "visibility/shading.hpp"
 
-#include <cmath>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,50 +15,10 @@
 namespace triptych {
 namespace {
 
-Section random_section(const Box& box, scenes::Random& random) {
-  const auto inside = [&] { return box.lo + (box.hi - box.lo) * random.vector(-0.1, 1.1); };
-  Section section;
-  for (uint32_t planes = random.index(random.index(4) == 0 ? 7 : 3); planes > 0; --planes) {
-    glm::dvec3 normal = random.vector(-1, 1) + glm::dvec3(0, 0, 1e-3);
-    if (random.index(3) == 0) {
-      normal = {0, 0, 0};
-      normal[static_cast<int>(random.index(3))] = random.index(2) == 0 ? 1 : -1;
-    }
-    const glm::dvec3 at = random.index(4) == 0 ? glm::floor(inside()) : inside();
-    section.add_plane({glm::normalize(normal), glm::dot(glm::normalize(normal), at)}, "test");
-  }
-  if (section.keeps_all() || random.index(3) == 0) {
-    const glm::dvec3 a = inside(), b = inside();
-    section.set_box({glm::min(a, b), glm::max(a, b)}, "test");
-  }
-  return section;
-}
-
 class UnderRandomSections : public testing::TestWithParam<std::string> {};
 
 TEST_P(UnderRandomSections, culled_pictures_equal_the_un_culled_ones_in_every_pixel) {
-  const Pack& pack = scenes::pack(GetParam());
-  const Skeleton& skeleton = pack.skeleton();
-  const Box box = skeleton.lattice().box(skeleton.scene_nodes.front().box);
-  constexpr int width = 72, height = 56;
-  const size_t states = test::on_gl() ? 60 : 720;
-  Rig rig(pack, width, height);
-  scenes::Random random(17);
-  const std::vector<View> views = scenes::random_views(skeleton, width, height, states, 23);
-  size_t drawn = 0, cut = 0;
-  Section section;
-  for (size_t i = 0; i < states; ++i) {
-    // Some frames keep the section, or the view, of the one before.
-    if (i % 4 != 1) section = random_section(box, random);
-    FrameState state{views[i % 4 == 2 ? i - 1 : i], scenes::pixel_error(i)};
-    state.section = section;
-    if (i % 10 == 0) state.samples = 4;
-    state.edges = i % 6 == 0;
-    const Rig::Frame frame = rig.draw({static_cast<uint32_t>(i), state});
-    ASSERT_EQ(frame.differing_pixels, 0u) << "frame " << i;
-    drawn += frame.record.visible.size();
-    cut += frame.record.cut_drawables;
-  }
+  const auto [drawn, cut] = compare_under_sections(scenes::pack(GetParam()), test::on_gl() ? 60 : 720);
   RecordProperty("drawn", std::to_string(drawn));
   RecordProperty("cut", std::to_string(cut));
   EXPECT_LE(drawn, cut);
@@ -100,17 +57,6 @@ class CutSurfaces : public testing::Test {
   }
 };
 
-/// What the material of a palette's entry shows on a face with this normal (eye space).
-glm::ivec3 lit(const Pack& pack, size_t color, const glm::dvec3& normal, const FrameState& state,
-               double tone) {
-  const FrameView view(pack.skeleton(), state);
-  const double light = ambient_light +
-                       diffuse_light * std::abs(glm::dot(normal, glm::dvec3(light_direction(view)))) +
-                       head_light * std::abs(normal.z);
-  const auto& base = pack.skeleton().palette[color];
-  return glm::ivec3(glm::round(glm::dvec3(base[0], base[1], base[2]) * light * tone));
-}
-
 struct Shown {
   glm::ivec3 middle;
   VisibleSet visible;
@@ -123,11 +69,6 @@ Shown show(LocalPipeline& pipeline, const FrameState& state) {
   const std::vector<uint8_t> colors = target.read_colors();
   const size_t at = 4 * static_cast<size_t>(target.height() / 2 * target.width() + target.width() / 2);
   return {{colors[at], colors[at + 1], colors[at + 2]}, pipeline.draw({3, state}).visible};
-}
-
-bool alike(const glm::ivec3& a, const glm::ivec3& b) {
-  const glm::ivec3 apart = glm::abs(a - b);
-  return apart.x <= 1 && apart.y <= 1 && apart.z <= 1;
 }
 
 TEST_F(CutSurfaces, show_where_a_side_goes_through_something_solid) {
@@ -271,8 +212,8 @@ TEST(CutLayers, of_one_mesh_each_show_their_own_cut_surface) {
     frame.section.add_plane({{-1, 0, 0}, 0}, "test");
     const size_t color = z == -0.25 ? 1 : 0;
     EXPECT_TRUE(alike(show(pipeline, frame).middle, lit(pack, color, {0, 0, 1}, frame, cap_tone))) << z;
-    EXPECT_EQ(SectionedCounter(pack, pipeline.hierarchy())
-                  .count(FrameView(pack.skeleton(), frame), pipeline.draw({4, frame}).visible),
+    EXPECT_EQ(count_sectioned(pipeline.hierarchy(), FrameView(pack.skeleton(), frame),
+                              pipeline.draw({4, frame}).visible),
               (SectionedCounts{.placements = 1, .open = 0}));
   }
 }
@@ -291,10 +232,10 @@ TEST(CutOpen, is_counted_where_what_is_cut_is_not_solid) {
   EXPECT_EQ(count_solids(pack).placements, 2u);
   EXPECT_EQ(count_solids(pack).solid_placements, 1u);
   FrameState frame{view, 1};
-  SectionedCounter counter(pack, pipeline.hierarchy());
   const auto counted = [&] {
     pipeline.draw({0, frame});
-    return counter.count(FrameView(pack.skeleton(), frame), pipeline.draw({1, frame}).visible);
+    return count_sectioned(pipeline.hierarchy(), FrameView(pack.skeleton(), frame),
+                           pipeline.draw({1, frame}).visible);
   };
   EXPECT_EQ(counted(), SectionedCounts());
   frame.section.add_plane({{0, 0, -1}, 0}, "test");

@@ -6,6 +6,7 @@
 #include "view/bcf/xml_tree.hpp"
 #include "view/bcf/zip_file.hpp"
 #include "view/last_place.hpp"
+#include "view/sections.hpp"
 #include "view/viewpoint.hpp"
 
 #include <cmath>
@@ -246,6 +247,31 @@ TEST(Viewpoint, names_the_selection_by_its_ifc_guid) {
   EXPECT_EQ(not_saved_text(frame, source, {}), "");
   const std::vector<std::string> wanted = {"no guid", "unknown"};
   EXPECT_EQ(objects_of(source, wanted), std::vector<SourceObjectId>{1});
+}
+
+TEST(Viewpoint, has_the_box_of_what_is_selected_again_that_the_same_key_takes_away) {
+  const Sections::Scene scene{.eye = {0, 0, 9},
+                              .under_cursor = std::nullopt,
+                              .box = {{1.0 / 3, 2.0 / 7, 1}, {5, 2.1, 3.3}},
+                              .is_selected = true};
+  Sections sections(Section(), 10);
+  sections.take(Command::toggle_section_box, scene);
+  ASSERT_TRUE(sections.section().box());
+  // As a file has it: rounded, and turned to z up and back.
+  Viewpoint viewpoint;
+  viewpoint.planes = planes_of(sections.section());
+  for (SectionPlane& plane : viewpoint.planes) plane.offset += plane.offset * 1e-9;
+  const Section read = section_of(viewpoint, "test");
+  ASSERT_TRUE(read.box());
+  EXPECT_NE(read, sections.section());
+  sections.begin_at(read);
+  sections.take(Command::toggle_section_box, scene);
+  EXPECT_FALSE(sections.section().box()) << "the same again: no box";
+  sections.begin_at(read);
+  Sections::Scene other = scene;
+  other.box.hi.x += 0.01;
+  sections.take(Command::toggle_section_box, other);
+  EXPECT_TRUE(sections.section().box()) << "of something else";
 }
 
 TEST(Viewpoint, has_a_box_and_planes_again_though_bcf_has_planes_only) {

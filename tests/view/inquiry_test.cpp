@@ -8,6 +8,7 @@
 #include "view/edits.hpp"
 #include "view/stroke_font.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -256,6 +257,60 @@ TEST(StrokeFont, has_a_picture_of_its_own_for_each_letter) {
   EXPECT_EQ(text_width("ü²x"), 3 * font_advance) << "letters, not bytes";
   EXPECT_GT(strokes_of("ü").size(), strokes_of("u").size());
   EXPECT_EQ(strokes_of("\xff"), strokes_of("\xe6\xbc\xa2")) << "a box for what it has not";
+}
+
+TEST_F(NamedBoxes, are_fitted_in_where_they_can_be_seen) {
+  // The door stands between the walls: from a place beside them a wall hides it.
+  Camera beside = tour->walker().view(400, 300).camera;
+  beside.eye = {-20, 1, 1};
+  beside.target = {4, 1, 1};
+  beside.up = {0, 1, 0};
+  for (const bool orthographic : {false, true}) {
+    tour->jump_to(beside);
+    if (orthographic) tour->take(Command::switch_projection, 400, 300);
+    see();
+    tour->selected().set(tour->selector().describe(SourceObjectId{1}));
+    EXPECT_TRUE(tour->take(Command::fit, 400, 300));
+    see();
+    const auto seen = tour->under({200, 150});
+    ASSERT_TRUE(seen);
+    EXPECT_GE(seen->point.x, 3 - 1e-6) << "a wall is before it";
+    EXPECT_LE(seen->point.x, 5 + 1e-6);
+    if (orthographic) {
+      EXPECT_NEAR(tour->walker().direction().x, 1, 1e-9) << "the direction stays";
+    } else {
+      EXPECT_LT(tour->walker().direction().x, 0.9);
+    }
+    if (orthographic) tour->take(Command::switch_projection, 400, 300);
+  }
+  // From a side that was asked for one does not turn, and stands before the wall.
+  tour->jump_to(beside);
+  see();
+  tour->take(Command::look_at_right, 400, 300);
+  EXPECT_NEAR(tour->walker().direction().x, -1, 1e-9);
+  EXPECT_GT(tour->walker().eye().x, 5);
+  EXPECT_LT(tour->walker().eye().x, 6);
+  // Where nothing is in the way, it is as ever.
+  beside.eye = {4, 1, 30};
+  tour->jump_to(beside);
+  Walker plain = tour->walker();
+  see();
+  tour->take(Command::fit, 400, 300);
+  plain.frame(tour->subject(), 4.0 / 3);
+  EXPECT_NEAR(glm::distance(plain.eye(), tour->walker().eye()), 0, 1e-9);
+}
+
+TEST_F(NamedBoxes, in_an_orthographic_picture_from_inside_are_not_hidden_by_what_is_behind_the_eye) {
+  Camera inside = tour->walker().view(400, 300).camera;
+  inside.eye = {2.5, 1, 1};  // between the first wall and the door
+  inside.target = {4, 1, 1};
+  inside.up = {0, 1, 0};
+  tour->jump_to(inside);
+  see();
+  ASSERT_NEAR(tour->under({200, 150})->point.x, 3, 1e-6);
+  tour->take(Command::switch_projection, 400, 300);
+  see();
+  EXPECT_NEAR(tour->under({200, 150})->point.x, 3, 1e-6);
 }
 
 TEST(Overlay, cuts_off_what_lies_before_the_near_plane) {

@@ -130,15 +130,52 @@ TEST(Overlay, is_larger_in_larger_windows_and_where_the_display_wants_it) {
   EXPECT_GT(Overlay(view_of(800, 600), 2).unit(), Overlay(view_of(800, 600)).unit());
 }
 
-TEST(Overlay, has_all_of_the_help_in_one_picture) {
-  for (const auto& [width, height] : {std::pair(800, 600), {1920, 1080}}) {
-    Overlay overlay(view_of(width, height));
-    overlay.page(help_words());
-    for (const ScreenLine& line : overlay.lines()) {
-      for (const glm::vec4& end : {line.from, line.to})
-        EXPECT_TRUE(std::abs(end.x) <= 1.001f && std::abs(end.y) <= 1.001f);
-    }
+TEST(Overlay, has_lines_as_wide_as_the_window_is_high) {
+  for (const auto& [width, height, wanted] :
+       {std::tuple(400, 300, 1), {1920, 1080, 1}, {3840, 2160, 2}, {7680, 4320, 4}}) {
+    const View view = view_of(width, height);
+    Overlay overlay(view);
+    EXPECT_EQ(overlay.line_width(), wanted);
+    const glm::dvec3 at = view.camera.target;
+    overlay.thin_line(at - glm::dvec3(1, 0.01, 0), at + glm::dvec3(1, 0.02, 0), selection_color);
+    std::vector<Rgba> picture(static_cast<size_t>(width) * static_cast<size_t>(height));
+    draw_lines(overlay.lines(), width, height, picture);
+    int drawn = 0;
+    for (int y = 0; y < height; ++y)
+      drawn +=
+          picture[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(width / 2)][3] >
+          0;
+    EXPECT_EQ(drawn, wanted) << height;
   }
+}
+
+TEST(Overlay, has_all_of_the_help_in_one_picture_or_page_by_page) {
+  for (const auto& [width, height, several] :
+       {std::tuple(400, 300, true), {320, 240, true}, {800, 600, false}, {1920, 1080, false}}) {
+    const glm::dvec2 letters = Overlay(view_of(width, height)).letters(1);
+    const auto pages = help_pages(static_cast<size_t>(letters.x), static_cast<size_t>(letters.y));
+    EXPECT_EQ(pages.size() > 1, several) << width;
+    std::string all;
+    for (const std::vector<Words>& page : pages) {
+      Overlay overlay(view_of(width, height));
+      overlay.page(page);
+      for (const ScreenLine& line : overlay.lines()) {
+        for (const glm::vec4& end : {line.from, line.to})
+          EXPECT_TRUE(std::abs(end.x) <= 1.001f && std::abs(end.y) <= 1.001f) << width;
+      }
+      for (const Words& line : page) all += line.text + "\n";
+    }
+    for (const char* const word : {"zoom to the cursor", "W A S D", "save a viewpoint (BCF)", "bird's-eye"})
+      EXPECT_NE(all.find(word), std::string::npos) << word << " at " << width;
+  }
+}
+
+TEST(Overlay, leaves_out_lines_of_panels_that_others_leave_no_room_for) {
+  Overlay overlay(view_of(200, 100));
+  overlay.panel(Overlay::Corner::upper_left, std::vector<Words>(20, Words{"a line"}));
+  const size_t before = overlay.lines().size();
+  overlay.panel(Overlay::Corner::lower_left, {{"over others"}});
+  EXPECT_EQ(overlay.lines().size(), before);
 }
 
 }  // namespace

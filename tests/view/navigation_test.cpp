@@ -144,7 +144,7 @@ TEST(Navigation, a_side_shows_all_of_a_box_that_is_fitted_in) {
   for (const bool orthographic : {false, true}) {
     for (const Side side : {Side::front, Side::right, Side::top}) {
       Walker walker(camera_at({100, 3, 0}, {0, 0, 0}), 100);
-      if (orthographic) walker.switch_projection({0, 0, 0});
+      if (orthographic) walker.switch_projection({0, 0, 0}, false);
       walker.look_at(side);
       walker.frame(box, 1.5);
       for (int i = 0; i < 8; ++i) {
@@ -164,11 +164,15 @@ TEST(Navigation, a_side_shows_all_of_a_box_that_is_fitted_in) {
 TEST(Navigation, projections_change_and_what_was_looked_at_stays_as_large) {
   Walker walker(camera_at({1, 2, 3}, {4, 1, -5}), 100);
   const glm::dvec3 point(6, 2, -9), eye = walker.eye(), before = seen(walker, point);
-  walker.switch_projection(point);
+  for (const bool stays : {true, false}) {
+    walker.switch_projection(point, stays);
+    EXPECT_EQ(walker.eye() == eye, stays);
+    if (stays) walker.switch_projection(point, stays);
+  }
   ASSERT_TRUE(walker.orthographic());
   EXPECT_NEAR(seen(walker, point).x, before.x, 1e-9);
   EXPECT_NEAR(seen(walker, point).y, before.y, 1e-9);
-  walker.switch_projection(point);
+  walker.switch_projection(point, false);
   EXPECT_FALSE(walker.orthographic());
   expect_near(walker.eye(), eye);
 }

@@ -115,6 +115,20 @@ TEST(Check, triangles_that_are_said_to_be_outward_and_are_not_are_found) {
   EXPECT_FALSE(report.sound());
 }
 
+TEST(Check, surfaces_that_are_said_to_be_closed_and_are_not_are_found) {
+  SmallPack pack = small_pack();
+  pack.skeleton.closed.in_chunks.assign(pack.chunks.size(), 0);
+  pack.skeleton.closed.in_chunks[1] = 2;  // the two triangles of a flat square
+  EXPECT_EQ(check(pack).outward_violations, 1u);
+  pack = small_pack();
+  const LatticeBox everywhere{glm::ivec3(-(1 << 20)), glm::ivec3(1 << 20)};
+  pack.skeleton.closed.bodies = {{.box = everywhere, .first_run = 0, .run_count = 1}};
+  pack.skeleton.closed.runs = {{.chunk = 1, .first_triangle = 0, .triangle_count = 2, .body = 0}};
+  const CheckReport report = check(pack);
+  EXPECT_EQ(report.outward_violations, 1u);
+  EXPECT_FALSE(report.sound());
+}
+
 TEST(Check, a_damaged_chunk_is_counted_and_what_hangs_on_it_is_not_checked) {
   const auto file = write_pack(small_pack());
   uint64_t offset = 0;
