@@ -71,7 +71,7 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   for (HlodDrawable& drawable : hlod.drawables) {
     figures.errors.push_back(drawable.error);
     EncodedChunk chunk = encode(drawable.piece.surface, where.options.in_pieces());
-    chunk.seen_from_outside = drawable.seen_from_outside;
+    chunk.seen_from_outside = drawable.seen_from_outside && where.options.rules.levels_are_marked;
     if (where.has_objects) figures.objects.push_back(objects.encoded(drawable.piece, chunk));
     result.chunks.push_back({std::move(chunk), where.lattice_number});
   }
