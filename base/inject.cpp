@@ -5,8 +5,8 @@
 namespace triptych {
 
 namespace {
-uint32_t& active_faults() {
-  static uint32_t mask = 0;
+uint64_t& active_faults() {
+  static uint64_t mask = 0;
   return mask;
 }
 }  // namespace
@@ -21,9 +21,9 @@ const std::vector<std::string>& fault_names() {
       "dropped-stretch",   "perspective-rule",  "dropped-singular-value",
       "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
       "shared-shears",     "loose-contacts",    "no-room",
-      "untold-layers",     "exact-frustum",     "cut-occludes",
-      "backs-nearby",      "hidden-occludes",   "hollow-levels",
-      "slow-render-node",  "slow-switch-node"};
+      "untold-layers",     "unmarked-levels",   "exact-frustum",
+      "cut-occludes",      "backs-nearby",      "hidden-occludes",
+      "hollow-levels",     "slow-render-node",  "slow-switch-node"};
   return names;
 }
 
@@ -31,7 +31,7 @@ bool inject(std::string_view name) {
   const auto& names = fault_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return false;
-  active_faults() |= 1u << (found - names.begin());
+  active_faults() |= uint64_t{1} << (found - names.begin());
   return true;
 }
 

@@ -42,15 +42,17 @@ void check_all(const Pack& pack, const CheckOptions& options, const std::filesys
   const CheckReport report = check_pack(pack, options);
   fmt::print(
       "{} drawables checked, {} not; violations: {} bounds, {} boxes, {} monotonicity, {} outsides, {} "
-      "checksums\n",
+      "left out, {} checksums\n",
       report.drawables_checked, report.drawables_not_checked, report.bound_violations, report.box_violations,
-      report.monotonicity_violations, report.outward_violations, report.checksum_errors);
+      report.monotonicity_violations, report.outward_violations, report.seen_violations,
+      report.checksum_errors);
   nlohmann::json described = {{"drawables_checked", report.drawables_checked},
                               {"drawables_not_checked", report.drawables_not_checked},
                               {"bound_violations", report.bound_violations},
                               {"box_violations", report.box_violations},
                               {"monotonicity_violations", report.monotonicity_violations},
                               {"outward_violations", report.outward_violations},
+                              {"seen_violations", report.seen_violations},
                               {"checksum_errors", report.checksum_errors},
                               {"bound_over_measured", to_json(report.bound_over_measured)}};
   list_solids(pack, described);

@@ -238,12 +238,23 @@ void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes) {
       ->type_name("WxH,...");
 }
 
-void add_picture_flags(CLI::App& command, RunOptions& options) {
+void add_samples_flag(CLI::App& command, RunOptions& options) {
   const std::map<std::string, uint32_t> counts{{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}};
   add_choice_flag(command, "--samples", options.samples, counts,
                   "Samples a pixel: more make outlines smooth, and take as many times longer")
       ->type_name("1|4|8|16")
       ->default_str("1");
+}
+
+void add_samples_flag(CLI::App& command, std::vector<uint32_t>& samples) {
+  take_list(command.add_option("--samples", samples, "Draw the path with each of so many samples a pixel"))
+      ->check(one_of({"1", "4", "8", "16"}))
+      ->default_str("1")
+      ->type_name("N,...");
+}
+
+void add_picture_flags(CLI::App& command, RunOptions& options) {
+  add_samples_flag(command, options);
   command.add_flag("--edges", options.edges, "Draw edges and creases as thin lines");
   add_section_flags(command, options.section);
 }

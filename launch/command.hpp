@@ -43,6 +43,10 @@ void add_drawing_flags(CLI::App& command, RunOptions& options);
 void add_path_flags(CLI::App& command, RunOptions& options);
 /// --sizes: a list, where a command draws the path at several; empty where it is not given.
 void add_sizes_flag(CLI::App& command, std::vector<PictureSize>& sizes);
+/// --samples: of each pixel.
+void add_samples_flag(CLI::App& command, RunOptions& options);
+/// The same as a list, where a command draws the path with several; empty where it is not given.
+void add_samples_flag(CLI::App& command, std::vector<uint32_t>& samples);
 /// --samples, --edges, --section and --section-box: how the frames of a path are drawn.
 void add_picture_flags(CLI::App& command, RunOptions& options);
 /// {"samples", "edges", "section": {"planes", "box"}}, into a report.

@@ -33,6 +33,7 @@ struct MeasureAccuracyCommand {
   RunOptions run;
   AccuracyPacks packs;
   std::vector<PictureSize> sizes;
+  std::vector<uint32_t> samples;  ///< a pixel
   std::vector<std::string> devices, strategies;
   std::filesystem::path output;
   const CLI::App* words = nullptr;       ///< what was parsed
@@ -97,15 +98,21 @@ std::vector<ChosenDevice> choose_devices(const MeasureAccuracyCommand& command) 
   return chosen;
 }
 
+/// The path at each size and with each number of samples.
 std::vector<std::vector<FrameRequest>> frames_of(const MeasureAccuracyCommand& command,
                                                  const Skeleton& skeleton) {
   std::vector<PictureSize> sizes = command.sizes;
   if (sizes.empty()) sizes.push_back(command.run.size);
+  std::vector<uint32_t> samples = each_once(command.samples);
+  if (samples.empty()) samples.push_back(command.run.samples);
   std::vector<std::vector<FrameRequest>> frames;
   for (const PictureSize& size : sizes) {
-    RunOptions run = command.run;
-    run.size = size;
-    frames.push_back(load_frames(run, skeleton));
+    for (const uint32_t count : samples) {
+      RunOptions run = command.run;
+      run.size = size;
+      run.samples = count;
+      frames.push_back(load_frames(run, skeleton));
+    }
   }
   if (frames.front().empty()) fail(command.run.path.string(), "there is no frame to measure");
   return frames;
@@ -192,6 +199,7 @@ void add_measure_accuracy(CLI::App& measure, Action& action) {
       ->type_name("N,...");
   add_sizes_flag(*sub, command->sizes);
   sub->get_option("--sizes")->excludes("--size");
+  add_samples_flag(*sub, command->samples);
   command->compare = sub->add_option("--compare", command->options.compared_frames,
                                      "Compare so many frames, spread over the path; all are timed")
                          ->check(whole_number(1, max_frames))

@@ -19,6 +19,10 @@ namespace triptych {
 
 namespace {
 
+std::string samples_in_words(uint32_t samples) {
+  return samples == 1 ? "one sample" : fmt::format("{} samples", samples);
+}
+
 struct MeasureSpeedCommand {
   RunOptions run;
   SpeedOptions speed;
@@ -46,11 +50,11 @@ void print(const nlohmann::json& report) {
   for (const auto& [name, ratio] : report["ratios"].items())
     fmt::print("{:<31}{:>9.3f}\n", name, ratio.get<double>());
   fmt::print(
-      "{} frames at {} and {} px, in turn, after {} of warm-up. frame ms and CPU ms are medians, triangles a "
-      "mean;\n"
+      "{} frames at {} and {} px, {} a pixel, in turn, after {} of warm-up. frame ms and CPU ms are medians, "
+      "triangles a mean;\n"
       "ratios are medians over frames, but p95_over_median is of triptych's frame times\n",
       report["frames"].get<size_t>(), report["size"].get<std::string>(), report["pixel_error"].get<double>(),
-      report["warm_up"].get<size_t>());
+      samples_in_words(report["samples"].get<uint32_t>()), report["warm_up"].get<size_t>());
 }
 
 /// The device that was asked for and, where a method wants it and the machine has it, the other one beside
@@ -123,6 +127,7 @@ int run(const MeasureSpeedCommand& command) {
                            {"warm_up", warm_up},
                            {"size", fmt::format("{}x{}", command.run.size.width, command.run.size.height)},
                            {"pixel_error", command.run.pixel_error()},
+                           {"samples", command.run.samples},
                            {"triangles", pack.skeleton().placed_triangles}};
   report["section"] = section_json(command.run.section);
   add_hidden(report, frames.front().state.hiding.name);
@@ -140,6 +145,7 @@ void add_measure_speed(CLI::App& measure, Action& action) {
       "speed", "Frames beside other ways of drawing them: all triangles, an oracle, a ray tracer");
   sub->footer("Example: triptych measure speed scene.tpk --path walk.json --json speed.json");
   add_run_flags(*sub, command->run);
+  add_samples_flag(*sub, command->run);
   add_section_flags(*sub, command->run.section);
   add_hide_flags(*sub, command->run);
   take_list(sub->add_option("--methods", command->speed.methods,

@@ -14,10 +14,10 @@ namespace triptych {
 namespace {
 
 /// What each build costs and gives, where there are several packs: a line for each at each error, by the
-/// first strategy, device and size.
+/// first strategy, device, size and number of samples.
 void print_packs(const nlohmann::json& rows) {
   const auto same = [&](const nlohmann::json& row) {
-    for (const char* key : {"strategy", "min_pixels", "device", "size"})
+    for (const char* key : {"strategy", "min_pixels", "device", "size", "samples"})
       if (row[key] != rows[0][key]) return false;
     return true;
   };
@@ -47,9 +47,8 @@ void print_accuracy(const nlohmann::json& report, bool perceptual) {
   for (const nlohmann::json& row : report["rows"]) {
     std::string name = row["strategy"].get<std::string>();
     if (!row["min_pixels"].is_null()) name += fmt::format(" {}", row["min_pixels"].get<uint32_t>());
-    fmt::print("{} on {}, {}, {}: {}\n", name, row["device"].get<std::string>(),
-               row["size"].get<std::string>(), row["pack"].get<std::string>(),
-               row["says"].get<std::string>());
+    fmt::print("{} on {}, {}, {}: {}\n", name, row["device"].get<std::string>(), picture_in_words(row),
+               row["pack"].get<std::string>(), row["says"].get<std::string>());
   }
   for (const nlohmann::json& promise : report["promises"]) fmt::print("{}\n", promise.get<std::string>());
   print_packs(report["rows"]);
@@ -61,9 +60,9 @@ void print_accuracy(const nlohmann::json& report, bool perceptual) {
   for (const nlohmann::json& violation : report["violated"]) {
     const nlohmann::json& row = report["rows"][violation["row"].get<size_t>()];
     fmt::print(stderr, "{}, {} on {}, {} at {:g} px, frame {}: {}", row["pack"].get<std::string>(),
-               row["strategy"].get<std::string>(), row["device"].get<std::string>(),
-               row["size"].get<std::string>(), row["pixel_error"].get<double>(),
-               violation["frame"].get<uint32_t>(), violation["what"].get<std::string>());
+               row["strategy"].get<std::string>(), row["device"].get<std::string>(), picture_in_words(row),
+               row["pixel_error"].get<double>(), violation["frame"].get<uint32_t>(),
+               violation["what"].get<std::string>());
     if (violation.contains("drawable"))
       fmt::print(stderr, ", of drawable {} at {}", violation["drawable"].get<DrawableId>(),
                  json_text(violation["place"]));

@@ -32,7 +32,7 @@ class AnswerRecorder final : public FrameTarget {
   uint64_t drawn_triangles() const override { return target_.drawn_triangles(); }
   void draw_lines(std::span<const ScreenLine> lines) override { target_.draw_lines(lines); }
   std::vector<uint8_t> read_colors() const override { return target_.read_colors(); }
-  std::vector<uint32_t> read_items() const override { return target_.read_items(); }
+  std::vector<uint32_t> read_items(uint32_t sample) const override { return target_.read_items(sample); }
   std::span<const uint8_t> colors_in_memory() const override { return target_.colors_in_memory(); }
   bool copy_to_window(int width, int height) const override { return target_.copy_to_window(width, height); }
 
@@ -59,7 +59,7 @@ class AnswerPlayer final : public FrameTarget {
   uint64_t drawn_triangles() const override { return 0; }
   void draw_lines(std::span<const ScreenLine>) override {}
   std::vector<uint8_t> read_colors() const override { return {}; }
-  std::vector<uint32_t> read_items() const override { return {}; }
+  std::vector<uint32_t> read_items(uint32_t) const override { return {}; }
   bool copy_to_window(int, int) const override { return false; }
 
  private:

@@ -205,7 +205,7 @@ std::vector<VisibleSet> owners_of_frames(const SpeedDevice& device, std::span<co
     const FrameView view(device.hierarchy.skeleton(), frame.state, injected_frame_rules());
     items.begin(view, frame.number);
     items.draw(lister.list(view));
-    sets.push_back(owners(items.target().read_items()));
+    sets.push_back(owners(items.target(), frame.state.samples));
     progress.advance();
     end_if_asked("measure speed");
   }

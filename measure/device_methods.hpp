@@ -21,7 +21,7 @@ struct SpeedDevice {
   Device& device;
 };
 
-/// Of each frame the drawables that own a pixel of its un-culled picture. Loads all that the frames draw.
+/// Of each frame the drawables that own a sample of its un-culled picture. Loads all that the frames draw.
 std::vector<VisibleSet> owners_of_frames(const SpeedDevice& device, std::span<const FrameRequest> frames);
 
 /// `triptych`: the local pipeline with the strategy `occlusion`.

@@ -45,7 +45,8 @@ class EmbreeMethod final : public SpeedMethod {
   std::string device() const override { return ""; }
   void draw(size_t frame) override {
     const Stopwatch stopwatch;
-    rays_->draw(frames_[frame].state.view, frames_[frame].state.section);
+    const FrameState& state = frames_[frame].state;
+    rays_->draw(state.view, state.section, state.samples);
     rays_ms_ = stopwatch.milliseconds();
   }
   std::vector<SpeedStage> stages() const override { return {{"rays", rays_ms_}}; }

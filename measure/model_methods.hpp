@@ -17,7 +17,7 @@ namespace triptych {
 std::unique_ptr<SpeedMethod> make_everything_method(const FlatModel& model, const Skeleton& skeleton,
                                                     std::span<const FrameRequest> frames);
 
-/// `embree`: one primary ray a pixel (measure/primary_rays.hpp). The model must outlive it. Null where the
+/// `embree`: one primary ray a sample (measure/primary_rays.hpp). The model must outlive it. Null where the
 /// tree takes more bytes than that.
 std::unique_ptr<SpeedMethod> make_embree_method(const FlatModel& model, std::span<const FrameRequest> frames,
                                                 uint64_t max_tree_bytes);

@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/threads.hpp"
+#include "scene/sample_places.hpp"
 #include "visibility/shading.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <span>
 #include <sys/types.h>
 #include <utility>
 
@@ -110,6 +112,7 @@ struct Frame {
   RTCScene scene;
   RayField field;
   int width, height;
+  std::span<const SamplePlace> places;
   uint8_t* colors;
 };
 
@@ -131,8 +134,10 @@ bool within_embree(const glm::vec3& v) {
   return std::abs(v.x) < largest && std::abs(v.y) < largest && std::abs(v.z) < largest;
 }
 
+/// Adds what one sample of each of the pixels shows to their sums of red, green and blue.
 template <int width>
-void trace_packet(const Frame& frame, int left, int bottom) {
+void trace_sample(const Frame& frame, int left, int bottom, const glm::vec2& place,
+                  std::array<std::array<uint32_t, 3>, width>& sums) {
   constexpr int columns = Packet<width>::columns;
   alignas(64) int valid[width];
   alignas(64) typename Packet<width>::RayHit packet;
@@ -141,7 +146,7 @@ void trace_packet(const Frame& frame, int left, int bottom) {
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   for (int i = 0; i < width; ++i) {
     const int x = left + i % columns, y = bottom + i / columns;
-    const float at_x = static_cast<float>(x) + 0.5f, at_y = static_cast<float>(y) + 0.5f;
+    const float at_x = static_cast<float>(x) + place.x, at_y = static_cast<float>(y) + place.y;
     const auto at = [&](const RayField::Linear& linear) {
       return linear.at_zero + at_x * linear.per_x + at_y * linear.per_y;
     };
@@ -170,15 +175,29 @@ void trace_packet(const Frame& frame, int left, int bottom) {
   }
   Packet<width>::intersect(valid, frame.scene, &context, &packet);
   for (int i = 0; i < width; ++i) {
+    std::array<uint8_t, 4> color = background_bytes;
+    if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+      shade(frame, {packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]}, packet.hit.primID[i],
+            color.data());
+    for (size_t channel = 0; channel < 3; ++channel) sums[static_cast<size_t>(i)][channel] += color[channel];
+  }
+}
+
+template <int width>
+void trace_packet(const Frame& frame, int left, int bottom) {
+  constexpr int columns = Packet<width>::columns;
+  std::array<std::array<uint32_t, 3>, width> sums{};
+  for (const SamplePlace& place : frame.places)
+    trace_sample<width>(frame, left, bottom, glm::vec2(0.5 + place.pixels()), sums);
+  const auto samples = static_cast<uint32_t>(frame.places.size());
+  for (int i = 0; i < width; ++i) {
     const int x = left + i % columns, y = bottom + i / columns;
     if (x >= frame.width || y >= frame.height) continue;
     uint8_t* const color = frame.colors + 4 * (static_cast<size_t>(y) * static_cast<size_t>(frame.width) +
                                                static_cast<size_t>(x));
-    if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
-      std::copy(background_bytes.begin(), background_bytes.end(), color);
-    } else {
-      shade(frame, {packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]}, packet.hit.primID[i], color);
-    }
+    for (size_t channel = 0; channel < 3; ++channel)
+      color[channel] = static_cast<uint8_t>((sums[static_cast<size_t>(i)][channel] + samples / 2) / samples);
+    color[3] = 255;
   }
 }
 
@@ -252,10 +271,11 @@ PrimaryRays::PrimaryRays(const FlatModel& model, std::unique_ptr<Tree> tree)
 
 PrimaryRays::~PrimaryRays() = default;
 
-void PrimaryRays::draw(const View& view, const Section& section) {
+void PrimaryRays::draw(const View& view, const Section& section, uint32_t samples) {
   colors_.resize(4 * static_cast<size_t>(view.width) * static_cast<size_t>(view.height));
-  const Frame frame{model_,     tree_->scene, ray_field(model_, view, section),
-                    view.width, view.height,  colors_.data()};
+  const Frame frame{model_,        tree_->scene, ray_field(model_, view, section),
+                    view.width,    view.height,  sample_places(samples),
+                    colors_.data()};
   const auto is_native = [&](RTCDeviceProperty property) {
     return rtcGetDeviceProperty(tree_->device, property) != 0;
   };

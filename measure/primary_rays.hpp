@@ -1,4 +1,4 @@
-// A ray tracer beside which frames are measured: Embree, one primary ray a pixel, against a whole model.
+// A ray tracer beside which frames are measured: Embree, one primary ray a sample, against a whole model.
 #pragma once
 
 #include "scene/camera.hpp"
@@ -13,7 +13,8 @@
 namespace triptych {
 
 /// One flat scene of all triangles, its tree built beforehand; coherent packets as wide as the processor has
-/// them, over all cores. What is hit is shaded as the device `gl` shades it.
+/// them, over all cores. What is hit is shaded as the device `gl` shades it: at each sample by itself, and a
+/// pixel is the mean of its samples, halves up.
 class PrimaryRays {
  public:
   /// Builds the tree; null where it does not fit into so many bytes. The model must outlive it. Error
@@ -25,7 +26,8 @@ class PrimaryRays {
   PrimaryRays& operator=(const PrimaryRays&) = delete;
 
   /// What the section keeps: each ray is held to the stretch that lies in it. There are no cut surfaces.
-  void draw(const View& view, const Section& section = {});
+  /// samples: a pixel (scene/sample_places.hpp).
+  void draw(const View& view, const Section& section = {}, uint32_t samples = 1);
   /// Of the last draw: width × height × RGBA bytes, rows from bottom to top.
   const std::vector<uint8_t>& colors() const { return colors_; }
 

@@ -12,6 +12,7 @@ struct BuildRules {
   bool contacts_hold = true;         ///< Kept::touching is kept
   bool order_is_kept = true;         ///< Kept::order is kept
   bool layers_are_told = true;       ///< Kept::planes is kept
+  bool levels_are_marked = true;     ///< those that leave out what others cover are
   /// Meshes are shared only under transforms of at most this condition number, for which floats are precise
   /// enough.
   double max_condition = 8;

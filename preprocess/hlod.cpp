@@ -113,9 +113,7 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
     }
     // Of levels with one error the coarsest is enough.
     if (!hlod.drawables.empty() && hlod.drawables.back().error >= error) hlod.drawables.pop_back();
-    EncodedChunk chunk = encode(level.piece.surface, limits.in_pieces);
-    chunk.seen_from_outside = seen_from_outside;
-    hlod.drawables.push_back({std::move(level.piece), std::move(chunk), error});
+    hlod.drawables.push_back({std::move(level.piece), error, seen_from_outside});
   }
   const HlodDrawable& last = hlod.drawables.back();
   for (const uint32_t source : last.piece.sources) hlod.coarsest.spans.push_back(children.spans[source]);

@@ -71,8 +71,8 @@ class Baker {
 
 struct HlodDrawable {
   Piece piece;  ///< sources: indices into the points of the children's geometry
-  EncodedChunk chunk;
   double error = 0;
+  bool seen_from_outside = false;  ///< something that others cover was left out
 };
 
 struct Hlod {
@@ -84,7 +84,6 @@ struct Hlod {
 struct HlodLimits {
   uint32_t triangles = 32;  ///< of the coarsest level, roughly
   SimplifyLimits simplify;  ///< simplifier and kind of bound
-  bool in_pieces = true;    ///< chunks whose box is mostly air get several pieces
   /// Errors that levels may not have. From their ends on what is covered is left out.
   std::vector<ErrorGap> gaps = {};
   bool begins_as_it_is = false;  ///< the children's geometry is the finest level

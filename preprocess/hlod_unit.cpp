@@ -59,7 +59,6 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   const TriangleObjects objects(children);
   const HlodLimits limits{.triangles = where.options.hlod_triangles,
                           .simplify = where.options.simplify_limits(),
-                          .in_pieces = where.options.in_pieces(),
                           .gaps = gaps,
                           .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all};
   constexpr uint32_t first = Relocation::own_first_place;
@@ -71,8 +70,10 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   UnitResult result;
   for (HlodDrawable& drawable : hlod.drawables) {
     figures.errors.push_back(drawable.error);
-    if (where.has_objects) figures.objects.push_back(objects.encoded(drawable.piece, drawable.chunk));
-    result.chunks.push_back({std::move(drawable.chunk), where.lattice_number});
+    EncodedChunk chunk = encode(drawable.piece.surface, where.options.in_pieces());
+    chunk.seen_from_outside = drawable.seen_from_outside && where.options.rules.levels_are_marked;
+    if (where.has_objects) figures.objects.push_back(objects.encoded(drawable.piece, chunk));
+    result.chunks.push_back({std::move(chunk), where.lattice_number});
   }
   result.geometry.push_back(record_bytes(hlod.coarsest));
   result.figures = record_bytes(figures);

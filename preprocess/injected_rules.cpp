@@ -14,6 +14,7 @@ BuildRules injected_build_rules() {
           .contacts_hold = !injected(Fault::loose_contacts),
           .order_is_kept = !injected(Fault::no_room),
           .layers_are_told = !injected(Fault::untold_layers),
+          .levels_are_marked = !injected(Fault::unmarked_levels),
           .max_condition = injected(Fault::shared_shears) ? std::numeric_limits<double>::infinity()
                                                           : BuildRules().max_condition};
 }

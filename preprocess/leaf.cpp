@@ -194,7 +194,7 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
     if (i > 0 || info.variant_of == no_id) {
       EncodedChunk chunk =
           encode(level.surface, options.in_pieces(), i == 0 ? run_ends(info) : std::vector<uint32_t>());
-      chunk.seen_from_outside = level.seen_from_outside;
+      chunk.seen_from_outside = level.seen_from_outside && options.rules.levels_are_marked;
       result.chunks.push_back({std::move(chunk), info.lattice});
     }
     const bool kept = i + 1 == levels.size() || level.surface.triangles.size() <= kept_triangles;

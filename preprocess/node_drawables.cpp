@@ -142,6 +142,7 @@ class NodeDrawables {
       const PlacedPart& placed = placed_.placed[member];
       add_gaps(parts_.parts[placed.part].gaps, placed_.stretches[placed.transform], coarsest_[node].gaps);
     }
+    join_gaps(coarsest_[node].gaps);
   }
 
   /// Of a placed part at a level, which may be enlarged beyond the part's box.
@@ -201,6 +202,7 @@ class NodeDrawables {
     const uint32_t first = nodes_[node].first_child;
     for (uint32_t child = first; child < first + nodes_[node].child_count; ++child)
       add_gaps(coarsest_[child].gaps, 1, gaps);
+    join_gaps(gaps);
     return gaps;
   }
 

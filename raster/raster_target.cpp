@@ -227,10 +227,10 @@ std::vector<uint8_t> RasterTarget::read_colors() const {
   return {colors.begin(), colors.end()};
 }
 
-std::vector<uint32_t> RasterTarget::read_items() const {
+std::vector<uint32_t> RasterTarget::read_items(uint32_t sample) const {
   assert(kind_ == TargetKind::item || kind_ == TargetKind::color_and_item);
   std::vector<uint32_t> items(static_cast<size_t>(width()) * static_cast<size_t>(height()));
-  name_items(planes_.front(), items);
+  name_items(planes_[sample], items);
   return items;
 }
 

@@ -77,7 +77,7 @@ class RasterTarget final : public FrameTarget {
   uint64_t drawn_triangles() const override { return drawn_triangles_; }
   void draw_lines(std::span<const ScreenLine> lines) override;
   std::vector<uint8_t> read_colors() const override;
-  std::vector<uint32_t> read_items() const override;
+  std::vector<uint32_t> read_items(uint32_t sample) const override;
   bool hides(const ScreenExtent& extent) const override;
   std::span<const uint8_t> colors_in_memory() const override;
   bool copy_to_window(int, int) const override { return false; }

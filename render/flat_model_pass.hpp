@@ -10,8 +10,9 @@
 
 namespace triptych {
 
-/// Pictures of one size, shaded as those of the device `gl`. There is nothing in it that only culling needs:
-/// no bounds of fragments, no records of placements, positions in floats and in one static buffer.
+/// Pictures of one size, shaded as those of the device `gl`; of several samples a pixel, as it makes them:
+/// all triangles once for each. There is nothing in it that only culling needs: no bounds of fragments, no
+/// records of placements, positions in floats and in one static buffer.
 class FlatModelPass {
  public:
   virtual ~FlatModelPass() = default;

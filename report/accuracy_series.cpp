@@ -1,5 +1,6 @@
 #include "report/accuracy_series.hpp"
 
+#include <algorithm>
 #include <fmt/core.h>
 
 namespace triptych {
@@ -14,6 +15,10 @@ std::string series_name(const json& row, const json& rows) {
     for (const json& other : rows) differs = differs || other[key] != row[key];
     if (differs) name += ", " + row[key].get<std::string>();
   }
+  const bool differs = std::any_of(rows.begin(), rows.end(),
+                                   [&](const json& other) { return other["samples"] != row["samples"]; });
+  const auto samples = row["samples"].get<uint32_t>();
+  if (differs) name += fmt::format(", {} sample{} a pixel", samples, samples == 1 ? "" : "s");
   return name;
 }
 

@@ -29,9 +29,10 @@ void OneSided::add(const Corners& triangle, double known) {
   add(polygon, known);
 }
 
-double OneSided::finish(size_t max_cuts, double known) {
-  for (size_t i = 0;
-       i < max_cuts && !waiting_.empty() && !is_tight(waiting_.front().bound) && !is_tight(known); ++i) {
+double OneSided::finish(size_t max_cuts, double known, double most) {
+  for (size_t i = 0; i < max_cuts && lower_ <= most && !waiting_.empty() &&
+                     !is_tight(waiting_.front().bound) && !is_tight(known);
+       ++i) {
     std::pop_heap(waiting_.begin(), waiting_.end());
     const Waiting piece = waiting_.back();
     waiting_.pop_back();

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace triptych {
@@ -35,8 +36,9 @@ class OneSided {
 
   /// Adds a triangle to be bounded. `known`: a valid bound for it.
   void add(const Corners& triangle, double known);
-  /// The bound for all that was added, after at most `max_cuts`; it need not be below `known`.
-  double finish(size_t max_cuts, double known);
+  /// The bound for all that was added, after at most `max_cuts`; it need not be below `known`. Ends where the
+  /// distance is known to be above `most`.
+  double finish(size_t max_cuts, double known, double most = std::numeric_limits<double>::infinity());
 
  private:
   struct Waiting {

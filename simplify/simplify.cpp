@@ -5,6 +5,7 @@
 #include "simplify/stand_ins.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
@@ -17,11 +18,17 @@ constexpr double worth_it = 0.75;
 /// Stand-ins are looked for where at least this share of the triangles is in components that have them.
 constexpr double enough_convex = 0.25;
 
+size_t least_convex(const Surface& surface) {
+  return std::max<size_t>(
+      1, static_cast<size_t>(std::ceil(enough_convex * static_cast<double>(surface.triangles.size()))));
+}
+
 /// What of a surface has stand-ins, and what is left of it.
 class Parts {
  public:
   Parts(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits)
-      : surface_(surface), components_(convex_components(surface, locked, limits.max_bound)) {
+      : surface_(surface),
+        components_(convex_components(surface, locked, limits.max_bound, least_convex(surface))) {
     std::vector<uint8_t> is_convex(surface.triangles.size(), 0);
     for (const ConvexComponent& component : components_) {
       for (const uint32_t triangle : component.triangles) is_convex[triangle] = 1;
@@ -43,10 +50,7 @@ class Parts {
     }
   }
 
-  bool pays() const {
-    return static_cast<double>(convex_) >= enough_convex * static_cast<double>(surface_.triangles.size()) &&
-           convex_ > 0;
-  }
+  bool pays() const { return convex_ >= least_convex(surface_); }
   size_t detached_triangles() const { return chain_.detached_triangles; }
 
   /// All bounds at which something gets coarser, ascending.

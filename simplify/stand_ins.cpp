@@ -3,13 +3,13 @@
 #include "simplify/component_covers.hpp"
 #include "simplify/distance.hpp"
 #include "simplify/key_hash.hpp"
+#include "simplify/stand_in_candidates.hpp"
 #include "simplify/stand_in_shapes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <tsl/robin_map.h>
@@ -18,9 +18,7 @@ namespace triptych {
 
 namespace {
 
-constexpr size_t least_triangles = 16, most_triangles = 512;
-/// Corners may be so far above the planes of triangles: steps, and a share of the radius.
-constexpr double rounding = 2, hollow = 0.01;
+constexpr double rounding = in_plane_rounding;
 /// What is so many times as long as it is wide is a rod.
 constexpr double rod = 3;
 /// How near bounds are to the true distance.
@@ -38,12 +36,7 @@ struct Frame {
   glm::dvec3 reach{0};
 };
 
-/// What a component stands on: the plane of one of its faces, in which all of it lies that is held.
-struct Base {
-  glm::dvec3 origin, inward;  ///< inward: of length 1
-};
-
-Frame frame_of(const Surface& component, const std::optional<Base>& base) {
+Frame frame_of(const Surface& component, const std::optional<StandInBase>& base) {
   glm::dvec3 mean(0);
   double area = 0;
   const auto each = [&](const auto& take) {
@@ -95,17 +88,9 @@ Frame frame_of(const Surface& component, const std::optional<Base>& base) {
   return frame;
 }
 
-/// A component, and what is known of its points and triangles.
-struct Component {
-  Piece piece;
-  std::vector<uint8_t> locked;  ///< for each point
-  std::optional<Base> base;
-  bool is_inside_out = false;  ///< its triangles go round clockwise where they are seen from outside
-};
-
 /// Points of the surface for those of a stand-in: near ones that are not locked, none twice where there are
 /// enough.
-std::vector<uint32_t> sources_for(const std::vector<glm::ivec3>& points, const Component& of) {
+std::vector<uint32_t> sources_for(const std::vector<glm::ivec3>& points, const StandInComponent& of) {
   const Piece& component = of.piece;
   std::vector<uint32_t> sources;
   for (const glm::ivec3& point : points) {
@@ -124,7 +109,7 @@ std::vector<uint32_t> sources_for(const std::vector<glm::ivec3>& points, const C
 }
 
 /// What a stand-in's triangle is drawn as: like the component's triangle in whose plane it lies.
-uint32_t material_of(const std::array<glm::dvec3, 3>& corners, const Component& of) {
+uint32_t material_of(const std::array<glm::dvec3, 3>& corners, const StandInComponent& of) {
   const Piece& component = of.piece;
   const glm::dvec3 normal =
       glm::cross(corners[1] - corners[0], corners[2] - corners[0]) * (of.is_inside_out ? -1.0 : 1.0);
@@ -142,7 +127,7 @@ uint32_t material_of(const std::array<glm::dvec3, 3>& corners, const Component& 
 }
 
 std::optional<Piece> placed(const StandInShape& shape, const Frame& frame, const std::array<int, 3>& order,
-                            const glm::dvec3& scale, const Component& component) {
+                            const glm::dvec3& scale, const StandInComponent& component) {
   // The shape's x, y, z lie along these axes; together they must turn to the right.
   std::array<glm::dvec3, 3> axes;
   for (size_t k = 0; k < 3; ++k) axes[k] = frame.axes[order[k]];
@@ -174,7 +159,7 @@ struct Shapes {
 };
 
 /// The nearest shape along whichever axis that is.
-std::optional<StandIn> nearest(const Shapes& shapes, const Component& component, const Frame& frame,
+std::optional<StandIn> nearest(const Shapes& shapes, const StandInComponent& component, const Frame& frame,
                                double area, DistanceMeter& meter, double max_bound) {
   std::vector<StandIn> candidates;
   double least = max_bound;
@@ -204,32 +189,6 @@ std::optional<StandIn> nearest(const Shapes& shapes, const Component& component,
   return best;
 }
 
-/// Whether it is closed and convex; says whether it is inside out, too.
-bool is_convex(Component& component, double radius) {
-  const Surface& surface = component.piece.surface;
-  const double most = std::max(rounding, hollow * radius);
-  std::map<std::pair<uint32_t, uint32_t>, int> sides;
-  bool above = false, below = false;
-  for (const Triangle& triangle : surface.triangles) {
-    const auto& [a, b, c] = triangle.vertices;
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      if (++sides[{from, to}] > 1) return false;
-    }
-    const glm::dvec3 origin(surface.points[a]);
-    const glm::dvec3 normal = glm::normalize(area_normal(origin, surface.points[b], surface.points[c]));
-    for (const glm::ivec3& point : surface.points) {
-      const double height = glm::dot(glm::dvec3(point) - origin, normal);
-      above = above || height > most;
-      below = below || height < -most;
-    }
-    if (above && below) return false;
-  }
-  component.is_inside_out = above;
-  return std::ranges::all_of(sides, [&](const auto& side) {
-    return sides.contains({side.first.second, side.first.first});
-  });
-}
-
 /// With fewer and fewer triangles. Prisms are for what is like a box, antiprisms for what is round. Four
 /// sides are nearer than three, but from some directions two fifths wider than from others, three sides a
 /// sixth: of rods side by side that shows. Three sides are thin in their middle, which shows where a sleeve
@@ -247,7 +206,7 @@ std::vector<Shapes> shapes_for(bool stands, bool is_rod) {
           {.shapes = {tetrahedron()}, .orders = up, .in_all = true}};
 }
 
-std::vector<StandIn> stand_ins_of(const Component& component, double max_bound) {
+std::vector<StandIn> stand_ins_of(const StandInComponent& component, double max_bound) {
   const Surface& surface = component.piece.surface;
   const Frame frame = frame_of(surface, component.base);
   double area = 0;
@@ -268,31 +227,6 @@ std::vector<StandIn> stand_ins_of(const Component& component, double max_bound) 
   return found;
 }
 
-/// The plane in which all held points lie; false if there is none, true without one if none are held.
-bool find_base(Component& component) {
-  const Surface& surface = component.piece.surface;
-  std::vector<uint8_t> held = component.locked;
-  for (const Triangle& triangle : surface.triangles) {
-    if (triangle.material == palette_index(triangle.material)) continue;
-    for (const uint32_t vertex : triangle.vertices) held[vertex] = 1;
-  }
-  if (std::ranges::count(held, 1) == 0) return true;
-  for (const Triangle& triangle : surface.triangles) {
-    const auto& [a, b, c] = triangle.vertices;
-    const glm::dvec3 origin(surface.points[a]);
-    const glm::dvec3 inward = glm::normalize(area_normal(origin, surface.points[b], surface.points[c])) *
-                              (component.is_inside_out ? 1.0 : -1.0);
-    bool holds_all = true;
-    for (size_t i = 0; i < held.size() && holds_all; ++i)
-      holds_all =
-          !held[i] || std::abs(glm::dot(glm::dvec3(surface.points[i]) - origin, inward)) <= rounding / 2;
-    if (!holds_all) continue;
-    component.base = {origin, inward};
-    return true;
-  }
-  return false;
-}
-
 /// The same stand-ins, for a component that is the other one moved.
 std::vector<StandIn> moved(std::vector<StandIn> stand_ins, const Piece& from, const Piece& to) {
   tsl::robin_map<uint32_t, uint32_t, KeyHash> twins;
@@ -309,60 +243,20 @@ std::vector<StandIn> moved(std::vector<StandIn> stand_ins, const Piece& from, co
   return stand_ins;
 }
 
-/// What two components have in common that are each other moved.
-std::vector<int32_t> shape_key(const Component& of) {
-  const Piece& component = of.piece;
-  std::vector<int32_t> key(of.locked.begin(), of.locked.end());
-  for (const glm::ivec3& point : component.surface.points) {
-    for (int axis = 0; axis < 3; ++axis) key.push_back(point[axis] - component.surface.points[0][axis]);
-  }
-  for (const Triangle& triangle : component.surface.triangles) {
-    for (const uint32_t vertex : triangle.vertices) key.push_back(static_cast<int32_t>(vertex));
-    key.push_back(static_cast<int32_t>(triangle.material - palette_index(triangle.material)));
-  }
-  return key;
-}
-
 }  // namespace
 
 std::vector<ConvexComponent> convex_components(const Surface& surface, std::span<const uint8_t> locked,
-                                               double max_bound) {
-  if (!surface.colors.empty()) return {};
-  const ComponentCovers covers(surface);
-  std::vector<std::vector<uint32_t>> triangles(covers.covers.size());
-  std::vector<uint8_t> refused(covers.covers.size(), 0);
-  for (uint32_t i = 0; i < surface.triangles.size(); ++i) {
-    const Triangle& triangle = surface.triangles[i];
-    const uint32_t component = covers.component_of[triangle.vertices[0]];
-    std::vector<uint32_t>& own = triangles[component];
-    if (own.size() <= most_triangles) own.push_back(i);
-    if (palette_index(triangle.material) != palette_index(surface.triangles[own.front()].material))
-      refused[component] = 1;
-  }
-  struct Known {
-    size_t component;
-    Piece piece;
-  };
-  std::map<std::vector<int32_t>, Known> known;
-  std::vector<ConvexComponent> found;
-  for (size_t i = 0; i < triangles.size(); ++i) {
-    const Cover& cover = covers.covers[i];
-    if (refused[i] || triangles[i].size() < least_triangles || triangles[i].size() > most_triangles) continue;
-    std::vector<Triangle> own;
-    for (const uint32_t triangle : triangles[i]) own.push_back(surface.triangles[triangle]);
-    Component component{.piece = extract(surface.points, own), .locked = {}, .base = {}};
-    for (const uint32_t source : component.piece.sources)
-      component.locked.push_back(locked.empty() ? 0 : locked[source]);
-    ConvexComponent result{std::move(triangles[i]), {}};
-    const auto [twin, is_new] = known.try_emplace(shape_key(component), Known{found.size(), component.piece});
-    if (is_new) {
-      if (is_convex(component, cover.radius) && find_base(component))
-        result.stand_ins = stand_ins_of(component, max_bound);
-    } else {
-      const Known& like = twin->second;
-      result.stand_ins = moved(found[like.component].stand_ins, like.piece, component.piece);
-    }
-    found.push_back(std::move(result));
+                                               double max_bound, size_t least) {
+  std::vector<StandInCandidate> candidates = stand_in_candidates(surface, locked, least);
+  std::vector<ConvexComponent> found(candidates.size());
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    StandInCandidate& own = candidates[i];
+    if (!own.is_convex) continue;
+    const StandInCandidate& like = candidates[own.like];
+    found[i].triangles = std::move(own.triangles);
+    found[i].stand_ins = own.like == i
+                             ? stand_ins_of(own.component, max_bound)
+                             : moved(found[own.like].stand_ins, like.component.piece, own.component.piece);
   }
   std::erase_if(found, [](const ConvexComponent& component) { return component.stand_ins.empty(); });
   return found;

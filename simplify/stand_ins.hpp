@@ -28,8 +28,9 @@ struct ConvexComponent {
 /// triangles. Stand-ins are four-sided prisms and antiprisms, on the component's plane if it stands on one,
 /// with 92 % of its area (which decides how much something convex covers: Cauchy), and of rods that stand on
 /// nothing three-sided prisms and tetrahedra, with all of it; along the component's axes, where they are
-/// nearer than `max_bound`. locked: for each point; empty: none. Nothing where corners have colours.
+/// nearer than `max_bound`. locked: for each point; empty: none. Nothing where corners have colours, nor
+/// where such components have fewer triangles altogether than `least`: then no stand-in is made.
 std::vector<ConvexComponent> convex_components(const Surface& surface, std::span<const uint8_t> locked,
-                                               double max_bound);
+                                               double max_bound, size_t least = 0);
 
 }  // namespace triptych

@@ -34,6 +34,12 @@ double furthest(std::span<const glm::dvec3> points, const Box& box) {
   return largest;
 }
 
+/// False only where a point is further from the box than that: seen along each axis by itself.
+bool may_be_within(const Box& points, const Box& box, double squared_distance) {
+  const glm::dvec3 apart = glm::max(glm::max(box.lo - points.lo, points.hi - box.hi), glm::dvec3(0));
+  return std::max({apart.x * apart.x, apart.y * apart.y, apart.z * apart.z}) < squared_distance;
+}
+
 double ratio(double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0.0; }
 
 }  // namespace
@@ -130,9 +136,16 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, uint32_t hi
 
 TriangleTree::Nearest TriangleTree::within(std::span<const glm::dvec3> points,
                                            double squared_distance) const {
+  Box around;
+  for (const glm::dvec3& point : points) around.extend(point);
+  const auto waiting_at = [&](uint32_t node) {
+    const Box& box = nodes_[node].box;
+    const bool may_be = may_be_within(around, box, squared_distance);
+    return Waiting{node, may_be ? furthest(points, box) : squared_distance};
+  };
   Stack stack;
   size_t height = 0;
-  stack[height++] = {0, furthest(points, nodes_[0].box)};
+  stack[height++] = waiting_at(0);
   while (height > 0) {
     const Waiting waiting = stack[--height];
     if (waiting.squared_distance >= squared_distance) continue;
@@ -143,8 +156,7 @@ TriangleTree::Nearest TriangleTree::within(std::span<const glm::dvec3> points,
         if (distance < squared_distance) return {distance, order_[i]};
       }
     } else {
-      const Waiting left{waiting.node + 1, furthest(points, nodes_[waiting.node + 1].box)};
-      const Waiting right{node.first, furthest(points, nodes_[node.first].box)};
+      const Waiting left = waiting_at(waiting.node + 1), right = waiting_at(node.first);
       const bool left_first = left.squared_distance <= right.squared_distance;
       stack[height++] = left_first ? right : left;
       stack[height++] = left_first ? left : right;

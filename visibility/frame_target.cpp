@@ -1,6 +1,8 @@
 #include "visibility/frame_target.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace triptych {
 
@@ -12,6 +14,16 @@ VisibleSet owners(std::vector<uint32_t> items) {
     if (item > 0) ids.push_back(item - 1);
   }
   return ids;
+}
+
+VisibleSet owners(const FrameTarget& target, uint32_t samples) {
+  VisibleSet all = owners(target.read_items());
+  for (uint32_t sample = 1; sample < samples; ++sample) {
+    VisibleSet more;
+    std::ranges::set_union(all, owners(target.read_items(sample)), std::back_inserter(more));
+    all = std::move(more);
+  }
+  return all;
 }
 
 }  // namespace triptych

@@ -44,8 +44,9 @@ class FrameTarget : public OcclusionTester {
   /// The same without a copy, good until the next call of anything else; empty where they are not in this
   /// process's memory, but on a graphics card.
   virtual std::span<const uint8_t> colors_in_memory() const { return {}; }
-  /// width × height of drawable id + 1, 0 where nothing is; of a target with items.
-  virtual std::vector<uint32_t> read_items() const = 0;
+  /// width × height of drawable id + 1, 0 where nothing is, at that sample of each pixel, counted as
+  /// sample_places() of the view's samples are; of a target with items.
+  virtual std::vector<uint32_t> read_items(uint32_t sample = 0) const = 0;
   /// Copies the colours to the window whose context is current in this thread, of window_width ×
   /// window_height pixels: as much as fits; the rest is background. False, and nothing is done, where the
   /// target is not OpenGL's: whoever has the window takes the colours.
@@ -54,5 +55,7 @@ class FrameTarget : public OcclusionTester {
 
 /// The drawables that own at least one pixel of an item buffer, as read_items() gives it.
 VisibleSet owners(std::vector<uint32_t> items);
+/// Those that own at least one of so many samples of a pixel of a target with items.
+VisibleSet owners(const FrameTarget& target, uint32_t samples);
 
 }  // namespace triptych

@@ -54,7 +54,7 @@ void find_deviations(AccuracyResult& result) {
 double tolerated_deviation(double pixel_error) { return pixel_error * 1.0001 + 1e-4; }
 
 AccuracyResult measure_accuracy(std::span<const AccuracySubject> subjects,
-                                std::span<const std::vector<FrameRequest>> sizes,
+                                std::span<const std::vector<FrameRequest>> paths,
                                 const AccuracyOptions& options) {
   AccuracyResult result;
   const std::optional<Butteraugli> perceptual = Butteraugli::find();
@@ -69,7 +69,7 @@ AccuracyResult measure_accuracy(std::span<const AccuracySubject> subjects,
   for (const AccuracySubject& subject : subjects) {
     surfaces.push_back(std::make_unique<PackSurfaces>(subject.pack));
     for (const SpeedDevice& device : subject.devices) {
-      for (const std::vector<FrameRequest>& frames : sizes) {
+      for (const std::vector<FrameRequest>& frames : paths) {
         grounds.push_back(std::make_unique<AccuracyGround>(subject, device, *surfaces.back(), frames, options,
                                                            perceptual, result));
         for (size_t setting = 0; setting < grounds.back()->turns(); ++setting)
@@ -77,7 +77,7 @@ AccuracyResult measure_accuracy(std::span<const AccuracySubject> subjects,
       }
     }
   }
-  const size_t frames = sizes.front().size();
+  const size_t frames = paths.front().size();
   const std::vector<FramePlan> plans = plan_frames(frames, options);
   Progress progress(stage, frames);
   for (size_t frame = 0; frame < frames; ++frame) {

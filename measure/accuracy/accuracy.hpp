@@ -55,6 +55,7 @@ struct AccuracyRow {
   std::string may_miss{};  ///< of an approximate strategy: what, in its own words
   uint32_t min_pixels = 0;
   int width = 0, height = 0;
+  uint32_t samples = 1;  ///< a pixel, of the reference, too
   double pixel_error = 1;
 
   struct Frame {
@@ -90,14 +91,15 @@ struct AccuracyPicture {
 struct AccuracyResult {
   std::vector<AccuracyRow> rows;
   std::vector<AccuracyViolation> violations;
-  std::vector<AccuracyPicture> pictures;  ///< of the first pack, device and size: the frame in the middle
+  std::vector<AccuracyPicture> pictures;  ///< of the first pack, device and path: the frame in the middle
   bool perceptual = false;                ///< whether butteraugli was there
 };
 
-/// Draws every frame at every setting, one after the other; frame by frame another one begins. sizes: the
-/// same path at each size. All chunks of a frame are loaded before it is timed. Error as of drawing.
+/// Draws every frame at every setting, one after the other; frame by frame another one begins. paths: the
+/// same path at each size and with each number of samples. All chunks of a frame are loaded before it is
+/// timed. Error as of drawing.
 AccuracyResult measure_accuracy(std::span<const AccuracySubject> subjects,
-                                std::span<const std::vector<FrameRequest>> sizes,
+                                std::span<const std::vector<FrameRequest>> paths,
                                 const AccuracyOptions& options);
 
 /// By how much a measured deviation may be above the pixel error: rounding of the measurement.

@@ -23,9 +23,11 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
       perceptual_(perceptual),
       result_(result),
       first_(result.rows.empty()),
-      items_(device.device, frames.front().state.view.width, frames.front().state.view.height,
-             TargetKind::color_and_item) {
+      samples_(frames.front().state.samples),
+      picture_(device.device, frames.front().state.view.width, frames.front().state.view.height,
+               TargetKind::color_and_item) {
   const View& view = frames.front().state.view;
+  if (samples_ > 1) centers_.emplace(device.device, view.width, view.height, TargetKind::item);
   const size_t pixels = static_cast<size_t>(view.width) * static_cast<size_t>(view.height);
   points_ = spread_pixels(options.points == 0 ? pixels : options.points, pixels);
   for (const double pixel_error : options.pixel_errors)
@@ -52,6 +54,7 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
            .min_pixels = strategy.min_pixels,
            .width = view.width,
            .height = view.height,
+           .samples = samples_,
            .pixel_error = whole_cuts_[cut].pixel_error,
            .pictures = setting.exact ? whole_cuts_[cut].tally : std::make_shared<PictureTally>()});
       settings_.push_back(std::move(setting));
@@ -70,31 +73,43 @@ FrameView AccuracyGround::view_of(size_t frame, double pixel_error) const {
   return FrameView(skeleton_, state_of(frame, pixel_error), rules_);
 }
 
+std::vector<uint32_t> AccuracyGround::draw_items(const FrameView& view, std::span<const DrawableId> ordered) {
+  PictureStage& stage = centers_ ? *centers_ : picture_;
+  FrameState state = view.state;
+  state.samples = 1;
+  stage.begin(FrameView(skeleton_, state, rules_));
+  stage.draw(ordered);
+  stage.finish();
+  return stage.target().read_items();
+}
+
 /// The surfaces are not looked at yet.
-ShownPicture AccuracyGround::draw_items(const FrameView& view, std::span<const DrawableId> ordered) {
-  items_.begin(view);
-  items_.draw(ordered);
-  items_.finish();
-  return {items_.target().read_colors(), items_.target().read_items(), {}};
+ShownPicture AccuracyGround::draw_picture(const FrameView& view, std::span<const DrawableId> ordered) {
+  picture_.begin(view);
+  picture_.draw(ordered);
+  picture_.finish();
+  return {picture_.target().read_colors(),
+          centers_ ? draw_items(view, ordered) : picture_.target().read_items(),
+          {}};
 }
 
 void AccuracyGround::begin(size_t frame, const FramePlan& plan) {
   if (frame > 0 && frames_[frame].number != frames_[frame - 1].number + 1) forget_motion();
   if (plan.keep || plan.compare) {
     const FrameView full = view_of(frame, 0);
-    reference_ = draw_items(full, lister_.list(full));
+    reference_ = draw_picture(full, lister_.list(full));
     recent_reference_.push(reference_.colors);
     if (plan.compare) {
       reference_.surface = surface_pixels(surfaces_, full, reference_.items);
-      finer_.emplace(full,
-                     [this](const FrameView& view) { return draw_items(view, lister_.list(view)).items; });
+      finer_.emplace(full, [this](const FrameView& view) { return draw_items(view, lister_.list(view)); });
     }
   } else {
     recent_reference_.clear();
   }
   for (WholeCut& whole : whole_cuts_) {
     const FrameView view = view_of(frame, whole.pixel_error);
-    whole.picture = draw_items(view, lister_.list(view));  // loads what the settings draw
+    whole.picture = draw_picture(view, lister_.list(view));  // loads what the settings draw
+    if (plan.compare) whole.owners = owners(picture_.target(), samples_);
     if (plan.keep || plan.compare) {
       whole.recent.push(whole.picture.colors);
     } else {
@@ -118,7 +133,6 @@ void AccuracyGround::begin(size_t frame, const FramePlan& plan) {
 void AccuracyGround::compare_whole_cut(WholeCut& whole, size_t frame, const FramePlan& plan) {
   const FrameView view = view_of(frame, whole.pixel_error);
   whole.cut = select_cut(view);
-  whole.owners = owners(whole.picture.items);
   whole.picture.surface = surface_pixels(surfaces_, view, whole.picture.items);
   whole.measures = measure_picture(surfaces_, view, frames_[frame].number, reference_, whole.picture,
                                    {whole.cut, points_, *finer_});
@@ -142,7 +156,7 @@ void AccuracyGround::add_motion(PictureMeasures& measures, const RecentColors& r
 
 void AccuracyGround::add_cover(const FrameView& shifted, std::span<const DrawableId> ordered,
                                CoverCounts& counts) {
-  count_cover(surfaces_, shifted, draw_items(shifted, ordered).items, small_leaves_, counts);
+  count_cover(surfaces_, shifted, draw_items(shifted, ordered), small_leaves_, counts);
 }
 
 void AccuracyGround::measure_covers(size_t frame) {
@@ -154,7 +168,7 @@ void AccuracyGround::measure_covers(size_t frame) {
       return FrameView(skeleton_, shifted(view_of(frame, pixel_error).state, shift), rules_);
     };
     const FrameView full = moved(0);
-    count_cover(skeleton_, draw_items(full, lister_.list(full)).items, small_leaves_, reference_cover_);
+    count_cover(skeleton_, draw_items(full, lister_.list(full)), small_leaves_, reference_cover_);
     for (size_t cut = 0; cut < whole_cuts_.size(); ++cut) {
       const FrameView view = moved(whole_cuts_[cut].pixel_error);
       add_cover(view, lister_.list(view), shown[cut]);
@@ -227,8 +241,7 @@ void AccuracyGround::compare_setting(Setting& setting, size_t frame, const Frame
     const FrameView view = view_of(frame, whole.pixel_error);
     std::vector<DrawableId> ordered = drawn;
     sort_by_rank(skeleton_, view.cell, ordered);
-    ShownPicture shown = draw_items(view, ordered);
-    shown.colors = std::move(colors);
+    ShownPicture shown{std::move(colors), draw_items(view, ordered), {}};
     shown.surface = surface_pixels(surfaces_, view, shown.items);
     measures = measure_picture(surfaces_, view, frames_[frame].number, reference_, shown,
                                {whole.cut, points_, *finer_});

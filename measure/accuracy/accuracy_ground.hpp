@@ -1,4 +1,5 @@
-// One pack on one device at one size: what all settings that are compared there share.
+// One pack on one device at one size and with one number of samples: what all settings that are compared
+// there share.
 #pragma once
 
 #include "measure/accuracy/accuracy.hpp"
@@ -57,7 +58,9 @@ class AccuracyGround {
 
   FrameState state_of(size_t frame, double pixel_error) const;
   FrameView view_of(size_t frame, double pixel_error) const;
-  ShownPicture draw_items(const FrameView& view, std::span<const DrawableId> ordered);
+  ShownPicture draw_picture(const FrameView& view, std::span<const DrawableId> ordered);
+  /// ShownPicture::items alone.
+  std::vector<uint32_t> draw_items(const FrameView& view, std::span<const DrawableId> ordered);
   void compare_whole_cut(WholeCut& whole, size_t frame, const FramePlan& plan);
   void compare_setting(Setting& setting, size_t frame, const FramePlan& plan, const FrameRecord& record);
   /// What the setting's picture was drawn of, ascending: V(i), and R(i) where that is the picture.
@@ -80,7 +83,9 @@ class AccuracyGround {
   AccuracyResult& result_;
   bool first_;  ///< of all grounds: its pictures are for people, too
   FrameRules rules_ = injected_frame_rules();
-  PictureStage items_;
+  uint32_t samples_;
+  PictureStage picture_;                 ///< with the drawables at each sample
+  std::optional<PictureStage> centers_;  ///< the drawables at pixels' centres, where those are no samples
   CutLister lister_;
   std::vector<size_t> points_;
   ShownPicture reference_;

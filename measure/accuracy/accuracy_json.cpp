@@ -48,6 +48,7 @@ json row_json(const AccuracyRow& row) {
                  {"representation", row.representation},
                  {"device", row.device},
                  {"size", fmt::format("{}x{}", row.width, row.height)},
+                 {"samples", row.samples},
                  {"pixel_error", row.pixel_error},
                  {"min_pixels", row.min_pixels > 0 ? json(row.min_pixels) : json()}};
   object["build"] = row.build.empty() ? json() : json(row.build);
@@ -103,7 +104,7 @@ json row_json(const AccuracyRow& row) {
 
 /// What a setting is.
 constexpr std::array setting_keys = {"pack",   "strategy", "min_pixels", "representation",
-                                     "device", "size",     "pixel_error"};
+                                     "device", "size",     "samples",    "pixel_error"};
 
 /// What is no figure, or not the same in all rows.
 bool in_words(const std::string& key) { return key == "may_miss" || key == "build" || key == "promised"; }

@@ -52,8 +52,16 @@ std::string frames_in_words(size_t frames, size_t path_frames, uint32_t every) {
                      every > 1 ? fmt::format("every {}", ordinal(every)) : "the beginning of the path");
 }
 
+std::string picture_in_words(const json& row) {
+  std::string words = row["size"].get<std::string>();
+  if (const auto samples = row["samples"].get<uint32_t>(); samples > 1)
+    words += fmt::format(" and {} samples", samples);
+  return words;
+}
+
 bool same_but_error(const json& one, const json& other) {
-  constexpr std::array keys = {"pack", "strategy", "min_pixels", "representation", "device", "size"};
+  constexpr std::array keys = {"pack",   "strategy", "min_pixels", "representation",
+                               "device", "size",     "samples"};
   return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return one[key] == other[key]; });
 }
 

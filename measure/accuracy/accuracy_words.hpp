@@ -25,6 +25,9 @@ std::string speed_in_words(double faster);
 /// 11 of 300, the beginning of the path".
 std::string frames_in_words(size_t frames, size_t path_frames, uint32_t every);
 
+/// A row's pictures: "512x512", "512x512 and 4 samples".
+std::string picture_in_words(const nlohmann::json& row);
+
 /// A row of accuracy_json() in one sentence, beside the rows of the same setting at other errors.
 std::string accuracy_sentence(const nlohmann::json& row, const nlohmann::json& rows);
 

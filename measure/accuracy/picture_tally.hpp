@@ -17,8 +17,8 @@ namespace triptych {
 /// A picture of one view, as it was drawn and as it was looked at.
 struct ShownPicture {
   std::vector<uint8_t> colors;        ///< width × height × RGBA bytes, rows from bottom to top
-  std::vector<uint32_t> items;        ///< drawable id + 1, 0 for the background
-  std::vector<SurfacePixel> surface;  ///< by rays
+  std::vector<uint32_t> items;        ///< drawable id + 1 at each pixel's centre, 0 for the background
+  std::vector<SurfacePixel> surface;  ///< there, by rays
 };
 
 /// The colours of successive frames.

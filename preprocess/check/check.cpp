@@ -8,12 +8,12 @@
 #include "preprocess/check/said_closed.hpp"
 #include "preprocess/outward.hpp"
 #include "scene/pack_objects.hpp"
+#include "scene/seen_from_outside.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <fmt/core.h>
 #include <glm/vec4.hpp>
-#include <limits>
 #include <mutex>
 
 namespace triptych {
@@ -171,6 +171,7 @@ class Checking {
   }
 
   void check_distances();
+  void check_left_out(DrawableId id, const MeasuredDrawable& measured);
 
   const Pack& pack_;
   const Skeleton& skeleton_;
@@ -182,28 +183,42 @@ class Checking {
 
 void Checking::check_distances() {
   const auto& drawables = skeleton_.drawables;
-  const std::vector<double> measured = measured_distances(pack_, options_.points);
-  const Box model = skeleton_.lattice().box(skeleton_.scene_nodes[0].box);
-  const glm::dvec3 furthest = glm::max(glm::abs(model.lo), glm::abs(model.hi));
-  const double tolerance =
-      64 * std::numeric_limits<double>::epsilon() * std::max({furthest.x, furthest.y, furthest.z});
+  const std::vector<MeasuredDrawable> measured = measured_drawables(pack_, options_.points);
+  const double rounding = distance_rounding(skeleton_);
   std::vector<double> ratios;
   for (DrawableId id = 0; id < drawables.size(); ++id) {
-    const double error = drawables[id].error;
-    if (std::isnan(measured[id])) {
+    const double error = drawables[id].error, distance = measured[id].distance;
+    if (std::isnan(distance)) {
       ++report_.drawables_not_checked;
       continue;
     }
     ++report_.drawables_checked;
-    if (measured[id] > error * (1 + 1e-6) + tolerance) {
+    check_left_out(id, measured[id]);
+    if (distance > error * (1 + 1e-6) + rounding) {
       violation(report_.bound_violations,
                 "drawable {} of scene node {}: is {} from its source, and promises {}", id,
-                drawables[id].scene_node, measured[id], error);
+                drawables[id].scene_node, distance, error);
     }
-    if (!is_source(skeleton_, id) && measured[id] > skeleton_.lattice().rounding())
-      ratios.push_back(error / measured[id]);
+    if (!is_source(skeleton_, id) && distance > skeleton_.lattice().rounding())
+      ratios.push_back(error / distance);
   }
   report_.bound_over_measured = distribution(ratios);
+}
+
+/// What others cover may be left out of what is marked, and only what lies right beneath them.
+void Checking::check_left_out(DrawableId id, const MeasuredDrawable& measured) {
+  const Drawable& drawable = skeleton_.drawables[id];
+  const auto report = [&](const glm::dvec3& place, const std::string& what) {
+    violation(report_.seen_violations, "drawable {} of scene node {}: leaves out what is at {}, {}, {}, {}",
+              id, drawable.scene_node, place.x, place.y, place.z, what);
+  };
+  if (measured.left_out && !is_seen_from_outside(skeleton_, drawable)) {
+    report(*measured.left_out, "and is not marked in section SEEN: it is drawn where that may show");
+  } else if (measured.uncovered) {
+    report(*measured.uncovered, fmt::format("and nothing else is there to within its error of {}: what hides "
+                                            "that place may be hidden or cut away, and the level drawn",
+                                            drawable.error));
+  }
 }
 
 }  // namespace

@@ -34,6 +34,9 @@ struct CheckReport {
   uint64_t monotonicity_violations = 0;
   /// Chunks with triangles that are said to be outward (Chunk::outward) and are not proven to be.
   uint64_t outward_violations = 0;
+  /// Drawables that leave out what others cover (scene/seen_from_outside.hpp) without being marked, or what
+  /// nothing covers that is as near to it as their error.
+  uint64_t seen_violations = 0;
   uint64_t checksum_errors =
       0;  ///< chunks, and the sections OBJS and OPTS, that do not verify or do not decode
   /// Error over measured distance, of simplified drawables whose measured distance exceeds the lattice's
@@ -43,7 +46,7 @@ struct CheckReport {
 
   bool sound() const {
     return bound_violations + box_violations + monotonicity_violations + outward_violations +
-               checksum_errors ==
+               seen_violations + checksum_errors ==
            0;
   }
 };
@@ -51,8 +54,12 @@ struct CheckReport {
 /// Reads every chunk and checks all boxes and errors; measures the two-sided distance of each drawable to the
 /// finest leaf drawables of its subtree (the source, on its lattice) at vertices and at points between them:
 /// all vertices where the points suffice, an even and repeatable choice of them otherwise. What it measures
-/// is a lower bound of the true distance, so a bound violation is certain; the reverse is not. Embree (Intel)
-/// finds the candidates, distances are double. Never throws for damage.
+/// is a lower bound of the true distance, so a bound violation is certain; the reverse is not. A point of the
+/// source that is further from the drawable than its error is left out, and must be hidden: of lines in all
+/// directions but one each meets something, or meets another surface as near as that. Then the drawable must
+/// be marked, and something that is not of its scene node must be no further from the point than its error:
+/// so far around its box whoever selects levels looks for what is hidden or cut away. Embree (Intel) finds
+/// the candidates, distances are double. Never throws for damage.
 CheckReport check_pack(const Pack& pack, const CheckOptions& options = {});
 
 /// What the bytes of a pack are worth.

@@ -78,37 +78,47 @@ void for_each_point(const PackSurfaces& surfaces, const std::vector<uint32_t>& p
   }
 }
 
-/// The largest distance found between the drawable and what can be seen of its source, both ways.
-double measured_distance(const PackSurfaces& surfaces, DrawableId id, uint64_t points,
+/// Both ways, with what can be seen of the source.
+MeasuredDrawable measure(const PackSurfaces& surfaces, DrawableId id, uint64_t points,
                          const std::function<void()>& between) {
-  const Drawable& drawable = surfaces.skeleton().drawables[id];
+  const Skeleton& skeleton = surfaces.skeleton();
+  const Drawable& drawable = skeleton.drawables[id];
   std::vector<uint32_t> own(drawable.placement_count);
   for (uint32_t i = 0; i < drawable.placement_count; ++i) own[i] = drawable.first_placement + i;
-  double largest = 0;
+  MeasuredDrawable measured;
   HeldTrees held;
+  const double error = drawable.error * (1 + 1e-6) + distance_rounding(skeleton);
   // Lines in 26 directions come as near to what is `error` away as this.
   const double reach = 1.15 * drawable.error;
   uint64_t visited = 0;
   // Beyond rounding, of files, too, so that a point does not hide itself.
-  const double start = std::max(1e-3 * drawable.error, 16 * surfaces.skeleton().lattice().step);
+  const double start = std::max(1e-3 * drawable.error, 16 * skeleton.lattice().step);
   const auto pause = [&] {
     if (++visited % 1024 == 0) between();
   };
   for_each_point(surfaces, own, points / 2, [&](const glm::dvec3& point) {
     pause();
-    largest = std::max(largest, surfaces.distance_to_source(drawable.scene_node, point, largest, &held));
+    measured.distance = std::max(
+        measured.distance, surfaces.distance_to_source(drawable.scene_node, point, measured.distance, &held));
   });
+  // Of what is left out it is enough to know one place of each kind.
+  const auto is_left_out = [&](const glm::dvec3& point) {
+    if (!surfaces.is_enclosed(drawable.scene_node, point, start, reach)) return false;
+    measured.left_out = point;
+    if (!measured.uncovered &&
+        surfaces.nearest_source(0, point, error, &held, drawable.scene_node).distance > error)
+      measured.uncovered = point;
+    return true;
+  };
   for_each_point(surfaces, surfaces.source_placements(drawable.scene_node), points / 2,
                  [&](const glm::dvec3& point) {
                    pause();
-                   const double distance = surfaces.distance_to_drawable(id, point, largest, &held);
-                   // What nobody sees may be left out.
-                   if (distance > std::max(largest, drawable.error) &&
-                       surfaces.is_enclosed(drawable.scene_node, point, start, reach))
-                     return;
-                   largest = std::max(largest, distance);
+                   const double known = measured.distance,
+                                distance = surfaces.distance_to_drawable(id, point, known, &held);
+                   if (distance > std::max(known, error) && is_left_out(point)) return;
+                   measured.distance = std::max(known, distance);
                  });
-  return largest;
+  return measured;
 }
 
 /// How many points a full measurement of each drawable takes: small ones need few.
@@ -152,6 +162,28 @@ bool nearly_equal(const glm::dmat3& a, const glm::dmat3& b) {
   return difference <= largest * 1e-12;
 }
 
+std::vector<MeasuredDrawable> measure_all(const Pack& pack, std::span<const DrawableId> drawables,
+                                          uint64_t points, const std::function<void()>& between) {
+  const Skeleton& skeleton = pack.skeleton();
+  const PackSurfaces surfaces(pack);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<MeasuredDrawable> measured(drawables.size(), {unknown});
+  const uint64_t share = largest_share(wanted_points(skeleton, drawables), points);
+  Progress progress("check: distances", measured.size());
+  parallel_for(measured.size(), [&](size_t i) {
+    const size_t place = measured.size() - 1 - i;  // siblings together, leaves first
+    const DrawableId id = drawables[place];
+    between();
+    try {
+      measured[place] = is_source(skeleton, id) ? MeasuredDrawable() : measure(surfaces, id, share, between);
+    } catch (const Error&) {  // a damaged chunk; the caller reads every chunk itself
+      between();              // rethrows if the error came from `between`
+    }
+    progress.advance();
+  });
+  return measured;
+}
+
 }  // namespace
 
 bool is_source(const Skeleton& skeleton, DrawableId id) {
@@ -183,14 +215,20 @@ std::vector<DrawableId> equally_distant(const Skeleton& skeleton) {
   return representatives;
 }
 
-std::vector<double> measured_distances(const Pack& pack, uint64_t points) {
+double distance_rounding(const Skeleton& skeleton) {
+  const Box model = skeleton.lattice().box(skeleton.scene_nodes[0].box);
+  const glm::dvec3 furthest = glm::max(glm::abs(model.lo), glm::abs(model.hi));
+  return 64 * std::numeric_limits<double>::epsilon() * std::max({furthest.x, furthest.y, furthest.z});
+}
+
+std::vector<MeasuredDrawable> measured_drawables(const Pack& pack, uint64_t points) {
   const std::vector<DrawableId> representatives = equally_distant(pack.skeleton());
   std::vector<DrawableId> asked;
   for (DrawableId id = 0; id < representatives.size(); ++id) {
     if (representatives[id] == id) asked.push_back(id);
   }
-  const std::vector<double> found = measured_distances(pack, asked, points);
-  std::vector<double> measured(representatives.size());
+  const std::vector<MeasuredDrawable> found = measure_all(pack, asked, points, [] {});
+  std::vector<MeasuredDrawable> measured(representatives.size());
   for (size_t i = 0; i < asked.size(); ++i) measured[asked[i]] = found[i];
   for (DrawableId id = 0; id < representatives.size(); ++id) measured[id] = measured[representatives[id]];
   return measured;
@@ -198,23 +236,10 @@ std::vector<double> measured_distances(const Pack& pack, uint64_t points) {
 
 std::vector<double> measured_distances(const Pack& pack, std::span<const DrawableId> drawables,
                                        uint64_t points, const std::function<void()>& between) {
-  const Skeleton& skeleton = pack.skeleton();
-  const PackSurfaces surfaces(pack);
-  std::vector<double> measured(drawables.size(), std::numeric_limits<double>::quiet_NaN());
-  const uint64_t share = largest_share(wanted_points(skeleton, drawables), points);
-  Progress progress("check: distances", measured.size());
-  parallel_for(measured.size(), [&](size_t i) {
-    const size_t place = measured.size() - 1 - i;  // siblings together, leaves first
-    const DrawableId id = drawables[place];
-    between();
-    try {
-      measured[place] = is_source(skeleton, id) ? 0 : measured_distance(surfaces, id, share, between);
-    } catch (const Error&) {  // a damaged chunk; the caller reads every chunk itself
-      between();              // rethrows if the error came from `between`
-    }
-    progress.advance();
-  });
-  return measured;
+  std::vector<double> distances;
+  for (const MeasuredDrawable& measured : measure_all(pack, drawables, points, between))
+    distances.push_back(measured.distance);
+  return distances;
 }
 
 }  // namespace triptych

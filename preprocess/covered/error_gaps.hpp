@@ -27,9 +27,8 @@ inline double beyond_gaps(double error, const std::vector<ErrorGap>& gaps) {
   return error;
 }
 
-/// Gaps that overlap become one; ascending. Times `factor`.
-inline void add_gaps(const std::vector<ErrorGap>& added, double factor, std::vector<ErrorGap>& gaps) {
-  for (const ErrorGap& gap : added) gaps.push_back({gap.low * factor, gap.high * factor});
+/// Gaps that overlap become one; ascending.
+inline void join_gaps(std::vector<ErrorGap>& gaps) {
   std::sort(gaps.begin(), gaps.end(), [](const ErrorGap& a, const ErrorGap& b) { return a.low < b.low; });
   size_t kept = 0;
   for (const ErrorGap& gap : gaps) {
@@ -40,6 +39,17 @@ inline void add_gaps(const std::vector<ErrorGap>& added, double factor, std::vec
     }
   }
   gaps.resize(kept);
+}
+
+/// Joins them only where there is no room for another: join_gaps() follows.
+inline void add_gap(const ErrorGap& gap, std::vector<ErrorGap>& gaps) {
+  if (gaps.size() == gaps.capacity()) join_gaps(gaps);
+  gaps.push_back(gap);
+}
+
+/// Adds gaps, times `factor`; join_gaps() follows.
+inline void add_gaps(const std::vector<ErrorGap>& added, double factor, std::vector<ErrorGap>& gaps) {
+  for (const ErrorGap& gap : added) add_gap({gap.low * factor, gap.high * factor}, gaps);
 }
 
 /// Classes of distances, eight an octave: the first that is no less than so many lattice steps, at least 1

@@ -4,6 +4,7 @@
 #include "preprocess/contacts/find_contacts.hpp"
 #include "preprocess/covered/relative_place.hpp"
 #include "preprocess/covered/surroundings.hpp"
+#include "preprocess/spatial_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,9 +69,14 @@ class CoveredFinder {
       if (parts_.parts[part_of(i)].outside != Outside::none) placements[part_of(i)].push_back(i);
     }
     std::vector<std::pair<uint32_t, const std::vector<uint32_t>*>> list;
-    for (const auto& [part, own] : placements) list.push_back({part, &own});
+    std::vector<Box> firsts;
+    for (const auto& [part, own] : placements) {
+      list.push_back({part, &own});
+      firsts.push_back(boxes_[own.front()]);
+    }
     std::vector<std::vector<CoveredRegion>> found(list.size());
-    parallel_for(list.size(), [&](size_t i) { found[i] = look_at(*list[i].second); });
+    const std::vector<uint32_t> order = spatial_order(firsts);
+    parallel_for(list.size(), [&](size_t i) { found[order[i]] = look_at(*list[order[i]].second); });
     std::vector<CoveredRegion> result;
     for (auto& own : found) {
       for (CoveredRegion& region : own) result.push_back(std::move(region));

@@ -5,6 +5,7 @@
 #include "preprocess/covered/find_covered.hpp"
 #include "preprocess/covered/relative_place.hpp"
 #include "preprocess/part_space.hpp"
+#include "preprocess/spatial_order.hpp"
 #include "simplify/one_sided.hpp"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ class RoomMaker {
   CoveredReport run() {
     for (PlacedParts& hierarchy : parts_.hierarchies) look_into(hierarchy);
     CoveredReport report;
-    for (const PartInfo& part : parts_.parts) {
+    for (PartInfo& part : parts_.parts) {
+      join_gaps(part.gaps);
       report.triangles += part.covered.size();
       report.parts += !part.gaps.empty();
     }
@@ -79,7 +81,8 @@ class RoomMaker {
            {std::pair(placed, covered_share), std::pair(cover.placed, cover_share)}) {
         const double low = std::min(std::max(share * cover.clearance, least_room * distance), distance);
         const PlacedPart& of = hierarchy.placed[side];
-        add_gaps({{low, distance}}, 1 / hierarchy.stretches[of.transform], parts_.parts[of.part].gaps);
+        const double scale = 1 / hierarchy.stretches[of.transform];
+        add_gap({low * scale, distance * scale}, parts_.parts[of.part].gaps);
       }
     }
   }
@@ -101,8 +104,13 @@ class RoomMaker {
       places.push_back(place_of(placed));
       alike.try_emplace(std::move(places), placed);
     }
-    std::vector<uint32_t> list;
-    for (const auto& [places, placed] : alike) list.push_back(placed);
+    std::vector<uint32_t> different, list;
+    std::vector<Box> boxes;
+    for (const auto& [places, placed] : alike) {
+      different.push_back(placed);
+      boxes.push_back(parts_.lattices[hierarchy.lattice].box(hierarchy.boxes[placed]));
+    }
+    for (const uint32_t index : spatial_order(boxes)) list.push_back(different[index]);
     std::vector<std::map<uint32_t, double>> distances(list.size());
     parallel_for(list.size(), [&](size_t i) { distances[i] = kept_distances(list[i], hierarchy, covered); });
     std::map<uint32_t, std::map<uint32_t, double>> furthest;
@@ -233,8 +241,11 @@ class RoomMaker {
       for (const glm::dvec3& corner : corners) side.reach(corner);
       if (side.lower() > most) return no_distance;
     }
-    for (const Corners& corners : triangles) side.add(corners, no_distance);
-    const double found = side.finish(cuts_per_triangle * triangles.size() + cuts_beyond, no_distance);
+    for (const Corners& corners : triangles) {
+      side.add(corners, no_distance);
+      if (side.lower() > most) return no_distance;
+    }
+    const double found = side.finish(cuts_per_triangle * triangles.size() + cuts_beyond, no_distance, most);
     // Placements that stand among the same others do so to within the tolerance of contacts.
     return found < most ? found + contact_steps : no_distance;
   }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "render/gl/framebuffer.hpp"
+#include "render/gl/resolve_pass.hpp"
 #include "render/gl/shaders.hpp"
 #include "render/gl/view_uniforms.hpp"
 
@@ -25,7 +26,7 @@ class GlFlatModelPass final : public FlatModelPass {
       : origin_(model.origin),
         unit_(model.unit),
         index_count_(static_cast<GLsizei>(model.indices.size())),
-        framebuffer_(TargetKind::color, width, height) {
+        picture_(TargetKind::color, width, height) {
     store(vertices_, model.vertices);
     store(indices_, model.indices);
     check_gl("device memory");
@@ -42,21 +43,26 @@ class GlFlatModelPass final : public FlatModelPass {
   void draw(const FrameView& view) override {
     const Pass& pass = pass_of(view.view().camera.projection, !view.section_space.keeps_all());
     glUseProgram(pass.program);
-    pass.uniforms.set(view);
     const glm::mat3 linear(view.rotation * (unit_ / view.clip.unit));
     const glm::vec3 shift(view.rotation * ((origin_ - view.clip.reference) / view.clip.unit));
     glUniformMatrix3fv(pass.to_eye, 1, GL_FALSE, &linear[0][0]);
     glUniform3f(pass.shift, shift.x, shift.y, shift.z);
-    framebuffer_.clear();
-    framebuffer_.bind();
+    const Framebuffer& planes = planes_of(view.state.samples);
+    planes.clear();
     glBindVertexArray(vertex_array_);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GREATER);
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    const auto places = sample_places(view.state.samples);
+    for (uint32_t plane = 0; plane < places.size(); ++plane) {
+      planes.bind(plane);
+      pass.uniforms.set(view, places[plane]);
+      glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    }
+    if (places.size() > 1) resolve_.draw(view, planes, picture_);
     glFinish();
   }
 
-  std::vector<uint8_t> read_colors() const override { return framebuffer_.read_colors(); }
+  std::vector<uint8_t> read_colors() const override { return picture_.read_colors(); }
 
  private:
   struct Pass {
@@ -77,10 +83,21 @@ class GlFlatModelPass final : public FlatModelPass {
     return *pass;
   }
 
+  /// One for each sample; of a single one the picture itself.
+  const Framebuffer& planes_of(uint32_t samples) {
+    if (samples == 1) return picture_;
+    const FramebufferLayout wanted{.samples = samples};
+    if (!planes_ || !(planes_->layout() == wanted))
+      planes_.emplace(TargetKind::color, picture_.width(), picture_.height(), wanted);
+    return *planes_;
+  }
+
   glm::dvec3 origin_;
   double unit_;
   GLsizei index_count_;
-  Framebuffer framebuffer_;
+  Framebuffer picture_;
+  std::optional<Framebuffer> planes_;
+  ResolvePass resolve_;
   GlBuffer vertices_, indices_;
   GlVertexArray vertex_array_;
   std::optional<Pass> passes_[2][2];  ///< by sections and projection

@@ -38,7 +38,7 @@ class GlFrameTarget final : public FrameTarget {
   uint64_t drawn_triangles() const override { return drawn_triangles_; }
   void draw_lines(std::span<const ScreenLine> lines) override { passes_.lines.draw(lines, picture()); }
   std::vector<uint8_t> read_colors() const override { return picture().read_colors(); }
-  std::vector<uint32_t> read_items() const override { return planes_->read_items(); }
+  std::vector<uint32_t> read_items(uint32_t sample) const override { return planes_->read_items(sample); }
   bool copy_to_window(int window_width, int window_height) const override {
     picture().copy_to_window(window_width, window_height);
     return true;

@@ -86,8 +86,9 @@ void Framebuffer::copy_to_window(int window_width, int window_height) const {
 
 namespace {
 template <typename Value>
-std::vector<Value> read(const Framebuffer& target, GLenum format, GLenum type, size_t per_pixel) {
-  target.bind();
+std::vector<Value> read(const Framebuffer& target, GLenum format, GLenum type, size_t per_pixel,
+                        uint32_t plane = 0) {
+  target.bind(plane);
   std::vector<Value> values(static_cast<size_t>(target.width()) * static_cast<size_t>(target.height()) *
                             per_pixel);
   glReadPixels(0, 0, target.width(), target.height(), format, type, values.data());
@@ -100,9 +101,9 @@ std::vector<uint8_t> Framebuffer::read_colors() const {
   return read<uint8_t>(*this, GL_RGBA, GL_UNSIGNED_BYTE, 4);
 }
 
-std::vector<uint32_t> Framebuffer::read_items() const {
-  glNamedFramebufferReadBuffer(planes_.front(), item_attachment);
-  return read<uint32_t>(*this, GL_RED_INTEGER, GL_UNSIGNED_INT, 1);
+std::vector<uint32_t> Framebuffer::read_items(uint32_t plane) const {
+  glNamedFramebufferReadBuffer(planes_[plane], item_attachment);
+  return read<uint32_t>(*this, GL_RED_INTEGER, GL_UNSIGNED_INT, 1, plane);
 }
 
 std::vector<float> Framebuffer::read_depths() const {

@@ -22,7 +22,7 @@ struct FramebufferLayout {
 };
 
 /// A framebuffer of width × height pixels. Rows of read-back pictures go from bottom to top, as in OpenGL.
-/// What is read, written or shown is the first plane.
+/// What is read, written or shown is the first plane, where no other is named.
 class Framebuffer {
  public:
   Framebuffer(TargetKind kind, int width, int height, const FramebufferLayout& layout = {});
@@ -34,8 +34,8 @@ class Framebuffer {
   std::vector<uint8_t> read_colors() const;
   /// Replaces them; RGBA, of a target with colours.
   void write_colors(std::span<const uint8_t> colors);
-  /// width × height of drawable id + 1, 0 where nothing is; TargetKind::item or color_and_item.
-  std::vector<uint32_t> read_items() const;
+  /// width × height of drawable id + 1, 0 where nothing is, of a plane; TargetKind::item or color_and_item.
+  std::vector<uint32_t> read_items(uint32_t plane = 0) const;
   /// width × height of reversed depth.
   std::vector<float> read_depths() const;
   /// Copies the colours into the context's window of window_width × window_height pixels: as much as fits;

@@ -88,11 +88,11 @@ Problems build_problems(const Trial& trial) {
   const Skeleton& skeleton = built.pack().skeleton();
   const CheckReport report = check_pack(built.pack(), {.points = 300'000, .messages = 3});
   if (!report.sound()) {
-    problems.push_back(
-        fmt::format("{} bound, {} box, {} monotonicity, {} outward violations, {} checksum errors: {}",
-                    report.bound_violations, report.box_violations, report.monotonicity_violations,
-                    report.outward_violations, report.checksum_errors,
-                    report.messages.empty() ? "" : report.messages[0]));
+    problems.push_back(fmt::format(
+        "{} bound, {} box, {} monotonicity, {} outward, {} seen violations, {} checksum errors: {}",
+        report.bound_violations, report.box_violations, report.monotonicity_violations,
+        report.outward_violations, report.seen_violations, report.checksum_errors,
+        report.messages.empty() ? "" : report.messages[0]));
   }
   const Model flat = flattened(trial.model);
   const std::vector<Corners> source = placed_triangles(flat, 12'000);

@@ -65,6 +65,19 @@ TEST_F(MeasureAccuracy, writes_a_row_a_setting_as_json_and_csv_and_a_report_with
   }
 }
 
+TEST_F(MeasureAccuracy, numbers_of_samples_are_rows_like_sizes_and_series_of_the_report) {
+  const std::string pack = write_pack(small_pack());
+  run(words(pack, {"--pixel-error", "2", "--strategies", "occlusion", "--samples", "1,4,4"}));
+  const nlohmann::json rows = json_of(json)["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["samples"], 1);
+  EXPECT_EQ(rows[1]["samples"], 4);
+  const std::string csv = text_of(output + "/accuracy.csv"), page = text_of(output + "/report.html");
+  EXPECT_NE(csv.find(",size,samples,pixel_error,"), std::string::npos) << csv;
+  EXPECT_NE(page.find("occlusion, 1 sample a pixel"), std::string::npos);
+  EXPECT_NE(page.find("occlusion, 4 samples a pixel"), std::string::npos);
+}
+
 TEST_F(MeasureAccuracy, every_so_many_frames_of_the_path_are_said_in_the_report) {
   const std::string pack = write_pack(small_pack());
   Program program(words(pack, {"--every", "3", "--pixel-error", "2", "--compare", "9"}));
@@ -228,6 +241,7 @@ TEST_F(MeasureAccuracy, sizes_errors_and_strategies_that_are_none_are_usage_erro
   for (const auto& [flag, value] : {std::pair{"--sizes", "65"},
                                     {"--pixel-error", "1,0"},
                                     {"--strategies", "magic"},
+                                    {"--samples", "1,3"},
                                     {"--devices", "abacus"}}) {
     Program program(words(pack, {flag, value}));
     EXPECT_EQ(program.wait(), 2) << flag;

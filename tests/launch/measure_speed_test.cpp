@@ -108,5 +108,14 @@ TEST_F(MeasureSpeed, measures_only_the_methods_that_are_named) {
   EXPECT_FALSE(report["ratios"].contains("triptych_over_embree"));
 }
 
+TEST_F(MeasureSpeed, samples_a_pixel_are_said_and_all_methods_draw_them) {
+  const nlohmann::json report = measure({"--samples", "4", "--warm-up", "1"});
+  EXPECT_EQ(report["samples"], 4);
+  for (const nlohmann::json& row : report["rows"]) EXPECT_TRUE(row["frame_ms"].is_object()) << row;
+  Program wrong({"measure", "speed", pack, "--path", path, "--samples", "3"});
+  EXPECT_EQ(wrong.wait(), 2);
+  EXPECT_NE(wrong.errors().find("--samples"), std::string::npos) << wrong.errors();
+}
+
 }  // namespace
 }  // namespace triptych::test

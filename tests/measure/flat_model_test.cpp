@@ -44,17 +44,28 @@ TEST_P(FlatModelPictures, of_one_draw_and_of_rays_are_those_of_the_device_at_ful
   const auto rays = PrimaryRays::build(model);
   ASSERT_TRUE(rays);
   double by_draw = 0, by_rays = 0, between_frames = 0;
+  struct {
+    double by_draw = 0, by_rays = 0, of_one_sample = 0;
+  } sampled;
   std::vector<uint8_t> last;
   const std::vector<View> views = scenes::random_views(pack.skeleton(), width, height, 12, 5);
   for (size_t i = 0; i < views.size(); ++i) {
-    const FrameRequest frame{static_cast<uint32_t>(i), {views[i], 0}};
+    const FrameRequest plain{static_cast<uint32_t>(i), {views[i], 0}};
+    const FrameRequest frame{plain.number, {views[i], 0, i % 2 == 0 ? 1u : 4u}};
+    pipeline.draw(plain);
+    const std::vector<uint8_t> of_one_sample = pipeline.target().read_colors();
     const FrameRecord& record = pipeline.draw(frame);
     EXPECT_EQ(record.drawn_triangles, size.triangles);
     const std::vector<uint8_t> truth = pipeline.target().read_colors();
     pass->draw(FrameView(pack.skeleton(), frame.state));
-    rays->draw(views[i]);
+    rays->draw(views[i], {}, frame.state.samples);
     by_draw += different_share(truth, pass->read_colors());
     by_rays += different_share(truth, rays->colors());
+    if (frame.state.samples > 1) {
+      sampled.by_draw += different_share(truth, pass->read_colors());
+      sampled.by_rays += different_share(truth, rays->colors());
+      sampled.of_one_sample += different_share(truth, of_one_sample);
+    }
     if (!last.empty()) between_frames += different_share(truth, last);
     last = truth;
   }
@@ -64,6 +75,9 @@ TEST_P(FlatModelPictures, of_one_draw_and_of_rays_are_those_of_the_device_at_ful
   EXPECT_LT(by_draw / frames, 0.01);
   EXPECT_LT(by_rays / frames, 0.02);
   EXPECT_GT(between_frames / frames, 0.2) << "pictures that are all alike prove nothing";
+  // Nearer to pictures of as many samples than those of one are.
+  EXPECT_LT(sampled.by_draw, sampled.of_one_sample / 2);
+  EXPECT_LT(sampled.by_rays, sampled.of_one_sample / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FlatModelPictures, testing::Values("room", "instances", "storeys"),

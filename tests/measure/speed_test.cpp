@@ -120,6 +120,32 @@ TEST_F(Speed, the_oracle_draws_no_more_than_triptych_and_that_no_more_than_the_f
   }
 }
 
+TEST_F(Speed, with_samples_the_oracle_draws_what_owns_any_of_them_and_triptych_all_of_that) {
+  const SpeedDevice on{"cpu", cpu.hierarchy(), cpu.device()};
+  const std::vector<VisibleSet> of_centers = owners_of_frames(on, frames);
+  for (FrameRequest& frame : frames) frame.state.samples = 8;
+  const std::vector<VisibleSet> owners = owners_of_frames(on, frames);
+  const std::vector<SpeedSeries> series =
+      measure({.methods = {"oracle", "triptych", "everything", "embree"}, .warm_up = 0});
+  size_t more = 0;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    uint64_t owned = 0;
+    for (const DrawableId id : owners[i]) owned += pack.skeleton().drawables[id].triangles;
+    for (const SpeedSeries& one : series) {
+      if (one.method == "oracle" && one.device == "cpu") {
+        EXPECT_EQ(one.frames[i].drawn_triangles, owned);
+      }
+      if (one.method == "triptych" && one.device == "cpu") {
+        EXPECT_GE(one.frames[i].drawn_triangles, owned);
+      }
+    }
+    more += owners[i].size();
+    for (const DrawableId id : of_centers[i])
+      more -= std::binary_search(owners[i].begin(), owners[i].end(), id);
+  }
+  EXPECT_GT(more, 0u) << "nothing owns samples alone";
+}
+
 TEST_F(Speed, what_opengl_would_draw_is_null_without_it_and_says_why) {
   const std::vector<SpeedDevice> devices = {{"cpu", cpu.hierarchy(), cpu.device()}};
   const nlohmann::json rows =

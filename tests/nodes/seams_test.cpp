@@ -41,7 +41,7 @@ class FakeTarget final : public FrameTarget {
   uint64_t drawn_triangles() const override { return drawn_.size(); }
   void draw_lines(std::span<const ScreenLine>) override {}
   std::vector<uint8_t> read_colors() const override { return {}; }
-  std::vector<uint32_t> read_items() const override { return {}; }
+  std::vector<uint32_t> read_items(uint32_t) const override { return {}; }
   bool copy_to_window(int, int) const override { return false; }
 
   const std::vector<DrawableId>& drawn() const { return drawn_; }

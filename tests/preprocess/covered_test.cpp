@@ -152,8 +152,9 @@ TEST(Covered, placements_among_the_same_others_are_looked_at_once_and_all_keep_t
 
 TEST(ErrorGaps, raise_errors_to_their_ends_and_join_where_they_overlap) {
   std::vector<ErrorGap> gaps;
-  add_gaps({{1, 2}}, 1, gaps);
+  add_gap({1, 2}, gaps);
   add_gaps({{2, 4}, {0.5, 0.6}}, 2, gaps);
+  join_gaps(gaps);
   ASSERT_EQ(gaps.size(), 2u);
   EXPECT_EQ(beyond_gaps(0.9, gaps), 0.9);
   EXPECT_EQ(beyond_gaps(1, gaps), 1);

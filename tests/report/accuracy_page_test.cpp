@@ -16,6 +16,7 @@ nlohmann::json row(const std::string& strategy, double pixel_error, double ms, d
           {"min_pixels", nullptr},
           {"device", "cpu"},
           {"size", "512x512"},
+          {"samples", 1},
           {"pixel_error", pixel_error},
           {"frame_ms", {{"p50", ms}, {"p95", ms}}},
           {"drawn_triangles", {{"mean", 1234}}},

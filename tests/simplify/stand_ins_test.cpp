@@ -125,6 +125,9 @@ TEST(StandIns, are_not_for_what_is_open_hollow_colourful_or_held_on_two_sides) {
   const Surface bolt = wire(1.2, 1, 2, 8);
   ASSERT_EQ(convex_components(bolt, {}, any).size(), 1);
   EXPECT_TRUE(convex_components(bolt, {}, 1).empty()) << "none is as near as a step";
+  const size_t all = bolt.triangles.size();
+  EXPECT_EQ(convex_components(bolt, {}, any, all).size(), 1);
+  EXPECT_TRUE(convex_components(bolt, {}, any, all + 1).empty()) << "fewer than are worth it";
   Surface open = bolt;
   open.triangles.pop_back();
   EXPECT_TRUE(convex_components(open, {}, any).empty());

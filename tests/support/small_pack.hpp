@@ -106,7 +106,12 @@ inline std::filesystem::path write_pack(const std::vector<Chunk>& chunks,
       std::filesystem::path(testing::TempDir()) / (std::string("triptych_") + (device ? device : "") +
                                                    test->test_suite_name() + "_" + test->name() + ".tpk");
   PackWriter writer(file);
-  for (size_t i = 0; i < chunks.size(); ++i) writer.add_chunk(chunks[i], chunk_lattices[i]);
+  const std::vector<bool>& seen = skeleton.surrounding.seen_from_outside;
+  for (size_t i = 0; i < chunks.size(); ++i) {
+    EncodedChunk chunk(chunks[i]);
+    chunk.seen_from_outside = i < seen.size() && seen[i];
+    writer.add_chunk(chunk, chunk_lattices[i]);
+  }
   writer.finish(skeleton, {}, options);
   return file;
 }

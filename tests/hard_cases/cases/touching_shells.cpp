@@ -7,7 +7,7 @@ const InGallery touching_shells(
     {.name = "touching_shells",
      .group = "touching",
      .breaks = "Balls just beneath shells: each may be off by its own bound, and what is hidden comes out.",
-     .faults = {"no-room"},
+     .faults = {"no-room", "unmarked-levels"},
      .make = [] {
        Trial trial;
        Maker maker;

@@ -25,7 +25,7 @@ class NoTarget final : public FrameTarget {
   uint64_t drawn_triangles() const override { return 0; }
   void draw_lines(std::span<const ScreenLine>) override {}
   std::vector<uint8_t> read_colors() const override { return {}; }
-  std::vector<uint32_t> read_items() const override { return {}; }
+  std::vector<uint32_t> read_items(uint32_t) const override { return {}; }
   bool copy_to_window(int, int) const override { return false; }
 };
 

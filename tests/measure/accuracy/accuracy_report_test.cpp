@@ -18,6 +18,7 @@ nlohmann::json row(const std::string& strategy, double pixel_error, double ms) {
           {"representation", "clusters"},
           {"device", "cpu"},
           {"size", "64x64"},
+          {"samples", 1},
           {"min_pixels", nullptr},
           {"pixel_error", pixel_error},
           {"frame_ms", {{"p50", ms}}},

@@ -100,6 +100,36 @@ TEST(Accuracy, deviations_are_those_of_the_levels_that_are_drawn) {
   }
 }
 
+TEST(Accuracy, with_samples_colours_are_compared_with_a_reference_of_as_many_and_surfaces_at_centres) {
+  const Pack pack(write_pack(colored_pack()));
+  PackDevice device(pack, test::device());
+  const AccuracySubject subject{
+      "pack", device.representation().name(), pack, {{"device", device.hierarchy(), device.device()}}};
+  std::vector<std::vector<FrameRequest>> paths = {from_above(), from_above()};
+  for (FrameRequest& frame : paths[1]) frame.state.samples = 4;
+  const AccuracyResult result = measure_accuracy({&subject, 1}, paths, options({4.9, 5.1}));
+  ASSERT_EQ(result.rows.size(), 12u);
+  EXPECT_TRUE(result.violations.empty());
+  for (size_t row = 0; row < 6; ++row) {
+    const AccuracyRow &plain = result.rows[row], &sampled = result.rows[row + 6];
+    EXPECT_EQ(plain.samples, 1u);
+    EXPECT_EQ(sampled.samples, 4u);
+    EXPECT_EQ(sampled.pixel_error, plain.pixel_error);
+    EXPECT_EQ(sampled.pictures->deviations, plain.pictures->deviations);
+    EXPECT_EQ(sampled.pictures->swap_pixels, plain.pictures->swap_pixels);
+    EXPECT_EQ(sampled.missed_triangles, 0u);
+    if (sampled.pixel_error < 5) {
+      EXPECT_EQ(sampled.pictures->wrong_pixels, 0u) << "the source itself";
+    } else {
+      // Outlines that lie between centres change some samples of pixels, and none at their centres.
+      EXPECT_GT(sampled.pictures->wrong_pixels, plain.pictures->wrong_pixels);
+    }
+  }
+  const nlohmann::json report = accuracy_json(result);
+  EXPECT_EQ(report["rows"][0]["samples"], 1);
+  EXPECT_EQ(report["rows"][11]["samples"], 4);
+}
+
 TEST(Accuracy, a_bound_that_is_two_percent_too_small_is_a_violation_with_frame_drawable_and_place) {
   SmallPack small = colored_pack();
   small.skeleton.drawables[0].error = 0.49;

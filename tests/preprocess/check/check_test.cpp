@@ -129,6 +129,85 @@ TEST(Check, surfaces_that_are_said_to_be_closed_and_are_not_are_found) {
   EXPECT_FALSE(report.sound());
 }
 
+void add_box(const glm::ivec3& lo, const glm::ivec3& hi, Chunk& chunk) {
+  const auto first = static_cast<uint32_t>(chunk.vertices.size());
+  for (int i = 0; i < 8; ++i)
+    chunk.vertices.push_back({{i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z}, 0});
+  for (const auto& [a, b, c, d] : std::array<std::array<uint32_t, 4>, 6>{
+           {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}}) {
+    for (const uint32_t corner : {a, b, c, a, c, d}) chunk.indices.push_back(first + corner);
+  }
+}
+
+/// A square with a box of half a unit three units above it, which a level of error 0.5 leaves out, and a
+/// shell so many lattice steps around that box, of an eighth of a unit, as another leaf.
+SmallPack covered_pack(int apart, bool is_marked) {
+  SmallPack pack;
+  Chunk all = test::grid_chunk({0, 0, 0}, 1, 64), shell;
+  const glm::ivec3 lo(30, 30, 24), hi(34, 34, 28);
+  add_box(lo, hi, all);
+  add_box(lo - apart, hi + apart, shell);
+  pack.chunks = {all, test::grid_chunk({0, 0, 0}, 1, 64), shell};
+  pack.chunk_lattices = {0, 0, 0};
+  Skeleton& skeleton = pack.skeleton;
+  skeleton.seen_from_outside = {false, is_marked, false};
+  skeleton.lattices = {Lattice{{0, 0, 0}, 0.125}};
+  skeleton.palette = {{200, 10, 10, 255}};
+  skeleton.transforms = {Affine(1)};
+  const LatticeBox sheet{{0, 0, 0}, {64, 64, 28}}, around{lo - apart, hi + apart};
+  skeleton.scene_nodes = {{.box = {glm::min(sheet.lo, around.lo), glm::max(sheet.hi, around.hi)},
+                           .first_child = 1,
+                           .child_count = 2,
+                           .first_drawable = 0,
+                           .drawable_count = 0},
+                          {.box = sheet, .parent = 0, .first_drawable = 0, .drawable_count = 2},
+                          {.box = around, .parent = 0, .first_drawable = 2, .drawable_count = 1}};
+  skeleton.placements = {{0, 0}, {1, 0}, {2, 0}};
+  skeleton.drawables = {
+      {.error = 0, .scene_node = 1, .first_placement = 0, .placement_count = 1, .triangles = 14},
+      {.error = 0.5, .scene_node = 1, .first_placement = 1, .placement_count = 1, .triangles = 2},
+      {.error = 0, .scene_node = 2, .first_placement = 2, .placement_count = 1, .triangles = 12}};
+  skeleton.source_triangles = skeleton.placed_triangles = 26;
+  return pack;
+}
+
+TEST(Check, a_level_may_leave_out_what_lies_right_beneath_others_where_it_is_marked) {
+  for (const int apart : {1, 3}) {
+    const CheckReport report = check(covered_pack(apart, true));
+    EXPECT_TRUE(report.sound()) << report.messages.at(0);
+  }
+}
+
+TEST(Check, a_level_that_leaves_out_what_others_cover_and_is_not_marked_is_found) {
+  const CheckReport report = check(covered_pack(1, false));
+  EXPECT_EQ(report.seen_violations, 1u);
+  EXPECT_EQ(report.bound_violations, 0u);
+  EXPECT_FALSE(report.sound());
+  EXPECT_NE(report.messages.at(0).find("drawable 1 of scene node 1: leaves out what is at "),
+            std::string::npos)
+      << report.messages[0];
+  EXPECT_NE(report.messages[0].find("is not marked in section SEEN"), std::string::npos);
+}
+
+TEST(Check, what_is_left_out_though_what_hides_it_is_far_away_is_found_marked_or_not) {
+  for (const bool is_marked : {false, true}) {
+    const CheckReport report = check(covered_pack(24, is_marked));  // three units
+    EXPECT_EQ(report.seen_violations, 1u);
+    EXPECT_EQ(report.bound_violations, 0u) << "nobody outside sees it";
+    EXPECT_EQ(report.messages.at(0).find("nothing else is there") != std::string::npos, is_marked)
+        << report.messages[0];
+  }
+}
+
+TEST(Check, what_is_left_out_and_not_hidden_is_a_distance) {
+  SmallPack pack = covered_pack(1, true);
+  pack.skeleton.placements[2].chunk = 1;  // in place of the shell a square
+  pack.skeleton.drawables[2].triangles = 2;
+  const CheckReport report = check(pack);
+  EXPECT_EQ(report.seen_violations, 0u);
+  EXPECT_GE(report.bound_violations, 1u);
+}
+
 TEST(Check, a_damaged_chunk_is_counted_and_what_hangs_on_it_is_not_checked) {
   const auto file = write_pack(small_pack());
   uint64_t offset = 0;
@@ -169,7 +248,8 @@ TEST(Check, a_measurement_ends_when_it_is_told_to_before_or_in_the_middle_of_a_d
   const std::vector<DrawableId> all = {0, 1, 2, 3, 4};
   std::atomic<int> calls = 0;
   const std::vector<double> whole = measured_distances(opened, all, 10'000, [&] { ++calls; });
-  EXPECT_EQ(whole, measured_distances(opened, 10'000));
+  const std::vector<MeasuredDrawable> measured = measured_drawables(opened, 10'000);
+  for (size_t i = 0; i < whole.size(); ++i) EXPECT_EQ(whole[i], measured.at(i).distance);
   ASSERT_GE(calls, 5);
   for (int last = 0; last < calls; ++last) {
     std::atomic<int> left = last;
