@@ -104,7 +104,8 @@ bool may_stand_for_node(const FrameView& view, DrawableId id) {
   const SceneNode& node = skeleton.scene_nodes[of];
   if (node.child_count == 0 && id == node.first_drawable) return true;
   if (node.child_count > 0 && view.hidden(of) != HiddenShare::nothing) return false;
-  return view.section_place(node.box).inside() && !shows_what_it_lacks(view, node, skeleton.drawables[id]);
+  return view.section_place(skeleton.closed.reach(of, node)).inside() &&
+         !shows_what_it_lacks(view, node, skeleton.drawables[id]);
 }
 
 Cut select_cut(const FrameView& view, FrustumCulling culling) {

@@ -45,8 +45,8 @@ void kill_late(const std::string& model, const std::string& pack) {
     const auto late = [&] {
       std::error_code none;
       const uint64_t size = std::filesystem::file_size(journal, none);
-      // The record of a batch of leaves, up to 421,000, is whole: the next one's has begun.
-      return !none && size > 450'000;
+      // The record of a batch of leaves, up to 717,000, is whole: the next one's has begun.
+      return !none && size > 750'000;
     };
     while (!late() && !std::filesystem::exists(pack))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

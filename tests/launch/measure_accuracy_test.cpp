@@ -236,6 +236,20 @@ TEST_F(MeasureAccuracy, builds_that_are_none_are_usage_errors) {
   }
 }
 
+TEST_F(MeasureAccuracy, takes_pictures_of_a_few_pixels) {
+  const std::string pack = write_pack(small_pack());
+  run(words(pack, {"--pixel-error", "1", "--sizes", "1x1,3x2,2x9", "--compare", "2"}));
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["violations"], 0);
+  std::set<std::string> sizes;
+  for (const nlohmann::json& row : report["rows"]) {
+    sizes.insert(row["size"].get<std::string>());
+    for (const char* key : {"wrong_pixel_share", "hole_share", "rmse", "ssim", "popping"})
+      EXPECT_TRUE(row[key].is_number()) << key << " of " << row["size"];  // null is what a NaN becomes
+  }
+  EXPECT_EQ(sizes, (std::set<std::string>{"1x1", "2x9", "3x2"}));
+}
+
 TEST_F(MeasureAccuracy, sizes_errors_and_strategies_that_are_none_are_usage_errors) {
   const std::string pack = write_pack(small_pack());
   for (const auto& [flag, value] : {std::pair{"--sizes", "65"},

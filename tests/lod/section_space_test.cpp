@@ -92,7 +92,9 @@ TEST(SectionSpace, of_the_cut_that_is_left_what_is_not_outside) {
     const Cut cut = select_cut(frame);
     std::vector<DrawableId> left;
     for (const DrawableId id : whole) {
-      if (!frame.section_place(skeleton.scene_nodes[skeleton.drawables[id].scene_node].box).outside)
+      // What belongs to a solid that reaches further counts with it.
+      const SceneNodeId node = skeleton.drawables[id].scene_node;
+      if (!frame.section_place(skeleton.closed.reach(node, skeleton.scene_nodes[node])).outside)
         left.push_back(id);
     }
     EXPECT_EQ(cut.drawables, left);
