@@ -1,6 +1,7 @@
 #include "base/distribution.hpp"
 #include "launch/measure.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/run_pipeline.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hiding_cost.hpp"
 #include "measure/json.hpp"
@@ -22,12 +23,7 @@ int run(const MeasureHidingCommand& command) {
   const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
   const ChosenDevice device = choose_device(command.run.device);
-  const auto [width, height] = command.run.size;
-  LocalPipeline pipeline(pack, {.width = width,
-                                .height = height,
-                                .cull = command.cull.kind,
-                                .min_pixels = command.cull.min_pixels,
-                                .device = device.options});
+  LocalPipeline pipeline(pack, pipeline_options(command.run, command.cull, device.options));
   const std::vector<HidingCost> costs = measure_hiding(pack, pipeline, frames, command.rounds);
   const double without = distribution(costs.front().frame.cpu_ms).p50;
   nlohmann::json rows = nlohmann::json::array();

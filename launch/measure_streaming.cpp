@@ -6,10 +6,10 @@
 #include "launch/measure.hpp"
 #include "launch/memory_flags.hpp"
 #include "launch/number_flags.hpp"
+#include "launch/run_pipeline.hpp"
 #include "measure/json.hpp"
 #include "measure/streaming_report.hpp"
 #include "nodes/frame_watch.hpp"
-#include "nodes/local_pipeline.hpp"
 
 #include <chrono>
 #include <fmt/core.h>
@@ -30,12 +30,7 @@ int run(const MeasureStreamingCommand& command) {
   const Pack pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack);
   const ChosenDevice device = choose_device(command.run.device);
-  const auto [width, height] = command.run.size;
-  LocalPipeline pipeline(pack, {.width = width,
-                                .height = height,
-                                .cull = command.cull.kind,
-                                .min_pixels = command.cull.min_pixels,
-                                .device = device.options});
+  LocalPipeline pipeline(pack, pipeline_options(command.run, command.cull, device.options));
   std::vector<FrameRecord> records;
   {
     Progress progress("measure streaming", frames.size() * command.rounds);

@@ -38,9 +38,9 @@ void LocalPipeline::begin_streaming(const FrameState& first) {
   constexpr uint64_t a_sample = 16, a_pixel = 8;
   const uint64_t ahead = PackDevice::read_ahead_bytes(caps);
   keeper_.emplace(device_, caps, ahead, (a_sample * first.samples + a_pixel) * pixels);
-  prefetch_.emplace(hierarchy_.skeleton(), device_, *parts_->device.read_ahead(), ahead / 4);
+  prefetch_.emplace(hierarchy_, device_, *parts_->device.read_ahead(), ahead / 4);
   if (caps.on_miss == OnMiss::coarser)
-    substitutes_.emplace(hierarchy_.skeleton(), device_, *parts_->device.read_ahead());
+    substitutes_.emplace(hierarchy_, device_, *parts_->device.read_ahead());
 }
 
 std::optional<ReadAheadUse> LocalPipeline::read_ahead() const {
@@ -95,6 +95,8 @@ const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
     }
   }
   record_.raised_for_memory = raised.state.pixel_error > frame.state.pixel_error;
+  // Whoever draws between frames, as a view from outside, does without what has no room.
+  device_.set_missing({.wait = true, .refuse = false, .fail = !substitutes_});
   keeper_->drawn();
   if (device_.geometry_use().no_room > no_room) keeper_->crowded(raised.state.pixel_error);
   prefetch_->drawn(occlusion_->view(), visible_);
@@ -107,8 +109,8 @@ void LocalPipeline::draw_once(const FrameRequest& frame) {
   record_.number = frame.number;
   record_.pixel_error = frame.state.pixel_error;
   record_.owed_drawables = 0;
-  const uint64_t left_out = substitutes_ ? device_.geometry_use().left_out : 0;
-  if (substitutes_) device_.set_missing({.wait = false, .refuse = false});
+  const uint64_t left_out = device_.geometry_use().left_out;
+  if (keeper_) device_.set_missing({.wait = !substitutes_, .refuse = !substitutes_, .fail = !substitutes_});
   std::swap(previous_, visible_);
   const Stopwatch whole;
   Stopwatch stage;
@@ -151,7 +153,7 @@ void LocalPipeline::draw_substitutes(const FrameView& view) {
   VisibleSet shown = visible_;
   record_.owed_drawables = substitutes_->replace(view, shown);
   sorter_.sort(hierarchy_.skeleton(), view.cell, shown);
-  device_.set_missing({.wait = true, .refuse = true});
+  device_.set_missing({.wait = true, .refuse = true, .fail = false});
   picture_->begin(view, record_.number);
   picture_->draw(shown);
 }

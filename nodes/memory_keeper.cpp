@@ -88,11 +88,8 @@ void MemoryKeeper::drawn() {
   if (geometry_ > least_geometry) {
     give_to_geometry(std::max(least_geometry, geometry_ - std::min(geometry_, resident - limit)));
   } else if (resident > caps_.memory && !std::exchange(said_, true)) {
-    notice(
-        "--memory: the process takes {} MiB, more than its {}, with hardly any geometry: drivers and "
-        "pictures "
-        "have grown; more is needed",
-        mib(resident), caps_.memory >> 20);
+    notice("--memory: the process takes {} MiB, more than its {}, with hardly any geometry: more is needed",
+           mib(resident), caps_.memory >> 20);
   }
 }
 

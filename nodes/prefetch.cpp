@@ -20,13 +20,14 @@ View ahead(const View& before, const View& now, double frames) {
 
 /// Whether the visible set has a level of the scene node, or of one right above or below it.
 bool Prefetch::shows_now(SceneNodeId node, const VisibleSet& visible) const {
+  const Skeleton& skeleton = hierarchy_.skeleton();
   const auto has = [&](SceneNodeId id) {
-    const SceneNode& scene_node = skeleton_.scene_nodes[id];
+    const SceneNode& scene_node = skeleton.scene_nodes[id];
     const auto first = std::lower_bound(visible.begin(), visible.end(), scene_node.first_drawable);
     return first != visible.end() && *first < scene_node.first_drawable + scene_node.drawable_count;
   };
   if (has(node)) return true;
-  const SceneNode& scene_node = skeleton_.scene_nodes[node];
+  const SceneNode& scene_node = skeleton.scene_nodes[node];
   if (scene_node.parent != no_id && has(scene_node.parent)) return true;
   for (uint32_t child = 0; child < scene_node.child_count; ++child) {
     if (has(scene_node.first_child + child)) return true;
@@ -49,21 +50,20 @@ void Prefetch::expect(const FrameView& view, const View& before, double frames, 
   FrameState state = view.state;
   state.view = ahead(before, view.view(), frames);
   if (state.view.camera.eye == state.view.camera.target) return;
-  const FrameView then(skeleton_, state, view.rules);
+  const Skeleton& skeleton = hierarchy_.skeleton();
+  const FrameView then(skeleton, state, view.rules);
   uint64_t bytes = 0;
   float place = 0;  // in the order in which they lie behind each other
   for (const DrawableId id : lister_.list(then)) {
-    const Drawable& drawable = skeleton_.drawables[id];
     place += 1;
-    const bool other_level = shows_now(drawable.scene_node, visible);
+    const bool other_level = shows_now(skeleton.drawables[id].scene_node, visible);
     // What is in the frustum now and does not show is most likely hidden then, too.
-    if (!other_level && !view.eye_space.bounds(skeleton_.scene_nodes[drawable.scene_node].box).outside)
-      continue;
-    for (uint32_t i = 0; i < drawable.placement_count; ++i) {
-      const uint32_t chunk = skeleton_.placements[drawable.first_placement + i].chunk;
+    if (!other_level && !view.eye_space.bounds(hierarchy_.scene_node_of(id).box).outside) continue;
+    for (const Placement& placement : hierarchy_.placements_of(id)) {
+      const uint32_t chunk = placement.chunk;
       if (device_.has_chunk(chunk) || device_.is_damaged(chunk)) continue;
       residency_.expect(chunk, least + (other_level ? 1 : 0) + 1 / place);
-      bytes += skeleton_.chunks[chunk].size;
+      bytes += skeleton.chunks[chunk].size;
     }
     if (bytes > bytes_) return;
   }

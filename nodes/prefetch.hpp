@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lod/cut.hpp"
+#include "lod/hierarchy.hpp"
 #include "residency/read_ahead.hpp"
 #include "visibility/device.hpp"
 
@@ -16,8 +17,8 @@ namespace triptych {
 class Prefetch {
  public:
   /// All must outlive it. bytes: of how much is expected at once, of the pack's.
-  Prefetch(const Skeleton& skeleton, const Device& device, ReadAhead& residency, uint64_t bytes)
-      : skeleton_(skeleton), device_(device), residency_(residency), bytes_(bytes) {}
+  Prefetch(const Hierarchy& hierarchy, const Device& device, ReadAhead& residency, uint64_t bytes)
+      : hierarchy_(hierarchy), device_(device), residency_(residency), bytes_(bytes) {}
 
   /// The frame was drawn, and showed this.
   void drawn(const FrameView& view, const VisibleSet& visible);
@@ -28,7 +29,7 @@ class Prefetch {
               const VisibleSet& visible);
   bool shows_now(SceneNodeId node, const VisibleSet& visible) const;
 
-  const Skeleton& skeleton_;
+  const Hierarchy& hierarchy_;
   const Device& device_;
   ReadAhead& residency_;
   uint64_t bytes_;

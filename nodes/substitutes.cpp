@@ -6,18 +6,10 @@
 
 namespace triptych {
 
-template <typename Use>
-void Substitutes::for_each_chunk(DrawableId id, const Use& use) const {
-  const Drawable& drawable = skeleton_.drawables[id];
-  for (uint32_t i = 0; i < drawable.placement_count; ++i)
-    use(skeleton_.placements[drawable.first_placement + i].chunk);
-}
-
 bool Substitutes::is_there(DrawableId id) const {
-  bool all = true;
-  for_each_chunk(id,
-                 [&](uint32_t chunk) { all = all && (device_.has_chunk(chunk) || ready_.contains(chunk)); });
-  return all;
+  return std::ranges::all_of(hierarchy_.placements_of(id), [&](const Placement& placement) {
+    return device_.has_chunk(placement.chunk) || ready_.contains(placement.chunk);
+  });
 }
 
 DrawableId Substitutes::nearest(const FrameView& view, DrawableId id) {
@@ -40,9 +32,9 @@ DrawableId Substitutes::nearest(const FrameView& view, DrawableId id) {
   float priority = urgent;
   for (const DrawableId level : between_) {
     priority += 1;
-    for_each_chunk(level, [&](uint32_t chunk) {
+    for (const auto& [chunk, transform] : hierarchy_.placements_of(level)) {
       if (!device_.has_chunk(chunk) && !device_.is_damaged(chunk)) residency_.expect(chunk, priority);
-    });
+    }
   }
   return found != no_id ? found : coarsest;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lod/frame_view.hpp"
+#include "lod/hierarchy.hpp"
 #include "residency/read_ahead.hpp"
 #include "visibility/device.hpp"
 
@@ -15,8 +16,8 @@ namespace triptych {
 class Substitutes {
  public:
   /// All must outlive it.
-  Substitutes(const Skeleton& skeleton, const Device& device, ReadAhead& residency)
-      : skeleton_(skeleton), device_(device), residency_(residency) {}
+  Substitutes(const Hierarchy& hierarchy, const Device& device, ReadAhead& residency)
+      : hierarchy_(hierarchy), skeleton_(hierarchy.skeleton()), device_(device), residency_(residency) {}
 
   /// Replaces drawables (ascending) that are not there, on the device or read ahead, by the nearest coarser
   /// one that is and may stand for its scene node, and with it all others below that node. Where none is
@@ -26,12 +27,11 @@ class Substitutes {
   size_t replace(const FrameView& view, VisibleSet& drawables);
 
  private:
-  template <typename Use>
-  void for_each_chunk(DrawableId id, const Use& use) const;
   bool is_there(DrawableId id) const;
   DrawableId nearest(const FrameView& view, DrawableId id);
   DrawableId topmost(DrawableId id) const;
 
+  const Hierarchy& hierarchy_;
   const Skeleton& skeleton_;
   const Device& device_;
   ReadAhead& residency_;

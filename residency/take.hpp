@@ -9,7 +9,7 @@
 namespace triptych {
 
 /// The chunk's geometry; nullopt where the draw is to do without it: it is still to be read, or cannot be,
-/// which is said once. Error for damage where draws wait.
+/// which is said once. Error for damage where MissingChunks::fail is set.
 std::optional<Chunk> take(Residency& residency, uint32_t chunk, const MissingChunks& missing,
                           ChunkCache& cache);
 

@@ -14,6 +14,7 @@ inline constexpr uint64_t no_cap = std::numeric_limits<uint64_t>::max();
 struct MissingChunks {
   bool wait = true;    ///< it reads them; if not, it leaves them out, and they are read meanwhile
   bool refuse = true;  ///< NoRoom where a view needs more than the cap; if not, what has no room is left out
+  bool fail = true;    ///< damage is an Error; if not, it is said once, and what is damaged is left out
 };
 
 /// What a device's geometry takes, and what was done to keep it within its cap.

@@ -48,7 +48,7 @@ class Device {
   virtual GeometryUse geometry_use() const = 0;
   /// Whether the chunk is in device memory.
   virtual bool has_chunk(uint32_t chunk) const = 0;
-  /// Whether the chunk was found to be damaged, by a draw that does not wait: it never comes.
+  /// Whether the chunk was found to be damaged and left out: it never comes.
   virtual bool is_damaged(uint32_t chunk) const = 0;
 };
 

@@ -31,16 +31,11 @@ class PartialDevice final : public Device {
 class SubstitutesOf : public testing::TestWithParam<std::string> {
  protected:
   void give(DrawableId id) {
-    const Drawable& drawable = skeleton.drawables[id];
-    for (uint32_t i = 0; i < drawable.placement_count; ++i)
-      device.chunks.insert(skeleton.placements[drawable.first_placement + i].chunk);
+    for (const Placement& placement : hierarchy.placements_of(id)) device.chunks.insert(placement.chunk);
   }
   bool is_there(DrawableId id) const {
-    const Drawable& drawable = skeleton.drawables[id];
-    for (uint32_t i = 0; i < drawable.placement_count; ++i) {
-      if (!device.has_chunk(skeleton.placements[drawable.first_placement + i].chunk)) return false;
-    }
-    return true;
+    return std::ranges::all_of(hierarchy.placements_of(id),
+                               [&](const Placement& placement) { return device.has_chunk(placement.chunk); });
   }
   bool is_below(SceneNodeId node, SceneNodeId ancestor) const {
     for (; node != no_id; node = skeleton.scene_nodes[node].parent) {
@@ -51,9 +46,10 @@ class SubstitutesOf : public testing::TestWithParam<std::string> {
 
   const Pack& pack = scenes::pack(GetParam());
   const Skeleton& skeleton = pack.skeleton();
+  const Hierarchy hierarchy{skeleton};
   PartialDevice device;
   ReadAhead nobody_reads{pack, 0, 1 << 20};
-  Substitutes substitutes{skeleton, device, nobody_reads};
+  Substitutes substitutes{hierarchy, device, nobody_reads};
 };
 
 TEST_P(SubstitutesOf, cover_every_drawable_once_and_are_there_where_anything_may_be) {

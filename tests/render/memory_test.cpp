@@ -1,5 +1,6 @@
 // Drawing within caps of memory: the same pictures where there is room, coarser ones where there is not.
 #include "base/error.hpp"
+#include "lod/cut.hpp"
 #include "nodes/local_pipeline.hpp"
 #include "render/gl/device_space.hpp"
 #include "tests/support/scenes.hpp"
@@ -11,12 +12,20 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 #include <thread>
 
 namespace triptych {
 namespace {
 
 constexpr int width = 96, height = 80;
+
+/// The chunk's bytes are not what they were.
+void damage(const std::filesystem::path& file, const ChunkInfo& chunk) {
+  std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+  bytes.seekp(static_cast<std::streamoff>(32 + chunk.offset + chunk.size / 2));
+  bytes.put('\x5a').put('\x5a').put('\x5a').put('\x5a');
+}
 
 class CappedPictures : public testing::Test {
  protected:
@@ -156,6 +165,57 @@ TEST_F(CappedPictures, that_do_not_wait_become_the_exact_ones_while_the_camera_r
   }
 }
 
+TEST_F(CappedPictures, what_is_drawn_between_frames_does_without_what_has_no_room) {
+  const std::vector<FrameRequest> path = frames(12);
+  for (const OnMiss on_miss : {OnMiss::exact, OnMiss::coarser}) {
+    const auto whole = pipeline(), capped = pipeline({.device_memory = 64 << 20, .on_miss = on_miss});
+    const auto between = capped->device().make_target(TargetKind::item, width, height);
+    for (const FrameRequest& frame : path) {
+      FrameRequest drawn = frame;
+      for (size_t tries = 0; capped->draw(frame).owed_drawables > 0; ++tries) {
+        ASSERT_LT(tries, 20'000u);
+        std::this_thread::yield();
+      }
+      drawn.state.pixel_error = capped->draw(frame).pixel_error;
+      whole->draw(drawn);
+      ASSERT_EQ(capped->target().read_colors(), whole->target().read_colors()) << frame.number;
+      capped->device().set_geometry_cap(1000);  // less than anything takes
+      const FrameView outside(pack.skeleton(), {path[(frame.number + 5) % path.size()].state.view, 0});
+      between->begin(outside);
+      EXPECT_NO_THROW(between->draw(select_cut(outside).drawables));
+      between->finish();
+      EXPECT_GT(capped->device().geometry_use().no_room, 0u);
+      capped->device().set_geometry_cap(64 << 20);
+    }
+  }
+}
+
+TEST(DamagedChunks, that_nothing_coarser_stands_in_for_are_left_out_where_frames_do_not_wait) {
+  const std::filesystem::path file = testing::TempDir() + "triptych_damaged_root.tpk";
+  scenes::write_pack("room", file);
+  const Pack pack(file);
+  const Skeleton& skeleton = pack.skeleton();
+  FrameRequest frame{0, {scenes::path(skeleton, width, height).front(), 4096}};
+  const std::vector<DrawableId> cut = select_cut(FrameView(skeleton, frame.state)).drawables;
+  ASSERT_FALSE(cut.empty());
+  std::set<uint32_t> chunks;
+  for (const DrawableId id : cut) {
+    const Drawable& drawable = skeleton.drawables[id];
+    for (uint32_t i = 0; i < drawable.placement_count; ++i)
+      chunks.insert(skeleton.placements[drawable.first_placement + i].chunk);
+  }
+  for (const uint32_t chunk : chunks) damage(file, skeleton.chunks[chunk]);
+  DeviceOptions device = test::device();
+  device.memory.on_miss = OnMiss::coarser;
+  LocalPipeline hasty(pack, {.width = width, .height = height, .cull = StrategyKind::none, .device = device});
+  for (size_t tries = 0; hasty.draw(frame).loading; ++tries) {
+    ASSERT_LT(tries, 20'000u);
+    std::this_thread::yield();
+  }
+  EXPECT_GT(hasty.draw(frame).owed_drawables, 0u);
+  std::filesystem::remove(file);
+}
+
 TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_do_not) {
   const std::filesystem::path file = testing::TempDir() + "triptych_damaged_chunks.tpk";
   scenes::write_pack("room", file);
@@ -167,12 +227,7 @@ TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_d
                    [](const SceneNode& node) { return node.child_count == 0 && node.drawable_count > 1; });
   ASSERT_NE(leaf, skeleton.scene_nodes.end());
   const uint32_t chunk = skeleton.placements[skeleton.drawables[leaf->first_drawable].first_placement].chunk;
-  {
-    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
-    bytes.seekp(
-        static_cast<std::streamoff>(32 + skeleton.chunks[chunk].offset + skeleton.chunks[chunk].size / 2));
-    bytes.put('\x5a').put('\x5a').put('\x5a').put('\x5a');
-  }
+  damage(file, skeleton.chunks[chunk]);
   EXPECT_THROW(pack.read_chunk(chunk), Error);
   const Box box = skeleton.lattice().box(leaf->box);
   FrameRequest frame{0, {scenes::path(skeleton, width, height).front(), 0}};
