@@ -23,7 +23,8 @@ const std::vector<std::string>& fault_names() {
       "shared-shears",     "loose-contacts",    "no-room",
       "untold-layers",     "unmarked-levels",   "exact-frustum",
       "cut-occludes",      "backs-nearby",      "hidden-occludes",
-      "hollow-levels",     "slow-render-node",  "slow-switch-node"};
+      "hollow-levels",     "opaque-glass",      "slow-render-node",
+      "slow-switch-node"};
   return names;
 }
 

@@ -39,6 +39,7 @@ enum class Fault {
   backs_nearby,      ///< backs are left out even where the eye is among them
   hidden_occludes,   ///< what a person hides is drawn into the occlusion representation once more
   hollow_levels,     ///< levels that leave out what others cover are drawn where it may be seen
+  opaque_glass,      ///< what is transparent hides what lies behind it
   slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change
   slow_switch_node,  ///< the same for switch node 1
 };

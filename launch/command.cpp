@@ -1,5 +1,6 @@
 #include "launch/command.hpp"
 
+#include "base/error.hpp"
 #include "base/inject.hpp"
 #include "base/threads.hpp"
 #include "launch/choice_flag.hpp"
@@ -253,15 +254,35 @@ void add_samples_flag(CLI::App& command, std::vector<uint32_t>& samples) {
       ->type_name("N,...");
 }
 
+namespace {
+void add_effects_flag(CLI::App& command, Effects& effects) {
+  command
+      .add_option_function<std::string>(
+          "--effects",
+          [&effects](const std::string& words) {
+            try {
+              effects = parse_effects(words, "--effects");
+            } catch (const Error& error) {
+              throw CLI::ValidationError(error.what());
+            }
+          },
+          "Draw only these of what the model calls for beyond opaque surfaces: vertex-colours, transparency")
+      ->type_name("all|none|NAME,...")
+      ->default_str("all");
+}
+}  // namespace
+
 void add_picture_flags(CLI::App& command, RunOptions& options) {
   add_samples_flag(command, options);
   command.add_flag("--edges", options.edges, "Draw edges and creases as thin lines");
+  add_effects_flag(command, options.effects);
   add_section_flags(command, options.section);
 }
 
 void add_picture(nlohmann::json& report, const RunOptions& options) {
   report["samples"] = options.samples;
   report["edges"] = options.edges;
+  report["effects"] = effects_text(options.effects);
   report["section"] = section_json(options.section);
 }
 

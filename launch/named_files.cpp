@@ -128,6 +128,7 @@ std::vector<std::string> names_written_into(const CLI::Option& folder, const std
   if (std::count(samples.begin(), samples.end(), command) > 0)
     return {"scene.*", "walk.json", "fly.json", "spin.json", "jump.json", "orbit.json", "ATTRIBUTION.txt"};
   if (command == "kit") return {"kit.*", "walk.json"};
+  if (command == "effects") return {"*.gltf", "*.bin", "walk.json", "fly.json", "spin.json", "jump.json"};
   return {"[0-9]*.png"};
 }
 

@@ -6,6 +6,7 @@
 #include "launch/sample_folder.hpp"
 #include "measure/json.hpp"
 #include "samples/building/building.hpp"
+#include "samples/effects/effects.hpp"
 #include "samples/kit/kit.hpp"
 #include "samples/plant/plant.hpp"
 #include "samples/services/services.hpp"
@@ -50,6 +51,18 @@ int run_building(SampleCommand command) {
                             {"undecoded_images", report.undecoded_images},
                             {"undefined_materials", report.undefined_materials},
                             {"transparent_materials", report.transparent_materials}});
+  return 0;
+}
+
+int run_effects(const SampleCommand& command) {
+  const EffectsReport report = make_effects(command.output);
+  for (const EffectsFile& file : report.files)
+    fmt::print("{:<40}{}\n", (command.output / file.name).string(), file.effects);
+  fmt::print("{} objects, {} triangles in each\n", report.objects, report.triangles);
+  nlohmann::json files = nlohmann::json::array();
+  for (const EffectsFile& file : report.files)
+    files.push_back({{"file", file.name}, {"effects", file.effects}});
+  write_json(command.json, {{"files", files}, {"objects", report.objects}, {"triangles", report.triangles}});
   return 0;
 }
 
@@ -175,6 +188,18 @@ void add_sample(CLI::App& app, Action& action) {
       ->check(whole_number(0))
       ->capture_default_str();
   runs(*building, run_building);
+
+  CLI::App* effects = sample->add_subcommand(
+      "effects",
+      "A small exhibition that calls for every effect, and the same with one of them, or with none");
+  effects->footer("Example: triptych sample effects -o effects");
+  add_common_flags(*effects, command->json);
+  effects
+      ->add_option("-o,--output", command->output,
+                   "Folder for scene.gltf, plain.gltf and so on, and the paths")
+      ->required()
+      ->type_name("DIR");
+  runs(*effects, run_effects);
 
   CLI::App* kit = sample->add_subcommand(
       "kit", "A small building in every format that a library here can write, the same in each");

@@ -20,11 +20,12 @@ struct FrameRules {
   bool bounds_margin = true;       ///< boxes under test are dilated and moved towards the eye
   bool double_bounds = true;       ///< boxes are projected from double-precision coordinates
   // Culling
-  bool map_to_cut = true;            ///< the representation is drawn from drawables of the frame's own cut
-  bool hidden_is_gone = true;        ///< what was visible and is hidden now is not drawn into it
-  bool retest_hidden = true;         ///< what was hidden one frame ago is tested like everything else
-  bool show_all_found = true;        ///< every drawable that is found visible is shown
-  bool cut_occludes_nothing = true;  ///< what a section cuts away is not drawn into the representation
+  bool map_to_cut = true;              ///< the representation is drawn from drawables of the frame's own cut
+  bool hidden_is_gone = true;          ///< what was visible and is hidden now is not drawn into it
+  bool retest_hidden = true;           ///< what was hidden one frame ago is tested like everything else
+  bool show_all_found = true;          ///< every drawable that is found visible is shown
+  bool cut_occludes_nothing = true;    ///< what a section cuts away is not drawn into the representation
+  bool glass_occludes_nothing = true;  ///< what is transparent is not drawn into the representation
   // The device
   bool non_strict_test = true;      ///< a box at exactly the representation's depth shows
   bool fragment_bound = true;       ///< fragments nearer than their piece's box are moved back to it

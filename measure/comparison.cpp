@@ -51,7 +51,7 @@ std::vector<Comparison> compare(const Pack& pack, const DeviceOptions& options,
     pictures.begin(view);
     pictures.draw(cuts.list(view));
     const std::vector<uint8_t> colors = pictures.target().read_colors();
-    const VisibleSet truth = owners(pictures.target().read_items());
+    const VisibleSet truth = owners(pictures.target(), requests[i].state.samples);
     const uint64_t hash = hash_values(std::span<const uint8_t>(colors));
     for (size_t run = 0; run < runs.size(); ++run) {
       if (i < runs[run]->size()) add_frame(comparisons[run], (*runs[run])[i], hash, truth);

@@ -109,7 +109,7 @@ class FramePlayer final : public CullSink {
       for (const DrawableId id : ordered_) representation_.append(id, items_);
       draw_lists_.begin(view);
       cut_bodies_.find(view, items_);
-      draw_lists_.append(ranges_, items_, cut_bodies_, list_);
+      draw_lists_.append(ranges_, items_, cut_bodies_, DrawPart::all, list_);
       return 0;
     });
     clock_.run(FrameStep::select_cut, [&] { return select_cut(view).drawables.size(); });

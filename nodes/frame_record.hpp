@@ -1,10 +1,12 @@
 // What one frame was and what it cost, drawn by a session or by one process.
 #pragma once
 
+#include "visibility/effect_use.hpp"
 #include "visibility/visible_set.hpp"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace triptych {
 
@@ -50,6 +52,7 @@ struct FrameRecord {
   bool raised_for_memory = false;  ///< that is more than was asked, for want of memory
   uint64_t picture_hash = 0;       ///< XXH3-64 of the picture's RGBA bytes, where it was read back
   SteeredFrame steered{};
+  std::vector<EffectUse> effects{};  ///< those that ran, and what each cost
 };
 
 }  // namespace triptych

@@ -21,6 +21,7 @@ FrameRules injected_frame_rules() {
           .retest_hidden = !injected(Fault::carried_hidden),
           .show_all_found = !injected(Fault::withheld_id),
           .cut_occludes_nothing = !injected(Fault::cut_occludes),
+          .glass_occludes_nothing = !injected(Fault::opaque_glass),
           .non_strict_test = !injected(Fault::strict_depth_test),
           .fragment_bound = !injected(Fault::no_fragment_bound),
           .double_positions = !injected(Fault::float_positions),

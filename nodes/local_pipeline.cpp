@@ -142,6 +142,8 @@ void LocalPipeline::draw_once(const FrameRequest& frame) {
   record_.render_ms = stage.milliseconds();
   record_.frame_ms = record_.camera_to_image_ms = whole.milliseconds();
   record_.drawn_triangles = picture_->drawn_triangles();
+  const auto effects = picture_->target().effects();
+  record_.effects.assign(effects.begin(), effects.end());
   difference(previous_, visible_, delta_);
   record_.added = delta_.added.size();
   record_.removed = delta_.removed.size();

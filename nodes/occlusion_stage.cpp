@@ -14,6 +14,7 @@ void OcclusionStage::begin(const FrameRequest& frame) {
   FrameState state = frame.state;
   if (!rules_.current_camera && last_camera_) state.view = *last_camera_;
   if (!rules_.cut_occludes_nothing) state.section = {};
+  if (!rules_.glass_occludes_nothing) state.effects = Effects::none();
   last_camera_ = frame.state.view;
   view_.emplace(skeleton_, state, rules_);
   if (OcclusionRepresentation* representation = strategy_.representation())

@@ -317,6 +317,8 @@ class RenderNode {
     record.added = intake.sentinel.added;
     record.removed = intake.sentinel.removed;
     record.drawn_triangles = picture.drawn_triangles();
+    const auto effects = picture.target().effects();
+    record.effects.assign(effects.begin(), effects.end());
     record.digest_mismatch = intake.digest_mismatch;
     record.visible = std::move(intake.visible);
     return record;

@@ -26,9 +26,6 @@ namespace triptych {
 
 namespace {
 
-/// What Skeleton::effects calls materials that let light through; they are drawn opaque.
-constexpr const char* transparency_effect = "transparent materials";
-
 /// Appends to the arrays of a skeleton or a sub-hierarchy.
 template <typename Hierarchy>
 void add_nodes(Hierarchy& hierarchy, std::span<const HierarchyNode> nodes,
@@ -226,8 +223,10 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     skeleton.effects.push_back(vertex_colors_effect);
   stage("measure", [&] { plan = make_plan(model, options); });
   skeleton.import.dropped_triangles += plan.dropped_triangles;
-  const auto transparent = static_cast<uint64_t>(std::count_if(
-      plan.colors.begin(), plan.colors.end(), [&](uint32_t color) { return plan.palette[color][3] < 255; }));
+  const auto transparent =
+      static_cast<uint64_t>(std::count_if(plan.colors.begin(), plan.colors.end(), [&](uint32_t color) {
+        return is_transparent(plan.palette[color]);
+      }));
   if (transparent > 0) skeleton.effects.push_back(transparency_effect);
   auto& warnings = skeleton.import.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());

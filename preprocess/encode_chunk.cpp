@@ -26,6 +26,40 @@ std::vector<uint32_t> runs_of(const std::vector<bool>& outward) {
   return ends;
 }
 
+struct SortedTriangles {
+  std::vector<uint32_t> indices;
+  std::vector<uint32_t> run_ends;  ///< of those that keep their places
+  bool has_transparent = false;
+};
+
+/// The chunk's triangles, in each run the opaque ones before the transparent ones.
+SortedTriangles sort_triangles(const Chunk& chunk, std::span<const uint32_t> runs, Palette palette) {
+  SortedTriangles sorted{{}, {runs.begin(), runs.end()}, false};
+  if (palette.empty() || transparent_runs(chunk, palette).empty()) {
+    sorted.indices = chunk.indices;
+    return sorted;
+  }
+  sorted.has_transparent = true;
+  sorted.run_ends.clear();
+  const auto add = [&](size_t first, size_t end, bool transparent) {
+    for (size_t i = first; i < end; ++i) {
+      if (is_transparent(chunk, i, palette) != transparent) continue;
+      sorted.indices.insert(sorted.indices.end(), chunk.indices.data() + 3 * i,
+                            chunk.indices.data() + 3 * (i + 1));
+    }
+    sorted.run_ends.push_back(static_cast<uint32_t>(sorted.indices.size() / 3));
+  };
+  size_t first = 0;
+  const auto add_run = [&](size_t end) {
+    add(first, end, false);
+    add(first, end, true);
+    first = end;
+  };
+  for (const uint32_t end : runs) add_run(end);
+  add_run(chunk.triangle_count());
+  return sorted;
+}
+
 /// Values of vertices in their new places; none where there are none.
 template <typename Value>
 std::vector<Value> moved(const std::vector<Value>& values, const std::vector<uint32_t>& places,
@@ -39,16 +73,18 @@ std::vector<Value> moved(const std::vector<Value>& values, const std::vector<uin
 
 }  // namespace
 
-std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t> runs_kept) {
+std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t> runs_kept,
+                                    Palette palette) {
+  const SortedTriangles sorted = sort_triangles(chunk, runs_kept, palette);
   // Vertex cache order, then vertices in the order of their first use: both codecs compress better so.
   std::vector<uint32_t> indices(chunk.indices.size());
   const auto reorder = [&](size_t first, size_t end) {
     if (first == end) return;
-    meshopt_optimizeVertexCacheFifo(indices.data() + 3 * first, chunk.indices.data() + 3 * first,
+    meshopt_optimizeVertexCacheFifo(indices.data() + 3 * first, sorted.indices.data() + 3 * first,
                                     3 * (end - first), chunk.vertices.size(), cache_size);
   };
   size_t first = 0;
-  for (const uint32_t end : runs_kept) {
+  for (const uint32_t end : sorted.run_ends) {
     reorder(first, end);
     first = end;
   }
@@ -64,7 +100,12 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t
       meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
   std::vector<glm::ivec3> points;
   for (const ChunkVertex& vertex : vertices) points.push_back(vertex.point);
-  const std::vector<uint32_t> runs = runs_of(outward_triangles(points, indices));
+  std::vector<bool> transparent;
+  if (sorted.has_transparent) {
+    for (size_t i = 2; i < indices.size(); i += 3)
+      transparent.push_back(is_transparent(palette[vertices[indices[i]].color]));
+  }
+  const std::vector<uint32_t> runs = runs_of(outward_triangles(points, indices, transparent));
   ByteWriter writer;
   writer.write(static_cast<uint32_t>(vertices.size()));
   writer.write(static_cast<uint32_t>(indices.size() / 3));

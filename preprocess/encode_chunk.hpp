@@ -1,7 +1,7 @@
 // Chunks as the bytes of a pack; scene/chunk.hpp reads them back.
 #pragma once
 
-#include "scene/chunk.hpp"
+#include "scene/transparency.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,9 @@ namespace triptych {
 /// in range.
 ///
 /// runs: where runs of triangles end, ascending, that stay where they are; triangles change their places
-/// within each, and behind the last.
-std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t> runs = {});
+/// within each, and behind the last. palette: in each of them transparent triangles follow the opaque ones;
+/// empty if none is.
+std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t> runs = {},
+                                    Palette palette = {});
 
 }  // namespace triptych

@@ -16,7 +16,7 @@ namespace {
 void write_key(ContentKeyWriter& key, std::span<const HlodSource> sources, double error, uint32_t leaves,
                const std::vector<ErrorGap>& gaps, const HlodPlace& where) {
   write_unit_kind(key, UnitKind::hlod, where.options);
-  bool colored = false, placed = false;
+  bool colored = false, transparent = false, placed = false;
   key.write(uint64_t{sources.size()});
   for (const HlodSource& source : sources) {
     write_record(key, source.surface);
@@ -29,9 +29,11 @@ void write_key(ContentKeyWriter& key, std::span<const HlodSource> sources, doubl
       key.write(source.transform);
     }
     colored = colored || !source.surface.colors.empty();
+    transparent = transparent || has_transparent(source.surface, where.palette);
     placed = placed || source.lattice;
   }
   if (colored) key.write_all(where.palette);
+  if (transparent) key.write_all(std::span<const uint32_t>(transparent_colors(where.palette)));
   if (placed) key.write(where.lattice.origin);
   key.write(where.lattice.step);
   key.write(error);
@@ -70,7 +72,7 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   UnitResult result;
   for (HlodDrawable& drawable : hlod.drawables) {
     figures.errors.push_back(drawable.error);
-    EncodedChunk chunk = encode(drawable.piece.surface, where.options.in_pieces());
+    EncodedChunk chunk = encode(drawable.piece.surface, where.options.in_pieces(), where.palette);
     chunk.seen_from_outside = drawable.seen_from_outside && where.options.rules.levels_are_marked;
     if (where.has_objects) figures.objects.push_back(objects.encoded(drawable.piece, chunk));
     result.chunks.push_back({std::move(chunk), where.lattice_number});

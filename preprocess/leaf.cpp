@@ -131,7 +131,8 @@ std::vector<uint32_t> run_ends(const PartInfo& info) {
 
 /// What make_levels() makes its result of.
 void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, const PartInfo& info,
-                      const Lattice& lattice, const BuildOptions& options, size_t kept_triangles) {
+                      const Lattice& lattice, Palette palette, const BuildOptions& options,
+                      size_t kept_triangles) {
   write_unit_kind(key, UnitKind::part_levels, options);
   key.write(uint64_t{part.size()});
   key.write_all(part);
@@ -140,6 +141,8 @@ void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, co
   key.write(info.moved);
   key.write(info.covered_step);
   key.write(info.variant_of == no_id);
+  key.write(info.transparent);
+  if (info.transparent) key.write_all(std::span<const uint32_t>(transparent_colors(palette)));
   for (const PartRun& run : info.runs) key.write(run.triangles);
   write_record(key, info.contacts);
   write_record(key, info.layers);
@@ -148,8 +151,8 @@ void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, co
 }
 
 /// The unit UnitKind::part_levels: for each level a chunk, and its geometry where HLODs may begin with it.
-UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, const BuildOptions& options,
-                       size_t kept_triangles) {
+UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, Palette palette,
+                       const BuildOptions& options, size_t kept_triangles) {
   for (const CoveredTriangle& covered : info.covered) {
     uint32_t& material = part.surface.triangles[covered.triangle].material;
     material = material_covered(material, covered.of_class);
@@ -192,8 +195,8 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
     const auto& [level, bound, grown] = levels[i];
     // The other chain has the first one's chunk.
     if (i > 0 || info.variant_of == no_id) {
-      EncodedChunk chunk =
-          encode(level.surface, options.in_pieces(), i == 0 ? run_ends(info) : std::vector<uint32_t>());
+      EncodedChunk chunk = encode(level.surface, options.in_pieces(), info.transparent ? palette : Palette(),
+                                  i == 0 ? run_ends(info) : std::vector<uint32_t>());
       chunk.seen_from_outside = level.seen_from_outside && options.rules.levels_are_marked;
       result.chunks.push_back({std::move(chunk), info.lattice});
     }
@@ -232,10 +235,10 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
     const Lattice& lattice = parts.lattices[info.lattice];
     const std::vector<std::byte> bytes = work.parts().read(info.place);
     ContentKeyWriter key;
-    if (options.cache) write_levels_key(key, bytes, info, lattice, options, kept_triangles);
+    if (options.cache) write_levels_key(key, bytes, info, lattice, parts.palette, options, kept_triangles);
     return record_bytes(cached_unit(options.cache, key, info.lattice, [&] {
-      return make_levels(record_of<Part>(bytes, work.parts().path().string()), info, lattice, options,
-                         kept_triangles);
+      return make_levels(record_of<Part>(bytes, work.parts().path().string()), info, lattice, parts.palette,
+                         options, kept_triangles);
     }));
   };
   std::vector<uint32_t> all(parts.parts.size());

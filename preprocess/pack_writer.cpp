@@ -35,8 +35,8 @@ const std::filesystem::path& without_header(const std::filesystem::path& partial
 
 }  // namespace
 
-EncodedChunk::EncodedChunk(const Chunk& chunk, std::span<const uint32_t> runs)
-    : bytes(encode_chunk(chunk, runs)),
+EncodedChunk::EncodedChunk(const Chunk& chunk, std::span<const uint32_t> runs, Palette palette)
+    : bytes(encode_chunk(chunk, runs, palette)),
       triangles(static_cast<uint32_t>(chunk.triangle_count())),
       box(chunk.box()),
       pieces(chunk.pieces()) {

@@ -7,6 +7,7 @@
 #include "scene/chunk.hpp"
 #include "scene/pack_options.hpp"
 #include "scene/sub_hierarchy.hpp"
+#include "scene/transparency.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -18,7 +19,8 @@ namespace triptych {
 /// A chunk that waits for its turn to be written: threads encode, one writes in a fixed order.
 struct EncodedChunk {
   EncodedChunk() = default;
-  explicit EncodedChunk(const Chunk& chunk, std::span<const uint32_t> runs = {});
+  /// As encode_chunk().
+  explicit EncodedChunk(const Chunk& chunk, std::span<const uint32_t> runs = {}, Palette palette = {});
 
   std::vector<std::byte> bytes;
   uint32_t vertices = 0, triangles = 0;

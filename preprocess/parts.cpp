@@ -20,6 +20,7 @@ namespace {
 struct PartFigures {
   uint32_t triangles = 0, borders = 0;
   uint32_t color = no_id;  ///< PartInfo::color
+  bool transparent = false;
   Outside outside = Outside::none;
   std::vector<LatticeBox> boxes;  ///< in each of the mesh's instances
   std::vector<PartRun> runs;      ///< Division's
@@ -40,9 +41,9 @@ struct DivisionFigures {
 
 template <>
 inline constexpr auto record_members<PartFigures> = std::tuple(&PartFigures::triangles, &PartFigures::borders,
-                                                               &PartFigures::color, &PartFigures::outside,
-                                                               &PartFigures::boxes, &PartFigures::runs,
-                                                               &PartFigures::rest);
+                                                               &PartFigures::color, &PartFigures::transparent,
+                                                               &PartFigures::outside, &PartFigures::boxes,
+                                                               &PartFigures::runs, &PartFigures::rest);
 template <>
 inline constexpr auto record_members<DivisionFigures> = std::tuple(
     &DivisionFigures::dropped_triangles, &DivisionFigures::welded_vertices, &DivisionFigures::lone_triangles,
@@ -151,6 +152,7 @@ class PartMaker {
                        .own_borders_from = figures.first_own,
                        .own_borders_behind = border_counts[mesh] - figures.first_own,
                        .color = part.color,
+                       .transparent = part.transparent,
                        .outside = part.outside,
                        .runs = part.runs});
       for (PartRun& run : infos.back().runs) {
@@ -192,15 +194,17 @@ class PartMaker {
                             .bodies = division.bodies,
                             .rest = {},
                             .parts = {}};
-    // Of a bucket nobody knows.
-    const Outside outside =
-        shared.empty() && options_.keeps_order() ? outside_of(welded.surface) : Outside::none;
+    // Of a bucket nobody knows, and through what is transparent backs are seen.
+    const bool has_outside =
+        shared.empty() && options_.keeps_order() && !has_transparent(welded.surface, plan_.palette);
+    const Outside outside = has_outside ? outside_of(welded.surface) : Outside::none;
     UnitResult result;
     for (const Part& part : division.parts) {
       PartFigures& of_part =
           figures.parts.emplace_back(PartFigures{static_cast<uint32_t>(part.surface.triangles.size()),
                                                  static_cast<uint32_t>(part.borders.size()),
                                                  color_of(part.surface),
+                                                 has_transparent(part.surface, plan_.palette),
                                                  outside,
                                                  {},
                                                  division.runs[figures.parts.size()],

@@ -42,6 +42,8 @@ struct PartInfo {
   std::vector<uint32_t> contacts = {};
   /// The palette index of all of its triangles; no_id where they have several, or colours of vertices.
   uint32_t color = no_id;
+  /// Whether any of its triangles is.
+  bool transparent = false;
   /// Triangles in whose planes others lie, ascending.
   std::vector<LayeredTriangle> layers = {};
   /// Of its mesh; none where that is not known.

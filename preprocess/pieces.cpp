@@ -180,9 +180,9 @@ std::vector<uint8_t> fitting_pieces(const Surface& surface) {
   return pieces;
 }
 
-EncodedChunk encode(const Surface& surface, bool in_pieces, std::span<const uint32_t> runs) {
-  return EncodedChunk(make_chunk(surface, in_pieces ? fitting_pieces(surface) : std::vector<uint8_t>{}),
-                      runs);
+EncodedChunk encode(const Surface& surface, bool in_pieces, Palette palette, std::span<const uint32_t> runs) {
+  return EncodedChunk(make_chunk(surface, in_pieces ? fitting_pieces(surface) : std::vector<uint8_t>{}), runs,
+                      palette);
 }
 
 }  // namespace triptych

@@ -22,7 +22,9 @@ static_assert(max_pieces <= max_chunk_pieces);
 /// and Pingali, Fast agglomerative clustering for rendering, 2008).
 std::vector<uint8_t> fitting_pieces(const Surface& surface);
 
-/// The surface as a chunk, in pieces where they fit it better if `in_pieces`. runs: as in encode_chunk().
-EncodedChunk encode(const Surface& surface, bool in_pieces, std::span<const uint32_t> runs = {});
+/// The surface as a chunk, in pieces where they fit it better if `in_pieces`. palette, runs: as in
+/// encode_chunk().
+EncodedChunk encode(const Surface& surface, bool in_pieces, Palette palette,
+                    std::span<const uint32_t> runs = {});
 
 }  // namespace triptych

@@ -14,6 +14,7 @@ PlacedCache::PlacedCache(BuildCache* cache, const Parts& parts, const SpoolFile&
     key.write(parts.lattices[info.lattice].step);
     key.write(info.color);
     key.write(info.outside);
+    key.write(info.transparent);
     keys_[part] = key.key();
   });
 }

@@ -13,7 +13,7 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
   const View& view = state.view;
   const Camera& camera = view.camera;
   constexpr size_t section_bytes = 2 + Section::max_planes * 4 * 8 + 6 * 8;
-  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 4 + 1 + section_bytes + 4 + 8 + 8> fields;
+  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 4 + 1 + 4 + section_bytes + 4 + 8 + 8> fields;
   std::byte* end = fields.data();
   const auto add = [&](const auto& value) {
     std::memcpy(end, &value, sizeof(value));
@@ -33,6 +33,7 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
   add(view.height);
   add(state.samples);
   add(static_cast<uint8_t>(state.edges));
+  add(state.effects.bits());
   const Section& section = state.section;
   add(static_cast<uint8_t>(section.planes().size()));
   for (const SectionPlane& plane : section.planes()) {

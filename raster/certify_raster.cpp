@@ -124,7 +124,8 @@ class Scene {
         chunk.indices.push_back(3 * i + corner);
       }
     }
-    chunk_.emplace(chunk);
+    skeleton_.palette.push_back({255, 255, 255, 255});
+    chunk_.emplace(chunk, skeleton_.palette);
     const BoxProjector projector(frame, raster_margins);
     const GeometryTerms terms(frame, projector);
     LatticePlacer placer(skeleton_);

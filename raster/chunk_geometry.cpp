@@ -18,7 +18,8 @@ uint64_t capacity_of(const std::vector<Value>& values) {
 
 }  // namespace
 
-RasterChunk::RasterChunk(const Chunk& chunk) : vertex_color(chunk.colors) {
+RasterChunk::RasterChunk(const Chunk& chunk, Palette palette)
+    : vertex_color(chunk.colors), transparent(transparent_runs(chunk, palette)) {
   const size_t vertices = chunk.vertices.size(), triangles = chunk.triangle_count();
   for (auto* const values : {&x, &y, &z}) values->reserve(vertices + spare_vertices);
   for (auto& values : corner) values.reserve(triangles + spare_vertices);
@@ -66,7 +67,7 @@ RasterChunk::VertexRange RasterChunk::vertices(uint32_t first_triangle, uint32_t
 uint64_t RasterChunk::bytes() const {
   uint64_t sum = sizeof *this + capacity_of(x) + capacity_of(y) + capacity_of(z) + capacity_of(piece) +
                  capacity_of(color) + capacity_of(outward) + capacity_of(ranges_) + capacity_of(layers) +
-                 capacity_of(vertex_color);
+                 capacity_of(vertex_color) + capacity_of(transparent);
   for (const auto& values : corner) sum += capacity_of(values);
   return sum;
 }
@@ -103,7 +104,7 @@ void ChunkGeometry::load(uint32_t chunk) {
   }
   const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
   if (!taken) return cache_.leave_out(false);
-  auto read = std::make_unique<const RasterChunk>(*taken);
+  auto read = std::make_unique<const RasterChunk>(*taken, skeleton_.palette);
   cache_.add(chunk, read->bytes(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
   chunks_[chunk] = std::move(read);
 }

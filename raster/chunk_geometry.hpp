@@ -4,6 +4,7 @@
 #include "lod/representation.hpp"
 #include "residency/chunk_cache.hpp"
 #include "residency/residency.hpp"
+#include "scene/transparency.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -17,7 +18,7 @@ inline constexpr size_t spare_vertices = 16;
 
 class RasterChunk {
  public:
-  explicit RasterChunk(const Chunk& chunk);
+  RasterChunk(const Chunk& chunk, Palette palette);
 
   uint32_t vertex_count() const { return static_cast<uint32_t>(piece.size()); }
   /// The vertices of some triangles, and perhaps others: from first to last, both included.
@@ -40,6 +41,7 @@ class RasterChunk {
   std::vector<VertexColor> vertex_color;  ///< of each vertex, in place of `color`; empty if it has none
   std::vector<uint32_t> outward;          ///< of each triangle a bit, the lowest first; and spare ones
   bool has_outward = false;
+  std::vector<uint32_t> transparent;  ///< transparent_runs()
 
  private:
   std::vector<VertexRange> ranges_;  ///< of blocks of triangles

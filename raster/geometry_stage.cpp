@@ -203,7 +203,7 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
 size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, Stage& stage, size_t found,
                          StretchTriangles& result) {
   const RasterKernels* const kernels = raster_kernels(instruction_set());
-  if (kernels == nullptr || range.cut != 0 || found == 0) return found;
+  if (kernels == nullptr || range.cut != 0 || range.transparent || found == 0) return found;
   const RasterChunk& chunk = *range.chunk;
   const auto corners = [&](size_t k) { return chunk.corner[k].data() + range.first_triangle; };
   const TransformTerms transform = terms.transform_terms(range.placed);

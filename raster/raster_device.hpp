@@ -19,6 +19,9 @@ struct RasterOptions {
   /// Triangles that are numbered in one frame before numbers are used again: tests set fewer. Never fewer
   /// than a picture's pixels.
   uint64_t max_slots = std::numeric_limits<uint32_t>::max();
+  /// Fragments of transparent triangles in one list, at most, unless they are of one pixel: more are made in
+  /// parts.
+  size_t max_fragments = size_t{1} << 20;
 };
 
 /// Draws with as many threads as parallel_for (base/threads.hpp). Geometry is asked of the residency when it

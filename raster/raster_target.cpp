@@ -1,5 +1,6 @@
 #include "raster/raster_target.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "raster/box_test.hpp"
@@ -36,8 +37,7 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
     terms_.emplace_back(*view_, *projector_, place);
 }
 
-[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables, SamplePlanes& planes) {
-  assert(planes.size() == terms_.size());
+uint64_t RasterScene::place(std::span<const DrawableId> drawables) {
   // Front to back, so that tiles hide what comes later; the result is the same in any order.
   ranks_.clear();
   for (const DrawableId id : drawables) ranks_.push_back(draw_rank(skeleton_, view_->cell, id));
@@ -48,7 +48,9 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   cut_bodies_.find(*view_, items_);
   for (const CutRun& run : cut_bodies_.runs()) geometry_.require(run.chunk);
   stretches_.clear();
+  transparent_stretches_.clear();
   names_.clear();
+  const bool transparency = view_->state.effects.has(Effect::transparency);
   uint64_t triangles = 0;
   auto rank = ranks_.begin();
   for (const DrawItem& item : items_) {
@@ -71,7 +73,26 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
     if (stretch.chunk->has_outward)
       stretch.front = outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
     triangles += stretch.triangle_count;
-    stretches_.push_back(stretch);
+    if (!transparency || chunk->transparent.empty()) {
+      stretches_.push_back(stretch);
+      continue;
+    }
+    const uint32_t first = stretch.first_triangle, end = first + stretch.triangle_count;
+    for_each_run(chunk->transparent, first, end, [&](uint32_t from, uint32_t to, bool transparent) {
+      stretch.first_triangle = from;
+      stretch.triangle_count = to - from;
+      (transparent ? transparent_stretches_ : stretches_).push_back(stretch);
+    });
+  }
+  return triangles;
+}
+
+[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables, SamplePlanes& planes,
+                                             std::vector<DrawableId>& transparent) {
+  assert(planes.size() == terms_.size());
+  const uint64_t triangles = place(drawables);
+  for (const PlacedStretch& stretch : transparent_stretches_) {
+    if (transparent.empty() || transparent.back() != stretch.rank.id) transparent.push_back(stretch.rank.id);
   }
   add_cap_runs();
   for (size_t i = 0; i < planes.size(); ++i) {
@@ -79,6 +100,16 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
     planes[i].draw_caps(terms_[i], cap_runs_, cap_counters_);
   }
   return triangles;
+}
+
+std::vector<TransparentLayers> RasterScene::transparent_layers(std::span<const DrawableId> drawables,
+                                                               const SamplePlanes& planes,
+                                                               size_t max_fragments) {
+  place(drawables);
+  std::vector<TransparentLayers> layers;
+  for (size_t i = 0; i < planes.size(); ++i)
+    layers.emplace_back(terms_[i], transparent_stretches_, planes[i], max_fragments);
+  return layers;
 }
 
 void RasterScene::add_cap_runs() {
@@ -110,14 +141,14 @@ void RasterScene::add_cap_runs() {
 
 RasterTarget::RasterTarget(RasterScene& scene, TargetKind kind, int width, int height,
                            const RasterOptions& options)
-    : scene_(scene), kind_(kind), max_slots_(options.max_slots), drawn_(scene.skeleton().drawables.size()) {
+    : scene_(scene), kind_(kind), options_(options), drawn_(scene.skeleton().drawables.size()) {
   make_planes(1, width, height);
 }
 
 void RasterTarget::make_planes(size_t count, int width, int height) {
   while (planes_.size() > count) planes_.pop_back();
   while (planes_.size() < count)
-    planes_.emplace_back(width, height, kind_ == TargetKind::depth_only, max_slots_);
+    planes_.emplace_back(width, height, kind_ == TargetKind::depth_only, options_.max_slots);
 }
 
 DeviceMargins RasterTarget::margins() const { return steady_margins; }
@@ -133,8 +164,10 @@ void RasterTarget::begin(const FrameView& view) {
   make_planes(view.state.samples, width(), height());
   for (VisibilityBuffer& plane : planes_) plane.clear();
   drawn_.clear();
+  transparent_.clear();
   drawn_triangles_ = 0;
   picture_is_made_ = false;
+  effects_.clear();
 }
 
 void RasterTarget::draw(std::span<const DrawableId> drawables) {
@@ -145,7 +178,7 @@ void RasterTarget::draw(std::span<const DrawableId> drawables) {
   }
   if (fresh_.empty()) return;
   scene_.set_view(*view_);  // other targets draw, too
-  drawn_triangles_ += scene_.draw(fresh_, planes_);
+  drawn_triangles_ += scene_.draw(fresh_, planes_, transparent_);
   picture_is_made_ = false;
 }
 
@@ -203,12 +236,48 @@ void RasterTarget::make_picture() const {
   picture_.resize(static_cast<size_t>(width()) * static_cast<size_t>(height()));
   if (!view_) {
     std::fill(picture_.begin(), picture_.end(), background_bytes);
-  } else if (planes_.size() == 1 && !view_->state.edges) {
-    shade(planes_.front(), *view_, picture_);
   } else {
-    resolve(planes_, *view_, picture_);
+    const Stopwatch stopwatch;
+    const std::vector<TransparentLayers> layers = transparent_layers();
+    const double set_up = stopwatch.milliseconds();
+    ShadingCounts counts;
+    if (planes_.size() == 1 && !view_->state.edges) {
+      shade(planes_.front(), *view_, layers, picture_, counts);
+    } else {
+      resolve(planes_, *view_, layers, picture_, counts);
+    }
+    count_effects(counts, set_up);
   }
   picture_is_made_ = true;
+}
+
+void RasterTarget::count_effects(const ShadingCounts& counts, double set_up_ms) const {
+  effects_.clear();
+  if (counts.varying_pixels > 0) {
+    effects_.push_back(
+        {.effect = Effect::vertex_colors, .ms = counts.varying_ms, .fragments = counts.varying_pixels});
+  }
+  if (!transparent_.empty()) {
+    effects_.push_back({.effect = Effect::transparency,
+                        .ms = set_up_ms + counts.blending_ms,
+                        .draws = transparent_.size(),
+                        .fragments = counts.blended_fragments,
+                        .splits = counts.splits});
+  }
+}
+
+std::vector<TransparentLayers> RasterTarget::transparent_layers() const {
+  if (transparent_.empty()) return {};
+  scene_.set_view(*view_);  // other targets draw, too
+  return scene_.transparent_layers(transparent_, planes_, options_.max_fragments);
+}
+
+VisibleSet RasterTarget::transparent_owners() const {
+  VisibleSet drawables;
+  for (const TransparentLayers& layers : transparent_layers()) add_owners(layers, drawables);
+  std::sort(drawables.begin(), drawables.end());
+  drawables.erase(std::unique(drawables.begin(), drawables.end()), drawables.end());
+  return drawables;
 }
 
 void RasterTarget::draw_lines(std::span<const ScreenLine> lines) {

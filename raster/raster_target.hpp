@@ -5,6 +5,7 @@
 #include "raster/raster_device.hpp"
 #include "raster/sample_planes.hpp"
 #include "raster/shade.hpp"
+#include "raster/transparent_layers.hpp"
 #include "visibility/cut_bodies.hpp"
 #include "visibility/frame_target.hpp"
 
@@ -20,8 +21,13 @@ class RasterScene {
 
   /// What follows is drawn under this view.
   void set_view(const FrameView& view);
-  /// Draws them into each plane, as many as the view has samples; how many triangles they are.
-  uint64_t draw(std::span<const DrawableId> drawables, SamplePlanes& planes);
+  /// Draws them into each plane, as many as the view has samples, but for what is transparent; how many
+  /// triangles they are, with those. transparent: drawables that have such are appended.
+  uint64_t draw(std::span<const DrawableId> drawables, SamplePlanes& planes,
+                std::vector<DrawableId>& transparent);
+  /// What of drawables is transparent, over each plane.
+  std::vector<TransparentLayers> transparent_layers(std::span<const DrawableId> drawables,
+                                                    const SamplePlanes& planes, size_t max_fragments);
 
   const Skeleton& skeleton() const { return skeleton_; }
   void set_geometry_cap(uint64_t bytes) { geometry_.set_cap(bytes); }
@@ -36,6 +42,9 @@ class RasterScene {
     DrawRank rank = {};
     uint32_t part = 0;
   };
+  /// Asks for the drawables' geometry, and fills `stretches_` and `transparent_stretches_`; how many
+  /// triangles.
+  uint64_t place(std::span<const DrawableId> drawables);
   void add_cap_runs();
   /// As many boxes as the chunk has pieces.
   std::span<const LatticeBox> everywhere(uint32_t chunk) const {
@@ -52,7 +61,7 @@ class RasterScene {
   std::vector<DrawRank> ranks_;
   std::vector<DrawItem> items_;
   std::vector<Name> names_;  ///< of `items_`
-  std::vector<PlacedStretch> stretches_;
+  std::vector<PlacedStretch> stretches_, transparent_stretches_;
   CutBodies cut_bodies_;
   std::vector<PlacedCapRun> cap_runs_;
   CapCounters cap_counters_;
@@ -80,24 +89,30 @@ class RasterTarget final : public FrameTarget {
   std::vector<uint32_t> read_items(uint32_t sample) const override;
   bool hides(const ScreenExtent& extent) const override;
   std::span<const uint8_t> colors_in_memory() const override;
+  VisibleSet transparent_owners() const override;
+  std::span<const EffectUse> effects() const override { return effects_; }
   bool copy_to_window(int, int) const override { return false; }
 
  private:
   bool has_colors() const { return kind_ == TargetKind::color || kind_ == TargetKind::color_and_item; }
   void make_planes(size_t count, int width, int height);
   void make_picture() const;
+  std::vector<TransparentLayers> transparent_layers() const;
+  void count_effects(const ShadingCounts& counts, double set_up_ms) const;
 
   RasterScene& scene_;
   TargetKind kind_;
-  uint64_t max_slots_;
+  RasterOptions options_;
   SamplePlanes planes_;
   std::optional<FrameView> view_;
   EpochMarks drawn_;  ///< drawables
   std::vector<DrawableId> fresh_;
+  std::vector<DrawableId> transparent_;  ///< those drawn that have something transparent
   uint64_t drawn_triangles_ = 0;
   // Made when somebody wants it.
   mutable std::vector<Rgba> picture_;
   mutable bool picture_is_made_ = false;
+  mutable std::vector<EffectUse> effects_;  ///< of the picture
 };
 
 }  // namespace triptych

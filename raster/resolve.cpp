@@ -13,13 +13,17 @@ namespace {
 /// Resolves the rows of one band, from bottom to top.
 class BandResolver {
  public:
-  BandResolver(const SamplePlanes& planes, const FrameView& view, const TriangleShader& shader)
+  BandResolver(const SamplePlanes& planes, const FrameView& view, std::span<const TransparentLayers> layers,
+               const TriangleShader& shader, int32_t last_row, ShadingCounts& counts)
       : planes_(planes),
+        counts_(counts),
+        over_(layers, shader, last_row, counts),
         width_(static_cast<size_t>(planes.front().width())),
         shared_(share_slots(planes)),
         rows_(planes.size() * width_),
         sums_(width_ * sizeof(Rgba)) {
-    for (size_t i = 0; i < (shared_ ? 1 : planes.size()); ++i) recent_.emplace_back(planes[i], shader);
+    for (size_t i = 0; i < (shared_ ? 1 : planes.size()); ++i)
+      recent_.emplace_back(planes[i].table(), shader);
     if (!view.state.edges) return;
     rule_.emplace(view);
     const auto places = sample_places(view.state.samples);
@@ -34,6 +38,7 @@ class BandResolver {
     }
     if (varies) shade_varying(y);
     for (size_t i = 0; i < edges_.size(); ++i) edges_[i].draw(y, row(i));
+    for (size_t i = 0; i < planes_.size(); ++i) over_.blend(i, y, row(i));
     average(picture_row);
   }
 
@@ -43,14 +48,18 @@ class BandResolver {
 
   /// Once a pixel and triangle.
   void shade_varying(int32_t y) {
+    const TimedShading timed(counts_.varying_ms);
+    uint64_t pixels = 0;
     for (size_t x = 0; x < width_; ++x) {
       for (size_t i = 0; i < planes_.size(); ++i) {
         const uint32_t slot = planes_[i].slots(y)[x];
         if (planes_[i].depths(y)[x] == 0 || !recent(i).varies(slot)) continue;
         const Rgba* const known = shared_ ? shaded_before(x, y, i, slot) : nullptr;
         row(i)[x] = known != nullptr ? *known : recent(i).of(slot, static_cast<int32_t>(x), y);
+        ++pixels;
       }
     }
+    counts_.varying_pixels += pixels;
   }
   const Rgba* shaded_before(size_t x, int32_t y, size_t plane, uint32_t slot) {
     for (size_t i = plane; i > 0; --i) {
@@ -73,6 +82,8 @@ class BandResolver {
   }
 
   const SamplePlanes& planes_;
+  ShadingCounts& counts_;
+  BandBlenders over_;
   size_t width_;
   bool shared_;
   std::deque<KeptShades> recent_;
@@ -84,10 +95,12 @@ class BandResolver {
 
 }  // namespace
 
-[[gnu::noinline]] void resolve(const SamplePlanes& planes, const FrameView& view, std::span<Rgba> picture) {
+[[gnu::noinline]] void resolve(const SamplePlanes& planes, const FrameView& view,
+                               std::span<const TransparentLayers> layers, std::span<Rgba> picture,
+                               ShadingCounts& counts) {
   const TriangleShader shader(view);
   planes.front().for_each_band(true, [&](int32_t first, int32_t last) {
-    BandResolver band(planes, view, shader);
+    BandResolver band(planes, view, layers, shader, last, counts);
     for (int32_t y = first; y <= last; ++y)
       band.make(y, picture.data() + static_cast<size_t>(y) * static_cast<size_t>(planes.front().width()));
   });

@@ -6,22 +6,31 @@ namespace {
 
 /// The pixels of a row whose colours vary over their triangle.
 [[gnu::noinline]] void shade_varying(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
-                                     int32_t y, KeptShades& recent, Rgba* row) {
+                                     int32_t y, KeptShades& recent, Rgba* row, ShadingCounts& counts) {
+  const TimedShading timed(counts.varying_ms);
+  uint64_t pixels = 0;
   for (size_t x = 0; x < depths.size(); ++x) {
-    if (depths[x] != 0 && recent.varies(slots[x])) row[x] = recent.of(slots[x], static_cast<int32_t>(x), y);
+    if (depths[x] == 0 || !recent.varies(slots[x])) continue;
+    row[x] = recent.of(slots[x], static_cast<int32_t>(x), y);
+    ++pixels;
   }
+  counts.varying_pixels += pixels;
 }
 
 }  // namespace
 
-[[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<Rgba> picture) {
+[[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view,
+                             std::span<const TransparentLayers> layers, std::span<Rgba> picture,
+                             ShadingCounts& counts) {
   const TriangleShader shader(view);
   buffer.for_each_band(true, [&](int32_t first, int32_t last) {
-    KeptShades colors(buffer, shader);
+    KeptShades colors(buffer.table(), shader);
+    BandBlenders over(layers, shader, last, counts);
     for (int32_t y = first; y <= last; ++y) {
       Rgba* const row = picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width());
       shade_row(buffer.depths(y), buffer.slots(y), colors, row);
-      if (colors.any_varies()) shade_varying(buffer.depths(y), buffer.slots(y), y, colors, row);
+      if (colors.any_varies()) shade_varying(buffer.depths(y), buffer.slots(y), y, colors, row, counts);
+      over.blend(0, y, row);
     }
   });
 }

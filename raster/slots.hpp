@@ -19,9 +19,10 @@ struct DrawnRange {
   uint32_t first_triangle = 0;  ///< of the chunk
   uint32_t triangle_count = 0;
   uint32_t first_slot = 0;
-  int32_t front = 0;  ///< outward_front()
-  uint32_t cut = 0;   ///< SectionPlace::cut
-  bool caps = false;  ///< what shows are the caps of its triangles
+  int32_t front = 0;         ///< outward_front()
+  uint32_t cut = 0;          ///< SectionPlace::cut
+  bool caps = false;         ///< what shows are the caps of its triangles
+  bool transparent = false;  ///< each of its triangles is set up by itself
   const RasterChunk* chunk = nullptr;
   PlacedLattice placed = {};
 };

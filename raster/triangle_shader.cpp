@@ -52,7 +52,8 @@ TriangleShader::TriangleShader(const FrameView& view)
       caps_(view),
       hatching_(view.view().height),
       width_(view.view().width),
-      height_(view.view().height) {}
+      height_(view.view().height),
+      vertex_colors_(view.state.effects.has(Effect::vertex_colors)) {}
 
 Rgba TriangleShader::to_bytes(const glm::vec3& color) {
   return {to_byte(color.x), to_byte(color.y), to_byte(color.z), 255};
@@ -92,8 +93,8 @@ float TriangleShader::light_on(const SlotTable::Triangle& shown) const {
          head_light * std::abs(normal.z * scale);
 }
 
-KeptShades::KeptShades(const VisibilityBuffer& buffer, const TriangleShader& shader)
-    : buffer_(buffer), shader_(shader) {
+KeptShades::KeptShades(const SlotTable& table, const TriangleShader& shader)
+    : table_(table), shader_(shader) {
   for (uint32_t place = 0; place < count; ++place) slots_[place] = even_slots_[place] = no_slot(place);
 }
 
@@ -101,23 +102,23 @@ Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   const uint32_t place = place_of(slot);
   const auto cap = capped_[place] ? shader_.caps().entry(x, y) : std::nullopt;
   if (!varies_[place])
-    return cap ? shader_.cap(buffer_.find(slot), cap->side, x, y) : std::bit_cast<Rgba>(colors_[place]);
+    return cap ? shader_.cap(table_.find(slot), cap->side, x, y) : std::bit_cast<Rgba>(colors_[place]);
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
-    varying = {slot, shader_.varying(buffer_.find(slot))};
+    varying = {slot, shader_.varying(table_.find(slot))};
   }
   float color[3];
   varying.colors.at(x, y, color);
-  if (cap) return shader_.cap(buffer_.find(slot), cap->side, x, y, color);
+  if (cap) return shader_.cap(table_.find(slot), cap->side, x, y, color);
   return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
 }
 
 uint32_t KeptShades::place_of(uint32_t slot) {
   const uint32_t place = slot % count;
   if (slots_[place] != slot) {
-    const SlotTable::Triangle shown = buffer_.find(slot, range_);
-    varies_[place] = TriangleShader::varies(shown);
+    const SlotTable::Triangle shown = table_.find(slot, range_);
+    varies_[place] = shader_.varies(shown);
     capped_[place] = Caps::show(shown);
     colors_[place] = varies_[place] ? 0 : std::bit_cast<uint32_t>(shader_(shown));
     slots_[place] = slot;

@@ -30,7 +30,13 @@ class TriangleShader {
   Rgba cap(const SlotTable::Triangle& shown, uint32_t side, int32_t x, int32_t y,
            const float (&lit_color)[3]) const;
   const Caps& caps() const { return caps_; }
-  static bool varies(const SlotTable::Triangle& shown) { return !shown.range->chunk->vertex_color.empty(); }
+  bool varies(const SlotTable::Triangle& shown) const {
+    return vertex_colors_ && !shown.range->chunk->vertex_color.empty();
+  }
+  /// By how much it covers what lies behind, from 0 to 1.
+  float alpha(const SlotTable::Triangle& shown) const {
+    return static_cast<float>(palette_[shown.range->chunk->color[shown.triangle]][3]) / 255.0f;
+  }
   InterpolatedColors varying(const SlotTable::Triangle& shown) const;
   /// Of either side, eye space, unit length; 0 of a triangle without area.
   static glm::vec3 normal(const SlotTable::Triangle& shown);
@@ -48,13 +54,14 @@ class TriangleShader {
   Caps caps_;
   CapHatching hatching_;
   int width_, height_;
+  bool vertex_colors_;
 };
 
 /// The colours of triangles that were shaded a short while ago: most show in the row above, too.
 class KeptShades {
  public:
-  /// Slots are the buffer's.
-  KeptShades(const VisibilityBuffer& buffer, const TriangleShader& shader);
+  /// Slots are the table's, which stays as it is.
+  KeptShades(const SlotTable& table, const TriangleShader& shader);
 
   /// Of a triangle whose colours vary no colour, and any_varies() is true from then on.
   Rgba of(uint32_t slot) { return std::bit_cast<Rgba>(colors_[place_of(slot)]); }
@@ -80,7 +87,7 @@ class KeptShades {
   /// Whether its colours vary, or it is capped.
   bool is_changing(uint32_t place) const { return slots_[place] != even_slots_[place]; }
 
-  const VisibilityBuffer& buffer_;
+  const SlotTable& table_;
   const TriangleShader& shader_;
   std::array<uint32_t, count> slots_, colors_;
   std::array<uint32_t, count>

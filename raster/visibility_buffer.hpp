@@ -66,6 +66,7 @@ class VisibilityBuffer {
   void for_each_band(bool side_by_side, const std::function<void(int32_t, int32_t)>& body) const;
   SlotTable::Triangle find(uint32_t slot) const { return table_.find(slot); }
   SlotTable::Triangle find(uint32_t slot, size_t& range) const { return table_.find(slot, range); }
+  const SlotTable& table() const { return table_; }
   /// Whether slots have other numbers by now than in the order of drawing.
   bool is_renumbered() const { return table_.is_compacted(); }
 

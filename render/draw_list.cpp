@@ -96,9 +96,9 @@ DrawRecord DrawListBuilder::record(uint32_t transform, uint32_t lattice, const D
 }
 
 void DrawListBuilder::append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items,
-                             const CutBodies& bodies, DrawList& list) {
+                             const CutBodies& bodies, DrawPart part, DrawList& list) {
   capped_items_.clear();
-  for (uint32_t body = 0; body < bodies.all().size(); ++body) {
+  for (uint32_t body = 0; part != DrawPart::transparent && body < bodies.all().size(); ++body) {
     for (const CutRun& run : bodies.runs_of(bodies.all()[body])) {
       if (run.item != no_id) capped_items_.push_back({run.item, body});
     }
@@ -106,7 +106,7 @@ void DrawListBuilder::append(std::span<const ChunkRange> ranges, std::span<const
   std::ranges::sort(capped_items_);
   auto capped = capped_items_.begin();
   for (uint32_t i = 0; i < items.size(); ++i) {
-    add_surfaces(ranges[items[i].chunk], items[i], list);
+    add_surfaces(ranges[items[i].chunk], items[i], part, list);
     // Those of a body right behind the last of the items that follow each other and show it.
     for (; capped != capped_items_.end() && capped->first == i; ++capped) {
       const uint32_t body = capped->second;
@@ -121,8 +121,9 @@ void DrawListBuilder::append(std::span<const ChunkRange> ranges, std::span<const
   }
 }
 
-void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item, DrawList& list) {
-  if (!range.loaded()) return;
+void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item, DrawPart part,
+                                   DrawList& list) {
+  if (!range.loaded() || (part == DrawPart::transparent && range.transparent.empty())) return;
   const SectionPlace place = view_->section_place(item.pieces);
   if (place.outside) return;
   const bool few_runs = !range.outward_runs.empty() && range.outward_runs.size() <= max_runs;
@@ -134,12 +135,20 @@ void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item
   list.records.push_back(record);
   uint32_t begin = item.first_index / 3;
   const uint32_t end = begin + item.index_count / 3;
+  const auto add = [&](int32_t shown_front, uint32_t first, uint32_t last) {
+    const DrawGroup group{.front = shown_front, .colored = range.colored};
+    if (part == DrawPart::all || range.transparent.empty())
+      return add_command(range, group, first, last, list);
+    for_each_run(range.transparent, first, last, [&](uint32_t from, uint32_t to, bool transparent) {
+      if (transparent == (part == DrawPart::transparent)) add_command(range, group, from, to, list);
+    });
+  };
   for (size_t run = 0; front != 0 && run < range.outward_runs.size() && begin < end; ++run) {
     const uint32_t run_end = std::clamp(range.outward_runs[run], begin, end);
-    add_command(range, {.front = run % 2 == 1 ? front : 0, .colored = range.colored}, begin, run_end, list);
+    add(run % 2 == 1 ? front : 0, begin, run_end);
     begin = run_end;
   }
-  add_command(range, {.colored = range.colored}, begin, end, list);
+  add(0, begin, end);
   for (const LatticeBox& box : item.pieces) list.bounds.push_back(projector_->pixel_bound(box));
   list.triangles += item.index_count / 3;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lod/representation.hpp"
+#include "scene/transparency.hpp"
 #include "visibility/cut_bodies.hpp"
 #include "visibility/screen_bounds.hpp"
 #include "visibility/vertex_terms.hpp"
@@ -20,6 +21,7 @@ struct ChunkRange {
   uint32_t first_index = 0, index_count = 0, base_vertex = 0;
   std::vector<uint32_t> outward_runs = {};  ///< Chunk::outward_runs
   bool colored = false;                     ///< whether vertices have colours
+  std::vector<uint32_t> transparent = {};   ///< transparent_runs()
   bool loaded() const { return index_count > 0; }
 };
 
@@ -53,6 +55,9 @@ struct DrawGroup {
   uint32_t shown = 0;
 };
 
+/// Which triangles of drawables a list draws.
+enum class DrawPart : uint8_t { all, opaque, transparent };
+
 struct DrawList {
   std::vector<DrawRecord> records;
   std::vector<PixelDepthBound> bounds;
@@ -71,14 +76,15 @@ class DrawListBuilder {
 
   void begin(const FrameView& view);
   /// ranges: for each chunk where it lies in device memory; chunks that are not loaded are left out.
-  /// bodies: found among the items; all of their chunks are loaded.
+  /// bodies: found among the items; all of their chunks are loaded. Of what is transparent alone there are no
+  /// cut surfaces.
   void append(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, const CutBodies& bodies,
-              DrawList& list);
+              DrawPart part, DrawList& list);
 
  private:
   static void add_command(const ChunkRange& range, const DrawGroup& group, uint32_t first_triangle,
                           uint32_t end, DrawList& list);
-  void add_surfaces(const ChunkRange& range, const DrawItem& item, DrawList& list);
+  void add_surfaces(const ChunkRange& range, const DrawItem& item, DrawPart part, DrawList& list);
   void add_caps(std::span<const ChunkRange> ranges, std::span<const DrawItem> items, const CutBody& body,
                 std::span<const CutRun> runs, uint32_t first, uint32_t last, DrawList& list);
   DrawRecord record(uint32_t transform, uint32_t lattice, const DrawList& list);

@@ -13,7 +13,8 @@ class GlDevice final : public Device {
       : passes_{.renderer = {skeleton, representation, residency},
                 .rectangles = RectangleTest(test),
                 .lines = {},
-                .resolve = {}},
+                .resolve = {},
+                .lists = {}},
         names_(current_opengl()) {}
 
   std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) override {

@@ -7,8 +7,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int component_float = 5126, component_unsigned = 5125, target_vertices = 34962,
-              target_indices = 34963;
+constexpr int component_byte = 5121, component_float = 5126, component_unsigned = 5125,
+              target_vertices = 34962, target_indices = 34963;
 
 std::filesystem::path made(const std::filesystem::path& folder) {
   make_folder(folder);
@@ -39,17 +39,20 @@ size_t GltfWriter::add_accessor(std::span<const std::byte> bytes, size_t count, 
   return gltf_["accessors"].size() - 1;
 }
 
-size_t GltfWriter::material(const glm::dvec3& colour) {
+size_t GltfWriter::material(const glm::dvec4& colour) {
   // Four digits are more than an eight-bit picture can show, and equal colours become one material.
-  std::array<uint32_t, 3> key{};
-  for (int i = 0; i < 3; ++i)
+  std::array<uint32_t, 4> key{};
+  for (int i = 0; i < 4; ++i)
     key[static_cast<size_t>(i)] = static_cast<uint32_t>(std::lround(colour[i] * 10000));
   const auto [found, added] = materials_.try_emplace(key, materials_.size());
-  if (added)
-    gltf_["materials"].push_back(
-        {{"pbrMetallicRoughness",
-          {{"baseColorFactor", {key[0] / 10000.0, key[1] / 10000.0, key[2] / 10000.0, 1.0}},
-           {"metallicFactor", 0.0}}}});
+  if (added) {
+    Json material = {
+        {"pbrMetallicRoughness",
+         {{"baseColorFactor", {key[0] / 10000.0, key[1] / 10000.0, key[2] / 10000.0, key[3] / 10000.0}},
+          {"metallicFactor", 0.0}}}};
+    if (colour.a < 1) material["alphaMode"] = "BLEND";
+    gltf_["materials"].push_back(std::move(material));
+  }
   return found->second;
 }
 
@@ -65,8 +68,19 @@ Json GltfWriter::add_primitive(const MeshPart& part) {
   gltf_["accessors"].back()["max"] = {high.x, high.y, high.z};
   const size_t indices =
       add_accessor(std::as_bytes(std::span<const uint32_t>(part.indices)), part.indices.size(), true);
-  return {
-      {"attributes", {{"POSITION", positions}}}, {"indices", indices}, {"material", material(part.colour)}};
+  Json primitive = {{"attributes", {{"POSITION", positions}}},
+                    {"indices", indices},
+                    {"material", material(glm::dvec4(part.colour, part.alpha))}};
+  if (!part.vertex_colours.empty()) {
+    const size_t colours =
+        add_accessor(std::as_bytes(std::span(part.vertex_colours)), part.vertex_colours.size(), false);
+    Json& accessor = gltf_["accessors"].back();
+    accessor["componentType"] = component_byte;
+    accessor["normalized"] = true;
+    accessor["type"] = "VEC4";
+    primitive["attributes"]["COLOR_0"] = colours;
+  }
+  return primitive;
 }
 
 size_t GltfWriter::add_mesh(const std::string& name, const std::vector<MeshPart>& parts) {

@@ -40,13 +40,13 @@ class GltfWriter {
  private:
   size_t add_accessor(std::span<const std::byte> bytes, size_t count, bool indices);
   nlohmann::ordered_json add_primitive(const MeshPart& part);
-  size_t material(const glm::dvec3& colour);
+  size_t material(const glm::dvec4& colour);
 
   std::filesystem::path folder_;
   std::string name_;
   AtomicFile buffer_;
   nlohmann::ordered_json gltf_;
-  std::map<std::array<uint32_t, 3>, size_t> materials_;
+  std::map<std::array<uint32_t, 4>, size_t> materials_;
 };
 
 }  // namespace triptych

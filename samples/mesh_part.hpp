@@ -1,17 +1,21 @@
 // The triangles that scenes are made of.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
 namespace triptych {
 
-/// Triangles of one colour. Positions in metres, y up.
+/// Triangles of one material. Positions in metres, y up.
 struct MeshPart {
   glm::dvec3 colour{0.8};  ///< linear light, 0 to 1
   std::vector<glm::vec3> positions;
   std::vector<uint32_t> indices;
+  double alpha = 1;  ///< by how much it covers what lies behind
+  /// Of positions, linear, red, green, blue and 255; multiplied by the colour. Empty if they have none.
+  std::vector<std::array<uint8_t, 4>> vertex_colours = {};
 };
 
 }  // namespace triptych

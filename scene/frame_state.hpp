@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/camera.hpp"
+#include "scene/effects.hpp"
 #include "scene/hiding.hpp"
 #include "scene/section.hpp"
 
@@ -11,7 +12,7 @@ namespace triptych {
 
 /// What a frame's cut, culling and picture are functions of, beside the pack. The Camera message carries it,
 /// the digest covers it, and nothing else that changes from frame to frame may change what is drawn. Later
-/// fields (time, effects that are switched off) are added here, in protocol/message_bodies.cpp,
+/// fields (as time) are added here, in protocol/message_bodies.cpp,
 /// protocol/digest.cpp and docs/protocol.md, and nowhere else.
 struct FrameState {
   View view;               ///< camera and viewport
@@ -20,6 +21,8 @@ struct FrameState {
   bool edges = false;      ///< drawn as lines (visibility/edge_rule.hpp); changes colours, nothing else
   Section section = {};    ///< what lies outside of it is not there: it neither shows nor hides anything
   Hiding hiding = {};      ///< objects that are not there either (scene/hidden_objects.hpp)
+  /// Those that the model is drawn with where it calls for them.
+  Effects effects = Effects::all();
   bool operator==(const FrameState&) const = default;
 };
 

@@ -60,7 +60,13 @@ std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton&
     const View view = path.view(i, options.size.width, options.size.height, near);
     check_view(view, skeleton, fmt::format("{} frame {}", options.path.string(), i));
     frames.push_back({static_cast<uint32_t>(i),
-                      {view, options.pixel_error(), options.samples, options.edges, options.section}});
+                      {view,
+                       options.pixel_error(),
+                       options.samples,
+                       options.edges,
+                       options.section,
+                       {},
+                       options.effects}});
   }
   return frames;
 }

@@ -13,6 +13,7 @@ ViewerOptions viewer_options(const RunOptions& run, const Pack& pack) {
   options.pixel_error = run.pixel_error();
   options.samples = run.samples;
   options.edges = run.edges;
+  options.effects = run.effects;
   options.hiding = load_hiding(run, pack);
   options.section = run.section;
   if (run.path.empty()) return options;

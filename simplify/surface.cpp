@@ -2,6 +2,7 @@
 
 #include "simplify/key_hash.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <tsl/robin_map.h>
 
@@ -31,6 +32,12 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
     }
   }
   return piece;
+}
+
+bool has_transparent(const Surface& surface, Palette palette) {
+  return std::ranges::any_of(surface.triangles, [&](const Triangle& triangle) {
+    return is_transparent(palette[palette_index(triangle.material)]);
+  });
 }
 
 DisjointSets connected_points(const Surface& surface) {

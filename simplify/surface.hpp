@@ -4,7 +4,7 @@
 #include "base/disjoint_sets.hpp"
 #include "model/model.hpp"
 #include "scene/box.hpp"
-#include "scene/chunk.hpp"
+#include "scene/transparency.hpp"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -45,6 +45,9 @@ struct Piece {
 /// of the triangles, or empty.
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles,
               std::span<const CornerColors> colors = {});
+
+/// Whether any of its triangles is.
+bool has_transparent(const Surface& surface, Palette palette);
 
 /// The surface's points in the sets that its triangles connect.
 DisjointSets connected_points(const Surface& surface);

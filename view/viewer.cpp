@@ -256,9 +256,9 @@ FrameRequest Viewer::next_frame() {
   }
   new_frame_ = false;
   if (walk_) walk_->frames.push_back(camera());
-  return {
-      next_number_++,
-      {view(), options_.pixel_error, options_.samples, options_.edges, edits_.section(), edits_.hiding()}};
+  return {next_number_++,
+          {view(), options_.pixel_error, options_.samples, options_.edges, edits_.section(), edits_.hiding(),
+           options_.effects}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,

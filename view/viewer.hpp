@@ -30,7 +30,8 @@ struct ViewerOptions {
   double pixel_error = 1;
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
-  Hiding hiding = {};    ///< at the beginning
+  Effects effects = Effects::all();
+  Hiding hiding = {};  ///< at the beginning
   bool culling = true;
   std::filesystem::path pictures = ".";    ///< where F2 to F5 save files; if they can: no key ends a walk
   Section section = {};                    ///< what is cut away

@@ -17,8 +17,8 @@ VisibleSet owners(std::vector<uint32_t> items) {
 }
 
 VisibleSet owners(const FrameTarget& target, uint32_t samples) {
-  VisibleSet all = owners(target.read_items());
-  for (uint32_t sample = 1; sample < samples; ++sample) {
+  VisibleSet all = target.transparent_owners();
+  for (uint32_t sample = 0; sample < samples; ++sample) {
     VisibleSet more;
     std::ranges::set_union(all, owners(target.read_items(sample)), std::back_inserter(more));
     all = std::move(more);

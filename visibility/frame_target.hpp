@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lod/frame_view.hpp"
+#include "visibility/effect_use.hpp"
 #include "visibility/occlusion_tester.hpp"
 #include "visibility/screen_lines.hpp"
 #include "visibility/visible_set.hpp"
@@ -47,6 +48,11 @@ class FrameTarget : public OcclusionTester {
   /// width × height of drawable id + 1, 0 where nothing is, at that sample of each pixel, counted as
   /// sample_places() of the view's samples are; of a target with items.
   virtual std::vector<uint32_t> read_items(uint32_t sample = 0) const = 0;
+  /// The drawables of which something transparent shows, at any sample of a pixel; of a target with colours
+  /// or items. Reading items does not say: what is transparent has none.
+  virtual VisibleSet transparent_owners() const { return {}; }
+  /// Effects that took part in the picture, of a target with colours: known when it has been made.
+  virtual std::span<const EffectUse> effects() const { return {}; }
   /// Copies the colours to the window whose context is current in this thread, of window_width ×
   /// window_height pixels: as much as fits; the rest is background. False, and nothing is done, where the
   /// target is not OpenGL's: whoever has the window takes the colours.

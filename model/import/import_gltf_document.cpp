@@ -83,6 +83,13 @@ class MemberReader {
     }
     return numbers;
   }
+  double number(const Json& object, const char* name, double otherwise) {
+    const Json* value = find(object, name);
+    if (!value) return otherwise;
+    if (value->is_number()) return value->get<double>();
+    ++misread_[name];
+    return otherwise;
+  }
   std::map<std::string, int64_t> references(const Json& object, const char* name) {
     std::map<std::string, int64_t> references;
     const Json* value = find(object, name);
@@ -182,9 +189,14 @@ class DocumentParser {
       material.base_color = {1, 1, 1, 1};
       take_color(*glossy, "diffuseFactor", "diffuseTexture");
     }
+    // Without one materials are opaque, whatever their colours say; masked ones are there or not.
     const std::string alpha = members_.text(entry, "alphaMode");
-    material.transparent = !alpha.empty() && alpha != "OPAQUE";
-    if (!material.transparent) material.base_color[3] = 1;  // as glTF says of opaque ones
+    if (alpha == "MASK") {
+      const double cutoff = members_.number(entry, "alphaCutoff", 0.5);
+      material.base_color[3] = material.base_color[3] >= cutoff ? 1 : 0;
+    } else if (alpha != "BLEND") {
+      material.base_color[3] = 1;
+    }
     return material;
   }
 

@@ -92,7 +92,7 @@ struct GltfSkin {
 
 struct GltfMaterial {
   std::array<double, 4> base_color = {1, 1, 1, 1};  ///< diffuse of specular-glossiness
-  bool textured = false, transparent = false;
+  bool textured = false;
 };
 
 struct GltfDocument {

@@ -27,7 +27,6 @@ void GltfMeshes::read_material(const GltfMaterial& material) {
   for (int i = 0; i < 4; ++i)
     result.base_color[i] = static_cast<float>(material.base_color[static_cast<size_t>(i)]);
   if (material.textured) target_.warn("textures are not drawn yet");
-  if (material.transparent) target_.warn("transparent materials are drawn opaque");
   materials_.push_back(target_.add_material(result));
 }
 

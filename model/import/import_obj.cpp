@@ -252,7 +252,6 @@ class ObjImport {
         if (number)
           material.base_color.a =
               std::clamp(static_cast<float>(word == "d" ? *number : 1 - *number), 0.0f, 1.0f);
-        if (material.base_color.a < 1) target_.warn("transparent materials are drawn opaque");
       } else if (word == "map_Kd") {
         target_.warn("textures are not drawn yet");
       }

@@ -50,7 +50,6 @@ class SceneImport : public SceneSink {
     Material material;
     for (int i = 0; i < 3; ++i) material.base_color[i] = linear_of_display(color[i]);
     material.base_color.a = std::clamp(color.a, 0.0f, 1.0f);
-    if (material.base_color.a < 1) target_.warn("transparent materials are drawn opaque");
     materials_.push_back(target_.add_material(material));
   }
 

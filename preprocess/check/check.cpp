@@ -98,7 +98,7 @@ class Checking {
     parallel_for(users.size(), [&](size_t i) {
       try {
         const Chunk chunk = pack_.read_chunk(static_cast<uint32_t>(i));
-        turned[i] = !is_outward_as_said(chunk);
+        turned[i] = !is_outward_as_said(chunk, skeleton_.palette);
         said.add(static_cast<uint32_t>(i), chunk);
         for (const auto& [id, transform] : users[i]) {
           if (leaves_box(chunk, skeleton_.lattices[skeleton_.chunks[i].lattice], id, transform))
@@ -152,11 +152,15 @@ class Checking {
     check([&] { pack_.read_options(); });
   }
 
-  static bool is_outward_as_said(const Chunk& chunk) {
+  static bool is_outward_as_said(const Chunk& chunk, Palette palette) {
     if (chunk.outward_runs.empty()) return true;
     std::vector<glm::ivec3> points;
     for (const ChunkVertex& vertex : chunk.vertices) points.push_back(vertex.point);
-    const std::vector<bool> claimed = chunk.outward(), proven = outward_triangles(points, chunk.indices);
+    std::vector<bool> transparent;
+    for (size_t i = 0; i < chunk.triangle_count(); ++i)
+      transparent.push_back(is_transparent(chunk, i, palette));
+    const std::vector<bool> claimed = chunk.outward(),
+                            proven = outward_triangles(points, chunk.indices, transparent);
     return std::equal(claimed.begin(), claimed.end(), proven.begin(), proven.end(),
                       [](bool said, bool is) { return is || !said; });
   }

@@ -16,6 +16,7 @@ Surroundings::Surroundings(const Parts& parts, const PlacedParts& hierarchy, Par
       own_(parts, hierarchy, placed, cache) {
   for (const auto& [number, box] : others) {
     const PartInfo& info = parts.parts[hierarchy.placed[number].part];
+    if (info.transparent && number != placed) continue;  // it hides nothing
     const bool is_body = number != placed && info.outside != Outside::none && info.borders == 0;
     others_.push_back({number, grown(box, tolerance), is_body});
   }

@@ -42,8 +42,8 @@ struct PlacedRegions : PartSpace {
 
 class Surroundings {
  public:
-  /// others: the placed parts around this one, itself among them, with their boxes. They are loaded where a
-  /// ray comes near. tolerance: up to it surfaces touch.
+  /// others: the placed parts around this one, itself among them, with their boxes; transparent ones cover
+  /// nothing. They are loaded where a ray comes near. tolerance: up to it surfaces touch.
   Surroundings(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache,
                uint32_t placed, const std::vector<std::pair<uint32_t, Box>>& others, double tolerance);
 

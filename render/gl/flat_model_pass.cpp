@@ -58,7 +58,7 @@ class GlFlatModelPass final : public FlatModelPass {
       pass.uniforms.set(view, places[plane]);
       glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
     }
-    if (places.size() > 1) resolve_.draw(view, planes, picture_);
+    if (places.size() > 1) resolve_.draw(view, planes, nullptr, picture_);
     glFinish();
   }
 

@@ -1,6 +1,8 @@
 #include "render/gl/frame_target.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
+#include "lod/draw_rank.hpp"
 #include "visibility/sample_rectangle.hpp"
 
 #include <algorithm>
@@ -26,17 +28,17 @@ void GlFrameTarget::begin(const FrameView& view) {
     planes_.reset();
     picture_.reset();
     planes_.emplace(own_kind, own_width, own_height, wanted);
-    if (planes_->has_colors() && (wanted.samples > 1 || wanted.normals))
-      picture_.emplace(TargetKind::color, own_width, own_height);
   }
   planes_->clear();
+  transparent_.clear();
+  effects_.clear();
   drawn_triangles_ = 0;
   picture_is_made_ = false;
 }
 
 void GlFrameTarget::draw(std::span<const DrawableId> drawables) {
   passes_.renderer.set_view(*view_);
-  drawn_triangles_ += passes_.renderer.draw(drawables, *planes_);
+  drawn_triangles_ += passes_.renderer.draw(drawables, *planes_, transparent_);
   picture_is_made_ = false;
 }
 
@@ -72,15 +74,50 @@ void GlFrameTarget::test_plane(uint32_t plane, const SamplePlace& place,
   for (size_t i = 0; i < open_tests_.size(); ++i) visible[open_tests_[i]] = open_visible_[i];
 }
 
+/// In draw rank order, each once, over all planes.
+void GlFrameTarget::draw_transparent(VisibleSet* owners) const {
+  Renderer& renderer = passes_.renderer;
+  renderer.set_view(*view_);  // other targets draw, too
+  const auto rank = [&](DrawableId id) { return draw_rank(*view_->skeleton, view_->cell, id); };
+  std::ranges::sort(transparent_, {}, rank);
+  const auto repeated = std::ranges::unique(transparent_);
+  transparent_.erase(repeated.begin(), repeated.end());
+  renderer.draw_transparent(transparent_, *planes_, passes_.lists, owners);
+}
+
 const Framebuffer& GlFrameTarget::picture() const {
-  if (!picture_) return *planes_;
-  if (!picture_is_made_) passes_.resolve.draw(*view_, *planes_, *picture_);
+  if (picture_is_made_) return *picture_;
+  const bool is_transparent = !transparent_.empty();
+  if (!planes_->has_colors() ||
+      (planes_->layout().samples == 1 && !planes_->layout().normals && !is_transparent))
+    return *planes_;
+  if (!picture_) picture_.emplace(TargetKind::color, width(), height());
+  const Stopwatch stopwatch;
+  if (is_transparent) draw_transparent(nullptr);
+  passes_.resolve.draw(*view_, *planes_, is_transparent ? &passes_.lists.veils() : nullptr, *picture_);
   picture_is_made_ = true;
+  if (is_transparent) {
+    glFinish();
+    effects_.push_back(passes_.renderer.effect_use(Effect::transparency));
+    effects_.back().ms = stopwatch.milliseconds();
+    effects_.back().effect = Effect::transparency;
+  }
   return *picture_;
 }
 
+VisibleSet GlFrameTarget::transparent_owners() const {
+  if (transparent_.empty()) return {};
+  VisibleSet owners;
+  draw_transparent(&owners);
+  std::ranges::sort(owners);
+  owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+  return owners;
+}
+
 void GlFrameTarget::finish() {
-  if (picture_) picture();
+  const EffectUse& colors = passes_.renderer.effect_use(Effect::vertex_colors);
+  if (colors.draws > 0 && effects_.empty() && planes_->has_colors()) effects_.push_back(colors);
+  picture();
   glFinish();
 }
 

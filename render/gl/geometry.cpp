@@ -138,7 +138,10 @@ void Geometry::load(uint32_t chunk) {
   places_[chunk] = where;
   ranges_[chunk] = {static_cast<uint32_t>(where.indices / sizeof(uint32_t)),
                     static_cast<uint32_t>(geometry.indices.size()),
-                    static_cast<uint32_t>(where.vertices / stride), geometry.outward_runs, !colored.empty()};
+                    static_cast<uint32_t>(where.vertices / stride),
+                    geometry.outward_runs,
+                    !colored.empty(),
+                    transparent_runs(geometry, skeleton_.palette)};
   cache_.add(chunk, vertices.size() + indices.size(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
 }
 

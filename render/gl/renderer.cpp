@@ -53,6 +53,7 @@ Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
           variant.colors)][static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
   pass.emplace(make_pass(kind, projection, variant));
+  if (variant.colors == BaseColors::vertices) ++use(Effect::vertex_colors).variants;
   return *pass;
 }
 
@@ -67,28 +68,57 @@ Renderer::Pass& Renderer::winding_pass() {
   return *pass;
 }
 
+Renderer::Pass& Renderer::transparent_pass(bool colored) {
+  const Projection projection = view_->view().camera.projection;
+  const bool sections = !view_->section_space.keeps_all();
+  std::optional<Pass>& pass =
+      transparent_passes_[sections ? 1 : 0][colored ? 1 : 0][static_cast<size_t>(projection)];
+  if (!pass) {
+    const ShaderVariant variant{.colors = colored ? BaseColors::vertices : BaseColors::palette,
+                                .layers = layers_,
+                                .sections = sections,
+                                .transparent = true};
+    pass.emplace(make_program("transparent", geometry_vertex_shader(projection, variant),
+                              transparent_fragment_shader(variant)));
+    ++use(Effect::transparency).variants;
+  }
+  return *pass;
+}
+
 void Renderer::set_view(const FrameView& view) {
   if (view_ && view.state == view_->state && view.rules == view_->rules) return;
   view_ = view;
+  for (EffectUse& use : uses_) use = {.variants = use.variants};
   geometry_.begin_view();
   representation_.begin(view);
   builder_.begin(view);
 }
 
-uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer) {
-  if (drawables.empty()) return 0;
+bool Renderer::make_list(std::span<const DrawableId> drawables, DrawPart part) {
   items_.clear();
   for (const DrawableId id : drawables) representation_.append(id, items_);
   geometry_.require(items_);
   list_.clear();
   cut_bodies_.find(*view_, items_);
   for (const CutRun& run : cut_bodies_.runs()) geometry_.require(run.chunk);
-  builder_.append(geometry_.ranges(), items_, cut_bodies_, list_);
-  if (list_.commands.empty()) return 0;
+  builder_.append(geometry_.ranges(), items_, cut_bodies_, part, list_);
+  if (list_.commands.empty()) return false;
   records_.upload(std::span<const DrawRecord>(list_.records));
   bounds_.upload(std::span<const PixelDepthBound>(list_.bounds));
   commands_.upload(std::span<const DrawCommand>(list_.commands));
+  return true;
+}
 
+uint64_t Renderer::draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer,
+                        std::vector<DrawableId>& transparent) {
+  if (drawables.empty()) return 0;
+  const bool opaque = shows(Effect::transparency);
+  const bool draws = make_list(drawables, opaque ? DrawPart::opaque : DrawPart::all);
+  for (const DrawItem& item : items_) {
+    if (!opaque || geometry_.ranges()[item.chunk].transparent.empty()) continue;
+    if (transparent.empty() || transparent.back() != item.drawable) transparent.push_back(item.drawable);
+  }
+  if (!draws) return list_.triangles;
   const auto places = sample_places(framebuffer.layout().samples);
   for (uint32_t plane = 0; plane < places.size(); ++plane) draw_list(framebuffer, plane, places[plane]);
   return list_.triangles;
@@ -102,12 +132,13 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     used.uniforms.set(*view_, place);
     return &used;
   };
-  const auto use = [&](bool colored) {
-    ShaderVariant variant{
-        .colors = colored && framebuffer.has_colors() ? BaseColors::vertices : BaseColors::palette,
-        .layers = layers_,
-        .sections = !view_->section_space.keeps_all(),
-        .normals = framebuffer.has_colors() && framebuffer.layout().normals};
+  const auto prepare = [&](bool colored) {
+    const bool varies = colored && framebuffer.has_colors() && shows(Effect::vertex_colors);
+    if (varies) ++use(Effect::vertex_colors).binds;
+    ShaderVariant variant{.colors = varies ? BaseColors::vertices : BaseColors::palette,
+                          .layers = layers_,
+                          .sections = !view_->section_space.keeps_all(),
+                          .normals = framebuffer.has_colors() && framebuffer.layout().normals};
     if (variant.sections) {
       variant.caps = true;
       bind_nearest_backs(framebuffer.width(), framebuffer.height());
@@ -119,7 +150,7 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     geometry_.bind(records_, colored);
   };
   bool colored = list_.groups.front().colored;
-  use(colored);
+  prepare(colored);
   framebuffer.bind(plane);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
@@ -127,7 +158,9 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal
   uintptr_t offset = 0;
   for (const DrawGroup& group : list_.groups) {
-    if (group.colored != colored) use(colored = group.colored);
+    if (group.colored != colored) prepare(colored = group.colored);
+    if (colored && framebuffer.has_colors() && shows(Effect::vertex_colors))
+      use(Effect::vertex_colors).draws += group.count;
     show_sides(group.front);
     if (group.caps == DrawGroup::Caps::none) {
       draw_commands(offset, group.count);
@@ -138,6 +171,46 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     offset += (group.count + group.shown) * sizeof(DrawCommand);
   }
   show_sides(0);
+}
+
+void Renderer::draw_transparent(std::span<const DrawableId> drawables, const Framebuffer& framebuffer,
+                                FragmentLists& lists, VisibleSet* owners) {
+  EffectUse& counts = use(Effect::transparency);
+  lists.begin(framebuffer);
+  const bool draws = make_list(drawables, DrawPart::transparent);
+  if (draws) {
+    counts.upload_bytes += list_.records.size() * sizeof(DrawRecord) +
+                           list_.bounds.size() * sizeof(PixelDepthBound) +
+                           list_.commands.size() * sizeof(DrawCommand);
+  }
+  const auto places = sample_places(framebuffer.layout().samples);
+  for (uint32_t plane = 0; plane < places.size(); ++plane) {
+    const auto draw_all = [&] {
+      if (!draws) return;
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
+      glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
+      show_sides(0);
+      uintptr_t offset = 0;
+      std::optional<bool> bound;
+      for (const DrawGroup& group : list_.groups) {
+        if (bound != group.colored) {
+          const Pass& pass = transparent_pass(group.colored && shows(Effect::vertex_colors));
+          glUseProgram(pass.program);
+          pass.uniforms.set(*view_, places[plane]);
+          glUniform1i(glGetUniformLocation(pass.program, "plane"), static_cast<GLint>(plane));
+          geometry_.bind(records_, group.colored);
+          bound = group.colored;
+          ++counts.binds;
+        }
+        draw_commands(offset, group.count);
+        offset += group.count * sizeof(DrawCommand);
+        counts.draws += group.count;
+      }
+    };
+    lists.make(framebuffer, plane, draw_all, owners);
+  }
+  counts.fragments += lists.fragments();
+  counts.splits += lists.splits();
 }
 
 void Renderer::bind_nearest_backs(int width, int height) {

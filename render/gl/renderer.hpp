@@ -2,11 +2,13 @@
 #pragma once
 
 #include "render/draw_list.hpp"
+#include "render/gl/fragment_lists.hpp"
 #include "render/gl/framebuffer.hpp"
 #include "render/gl/geometry.hpp"
 #include "render/gl/shaders.hpp"
 #include "render/gl/view_uniforms.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,8 +23,16 @@ class Renderer {
   /// The view for the draws that follow.
   void set_view(const FrameView& view);
   /// Draws in the order given, over what the framebuffer holds already, each of its planes at a sample of its
-  /// own; at equal depth what was drawn first stays. Returns the number of triangles drawn into a plane.
-  uint64_t draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer);
+  /// own; at equal depth what was drawn first stays. Returns the number of triangles of the drawables. What
+  /// is transparent is left to draw_transparent(): drawables that have such are appended to `transparent`.
+  uint64_t draw(std::span<const DrawableId> drawables, const Framebuffer& framebuffer,
+                std::vector<DrawableId>& transparent);
+  /// The drawables' transparent triangles over all planes of the framebuffer, which stay as they are: the
+  /// veils of `lists`. Drawables come in draw rank order. owners: as FragmentLists::make().
+  void draw_transparent(std::span<const DrawableId> drawables, const Framebuffer& framebuffer,
+                        FragmentLists& lists, VisibleSet* owners);
+  /// Of draw_transparent() and, where chunks have colours, of draw() since set_view() made a view anew.
+  const EffectUse& effect_use(Effect effect) const { return uses_[static_cast<size_t>(effect)]; }
   void set_geometry_cap(uint64_t bytes) { geometry_.set_cap(bytes); }
   void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
   const GeometryUse& geometry_use() const { return geometry_.use(); }
@@ -37,6 +47,11 @@ class Renderer {
   };
   Pass& pass(TargetKind kind, const ShaderVariant& variant);
   Pass& winding_pass();
+  Pass& transparent_pass(bool colored);
+  /// Makes the list of the drawables' part, and uploads it; false where it is empty.
+  bool make_list(std::span<const DrawableId> drawables, DrawPart part);
+  EffectUse& use(Effect effect) { return uses_[static_cast<size_t>(effect)]; }
+  bool shows(Effect effect) const { return view_->state.effects.has(effect); }
   /// Into one plane of the framebuffer, whose pixel centres lie at this sample of each pixel.
   void draw_list(const Framebuffer& framebuffer, uint32_t plane, const SamplePlace& place);
   void bind_nearest_backs(int width, int height);
@@ -46,7 +61,8 @@ class Renderer {
   Geometry geometry_;
   /// By sections, caps, normals, base colours, projection and kind; made when first used.
   std::optional<Pass> passes_[2][2][2][2][2][4];
-  std::optional<Pass> winding_passes_[2];  ///< by projection
+  std::optional<Pass> winding_passes_[2];            ///< by projection
+  std::optional<Pass> transparent_passes_[2][2][2];  ///< by sections, base colours, projection
   /// Of a picture: the bits of depths of the nearest backs of what draw_caps() counts, 0 between its uses.
   struct NearestBacks {
     int width, height;
@@ -59,6 +75,7 @@ class Renderer {
   std::vector<DrawItem> items_;
   DrawList list_;
   std::optional<FrameView> view_;
+  std::array<EffectUse, all_effects.size()> uses_ = {};
   StreamBuffer records_, bounds_, commands_;
 };
 

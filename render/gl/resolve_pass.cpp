@@ -11,7 +11,7 @@ namespace triptych {
 
 namespace {
 
-constexpr GLuint colors_unit = 0, depths_unit = 1, normals_unit = 2;
+constexpr GLuint colors_unit = 0, depths_unit = 1, normals_unit = 2, veils_unit = 4;
 
 const char* const vertex_source = R"(#version 450
 void main() {  // one triangle over the whole picture
@@ -84,9 +84,19 @@ bool is_edge(ivec2 pixel, int plane) {
 )";
 }
 
-std::string fragment_source(bool with_edges, Projection projection) {
+// What is transparent over a color of 0 to 255.
+const char* const veil_source = R"(
+layout(binding = 4) uniform sampler2DArray veils;
+uvec3 veiled(uvec3 behind, ivec3 at) {
+  vec4 veil = texelFetch(veils, at, 0);
+  return uvec3(min(veil.rgb * 255.0 + veil.a * vec3(behind), vec3(255.0)) + 0.5);
+}
+)";
+const char* const no_veils = "uvec3 veiled(uvec3 behind, ivec3 at) { return behind; }\n";
+
+std::string fragment_source(bool with_edges, bool with_veils, Projection projection) {
   return "#version 450\nlayout(binding = 0) uniform sampler2DArray colors;\n" +
-         (with_edges ? edges(projection) : no_edges) +
+         std::string(with_veils ? veil_source : no_veils) + (with_edges ? edges(projection) : no_edges) +
          fmt::format("const uvec3 edge_color = uvec3({}, {}, {});\n", edge_bytes[0], edge_bytes[1],
                      edge_bytes[2]) +
          R"(
@@ -96,8 +106,8 @@ void main() {
   int planes = textureSize(colors, 0).z;
   uvec3 sum = uvec3(uint(planes) / 2u);
   for (int plane = 0; plane < planes; ++plane) {
-    sum += is_edge(pixel, plane) ? edge_color
-                                 : uvec3(texelFetch(colors, ivec3(pixel, plane), 0).rgb * 255.0 + 0.5);
+    ivec3 at = ivec3(pixel, plane);
+    sum += veiled(is_edge(pixel, plane) ? edge_color : uvec3(texelFetch(colors, at, 0).rgb * 255.0 + 0.5), at);
   }
   color = vec4(vec3(sum / uint(planes)) / 255.0, 1.0);
 }
@@ -106,11 +116,15 @@ void main() {
 
 }  // namespace
 
-void ResolvePass::draw(const FrameView& view, const Framebuffer& planes, const Framebuffer& picture) {
+void ResolvePass::draw(const FrameView& view, const Framebuffer& planes, const GlTextureArray* veils,
+                       const Framebuffer& picture) {
   const bool with_edges = planes.layout().normals;
   const Projection projection = view.view().camera.projection;
-  std::optional<GlProgram>& program = programs_[with_edges ? 1 : 0][static_cast<size_t>(projection)];
-  if (!program) program = make_program("resolve", vertex_source, fragment_source(with_edges, projection));
+  const bool with_veils = veils != nullptr;
+  std::optional<GlProgram>& program =
+      programs_[with_edges ? 1 : 0][with_veils ? 1 : 0][static_cast<size_t>(projection)];
+  if (!program)
+    program = make_program("resolve", vertex_source, fragment_source(with_edges, with_veils, projection));
   glUseProgram(*program);
   if (with_edges) {
     const EdgeRule rule(view);
@@ -129,6 +143,7 @@ void ResolvePass::draw(const FrameView& view, const Framebuffer& planes, const F
     glBindTextureUnit(depths_unit, planes.depths());
     glBindTextureUnit(normals_unit, planes.normals());
   }
+  if (with_veils) glBindTextureUnit(veils_unit, *veils);
   glBindTextureUnit(colors_unit, planes.colors());
   picture.bind();
   glBindVertexArray(vertex_array_);

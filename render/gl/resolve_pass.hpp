@@ -13,11 +13,13 @@ namespace triptych {
 /// sample of its neighbours.
 class ResolvePass {
  public:
-  /// picture: colours alone, of the size of `planes`.
-  void draw(const FrameView& view, const Framebuffer& planes, const Framebuffer& picture);
+  /// veils: of what is transparent over each plane (FragmentLists), or null. picture: colours alone, of the
+  /// size of `planes`.
+  void draw(const FrameView& view, const Framebuffer& planes, const GlTextureArray* veils,
+            const Framebuffer& picture);
 
  private:
-  std::optional<GlProgram> programs_[2][2];  ///< by edges and projection; made when first used
+  std::optional<GlProgram> programs_[2][2][2];  ///< by edges, veils, projection; made when first used
   GlVertexArray vertex_array_;
 };
 

@@ -240,9 +240,11 @@ std::string project(Projection projection) {
 
 std::string geometry_vertex_shader(Projection projection, const ShaderVariant& variant) {
   const bool palette = variant.colors == BaseColors::palette;
+  const std::string colors = "layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };\n";
   return version + draw_record + frustum_uniforms + flatness(variant.colors) + "out vec4 base_color;\n" +
-         (palette ? "layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };\n"
-                  : "layout(location = 9) in vec4 vertex_color;\n") +
+         (palette || variant.transparent ? colors : "") +
+         (palette ? "" : "layout(location = 9) in vec4 vertex_color;\n") +
+         (variant.transparent ? "flat out float alpha;\nflat out uint record;\n" : "") +
          R"(
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
@@ -268,7 +270,10 @@ void main() {
   bound_y = bound.y.xyz;
   bound_at = bound.at + vec4(bound.x.xyz * sample_place.x + bound.y.xyz * sample_place.y, 0.0);
   item = drawable;
-)" + (variant.layers ? "  layers = max(color_and_piece >> 20 & 15u, 1u) - 1u;\n" : "") +
+)" +
+         (variant.transparent ? "  alpha = palette[color_and_piece & 0xfffffu].a;\n  record = first_bound;\n"
+                              : "") +
+         (variant.layers ? "  layers = max(color_and_piece >> 20 & 15u, 1u) - 1u;\n" : "") +
          (variant.sections ? "  cut = cut_of_record;\n}\n" : "}\n");
 }
 
@@ -308,6 +313,37 @@ out uint id;
 void main() {
   keep_fragment();
   id = item + 1u;
+}
+)";
+}
+
+std::string fragment_list_source() {
+  return "struct Fragment { uint next, depth, color, item, record, triangle; };\n" +
+         fmt::format("layout(r32ui, binding = {}) coherent uniform uimage2D heads;\n", heads_image) +
+         fmt::format("layout(std430, binding = {}) coherent buffer Fragments {{\n", fragments_binding) +
+         R"(  uint count, capacity, unused_1, unused_2;
+  Fragment fragments[];
+};
+)";
+}
+
+std::string transparent_fragment_shader(const ShaderVariant& variant) {
+  return version + kept(variant) + shaded(variant.colors) + fragment_list_source() +
+         fmt::format("layout(binding = {}) uniform sampler2DArray opaque_depths;\n", opaque_depths_unit) + R"(
+uniform int plane;
+flat in float alpha;
+flat in uint item, record;
+void main() {
+  keep_fragment();
+  float z = gl_FragDepth;
+  shade_fragment();
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (!(z > 0.0) || z < texelFetch(opaque_depths, ivec3(pixel, plane), 0).r) discard;
+  uint index = atomicAdd(count, 1u);
+  if (index >= capacity) return;
+  uint next = imageAtomicExchange(heads, pixel, index + 1u);
+  fragments[index] = Fragment(next, floatBitsToUint(z), packUnorm4x8(vec4(color.rgb, alpha)), item, record,
+                              uint(gl_PrimitiveID));
 }
 )";
 }

@@ -16,6 +16,9 @@ inline constexpr const char* shader_version = "#version 450\n";
 inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under test
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
 inline constexpr GLuint bounds_binding = 4;      ///< storage: one PixelDepthBound a piece
+inline constexpr GLuint fragments_binding = 5;   ///< storage: fragments of what is transparent
+inline constexpr GLuint heads_image = 1;         ///< 32-bit integers, one a pixel: where its list begins
+inline constexpr GLuint opaque_depths_unit = 3;  ///< textures: depth, of each plane a layer
 
 /// Where base colours come from: the palette, the same for a whole triangle; or the vertices, interpolated.
 enum class BaseColors { palette, vertices };
@@ -30,6 +33,7 @@ struct ShaderVariant {
   /// At the location after the others: half of the face's normal and a half; and of which side of the section
   /// it is the cut surface, in sixteenths, or 1.
   bool normals = false;
+  bool transparent = false;  ///< not into a framebuffer, but into lists of fragments
 };
 
 /// For perspective views, or for orthographic ones, whose w is 1 and whose depth is linear.
@@ -46,6 +50,11 @@ inline constexpr GLuint nearest_backs_image = 0;  ///< 32-bit integers, one a pi
 std::string winding_fragment_shader();
 /// Colours and ids in one pass, at locations 0 and 1.
 std::string color_and_item_fragment_shader(const ShaderVariant& variant);
+
+/// Appends to the lists of fragments what nothing opaque hides in the plane that the uniform `plane` names.
+std::string transparent_fragment_shader(const ShaderVariant& variant);
+/// The declarations of the lists.
+std::string fragment_list_source();
 
 /// Of a whole model in floats (FlatVertex), one transform for all of it; the same shading and no bounds.
 std::string flat_model_vertex_shader(Projection projection);

@@ -218,7 +218,7 @@ TEST_F(ShownModel, with_transparent_materials_says_so) {
   EXPECT_EQ(json_of(json)["effects"].size(), 0u);
   write_model(folder.file("."), "1 0 0", "d 0.5\n");
   run({"info", model, "--json", json});
-  EXPECT_EQ(json_of(json)["effects"], nlohmann::json({"transparent materials"}));
+  EXPECT_EQ(json_of(json)["effects"], nlohmann::json({"transparency"}));
   EXPECT_EQ(json_of(json)["build"]["transparent-materials"], "1");
 }
 

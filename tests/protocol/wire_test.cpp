@@ -53,14 +53,24 @@ TEST(Wire, an_orthographic_camera_comes_back_whether_or_not_it_is_the_last) {
   }
 }
 
-TEST(Wire, a_camera_names_what_is_hidden_and_a_section_each_by_itself) {
-  for (const bool hides : {false, true}) {
-    for (const bool cuts : {false, true}) {
-      CameraMessage camera{13, {sample_view(), 1}};
-      if (hides) camera.state.hiding.name = {100'000, 0xfedcba9876543210};
-      if (cuts) camera.state.section = sample_section();
-      EXPECT_TRUE(decode(encode(camera), "peer") == Message(camera)) << hides << cuts;
-    }
+TEST(Wire, a_camera_names_what_is_hidden_a_section_and_effects_that_are_off_each_by_itself) {
+  for (int which = 0; which < 8; ++which) {
+    CameraMessage camera{13, {sample_view(), 1}};
+    if ((which & 1) != 0) camera.state.hiding.name = {100'000, 0xfedcba9876543210};
+    if ((which & 2) != 0) camera.state.section = sample_section();
+    if ((which & 4) != 0) camera.state.effects = Effects(1);
+    EXPECT_TRUE(decode(encode(camera), "peer") == Message(camera)) << which;
+  }
+}
+
+TEST(Wire, a_camera_that_switches_off_what_is_not_known_is_refused) {
+  CameraMessage camera{13, {sample_view(), 1}};
+  camera.state.effects = Effects::none();
+  std::vector<std::byte> bytes = encode(camera);
+  EXPECT_NO_THROW(decode(bytes, "peer"));
+  for (const auto off : {std::byte{0}, std::byte{4}}) {
+    bytes.back() = off;
+    EXPECT_THROW(decode(bytes, "peer"), Error) << static_cast<int>(off);
   }
 }
 
@@ -114,7 +124,8 @@ TEST(Wire, bodies_are_as_long_as_documented) {
     longest.section.add_plane({{1, 0.3, 0.7}, 1 / 3.0}, "test");
   longest.section.set_box({glm::dvec3(-0.1), glm::dvec3(0.1)}, "test");
   longest.hiding.name = {no_id, ~uint64_t{0}};
-  EXPECT_EQ(encode(walk).size(), header_bytes + 404) << "the longest camera";
+  longest.effects = Effects::none();
+  EXPECT_EQ(encode(walk).size(), header_bytes + 405) << "the longest camera";
   const Sentinel sentinel{.frame = 1,
                           .visible = 60,
                           .added = 2,

@@ -2,6 +2,7 @@
 #include "raster/box_test.hpp"
 
 #include "raster/instruction_set.hpp"
+#include "tests/raster/opaque_palette.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ class Scene {
         chunk.vertices.push_back({glm::ivec3(p)});
       }
     }
-    const RasterChunk geometry(chunk);
+    const RasterChunk geometry(chunk, test::opaque_palette);
     const BoxProjector projector(frame, raster_margins);
     const GeometryTerms terms(frame, projector);
     LatticePlacer placer(skeleton);

@@ -5,6 +5,7 @@
 #include "raster/depth_tiles.hpp"
 #include "raster/fill.hpp"
 #include "raster/instruction_set.hpp"
+#include "tests/raster/opaque_palette.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <algorithm>
@@ -123,7 +124,8 @@ struct Made {
 
 class Stage {
  public:
-  Stage(bool orthographic, uint32_t seed) : chunk_(random_chunk(seed)), tiles_(width, height) {
+  Stage(bool orthographic, uint32_t seed)
+      : chunk_(random_chunk(seed), test::opaque_palette), tiles_(width, height) {
     skeleton_.lattices.push_back({glm::dvec3(0), 1.0 / 1024});
     skeleton_.transforms.push_back(Affine(1.0));
     skeleton_.scene_nodes.push_back({.box = {glm::ivec3(-100000), glm::ivec3(100000)}});

@@ -1,5 +1,7 @@
 #include "raster/slots.hpp"
 
+#include "tests/raster/opaque_palette.hpp"
+
 #include <array>
 #include <gtest/gtest.h>
 
@@ -8,7 +10,7 @@ namespace {
 
 /// Without geometry: none of its triangles is in a layer.
 const RasterChunk& no_layers() {
-  static const RasterChunk chunk{Chunk()};
+  static const RasterChunk chunk(Chunk(), {});
   return chunk;
 }
 
@@ -48,7 +50,7 @@ TEST(SlotTable, at_equal_depth_the_higher_layer_wins_over_what_is_nearer) {
   const auto in_layer = [](uint32_t layer) {
     Chunk chunk{.vertices = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, .indices = {0, 1, 2}};
     for (ChunkVertex& vertex : chunk.vertices) vertex.layer = layer & max_layer;
-    return RasterChunk(chunk);
+    return RasterChunk(chunk, test::opaque_palette);
   };
   const RasterChunk upper = in_layer(1), lower = in_layer(2);
   SlotTable slots(10);

@@ -101,7 +101,9 @@ TEST(DepthOrder, depth_and_colour_passes_of_opengl_meet_in_every_pixel) {
   for (const TargetKind kind : {TargetKind::depth_only, TargetKind::color, TargetKind::item}) {
     const Framebuffer target(kind, view.width, view.height);
     target.clear();
-    renderer.draw(select_cut(frame_view).drawables, target);
+    std::vector<DrawableId> transparent;
+    renderer.draw(select_cut(frame_view).drawables, target, transparent);
+    EXPECT_TRUE(transparent.empty());
     depths.push_back(target.read_depths());
   }
   EXPECT_GT(std::count_if(depths[0].begin(), depths[0].end(), [](float depth) { return depth > 0; }), 1000);

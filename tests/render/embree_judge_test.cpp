@@ -239,6 +239,7 @@ Verdict judge(const std::string& scene_name, bool sections = false) {
   Verdict verdict;
   for (size_t i = 0; i < views.size(); ++i) {
     FrameState state{views[i], scenes::pixel_error(i)};
+    state.effects = Effects::none();  // rays end at the first thing that they meet
     if (sections) state.section = random_section(pack.skeleton(), random);
     const FrameRequest frame{static_cast<uint32_t>(i), state};
     const FrameRecord record = pipeline.draw(frame);

@@ -41,6 +41,16 @@ class Scene {
     model_.instances.push_back({static_cast<uint32_t>(model_.meshes.size() - 1), transform});
   }
   void box(const glm::dvec3& lo, const glm::dvec3& hi) { add(awkward::box(lo, hi)); }
+  /// The same of glass: all of it, or the first triangles.
+  void glass(Mesh mesh, double alpha, const Affine& transform = Affine(1), size_t triangles = SIZE_MAX) {
+    add(std::move(mesh), transform);
+    std::vector<Triangle>& own = model_.meshes.back().triangles;
+    Material material = model_.materials[own.front().material];
+    material.base_color.a = static_cast<float>(alpha);
+    for (size_t i = 0; i < std::min(triangles, own.size()); ++i)
+      own[i].material = static_cast<uint32_t>(model_.materials.size());
+    model_.materials.push_back(material);
+  }
   /// Makes a group of what was placed since the last one.
   uint32_t group() {
     model_.groups.push_back({std::move(model_.instances), std::move(model_.group_instances)});
@@ -269,6 +279,34 @@ Model painted() {
   return scene.take();
 }
 
+Model glass() {
+  Scene scene;
+  Random random(23);
+  scene.box({-1, -1, -0.25}, {21, 13, 0});
+  scene.box({20, -1, 0}, {20.25, 13, 4});
+  scene.box({8, 0, 0}, {8.25, 7, 3});
+  for (int i = 0; i < 8; ++i) {  // panes one behind the other, and the last flush with a wall
+    const double x = i == 7 ? 20 : 2 * i + 1;
+    scene.glass(awkward::box({x - 0.05, 0, 0}, {x, 12, 3}), 0.15 + 0.1 * i);
+  }
+  for (int i = 0; i < 120; ++i) {  // things, some of them in glass
+    const glm::dvec3 lo = random.vector() * glm::dvec3(18, 11, 2), hi = lo + random.vector(0.1, 0.8);
+    if (i % 2 == 0) scene.box(lo, hi);
+    if (i % 3 == 0) scene.glass(awkward::box(lo - 0.1, hi + 0.1), 0.3);
+    if (i % 5 == 0) scene.glass(awkward::box({lo.x, lo.y, hi.z}, {hi.x, hi.y, hi.z + 0.02}), 0.5);  // flush
+  }
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec3 lo = random.vector(0, 3) + glm::dvec3(3, 4, 0.5);
+    scene.glass(awkward::box(lo, lo + 0.15), 0.4);
+  }
+  scene.glass(awkward::sphere(20, 1.5, {12, 6, 1.5}), 0.35);
+  scene.glass(awkward::sphere(16, 1, {15, 9, 1.2}), 0.6, Affine(1), 300);  // through it its inside shows
+  scene.glass(awkward::grid(20, 6, 0.5), 0.45, awkward::translation({10, 1, 2}));
+  scene.place(placed(glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), {9, 3, 2.5}));
+  scene.place(placed(rotation(random) * 0.5, {4, 8, 2}));
+  return scene.take();
+}
+
 struct Entry {
   std::string name;
   Model (*make)();
@@ -292,6 +330,7 @@ const std::vector<Entry>& entries() {
                                           }},
                                          {"storeys", storeys},
                                          {"painted", painted},
+                                         {"glass", glass},
                                          {"triangle", triangle}};
   return all;
 }

@@ -42,6 +42,7 @@ class Random {
 ///   far        the room, a million units from the origin
 ///   storeys    sub-hierarchies within sub-hierarchies: stacked, turned, stretched, mirrored
 ///   painted    meshes with vertex colours, smooth ones and ones with seams, among others without
+///   glass      transparent panes, cases and spheres among opaque boxes, some of them flush with those
 ///   triangle   nothing but one triangle
 const std::vector<std::string>& names();
 Model make(const std::string& name);

@@ -1,0 +1,92 @@
+#include "launch/measure.hpp"
+#include "launch/number_flags.hpp"
+#include "launch/run_pipeline.hpp"
+#include "launch/text_table.hpp"
+#include "measure/effects_cost.hpp"
+#include "measure/json.hpp"
+
+#include <fmt/core.h>
+
+namespace triptych {
+
+namespace {
+
+struct MeasureEffectsCommand {
+  RunOptions run;
+  CullChoice cull;
+  size_t rounds = 5;
+};
+
+int run(const MeasureEffectsCommand& command) {
+  const Pack pack(command.run.pack);
+  const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
+  if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
+  const ChosenDevice device = choose_device(command.run.device);
+  LocalPipeline pipeline(pack, pipeline_options(command.run, command.cull, device.options));
+  std::vector<Effect> effects;
+  for (const Effect effect : called_for(pack.skeleton())) {
+    if (command.run.effects.has(effect)) effects.push_back(effect);
+  }
+  const std::vector<EffectsCost> costs = measure_effects(pipeline, frames, effects, command.rounds);
+  const double without = distribution(costs.front().cpu_ms).p50;
+  const auto count = static_cast<double>(frames.size());
+  nlohmann::json rows = nlohmann::json::array();
+  std::vector<std::vector<std::string>> lines;
+  for (const EffectsCost& cost : costs) {
+    const std::string name(cost.added ? effect_name(*cost.added) : "none");
+    const Distribution cpu = distribution(cost.cpu_ms);
+    const auto a_frame = [&](auto sum) { return static_cast<double>(sum) / count; };
+    rows.push_back({{"effect", name},
+                    {"frame_ms", to_json(distribution(cost.wall_ms))},
+                    {"frame_cpu_ms", to_json(cpu)},
+                    {"frame_over_none", cpu.p50 / without},
+                    {"frames", cost.used_frames},
+                    {"effect_ms", a_frame(cost.use.ms)},
+                    {"draws", a_frame(cost.use.draws)},
+                    {"binds", a_frame(cost.use.binds)},
+                    {"upload_bytes", a_frame(cost.use.upload_bytes)},
+                    {"fragments", a_frame(cost.use.fragments)},
+                    {"splits", cost.use.splits},
+                    {"variants", cost.use.variants},
+                    {"simulation_steps", 0},  // neither of them simulates anything
+                    {"drawn_triangles", cost.triangles}});
+    lines.push_back({name, in_threes(cpu.p50, 2), in_threes(cpu.p50 / without, 2),
+                     in_threes(static_cast<double>(cost.used_frames)), in_threes(a_frame(cost.use.ms), 2),
+                     in_threes(a_frame(cost.use.draws), 1), in_threes(a_frame(cost.use.binds), 1),
+                     in_threes(a_frame(cost.use.upload_bytes)), in_threes(a_frame(cost.use.fragments)),
+                     in_threes(static_cast<double>(cost.use.variants)), in_threes(cost.triangles)});
+  }
+  fmt::print(
+      "each row has one effect more than the row before; times are of processors, medians; counts a frame, "
+      "of "
+      "the effect\n{}",
+      text_table({"added", "frame ms", "x", "frames", "effect ms", "draws", "binds", "bytes", "fragments",
+                  "variants", "triangles"},
+                 lines));
+  nlohmann::json report = {{"rows", rows}, {"frames", frames.size()}, {"rounds", command.rounds}};
+  add_device(report, device.names);
+  add_picture(report, command.run);
+  write_json(command.run.json, report);
+  return 0;
+}
+
+}  // namespace
+
+void add_measure_effects(CLI::App& measure, Action& action) {
+  auto command = std::make_shared<MeasureEffectsCommand>();
+  CLI::App* effects = measure.add_subcommand(
+      "effects", "What each effect that the model calls for costs, added one after the other");
+  effects->footer("Example: triptych measure effects scene.tpk --path walk.json --json effects.json");
+  add_run_flags(*effects, command->run);
+  add_picture_flags(*effects, command->run);
+  add_cull_flags(*effects, command->cull);
+  effects->add_option("--rounds", command->rounds, "How often each is measured; medians are reported")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  effects->callback([command, effects, &action] {
+    check_cull_flags(*effects, command->cull);
+    action = [command] { return run(*command); };
+  });
+}
+
+}  // namespace triptych

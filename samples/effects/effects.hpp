@@ -1,0 +1,29 @@
+// The sample `effects`: a small exhibition that calls for every effect that the program draws, and twins that
+// call for one of them, or for none.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace triptych {
+
+struct EffectsFile {
+  std::string name;
+  std::string effects;  ///< as `--effects` has them
+};
+
+struct EffectsReport {
+  std::vector<EffectsFile> files;
+  size_t objects = 0;
+  uint64_t triangles = 0;  ///< of each file
+};
+
+/// Writes `scene.gltf` with all effects, `plain.gltf` with none, and a file named after each effect with that
+/// one alone, their buffers, and the paths `walk.json`, `fly.json`, `spin.json` and `jump.json`. All files
+/// have the same triangles: coloured glass stands in rows, in cases around figures, and before a relief whose
+/// corners have colours.
+EffectsReport make_effects(const std::filesystem::path& folder);
+
+}  // namespace triptych

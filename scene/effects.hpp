@@ -1,0 +1,44 @@
+// What a model may call for beyond opaque surfaces of one colour each.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace triptych {
+
+/// That can be switched off from frame to frame.
+enum class Effect : uint8_t { vertex_colors, transparency };
+inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency};
+
+/// As flags and reports name it; Skeleton::effects has the same with blanks.
+constexpr std::string_view effect_name(Effect effect) {
+  return effect == Effect::vertex_colors ? "vertex-colours" : "transparency";
+}
+
+/// A set of them.
+class Effects {
+ public:
+  static constexpr Effects all() { return Effects((1u << all_effects.size()) - 1); }
+  static constexpr Effects none() { return Effects(0); }
+  /// Whether `bits` names no others.
+  static constexpr bool known(uint32_t bits) { return bits >> all_effects.size() == 0; }
+  constexpr explicit Effects(uint32_t bits) : bits_(bits) {}
+
+  constexpr bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
+  constexpr void add(Effect effect) { bits_ |= bit(effect); }
+  constexpr uint32_t bits() const { return bits_; }
+  bool operator==(const Effects&) const = default;
+
+ private:
+  static constexpr uint32_t bit(Effect effect) { return 1u << static_cast<uint32_t>(effect); }
+  uint32_t bits_;
+};
+
+/// "all", "none", or their names with commas between them.
+std::string effects_text(Effects effects);
+/// The reverse. Error (place) for a word that names none.
+Effects parse_effects(const std::string& text, const std::string& place);
+
+}  // namespace triptych

@@ -1,0 +1,93 @@
+// Effects as scripts use them: `sample effects`, `measure effects`, and `--effects`.
+#include "tests/session/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace triptych::test {
+namespace {
+
+/// The exhibition and its twins, as packs.
+class MeasureEffects : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    exhibition = std::make_unique<Folder>();
+    run({"sample", "effects", "-o", exhibition->file("models")});
+    for (const char* name : {"scene", "plain", "transparency"})
+      run({"build", exhibition->file(std::string("models/") + name + ".gltf"), "-o", pack(name)});
+  }
+  static void TearDownTestSuite() { exhibition.reset(); }
+
+  static std::string pack(const std::string& name) { return exhibition->file(name + ".tpk"); }
+  std::vector<std::string> words(const std::string& command, const std::string& name) const {
+    return {pack(name), "--path", exhibition->file("models/walk.json"), "--size", "64x48", "--frames", "3",
+            "--json",   json};
+  }
+  nlohmann::json measured(const std::string& name, std::vector<std::string> more = {}) const {
+    std::vector<std::string> all = {"measure", "effects", "--rounds", "1"};
+    for (const std::string& word : words("effects", name)) all.push_back(word);
+    all.insert(all.end(), more.begin(), more.end());
+    run(all);
+    return json_of(json);
+  }
+
+  static std::unique_ptr<Folder> exhibition;
+  Folder folder;
+  const std::string json = folder.file("out.json");
+};
+std::unique_ptr<Folder> MeasureEffects::exhibition;
+
+TEST_F(MeasureEffects, adds_one_after_the_other_of_those_that_the_model_calls_for) {
+  const nlohmann::json all = measured("scene");
+  ASSERT_EQ(all["rows"].size(), 3u);
+  EXPECT_EQ(all["rows"][0]["effect"], "none");
+  EXPECT_EQ(all["rows"][1]["effect"], "vertex-colours");
+  EXPECT_EQ(all["rows"][2]["effect"], "transparency");
+  for (const nlohmann::json& row : all["rows"]) {
+    const bool used = row["effect"] != "none";
+    EXPECT_EQ(row["frames"], used ? 3 : 0) << row;
+    EXPECT_EQ(row["fragments"].get<double>() > 0,
+              used && !(row["effect"] == "vertex-colours" && all["device"] == "gl"))
+        << row;
+    for (const char* key : {"frame_ms", "draws", "binds", "upload_bytes", "variants", "simulation_steps"})
+      EXPECT_TRUE(row.contains(key)) << key;
+  }
+}
+
+TEST_F(MeasureEffects, has_one_row_for_a_model_that_calls_for_none) {
+  const nlohmann::json plain = measured("plain");
+  ASSERT_EQ(plain["rows"].size(), 1u);
+  const nlohmann::json& row = plain["rows"][0];
+  for (const char* count : {"draws", "binds", "upload_bytes", "fragments", "variants", "frames"})
+    EXPECT_EQ(row[count], 0) << count;
+}
+
+TEST_F(MeasureEffects, only_those_that_are_switched_on) {
+  const nlohmann::json some = measured("scene", {"--effects", "transparency"});
+  ASSERT_EQ(some["rows"].size(), 2u);
+  EXPECT_EQ(some["rows"][1]["effect"], "transparency");
+}
+
+TEST_F(MeasureEffects, switched_off_leave_the_picture_of_the_model_without_alpha) {
+  const auto picture = [&](const std::string& name, const std::string& effects) {
+    const std::string pictures = folder.file("pictures-" + name + effects);
+    std::vector<std::string> all = {"render", "-o", pictures, "--effects", effects};
+    for (const std::string& word : words("render", name)) all.push_back(word);
+    run(all);
+    return text_of(pictures + "/000001.png");
+  };
+  EXPECT_EQ(picture("transparency", "none"), picture("plain", "all"));
+  EXPECT_NE(picture("transparency", "all"), picture("transparency", "none"));
+  EXPECT_EQ(picture("transparency", "all"), picture("transparency", "transparency"));
+}
+
+TEST_F(MeasureEffects, words_that_name_none_are_usage_errors) {
+  for (const char* word : {"transparent", "all,transparency", "", ","}) {
+    std::vector<std::string> all = {"render", "-o", folder.file("pictures"), "--effects", word};
+    for (const std::string& more : words("render", "plain")) all.push_back(more);
+    Program program(all);
+    EXPECT_EQ(program.wait(), 2) << word << ": " << program.errors();
+  }
+}
+
+}  // namespace
+}  // namespace triptych::test
