@@ -7,6 +7,7 @@
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "lod/sectioned.hpp"
+#include "measure/effects_drawn.hpp"
 #include "measure/frame_series.hpp"
 #include "measure/json.hpp"
 #include "measure/steering_report.hpp"
@@ -83,6 +84,7 @@ int run(const RenderCommand& command) {
       {"sectioned", distribution_json(sectioned, [](const SectionedCounts& c) { return c.placements; })},
       {"sectioned_open", distribution_json(sectioned, [](const SectionedCounts& c) { return c.open; })},
       {"tests", distribution_json(records, [](const FrameRecord& r) { return r.tests; })},
+      {"effects_drawn", effects_drawn(records)},
       {"series", frame_series(records)},
       {"peak_rss_bytes", peak_resident_bytes()}};
   if (command.run.device.memory.streams()) {

@@ -229,6 +229,11 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
       }));
   if (transparent > 0) skeleton.effects.push_back(transparency_effect);
   auto& warnings = skeleton.import.warnings;
+  const auto unseen = std::count_if(plan.colors.begin(), plan.colors.end(),
+                                    [&](uint32_t color) { return plan.palette[color][3] == 0; });
+  if (unseen > 0)
+    warnings.push_back(std::to_string(unseen) +
+                       " materials are wholly transparent, and do not show (--effects none draws them)");
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
   if (plan.left_out > 0) {
     skeleton.import.warnings.push_back(std::to_string(plan.left_out) +

@@ -235,6 +235,7 @@ class ObjImport {
     if (file->has_file()) target_.also_reads(file->name());
     Material material;
     std::string name;
+    bool has_dissolve = false;
     const auto finish = [&] {
       if (!name.empty()) define(name, material);
     };
@@ -244,14 +245,17 @@ class ObjImport {
       if (word == "newmtl") {
         finish();
         material = {};
+        has_dissolve = false;
         name = std::string(trimmed(without_comment(line, true)));
       } else if (word == "Kd") {
         read_color(line, material);
       } else if (word == "d" || word == "Tr") {
         const auto number = to_number(take_word(line));  // "d -halo 0.5" has a word first
-        if (number)
-          material.base_color.a =
-              std::clamp(static_cast<float>(word == "d" ? *number : 1 - *number), 0.0f, 1.0f);
+        // Beside a "d" programs do not agree on which way round "Tr" counts.
+        if (!number || (word == "Tr" && has_dissolve)) continue;
+        has_dissolve = has_dissolve || word == "d";
+        material.base_color.a =
+            std::clamp(static_cast<float>(word == "d" ? *number : 1 - *number), 0.0f, 1.0f);
       } else if (word == "map_Kd") {
         target_.warn("textures are not drawn yet");
       }

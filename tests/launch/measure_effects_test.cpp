@@ -18,13 +18,13 @@ class MeasureEffects : public testing::Test {
   static void TearDownTestSuite() { exhibition.reset(); }
 
   static std::string pack(const std::string& name) { return exhibition->file(name + ".tpk"); }
-  std::vector<std::string> words(const std::string& command, const std::string& name) const {
+  std::vector<std::string> words(const std::string& name) const {
     return {pack(name), "--path", exhibition->file("models/walk.json"), "--size", "64x48", "--frames", "3",
             "--json",   json};
   }
   nlohmann::json measured(const std::string& name, std::vector<std::string> more = {}) const {
     std::vector<std::string> all = {"measure", "effects", "--rounds", "1"};
-    for (const std::string& word : words("effects", name)) all.push_back(word);
+    for (const std::string& word : words(name)) all.push_back(word);
     all.insert(all.end(), more.begin(), more.end());
     run(all);
     return json_of(json);
@@ -71,7 +71,7 @@ TEST_F(MeasureEffects, switched_off_leave_the_picture_of_the_model_without_alpha
   const auto picture = [&](const std::string& name, const std::string& effects) {
     const std::string pictures = folder.file("pictures-" + name + effects);
     std::vector<std::string> all = {"render", "-o", pictures, "--effects", effects};
-    for (const std::string& word : words("render", name)) all.push_back(word);
+    for (const std::string& word : words(name)) all.push_back(word);
     run(all);
     return text_of(pictures + "/000001.png");
   };
@@ -80,10 +80,24 @@ TEST_F(MeasureEffects, switched_off_leave_the_picture_of_the_model_without_alpha
   EXPECT_EQ(picture("transparency", "all"), picture("transparency", "transparency"));
 }
 
+TEST_F(MeasureEffects, are_named_by_each_run_that_draws_them_and_by_no_other) {
+  const auto drawn = [&](const std::string& name) {
+    std::vector<std::string> all = {"render", "-o", folder.file("pictures-of-" + name)};
+    for (const std::string& word : words(name)) all.push_back(word);
+    run(all);
+    return json_of(json)["effects_drawn"];
+  };
+  const nlohmann::json glass = drawn("transparency");
+  ASSERT_EQ(glass.size(), 1u);
+  EXPECT_EQ(glass["transparency"]["frames"], 3);
+  EXPECT_GT(glass["transparency"]["fragments"]["mean"], 0);
+  EXPECT_EQ(drawn("plain"), nlohmann::json::object());
+}
+
 TEST_F(MeasureEffects, words_that_name_none_are_usage_errors) {
   for (const char* word : {"transparent", "all,transparency", "", ","}) {
     std::vector<std::string> all = {"render", "-o", folder.file("pictures"), "--effects", word};
-    for (const std::string& more : words("render", "plain")) all.push_back(more);
+    for (const std::string& more : words("plain")) all.push_back(more);
     Program program(all);
     EXPECT_EQ(program.wait(), 2) << word << ": " << program.errors();
   }

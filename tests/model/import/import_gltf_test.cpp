@@ -33,6 +33,11 @@ TEST(ImportGltf, a_mesh_comes_with_its_positions_triangles_and_base_colour) {
   json document = square();
   document["materials"][0]["alphaMode"] = "BLEND";
   EXPECT_EQ(import_json(document).materials.back().base_color, glm::vec4(0.5, 0.25, 1, 0.75));
+  for (const auto& [cutoff, alpha] : {std::pair{0.7, 1.0f}, {0.8, 0.0f}}) {
+    document["materials"][0]["alphaMode"] = "MASK";
+    document["materials"][0]["alphaCutoff"] = cutoff;
+    EXPECT_EQ(import_json(document).materials.back().base_color.a, alpha) << "it is there or not";
+  }
 }
 
 TEST(ImportGltf, transforms_are_composed_in_double_down_the_tree) {
@@ -264,11 +269,10 @@ TEST(ImportGltf, what_is_not_drawn_or_not_placed_is_said) {
   json document = square();
   document["meshes"].push_back(document["meshes"][0]);
   document["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
-  document["materials"][0]["alphaMode"] = "BLEND";
   document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   document["images"] = {{{"uri", "missing.png"}}};
   const Model model = import_json(document);
-  for (const char* warning : {"1 meshes are placed nowhere", "morph targets", "transparent", "textures"}) {
+  for (const char* warning : {"1 meshes are placed nowhere", "morph targets", "textures"}) {
     EXPECT_TRUE(warns(model, warning)) << warning;
   }
 }

@@ -109,10 +109,15 @@ TEST(ImportObj, materials_come_from_the_library_beside_the_file) {
   EXPECT_TRUE(warns(model, "1 textures"));
 }
 
-TEST(ImportObj, materials_that_let_light_through_are_said) {
-  for (const char* glass : {"d 0.2", "Tr 0.8"}) {
-    write_model("glass.mtl", std::string("newmtl glass\nKd 0 1 0\n") + glass + "\n");
-    EXPECT_TRUE(warns(import_text("a.obj", "mtllib glass.mtl\n" + square_obj), "drawn opaque")) << glass;
+TEST(ImportObj, materials_let_light_through_as_d_says_or_else_tr) {
+  for (const auto& [glass, alpha] : {std::pair{"d 0.2", 0.2f},
+                                     {"Tr 0.8", 0.2f},
+                                     {"d 1.0\nTr 1.0", 1.0f},
+                                     {"Tr 1.0\nd 1.0", 1.0f},
+                                     {"Tr 0.3\nd 0.25", 0.25f}}) {
+    write_model("glass.mtl", std::string("newmtl glass\nKd 0 1 0\n") + glass + "\nnewmtl other\n");
+    const Model model = import_text("a.obj", "mtllib glass.mtl\nusemtl glass\n" + square_obj);
+    EXPECT_FLOAT_EQ(model.materials[model.meshes[0].triangles[0].material].base_color.a, alpha) << glass;
   }
 }
 
