@@ -21,10 +21,10 @@ const std::vector<std::string>& fault_names() {
       "dropped-stretch",   "perspective-rule",  "dropped-singular-value",
       "uncounted-lattice", "shrinking-bounds",  "unflipped-mirror",
       "shared-shears",     "loose-contacts",    "no-room",
-      "untold-layers",     "unmarked-levels",   "exact-frustum",
-      "cut-occludes",      "backs-nearby",      "hidden-occludes",
-      "hollow-levels",     "opaque-glass",      "slow-render-node",
-      "slow-switch-node"};
+      "untold-layers",     "wide-layers",       "unmarked-levels",
+      "exact-frustum",     "cut-occludes",      "backs-nearby",
+      "hidden-occludes",   "hollow-levels",     "opaque-glass",
+      "slow-render-node",  "slow-switch-node"};
   return names;
 }
 

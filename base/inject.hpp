@@ -33,6 +33,7 @@ enum class Fault {
   loose_contacts,    ///< levels of detail do not hold the points where surfaces touch
   no_room,           ///< what covers others, and what is covered, may be off by any error
   untold_layers,     ///< of surfaces in one plane nothing says which lies on which
+  wide_layers,       ///< surfaces in one plane are moved apart by what snapping may do to them
   unmarked_levels,   ///< nothing says which levels leave out what others cover
   exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
   cut_occludes,      ///< what a section cuts away still hides what is behind it

@@ -29,6 +29,7 @@ struct FrameRules {
   // The device
   bool non_strict_test = true;      ///< a box at exactly the representation's depth shows
   bool fragment_bound = true;       ///< fragments nearer than their piece's box are moved back to it
+  bool layers_lie_close = true;     ///< layers of a plane are no further apart than rounding asks for
   bool double_positions = true;     ///< geometry is placed from double-precision coordinates
   bool leave_out_backs = true;      ///< backs of outward triangles (Chunk::outward) are not drawn
   bool backs_need_distance = true;  ///< they are where the near plane reaches what they belong to

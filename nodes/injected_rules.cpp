@@ -24,6 +24,7 @@ FrameRules injected_frame_rules() {
           .glass_occludes_nothing = !injected(Fault::opaque_glass),
           .non_strict_test = !injected(Fault::strict_depth_test),
           .fragment_bound = !injected(Fault::no_fragment_bound),
+          .layers_lie_close = !injected(Fault::wide_layers),
           .double_positions = !injected(Fault::float_positions),
           .backs_need_distance = !injected(Fault::backs_nearby)};
 }

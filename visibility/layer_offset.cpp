@@ -4,7 +4,7 @@
 
 namespace triptych {
 
-LayerOffset::LayerOffset(const FrameView& view, double snapping) {
+LayerOffset::LayerOffset(const FrameView& view, double rest) {
   const View& of = view.view();
   const ClipSpace& clip = view.clip;
   focal_x = static_cast<float>(of.focal_x());
@@ -19,7 +19,8 @@ LayerOffset::LayerOffset(const FrameView& view, double snapping) {
   }
   const double moved = share_of_distance * farthest;
   step = static_cast<float>(clip.orthographic ? moved : moved / clip.near);
-  snapped = static_cast<float>(snapping / std::max(of.focal_x(), of.focal_y()));
+  snapping = static_cast<float>(most_snapping / std::max(of.focal_x(), of.focal_y()));
+  snapped = snapping * static_cast<float>(view.rules.layers_lie_close ? rest : 1);
   parallel = clip.orthographic ? static_cast<float>(1 / clip.range) : 0;
 }
 

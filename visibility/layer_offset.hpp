@@ -23,20 +23,26 @@ struct DepthDrop {
 
 /// Each layer lies below the one on it, along the normal of their plane: by `step`, which is more than what
 /// rounding in the vertex stage and in files makes of one plane. Moved along its normal, a plane's depth
-/// changes by one factor everywhere (docs/algorithms.md). Where a device snaps vertices before it computes
-/// depths, it says so: then triangles of different shapes in one plane are off by what that moves them.
+/// changes by one factor everywhere (docs/algorithms.md). Vertices are snapped before depths are computed,
+/// which moves triangles of different shapes in one plane differently: devices take their depths from the
+/// plane, and say what that leaves of the difference.
 struct LayerOffset {
   static constexpr double share_of_distance = 0x1p-21;
   /// Rounding of depths themselves.
   static constexpr float depth_rounding = 0x1p-20f;  ///< as a share of the depth
+  /// What vertices may move by across the screen, pixels: as a rule graphics cards snap to 1/256.
+  static constexpr double most_snapping = 1.0 / 192;
+  /// What is left of that where the plane comes from interpolated positions, in single precision.
+  static constexpr double rest_of_snapping = 1.0 / 16;
 
-  /// snapping: what vertices may move by across the screen before depths are computed, pixels.
-  explicit LayerOffset(const FrameView& view, double snapping = 0);
+  /// rest: the share of snapping that is left.
+  explicit LayerOffset(const FrameView& view, double rest = 0);
 
   float focal_x, focal_y;  ///< pixels per unit of tangent, or per unit of length
   float axis_x, axis_y;    ///< pixels from the lower left corner
   float step;              ///< as a share of the near plane's distance; orthographic: in model units
-  float snapped;           ///< the same for snapping, as a share of the plane's distance
+  float snapping;          ///< the same for most_snapping, as a share of the plane's distance
+  float snapped;           ///< and for what is left of it
   float parallel;          ///< orthographic: what depth changes by in a model unit; otherwise 0
 
   /// Of this many layers, not counting the uppermost.

@@ -34,28 +34,42 @@ layout(std430, binding = 4) readonly buffer Bounds { BoundRecord bounds[]; };
 // of its piece's box, in every pass, is what makes the rectangle test exact. NaN becomes the bound. Fragments
 // only move away from the eye, which lets graphics cards reject hidden ones early.
 const std::string bounded = R"(
-layout(depth_less) out float gl_FragDepth;
 flat in vec3 bound_x, bound_y;
 flat in vec4 bound_at;
-float bound_depth() {
+float bound_depth(float z) {
   vec3 planes = bound_x * gl_FragCoord.x + bound_y * gl_FragCoord.y + bound_at.xyz;
   float limit = min(min(planes.x, planes.y), min(planes.z, bound_at.w));
-  return gl_FragCoord.z <= limit ? gl_FragCoord.z : limit;
+  return z <= limit ? z : limit;
 }
 )";
 
-// Fragments of what others lie on are moved behind those (LayerOffset). Before anything is discarded, since
-// derivatives need the whole quad.
+// Fragments of what others lie on are moved behind those (LayerOffset). Snapping a vertex before depths are
+// computed moves what a pixel shows within its plane, but not out of it: so the plane of a layered triangle
+// is known here, and with it the depth that it has at the pixel's own place. Before anything is discarded,
+// since derivatives need the whole quad.
 const std::string layered =
     fmt::format("const float depth_rounding = {};\n", LayerOffset::depth_rounding) + R"(
-flat in uint layers;
+out float gl_FragDepth;
+flat in uint layer;       // 0: nothing else lies in the plane; 1: the uppermost
 uniform vec4 layer_view;  // focal lengths, axis
-uniform vec3 layer_step;  // LayerOffset::step, snapped, parallel
-float place_fragment(float z) {
-  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
-  float ahead = layer_step.z > 0.0 ? layer_step.z : z + dot(slope, layer_view.zw - gl_FragCoord.xy);
+uniform vec4 layer_step;  // LayerOffset::step, snapped, parallel, and the unit of eye space
+uniform float snapping;   // LayerOffset::snapping
+float change_in_plane(float z) {  // from z to the depth that the plane has here
+  vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
+  vec2 here = (gl_FragCoord.xy - layer_view.zw) / (layer_view.xy * layer_step.w);
+  if (layer_step.z > 0.0)
+    return dot(normal.xy, here - eye_position.xy) / -normal.z * (layer_step.z * layer_step.w);
+  return z * (dot(normal.xy, here * -eye_position.z - eye_position.xy) / dot(normal, eye_position));
+}
+float place_fragment() {
+  float drawn = gl_FragCoord.z;
+  vec2 slope = vec2(dFdx(drawn), dFdy(drawn));
+  float ahead = layer_step.z > 0.0 ? layer_step.z : drawn + dot(slope, layer_view.zw - gl_FragCoord.xy);
   vec2 along = slope * layer_view.xy;
   float normal = sqrt(dot(along, along) + ahead * ahead);
+  float change = change_in_plane(drawn);
+  float z = bound_depth(layer > 0u && abs(change) <= snapping * normal ? drawn + change : drawn);
+  uint layers = max(layer, 1u) - 1u;
   float moved = float(layers) * layer_step.x * normal;
   float sheared = float(layers) * layer_step.y * normal;
   float rounded = float(layers) * depth_rounding;
@@ -64,7 +78,10 @@ float place_fragment(float z) {
   return layers > 0u ? max(below, z * 0.5) : z;
 }
 )";
-const std::string not_layered = "float place_fragment(float z) { return z; }\n";
+const std::string not_layered = R"(
+layout(depth_less) out float gl_FragDepth;
+float place_fragment() { return bound_depth(gl_FragCoord.z); }
+)";
 
 // Fragments that a section does not keep are dropped (PixelSides). In the name of backs of closed surfaces
 // the cut surface is drawn of that side at which the ray came in last.
@@ -178,13 +195,15 @@ void keep_fragment() {
 }
 )";
 
+const std::string in_eye_space = "in vec3 eye_position;\n";
+
 /// What all passes do with a fragment.
 std::string kept(const ShaderVariant& variant) {
-  if (variant.caps) return cut_away + capped;
-  return bounded + (variant.layers ? layered : not_layered) + (variant.sections ? cut_away : not_cut) + R"(
+  if (variant.caps) return in_eye_space + cut_away + capped;
+  return in_eye_space + bounded + (variant.layers ? layered : not_layered) +
+         (variant.sections ? cut_away : not_cut) + R"(
 void keep_fragment() {
-  float z = bound_depth();
-  gl_FragDepth = place_fragment(z);
+  gl_FragDepth = place_fragment();
   cut_fragment();
 }
 )";
@@ -204,7 +223,6 @@ std::string shaded(BaseColors colors, std::optional<int> normal_location = std::
   return fmt::format("const float ambient = {}, diffuse = {}, head = {};\n{}in vec4 base_color;\n",
                      ambient_light, diffuse_light, head_light, flatness(colors)) +
          declared + R"(
-in vec3 eye_position;
 uniform vec3 light;  // direction to the light, eye space
 layout(location = 0) out vec4 color;
 void shade_fragment() {
@@ -250,11 +268,12 @@ layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
 invariant gl_Position;
 uniform vec2 sample_place;  // from pixel centres, pixels: where this pass looks at them
-out vec3 eye_position;
+)" + (variant.layers ? "invariant " : "") +
+         R"(out vec3 eye_position;
 flat out vec3 bound_x, bound_y;
 flat out vec4 bound_at;
 flat out uint item;
-)" + (variant.layers ? "flat out uint layers;\n" : "") +
+)" + (variant.layers ? "flat out uint layer;\n" : "") +
          (variant.sections ? "flat out uint cut;\n" : "") +
          R"(
 void main() {
@@ -273,7 +292,7 @@ void main() {
 )" +
          (variant.transparent ? "  alpha = palette[color_and_piece & 0xfffffu].a;\n  record = first_bound;\n"
                               : "") +
-         (variant.layers ? "  layers = max(color_and_piece >> 20 & 15u, 1u) - 1u;\n" : "") +
+         (variant.layers ? "  layer = color_and_piece >> 20 & 15u;\n" : "") +
          (variant.sections ? "  cut = cut_of_record;\n}\n" : "}\n");
 }
 
@@ -365,7 +384,7 @@ void main() {
 }
 
 std::string flat_model_fragment_shader(bool sections) {
-  return version + (sections ? cut_whole : not_cut) + shaded(BaseColors::palette) +
+  return version + in_eye_space + (sections ? cut_whole : not_cut) + shaded(BaseColors::palette) +
          "void main() { cut_fragment(); shade_fragment(); }\n";
 }
 

@@ -15,6 +15,7 @@ ViewUniforms::ViewUniforms(GLuint program)
       light_(glGetUniformLocation(program, "light")),
       layer_view_(glGetUniformLocation(program, "layer_view")),
       layer_step_(glGetUniformLocation(program, "layer_step")),
+      snapping_(glGetUniformLocation(program, "snapping")),
       sides_(glGetUniformLocation(program, "sides")),
       side_normals_(glGetUniformLocation(program, "side_normals")),
       side_count_(glGetUniformLocation(program, "side_count")),
@@ -29,10 +30,13 @@ void ViewUniforms::set(const FrameView& view, const SamplePlace& place) const {
     glUniform2f(sample_place_, pixels.x, pixels.y);
   }
   if (layer_view_ >= 0) {
-    // As a rule graphics cards snap to 1/256 pixel, and OpenGL lets them do so before depths are computed.
-    const LayerOffset offset(view, 1.0 / 192);
-    glUniform4f(layer_view_, offset.focal_x, offset.focal_y, offset.axis_x, offset.axis_y);
-    glUniform3f(layer_step_, offset.step, offset.snapped, offset.parallel);
+    const LayerOffset offset(view, LayerOffset::rest_of_snapping);
+    const glm::vec2 pixels(place.pixels());
+    glUniform4f(layer_view_, offset.focal_x, offset.focal_y, offset.axis_x - pixels.x,
+                offset.axis_y - pixels.y);
+    const double unit = view.clip.orthographic ? view.clip.unit : 1;
+    glUniform4f(layer_step_, offset.step, offset.snapped, offset.parallel, static_cast<float>(unit));
+    glUniform1f(snapping_, offset.snapping);
   }
   if (sides_ >= 0) {
     const PixelSides sides(view, place);

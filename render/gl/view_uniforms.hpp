@@ -8,8 +8,8 @@
 
 namespace triptych {
 
-/// The uniforms `frustum`, `depth`, `sample_place`, `light`, `layer_view` and `layer_step` of shaders that
-/// draw geometry, and those of sections: what they have of them.
+/// The uniforms `frustum`, `depth`, `sample_place`, `light`, `layer_view`, `layer_step` and `snapping` of
+/// shaders that draw geometry, and those of sections: what they have of them.
 class ViewUniforms {
  public:
   explicit ViewUniforms(GLuint program);
@@ -17,8 +17,8 @@ class ViewUniforms {
   void set(const FrameView& view, const SamplePlace& place = {}) const;
 
  private:
-  GLint frustum_, depth_, sample_place_, light_, layer_view_, layer_step_, sides_, side_normals_, side_count_,
-      stroke_width_;
+  GLint frustum_, depth_, sample_place_, light_, layer_view_, layer_step_, snapping_, sides_, side_normals_,
+      side_count_, stroke_width_;
 };
 
 }  // namespace triptych
