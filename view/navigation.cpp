@@ -12,6 +12,7 @@ namespace {
 constexpr double steepest = std::numbers::pi / 2;
 constexpr double faster_a_step = 1.25, nearer_a_step = 0.8;
 constexpr double usual_half_height = 0.57735026918962573;  // 60 degrees
+constexpr double fitted_share = 0.9;                       // of the window, that what is fitted in takes
 }  // namespace
 
 Walker::Walker(const Camera& camera, double reach) : reach_(reach), seen_(reach / 10) { jump_to(camera); }
@@ -20,13 +21,11 @@ Walker Walker::before(const Box& box, double near) {
   Camera camera;
   set_field_of_view(camera, 60, 1);
   camera.near = near;
-  const glm::dvec3 centre = (box.lo + box.hi) * 0.5;
-  const double reach = glm::length(box.hi - box.lo);
-  const double radius = std::max(reach / 2, 2 * near);
-  const double distance = radius / std::sin(std::atan(camera.top));
-  camera.eye = centre + distance * glm::normalize(glm::dvec3(0.5, 0.4, 0.8));
-  camera.target = centre;
-  return {camera, std::max(reach, 2 * near)};
+  camera.target = center(box);
+  camera.eye = camera.target + glm::dvec3(0.5, 0.4, 0.8);
+  Walker walker(camera, std::max(glm::length(box.hi - box.lo), 2 * near));
+  walker.frame(box, 1);
+  return walker;
 }
 
 void Walker::jump_to(const Camera& camera) {
@@ -103,18 +102,21 @@ void Walker::zoom(const glm::dvec3& point, double steps) {
 }
 
 void Walker::frame(const Box& box, double aspect, double most) {
-  const glm::dvec3 centre = (box.lo + box.hi) * 0.5, half = box.hi - centre;
-  const double radius = std::max(glm::length(half), 2 * near_);
-  const double narrow = std::min(aspect, 1.0);
-  double back = 0;
-  if (orthographic()) {
-    half_height_ = radius / narrow;
-    back = radius + reach_;  // nothing of the model is behind the eye
-  } else {
-    back = radius / std::sin(std::atan(half_height_ * narrow));
+  const glm::dvec3 centre = center(box), half = box.hi - centre, sight = direction();
+  const double front = glm::dot(half, glm::abs(sight));  // how far before its middle
+  double back = front + 2 * near_, half_height = 2 * near_;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 way = box.corner(i) - centre;
+    const double aside = std::abs(glm::dot(way, right())), above = std::abs(glm::dot(way, picture_up()));
+    const double high = std::max(above, aside / aspect) / fitted_share;
+    half_height = std::max(half_height, high);
+    back = std::max(back, high / half_height_ - glm::dot(way, sight));
   }
-  const double outside = glm::dot(half, glm::abs(direction())) + near_;
-  eye_ = centre - (most > outside ? std::min(back, most) : back) * direction();
+  if (orthographic()) {
+    half_height_ = half_height;
+    back = glm::length(half) + reach_;  // nothing of the model is behind the eye
+  }
+  eye_ = centre - (most > front + near_ ? std::min(back, most) : back) * sight;
 }
 
 void Walker::look_at(Side side) {

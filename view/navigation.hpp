@@ -46,9 +46,9 @@ class Walker {
   /// Comes nearer to a point, by a fifth of the way a step, or goes away from it; it stays where it is on the
   /// screen. Orthographic: everything gets larger.
   void zoom(const glm::dvec3& point, double steps);
-  /// Goes back, or forward, along the line of sight until the box just fits. aspect: width over height. most:
-  /// no further from its middle than that, if that is still outside of the box: then not all of it is in
-  /// sight.
+  /// Goes back, or forward, along the line of sight until the box fits, with some room around it. aspect:
+  /// width over height. most: no further from its middle than that, if that is still outside of the box: then
+  /// not all of it is in sight.
   void frame(const Box& box, double aspect, double most = std::numeric_limits<double>::infinity());
   /// Turns on the spot, radians.
   void turn(double right, double up);

@@ -16,6 +16,14 @@ namespace {
 constexpr size_t most_facets = 20'000;
 constexpr double least_turn = 0.02;  // the sine of a degree
 
+/// Keys that lie close together come far apart: tables of unmixed ones grow without end.
+struct Hash {
+  template <typename Value, size_t count>
+  size_t operator()(const std::array<Value, count>& key) const {
+    return hash_values(std::span<const Value>(key));
+  }
+};
+
 /// Numbers for places, the same for those within one cell.
 class Welder {
  public:
@@ -28,11 +36,6 @@ class Welder {
   }
 
  private:
-  struct Hash {
-    size_t operator()(const std::array<double, 3>& cell) const {
-      return hash_values(std::span<const double>(cell));
-    }
-  };
   double weld_;
   tsl::robin_map<std::array<double, 3>, uint32_t, Hash> numbers_;
 };
@@ -121,7 +124,7 @@ glm::dvec3 normal_of(const NearFacet& facet) {
 
 std::vector<FeatureEdge> feature_edges(const std::vector<NearFacet>& facets, double weld, double turn) {
   Welder welder(weld);
-  tsl::robin_map<uint64_t, size_t> known;
+  tsl::robin_map<std::array<uint32_t, 2>, size_t, Hash> known;
   std::vector<FeatureEdge> edges;
   for (const NearFacet& facet : facets) {
     const glm::dvec3 normal = normal_of(facet);
@@ -131,7 +134,7 @@ std::vector<FeatureEdge> feature_edges(const std::vector<NearFacet>& facets, dou
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t a = numbers[k], b = numbers[(k + 1) % 3];
       if (a == b) continue;
-      const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+      const std::array key = {std::min(a, b), std::max(a, b)};
       const auto [found, is_new] = known.try_emplace(key, edges.size());
       if (is_new) {
         edges.push_back({facet.corners[k], facet.corners[(k + 1) % 3], {normal, {}}, 1, facet.drawable});

@@ -87,19 +87,12 @@ bool Tour::is_inside() const {
   return model_box(pack_.skeleton()).contains({eye, eye});
 }
 
-double Tour::clear_distance(const Box& box, const glm::dvec3& sight) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
+std::array<double, 9> Tour::clear_distances(const Box& box, const glm::dvec3& sight) {
+  constexpr double infinite = std::numeric_limits<double>::infinity(), share = 0.8;
   const glm::dvec3 centre = center(box), half = box.hi - centre, back = -sight;
-  const glm::dvec3 aside = glm::cross(sight, walker_.up());
-  const glm::dvec3 right = glm::length(aside) > 1e-3 ? glm::normalize(aside) : glm::cross(sight, {1, 0, 0});
-  const glm::dvec3 up = glm::cross(right, sight);
-  constexpr double share = 0.4;  // of the way from the middle to the rim
-  std::array<double, 5> clear{};
-  constexpr glm::dvec2 places[] = {
-      {0, 0}, {-share, -share}, {share, -share}, {-share, share}, {share, share}};
+  std::array<double, 9> clear{};
   for (size_t i = 0; i < clear.size(); ++i) {
-    const glm::dvec3 from = centre + places[i].x * glm::dot(half, glm::abs(right)) * right +
-                            places[i].y * glm::dot(half, glm::abs(up)) * up;
+    const glm::dvec3 from = i == 8 ? centre : centre + share * (box.corner(static_cast<int>(i)) - centre);
     // What touches it, as the floor that it stands on, is passed.
     double leaves = infinite;
     for (int axis = 0; axis < 3; ++axis) {
@@ -108,10 +101,10 @@ double Tour::clear_distance(const Box& box, const glm::dvec3& sight) {
     }
     const auto hit =
         picker_.along(*frame_, from, back, leaves * (1 + 1e-6) + pack_.skeleton().lattice().step);
-    clear[i] = hit ? glm::dot(hit->point - centre, back) : infinite;
+    clear[i] = hit ? glm::dot(hit->point - centre, back) - glm::dot(half, glm::abs(back)) : infinite;
   }
   std::ranges::sort(clear);
-  return clear[clear.size() / 2];
+  return clear;
 }
 
 void Tour::fit(double aspect, bool turns) {
@@ -119,30 +112,36 @@ void Tour::fit(double aspect, bool turns) {
   const Walker from_here = walker_;
   walker_.frame(box, aspect);
   if (selected_.box().empty() || !frame_) return;
-  constexpr double degree = std::numbers::pi / 180, before_walls = 0.95;
-  constexpr int headings[] = {0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150, 180};
-  double best_share = 0;
-  std::optional<Walker> best;
+  const glm::dvec3 half = box.hi - center(box);
+  constexpr double before_walls = 0.95, least_seen = 0.2, least_apart = 0.01, a_degree_costs = 1.0 / 600;
+  constexpr double radians = std::numbers::pi / 180;
+  double best = least_seen;  // what is seen of it, less what the turn costs
   for (const int down : {0, 30, 60}) {
-    for (const int heading : headings) {
+    for (const int heading : {0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150, 180}) {
+      const double cost = (std::abs(heading) + down) * a_degree_costs;
+      if (1 - cost <= best) continue;
       Walker there = from_here;
-      there.turn(heading * degree, -down * degree);
+      there.turn(heading * radians, -down * radians);
       there.frame(box, aspect);
-      const double clear = clear_distance(box, there.direction());
-      const double share = clear / glm::distance(there.eye(), center(box));
-      if (share > best_share) {
-        best_share = share;
-        there.frame(box, aspect, before_walls * clear);
-        best = there;
+      const double front = glm::dot(half, glm::abs(there.direction()));
+      const double all = glm::distance(there.eye(), center(box)) - front;  // where all of it fits in
+      const auto clear = clear_distances(box, there.direction());
+      for (size_t hidden = 0; hidden < clear.size(); ++hidden) {
+        // The further away, the more of it fits in, and the more may stand before it. An orthographic picture
+        // is as large from everywhere.
+        const double apart = std::min(before_walls * clear[hidden], all);
+        const bool fits = there.orthographic() && apart > least_apart * glm::length(half);
+        const double points = static_cast<double>(clear.size() - hidden) / clear.size();
+        const double seen = points * (there.orthographic() ? fits : apart / all) - cost;
+        if (seen <= best) continue;
+        best = seen;
+        walker_ = there;
+        walker_.frame(box, aspect, front + apart);
       }
       // An orthographic picture begins where the eye is, so that walls behind that hide nothing.
-      if (share >= 1 || !turns || there.orthographic()) {
-        if (best) walker_ = *best;
-        return;
-      }
+      if (!turns || there.orthographic()) return;
     }
   }
-  if (best) walker_ = *best;
 }
 
 bool Tour::take(Command command, int width, int height) {

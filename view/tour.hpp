@@ -6,6 +6,7 @@
 #include "view/selected.hpp"
 #include "view/window.hpp"
 
+#include <array>
 #include <vector>
 
 namespace triptych {
@@ -47,8 +48,9 @@ class Tour {
   /// Fits what is selected, or all, into the window, as near to where one looks now as something can be seen
   /// of it; without turning where a side was asked for.
   void fit(double aspect, bool turns);
-  /// How far from a box's middle one may stand, so that nothing else hides the most of it.
-  double clear_distance(const Box& box, const glm::dvec3& sight);
+  /// How far before a box one may stand until something else hides its middle, and each of eight places near
+  /// its corners; ascending.
+  std::array<double, 9> clear_distances(const Box& box, const glm::dvec3& sight);
   bool is_inside() const;
   /// Where there is only background a place as far away as what was seen last.
   glm::dvec3 point_under(const CursorPlace& place);

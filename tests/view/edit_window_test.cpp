@@ -1,5 +1,7 @@
 // Several selected objects, cuts and hiding step by step, and what a session's window begins with and keeps,
 // at a real window.
+#include "preprocess/build.hpp"
+#include "tests/support/awkward_meshes.hpp"
 #include "tests/view/view_window.hpp"
 
 namespace triptych::test {
@@ -77,6 +79,27 @@ TEST_F(EditWindow, selects_several_objects_and_hides_isolates_and_cuts_to_all_of
   leave(program, 2);
 }
 
+TEST_F(EditWindow, says_how_many_of_the_parts_that_are_cut_are_open) {
+  std::vector<Mesh> boxes;
+  for (const double x : {0, 2, 4}) boxes.push_back(awkward::box({x, 0, 0}, {x + 1, x + 2, 1}));
+  boxes[1].triangles.pop_back();
+  boxes[2].triangles.pop_back();
+  build_pack(awkward::model_of(boxes), {.part_triangles = 64, .leaf_triangles = 12}, pack);
+  Program program({"view", pack, "--size", "320x240", "--section", "y<1", "-o", folder.file("pictures")});
+  find_window();
+  EXPECT_TRUE(title_has(", cut by 1 plane (2 cut parts are open)")) << title();
+  xdotool("key Delete sleep 0.3");
+  EXPECT_EQ(title().find("open"), std::string::npos) << title();
+  leave(program);
+  for (const auto& [plane, words] :
+       {std::pair{"y<5", ", cut by 1 plane (1 cut part is open)"}, {"x<0.5", ", cut by 1 plane"}}) {
+    Program other({"view", pack, "--size", "320x240", "--section", plane, "-o", folder.file("others")});
+    find_window();
+    EXPECT_TRUE(title().ends_with(words)) << title();
+    leave(other);
+  }
+}
+
 TEST_F(EditWindow, shows_its_help_over_the_picture_until_escape) {
   Program program({"view", pack, "--size", "800x600", "-o", folder.file("pictures")});
   find_window();
@@ -85,6 +108,24 @@ TEST_F(EditWindow, shows_its_help_over_the_picture_until_escape) {
   EXPECT_NE(helping, before);
   EXPECT_EQ(after("key F1"), before);
   EXPECT_EQ(after("key F1"), helping);
+  EXPECT_EQ(after("key Escape"), before);
+  leave(program);
+}
+
+TEST_F(EditWindow, shows_its_help_page_by_page_where_the_window_is_small) {
+  Program program({"view", pack, "--size", "400x300", "-o", folder.file("pictures")});
+  find_window();
+  const Picture before = look();
+  std::vector<Picture> pages;
+  for (int i = 0; i < 9; ++i) {
+    const Picture page = after("key F1");
+    if (page == before) break;
+    for (const Picture& other : pages) EXPECT_NE(page, other);
+    pages.push_back(page);
+  }
+  EXPECT_GT(pages.size(), 1u);
+  EXPECT_LT(pages.size(), 5u);
+  EXPECT_EQ(after("key F1"), pages.front());
   EXPECT_EQ(after("key Escape"), before);
   leave(program);
 }
@@ -131,6 +172,24 @@ TEST_F(EditWindow, of_a_session_keeps_selection_and_measurements_when_the_render
   leave(program);
 }
 
+TEST_F(EditWindow, of_a_session_snaps_to_what_is_under_the_cursor_when_the_render_node_is_killed) {
+  Program program({"session", pack, "--window", "--path", path, "--size", "320x240", "--json", json,
+                   "--gather", "60", "-o", folder.file("pictures")});
+  find_window();
+  xdotool("mousemove 160 120 sleep 0.2");
+  const Picture before = look();
+  const Picture snapped = after("key m sleep 0.3");
+  EXPECT_NE(snapped, before) << "no mark under the cursor";
+  kill_render_node(program);
+  Picture again = look();
+  for (int tries = 0; tries < 50 && again != snapped; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    again = look();
+  }
+  EXPECT_EQ(again, snapped) << "and the mouse did not move";
+  leave(program, 2);
+}
+
 TEST_F(EditWindow, of_a_session_begins_at_a_viewpoint_and_saves_others) {
   const std::string saved = folder.file("pictures/viewpoint-000.bcfzip");
   {
@@ -146,6 +205,11 @@ TEST_F(EditWindow, of_a_session_begins_at_a_viewpoint_and_saves_others) {
   Program program({"session", pack, "--window", "--bcf", saved, "--size", "320x240", "--json", json,
                    "--gather", "60", "-o", folder.file("session")});
   find_window();
+  EXPECT_TRUE(title_has("cut by 1 plane and a box")) << title();
+  xdotool("key k sleep 0.3");
+  EXPECT_TRUE(title_has("cut by 1 plane")) << title();
+  EXPECT_EQ(title().find("a box"), std::string::npos) << "the same box again is none: " << title();
+  xdotool("key k sleep 0.3");
   EXPECT_TRUE(title_has("cut by 1 plane and a box")) << title();
   xdotool("key F5 sleep 0.2 key F3 sleep 0.2");
   for (const char* const file : {"session/viewpoint-000.bcfzip", "session/camera-000.json"}) {

@@ -300,6 +300,30 @@ TEST_F(NamedBoxes, are_fitted_in_where_they_can_be_seen) {
   EXPECT_NEAR(glm::distance(plain.eye(), tour->walker().eye()), 0, 1e-9);
 }
 
+TEST_F(NamedBoxes, that_hardly_show_elsewhere_are_fitted_in_without_turning) {
+  // Between the door and the first wall, which is where the eye would be for all of the door to fit in.
+  Camera between = tour->walker().view(400, 300).camera;
+  between.eye = {2.1, 1, 1};
+  between.target = {4, 1, 1};
+  between.up = {0, 1, 0};
+  tour->jump_to(between);
+  see();
+  tour->selected().set(tour->selector().describe(SourceObjectId{1}));
+  tour->take(Command::fit, 400, 300);
+  see();
+  EXPECT_LT(tour->walker().direction().x, 0.9) << "half of the way is clear: one turns";
+  // With a long lens the wall is so near that nothing of the door would show: one stands behind it.
+  set_field_of_view(between, 4, 4.0 / 3);
+  tour->jump_to(between);
+  see();
+  Walker plain = tour->walker();
+  plain.look_at(Side::right);
+  plain.frame(tour->subject(), 4.0 / 3);
+  tour->take(Command::look_at_right, 400, 300);
+  EXPECT_NEAR(glm::distance(plain.eye(), tour->walker().eye()), 0, 1e-9);
+  EXPECT_GT(tour->walker().eye().x, 9);
+}
+
 TEST_F(NamedBoxes, in_an_orthographic_picture_from_inside_are_not_hidden_by_what_is_behind_the_eye) {
   Camera inside = tour->walker().view(400, 300).camera;
   inside.eye = {2.5, 1, 1};  // between the first wall and the door

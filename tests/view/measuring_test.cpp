@@ -24,6 +24,31 @@ View view_of(const glm::dvec3& eye, const glm::dvec3& target) {
   return view;
 }
 
+/// Triangles as feature_edges() takes them.
+std::vector<NearFacet> facets_of(const Mesh& mesh) {
+  std::vector<NearFacet> facets;
+  for (const Triangle& triangle : mesh.triangles) {
+    NearFacet& facet = facets.emplace_back();
+    for (size_t k = 0; k < 3; ++k) facet.corners[k] = mesh.positions[triangle.vertices[k]];
+  }
+  return facets;
+}
+
+TEST(FeatureEdges, of_many_triangles_take_no_more_than_their_memory) {
+  // Neighbours in a grid have numbers one after the other; of a fan all edges have one end in common.
+  const uint32_t cells = 150;
+  const size_t inner = 3 * cells * cells - 2 * cells, rim = 4 * cells;
+  EXPECT_EQ(feature_edges(facets_of(awkward::grid(cells, 1, 0.1)), 1e-9, 0).size(), inner + rim);
+  Mesh fan{"fan", {{0, 1, 0}}, {}};
+  const uint32_t blades = 20'000;
+  for (uint32_t i = 0; i < blades; ++i) {
+    const double angle = 2 * glm::pi<double>() * i / blades;
+    fan.positions.push_back({std::cos(angle), 0, std::sin(angle)});
+    fan.triangles.push_back({{0, 1 + i, 1 + (i + 1) % blades}, 0});
+  }
+  EXPECT_EQ(feature_edges(facets_of(fan), 1e-9, 0).size(), 2 * blades);
+}
+
 /// A box of 2 x 3 x 4 from its origin on, placed as told, alone in a pack.
 class PlacedBox : public testing::Test {
  protected:

@@ -147,12 +147,15 @@ TEST(Navigation, a_side_shows_all_of_a_box_that_is_fitted_in) {
       if (orthographic) walker.switch_projection({0, 0, 0}, false);
       walker.look_at(side);
       walker.frame(box, 1.5);
+      double largest = 0;
       for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner = seen(walker, box.corner(i));
+        largest = std::max({largest, std::abs(corner.x), std::abs(corner.y)});
         EXPECT_LE(std::abs(corner.x), 1);
         EXPECT_LE(std::abs(corner.y), 1);
         EXPECT_GT(corner.z, 0.5) << "before the near plane";
       }
+      EXPECT_NEAR(largest, 0.9, 1e-9) << "and not much more";
       const glm::dvec3 wanted = side == Side::front   ? glm::dvec3(0, 0, -1)
                                 : side == Side::right ? glm::dvec3(-1, 0, 0)
                                                       : glm::dvec3(0, -1, 0);
