@@ -1,6 +1,5 @@
 #include "launch/measure.hpp"
-#include "launch/number_flags.hpp"
-#include "launch/run_pipeline.hpp"
+#include "launch/rounds_run.hpp"
 #include "launch/text_table.hpp"
 #include "measure/effects_cost.hpp"
 #include "measure/json.hpp"
@@ -11,25 +10,16 @@ namespace triptych {
 
 namespace {
 
-struct MeasureEffectsCommand {
-  RunOptions run;
-  CullChoice cull;
-  size_t rounds = 5;
-};
-
-int run(const MeasureEffectsCommand& command) {
-  const Pack pack(command.run.pack);
-  const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
-  if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
-  const ChosenDevice device = choose_device(command.run.device);
-  LocalPipeline pipeline(pack, pipeline_options(command.run, command.cull, device.options));
+int run(const RoundsCommand& command) {
+  RoundsRun played(command);
   std::vector<Effect> effects;
-  for (const Effect effect : called_for(pack.skeleton())) {
+  for (const Effect effect : called_for(played.pack.skeleton())) {
     if (command.run.effects.has(effect)) effects.push_back(effect);
   }
-  const std::vector<EffectsCost> costs = measure_effects(pipeline, frames, effects, command.rounds);
+  const std::vector<EffectsCost> costs =
+      measure_effects(played.pipeline, played.frames, effects, command.rounds);
   const double without = distribution(costs.front().cpu_ms).p50;
-  const auto count = static_cast<double>(frames.size());
+  const auto count = static_cast<double>(played.frames.size());
   nlohmann::json rows = nlohmann::json::array();
   std::vector<std::vector<std::string>> lines;
   for (const EffectsCost& cost : costs) {
@@ -63,8 +53,8 @@ int run(const MeasureEffectsCommand& command) {
       text_table({"added", "frame ms", "x", "frames", "effect ms", "draws", "binds", "bytes", "fragments",
                   "variants", "triangles"},
                  lines));
-  nlohmann::json report = {{"rows", rows}, {"frames", frames.size()}, {"rounds", command.rounds}};
-  add_device(report, device.names);
+  nlohmann::json report = {{"rows", rows}, {"frames", played.frames.size()}, {"rounds", command.rounds}};
+  add_device(report, played.device.names);
   add_picture(report, command.run);
   write_json(command.run.json, report);
   return 0;
@@ -73,20 +63,10 @@ int run(const MeasureEffectsCommand& command) {
 }  // namespace
 
 void add_measure_effects(CLI::App& measure, Action& action) {
-  auto command = std::make_shared<MeasureEffectsCommand>();
   CLI::App* effects = measure.add_subcommand(
       "effects", "What each effect that the model calls for costs, added one after the other");
   effects->footer("Example: triptych measure effects scene.tpk --path walk.json --json effects.json");
-  add_run_flags(*effects, command->run);
-  add_picture_flags(*effects, command->run);
-  add_cull_flags(*effects, command->cull);
-  effects->add_option("--rounds", command->rounds, "How often each is measured; medians are reported")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str();
-  effects->callback([command, effects, &action] {
-    check_cull_flags(*effects, command->cull);
-    action = [command] { return run(*command); };
-  });
+  add_rounds_command(*effects, run, action);
 }
 
 }  // namespace triptych

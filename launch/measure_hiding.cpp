@@ -1,7 +1,6 @@
 #include "base/distribution.hpp"
 #include "launch/measure.hpp"
-#include "launch/number_flags.hpp"
-#include "launch/run_pipeline.hpp"
+#include "launch/rounds_run.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hiding_cost.hpp"
 #include "measure/json.hpp"
@@ -12,19 +11,10 @@ namespace triptych {
 
 namespace {
 
-struct MeasureHidingCommand {
-  RunOptions run;
-  CullChoice cull;
-  size_t rounds = 5;
-};
-
-int run(const MeasureHidingCommand& command) {
-  const Pack pack(command.run.pack);
-  const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
-  if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
-  const ChosenDevice device = choose_device(command.run.device);
-  LocalPipeline pipeline(pack, pipeline_options(command.run, command.cull, device.options));
-  const std::vector<HidingCost> costs = measure_hiding(pack, pipeline, frames, command.rounds);
+int run(const RoundsCommand& command) {
+  RoundsRun played(command);
+  const std::vector<HidingCost> costs =
+      measure_hiding(played.pack, played.pipeline, played.frames, command.rounds);
   const double without = distribution(costs.front().frame.cpu_ms).p50;
   nlohmann::json rows = nlohmann::json::array();
   std::vector<std::vector<std::string>> lines;
@@ -62,8 +52,8 @@ int run(const MeasureHidingCommand& command) {
       text_table({"gone", "objects", "bytes", "apply ms", "first picture", "the same shown", "frame ms",
                   "cold ms", "x", "cut", "triangles"},
                  lines));
-  nlohmann::json report = {{"rows", rows}, {"frames", frames.size()}, {"rounds", command.rounds}};
-  add_device(report, device.names);
+  nlohmann::json report = {{"rows", rows}, {"frames", played.frames.size()}, {"rounds", command.rounds}};
+  add_device(report, played.device.names);
   add_picture(report, command.run);
   write_json(command.run.json, report);
   return 0;
@@ -72,21 +62,11 @@ int run(const MeasureHidingCommand& command) {
 }  // namespace
 
 void add_measure_hiding(CLI::App& measure, Action& action) {
-  auto command = std::make_shared<MeasureHidingCommand>();
   CLI::App* hiding = measure.add_subcommand("hiding",
                                             "What it costs to hide one object, and every second one, and to "
                                             "cut the model: the step, and frames after it");
   hiding->footer("Example: triptych measure hiding scene.tpk --path walk.json --json hiding.json");
-  add_run_flags(*hiding, command->run);
-  add_picture_flags(*hiding, command->run);
-  add_cull_flags(*hiding, command->cull);
-  hiding->add_option("--rounds", command->rounds, "How often each is measured; medians are reported")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str();
-  hiding->callback([command, hiding, &action] {
-    check_cull_flags(*hiding, command->cull);
-    action = [command] { return run(*command); };
-  });
+  add_rounds_command(*hiding, run, action);
 }
 
 }  // namespace triptych

@@ -1,0 +1,133 @@
+#include "raster/raster_scene.hpp"
+
+#include "visibility/facing.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace triptych {
+
+RasterScene::RasterScene(const Skeleton& skeleton, Representation& representation, Residency& residency)
+    : skeleton_(skeleton),
+      representation_(representation),
+      geometry_(skeleton, residency),
+      placer_(skeleton),
+      cut_bodies_(skeleton),
+      everywhere_(max_chunk_pieces,
+                  skeleton.scene_nodes.empty() ? LatticeBox() : skeleton.scene_nodes[0].box) {}
+
+[[gnu::noinline]] void RasterScene::set_view(const FrameView& view) {
+  if (view_ && view.state == view_->state && view.rules == view_->rules) return;
+  view_ = view;
+  geometry_.begin_view();
+  representation_.begin(view);
+  placer_.begin(view);
+  projector_.emplace(view, steady_margins);
+  terms_.clear();
+  for (const SamplePlace& place : sample_places(view.state.samples))
+    terms_.emplace_back(*view_, *projector_, place);
+}
+
+uint64_t RasterScene::place(std::span<const DrawableId> drawables) {
+  // Front to back, so that tiles hide what comes later; the result is the same in any order.
+  ranks_.clear();
+  for (const DrawableId id : drawables) ranks_.push_back(draw_rank(skeleton_, view_->cell, id));
+  std::sort(ranks_.begin(), ranks_.end());
+  items_.clear();
+  for (const DrawRank& rank : ranks_) representation_.append(rank.id, items_);
+  geometry_.require(items_);
+  cut_bodies_.find(*view_, items_);
+  for (const CutRun& run : cut_bodies_.runs()) geometry_.require(run.chunk);
+  stretches_.clear();
+  transparent_stretches_.clear();
+  names_.clear();
+  const bool transparency = view_->state.effects.has(Effect::transparency);
+  uint64_t triangles = 0;
+  auto rank = ranks_.begin();
+  for (const DrawItem& item : items_) {
+    const bool same = !names_.empty() && names_.back().rank.id == item.drawable;
+    while (rank->id != item.drawable) ++rank;
+    names_.push_back({*rank, same ? names_.back().part + 1 : 0});
+    const RasterChunk* const chunk = geometry_.chunk(item.chunk);
+    if (chunk == nullptr) continue;
+    const SectionPlace place = view_->section_place(item.pieces);
+    if (place.outside) continue;
+    PlacedStretch stretch{.rank = names_.back().rank,
+                          .part = names_.back().part,
+                          .chunk = chunk,
+                          .first_triangle = item.first_index / 3,
+                          .triangle_count = item.index_count / 3,
+                          .placed = placer_.place(item.transform, skeleton_.chunks[item.chunk].lattice),
+                          .front = 0,
+                          .cut = place.cut,
+                          .pieces = item.pieces};
+    if (stretch.chunk->has_outward)
+      stretch.front = outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
+    triangles += stretch.triangle_count;
+    if (!transparency || chunk->transparent.empty()) {
+      stretches_.push_back(stretch);
+      continue;
+    }
+    const uint32_t first = stretch.first_triangle, end = first + stretch.triangle_count;
+    for_each_run(chunk->transparent, first, end, [&](uint32_t from, uint32_t to, bool transparent) {
+      stretch.first_triangle = from;
+      stretch.triangle_count = to - from;
+      (transparent ? transparent_stretches_ : stretches_).push_back(stretch);
+    });
+  }
+  return triangles;
+}
+
+[[gnu::noinline]] uint64_t RasterScene::draw(std::span<const DrawableId> drawables, SamplePlanes& planes,
+                                             std::vector<DrawableId>& transparent) {
+  assert(planes.size() == terms_.size());
+  const uint64_t triangles = place(drawables);
+  for (const PlacedStretch& stretch : transparent_stretches_) {
+    if (transparent.empty() || transparent.back() != stretch.rank.id) transparent.push_back(stretch.rank.id);
+  }
+  add_cap_runs();
+  for (size_t i = 0; i < planes.size(); ++i) {
+    planes[i].draw(terms_[i], stretches_);
+    planes[i].draw_caps(terms_[i], cap_runs_, cap_counters_);
+  }
+  return triangles;
+}
+
+std::vector<TransparentLayers> RasterScene::transparent_layers(std::span<const DrawableId> drawables,
+                                                               const SamplePlanes& planes,
+                                                               size_t max_fragments) {
+  place(drawables);
+  std::vector<TransparentLayers> layers;
+  for (size_t i = 0; i < planes.size(); ++i)
+    layers.emplace_back(terms_[i], transparent_stretches_, planes[i], max_fragments);
+  return layers;
+}
+
+void RasterScene::add_cap_runs() {
+  cap_runs_.clear();
+  for (const CutBody& body : cut_bodies_.all()) {
+    const std::span<const CutRun> runs = cut_bodies_.runs_of(body);
+    // A surface of which a part is still to be read has no winding numbers.
+    if (std::ranges::any_of(runs, [&](const CutRun& run) { return geometry_.chunk(run.chunk) == nullptr; }))
+      continue;
+    for (size_t i = 0; i < runs.size(); ++i) {
+      const CutRun& run = runs[i];
+      const bool drawn = run.item != no_id;
+      const Name name = drawn ? names_[run.item] : Name();
+      cap_runs_.push_back({{.rank = name.rank,
+                            .part = name.part,
+                            .chunk = geometry_.chunk(run.chunk),
+                            .first_triangle = run.first_triangle,
+                            .triangle_count = run.triangle_count,
+                            .placed = placer_.place(body.transform, skeleton_.chunks[run.chunk].lattice),
+                            .front = 0,
+                            .cut = body.cut,
+                            .pieces = drawn ? items_[run.item].pieces : everywhere(run.chunk)},
+                           drawn,
+                           i == 0,
+                           i + 1 == runs.size()});
+    }
+  }
+}
+
+}  // namespace triptych
