@@ -14,7 +14,7 @@ class GlDevice final : public Device {
                 .rectangles = RectangleTest(test),
                 .lines = {},
                 .resolve = {},
-                .lists = {}},
+                .lists = FragmentLists()},
         names_(current_opengl()) {}
 
   std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) override {

@@ -20,7 +20,12 @@ struct Header {
   uint32_t count, capacity, unused[2];
 };
 
-constexpr uint64_t max_fragments = FragmentLists::cap_bytes / sizeof(Fragment);
+/// Within the cap, and what a shader can reach.
+uint64_t max_fragments(uint64_t cap_bytes) {
+  GLint64 block = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
+  return (std::min(static_cast<uint64_t>(block), cap_bytes) - sizeof(Header)) / sizeof(Fragment);
+}
 
 const char* const whole_picture = R"(
 void main() {  // one triangle over the whole picture
@@ -96,10 +101,13 @@ void FragmentLists::make(const Framebuffer& planes, uint32_t plane, const std::f
 
 void FragmentLists::make_area(const Area& area, const std::function<void()>& draw, VisibleSet* owners) {
   constexpr uint64_t few = 1 << 18;
-  if (capacity_ == 0) make_room(few);
+  if (capacity_ == 0) {
+    most_ = max_fragments(cap_bytes_);
+    make_room(std::min(few, most_));
+  }
   uint32_t count = draw_area(area, draw);
-  if (count > capacity_ && capacity_ < max_fragments) {
-    make_room(std::min(std::bit_ceil(uint64_t{count}), max_fragments));
+  if (count > capacity_ && capacity_ < most_) {
+    make_room(std::min(std::bit_ceil(uint64_t{count}), most_));
     count = draw_area(area, draw);
   }
   if (count <= capacity_) {

@@ -16,8 +16,8 @@ namespace triptych {
 /// and by how much they let shine through what lies behind.
 class FragmentLists {
  public:
-  /// In device memory, at most: areas with more fragments are made in parts.
-  static constexpr uint64_t cap_bytes = uint64_t{256} << 20;
+  /// cap_bytes: of lists in device memory, at most: areas with more fragments are made in parts.
+  explicit FragmentLists(uint64_t cap_bytes = uint64_t{256} << 20) : cap_bytes_(cap_bytes) {}
 
   /// Of planes that are this large.
   void begin(const Framebuffer& planes);
@@ -49,9 +49,10 @@ class FragmentLists {
   void collect(uint32_t count, VisibleSet& owners) const;
   void compose();
 
+  uint64_t cap_bytes_;
   std::optional<Target> target_;
   GlBuffer nodes_;
-  uint64_t capacity_ = 0;  ///< fragments
+  uint64_t capacity_ = 0, most_ = 0;  ///< fragments
   std::optional<GlProgram> compose_;
   GlVertexArray vertex_array_;
   uint64_t fragments_ = 0, splits_ = 0;

@@ -6,21 +6,16 @@
 namespace triptych::test {
 namespace {
 
-/// The exhibition and its twins, as packs.
+/// The exhibition and its twins; packs of those that a test asks for.
 class MeasureEffects : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    exhibition = std::make_unique<Folder>();
-    run({"sample", "effects", "-o", exhibition->file("models")});
-    for (const char* name : {"scene", "plain", "transparency"})
-      run({"build", exhibition->file(std::string("models/") + name + ".gltf"), "-o", pack(name)});
-  }
-  static void TearDownTestSuite() { exhibition.reset(); }
+  MeasureEffects() { run({"sample", "effects", "-o", folder.file("models")}); }
 
-  static std::string pack(const std::string& name) { return exhibition->file(name + ".tpk"); }
   std::vector<std::string> words(const std::string& name) const {
-    return {pack(name), "--path", exhibition->file("models/walk.json"), "--size", "64x48", "--frames", "3",
-            "--json",   json};
+    const std::string pack = folder.file(name + ".tpk");
+    if (!std::filesystem::exists(pack)) run({"build", folder.file("models/" + name + ".gltf"), "-o", pack});
+    return {pack,     "--path", folder.file("models/walk.json"), "--size", "64x48", "--frames", "3",
+            "--json", json};
   }
   nlohmann::json measured(const std::string& name, std::vector<std::string> more = {}) const {
     std::vector<std::string> all = {"measure", "effects", "--rounds", "1"};
@@ -30,11 +25,9 @@ class MeasureEffects : public testing::Test {
     return json_of(json);
   }
 
-  static std::unique_ptr<Folder> exhibition;
   Folder folder;
   const std::string json = folder.file("out.json");
 };
-std::unique_ptr<Folder> MeasureEffects::exhibition;
 
 TEST_F(MeasureEffects, adds_one_after_the_other_of_those_that_the_model_calls_for) {
   const nlohmann::json all = measured("scene");

@@ -2,6 +2,8 @@
 #include "lod/cut.hpp"
 #include "preprocess/encode_chunk.hpp"
 #include "raster/raster_device.hpp"
+#include "render/gl/renderer.hpp"
+#include "render/gl/resolve_pass.hpp"
 #include "residency/load_on_demand.hpp"
 #include "tests/render/closed_scenes.hpp"
 #include "tests/support/awkward_meshes.hpp"
@@ -189,6 +191,43 @@ TEST(Transparent, lists_that_are_made_in_parts_make_the_same_picture) {
   EXPECT_EQ(pictures(size_t{1} << 20, none), pictures(50, many));
   EXPECT_EQ(none, 0u);
   EXPECT_GT(many, 100u);
+}
+
+TEST(Transparent, lists_of_opengl_that_are_made_in_parts_make_the_same_picture) {
+  if (!test::on_gl()) GTEST_SKIP() << "the rasteriser has lists of its own";
+  const Pack& pack = scenes::pack("glass");
+  constexpr int width = 96, height = 64;
+  const Hierarchy hierarchy(pack.skeleton());
+  LevelsRepresentation levels(hierarchy);
+  LoadOnDemand residency(pack);
+  Renderer renderer(pack.skeleton(), levels, residency);
+  ResolvePass resolve;
+  const Framebuffer planes(TargetKind::color, width, height), picture(TargetKind::color, width, height);
+  FragmentLists whole, small(24 * 60);  // bytes of a fragment
+  uint64_t splits = 0, fragments = 0;
+  for (const View& view : scenes::random_views(pack.skeleton(), width, height, 12, 5)) {
+    const FrameView frame(pack.skeleton(), {view, 1});
+    std::vector<DrawableId> cut = select_cut(frame).drawables, transparent;
+    sort_by_rank(pack.skeleton(), frame.cell, cut);
+    renderer.set_view(frame);
+    planes.clear();
+    renderer.draw(cut, planes, transparent);
+    const auto picture_with = [&](FragmentLists& lists) {
+      VisibleSet found;
+      renderer.draw_transparent(transparent, planes, lists, &found);
+      resolve.draw(frame, planes, &lists.veils(), picture);
+      std::sort(found.begin(), found.end());
+      return std::pair(picture.read_colors(), found);
+    };
+    const auto expected = picture_with(whole);
+    EXPECT_EQ(picture_with(small), expected);
+    EXPECT_EQ(whole.splits(), 0u);
+    EXPECT_EQ(small.fragments(), whole.fragments());
+    splits += small.splits();
+    fragments += whole.fragments();
+  }
+  EXPECT_GT(splits, 100u);
+  EXPECT_GT(fragments, 10'000u);
 }
 
 TEST(TransparentSurfaces, are_not_outward_nor_is_what_is_seen_through_them) {
