@@ -17,6 +17,9 @@ nlohmann::json to_json(const SolidCounts& counts) {
 
 std::string in_words(const SolidCounts& counts) {
   const auto words = [](uint64_t count) { return in_threes(static_cast<double>(count)); };
+  if (counts.solid_placements == 0)
+    return fmt::format("none of {} placed parts is solid: sections show no cut surfaces",
+                       words(counts.placements));
   const std::string of_objects =
       counts.objects == 0
           ? ""

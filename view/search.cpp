@@ -48,10 +48,13 @@ std::string Search::name_of(SourceObjectId id) const {
   return name.empty() ? fmt::format("object {}", id) : name;
 }
 
+std::string Search::count() const {
+  const std::string objects = fmt::format("{} object{}", found_.size(), found_.size() == 1 ? "" : "s");
+  return at_ ? fmt::format("{} of {}", *at_ + 1, objects) : objects;
+}
+
 std::string Search::title() const {
-  if (word_.empty()) return "search";
-  if (!at_) return fmt::format("search {}: {} objects", in_one_cell(word_, 40), found_.size());
-  return fmt::format("search {}: {} of {} objects", in_one_cell(word_, 40), *at_ + 1, found_.size());
+  return word_.empty() ? "search" : fmt::format("search {}: {}", in_one_cell(word_, 40), count());
 }
 
 std::vector<Words> Search::words() const {
@@ -65,8 +68,7 @@ std::vector<Words> Search::words() const {
     words.push_back({"a word of a name, kind, layer, storey, GUID, property"});
     return words;
   }
-  words.push_back({at_ ? fmt::format("{} of {} objects", *at_ + 1, found_.size())
-                       : fmt::format("{} objects", found_.size())});
+  words.push_back({count()});
   const size_t first = at_ && *at_ >= most_names / 2 ? *at_ - most_names / 2 : 0;
   for (size_t i = first; i < std::min(found_.size(), first + most_names); ++i) {
     const bool here = at_ && *at_ == i;

@@ -25,13 +25,14 @@ class Search {
 
   const std::string& word() const { return word_; }
   const std::vector<SourceObjectId>& found() const { return found_; }
-  /// "WORD: 3 of 12 objects: NAME".
+  /// "search WORD: 3 of 12 objects".
   std::string title() const;
   /// What there is to show of it, line by line.
   std::vector<Words> words() const;
 
  private:
   void find();
+  std::string count() const;  ///< "12 objects", or which of them
   std::string name_of(SourceObjectId id) const;
 
   const PackObjects& objects_;

@@ -1,7 +1,7 @@
 #include "preprocess/contacts/stitch.hpp"
 
 #include "preprocess/box_tree.hpp"
-#include "preprocess/contacts/find_contacts.hpp"
+#include "preprocess/contacts/near_points.hpp"
 #include "simplify/key_hash.hpp"
 
 #include <algorithm>
@@ -81,12 +81,11 @@ class Stitcher {
         if (is_held(corner)) triangles_at[corner].push_back(i);
       }
     }
-    const BoxTree tree = tree_of_held();
+    const NearPoints near(surface_.points, held_);
     std::vector<uint8_t> gone(surface_.points.size(), 0);
     for (const uint32_t point : held_) {
       uint32_t target = point;
-      tree.visit(grown({at(point), at(point)}, contact_steps), [&](uint32_t index) {
-        const uint32_t other = held_[index];
+      near.visit(surface_.points[point], [&](uint32_t other) {
         if (other >= target || gone[other] || glm::distance(at(other), at(point)) > contact_steps) return;
         if (can_join(point, other, triangles_at[point])) target = other;
       });
@@ -141,9 +140,7 @@ class Stitcher {
     const glm::dvec3 from = at(ends[0]), along = at(ends[1]) - from;
     const double length = glm::length(along);
     if (!(length > 2 * contact_steps)) return dividers;
-    Box box;
-    for (const uint32_t end : ends) box.extend(at(end));
-    tree.visit(grown(box, contact_steps), [&](uint32_t index) {
+    tree.visit(RaySpan(from, along, 0, 1), contact_steps + 1, [&](uint32_t index) {
       const uint32_t point = held_[index];
       const double share = glm::dot(at(point) - from, along) / (length * length);
       const double margin = contact_steps / length;

@@ -82,6 +82,14 @@ TEST_F(NamedObjects, info_and_check_say_how_many_are_solid) {
   EXPECT_EQ(json_of(json)["solids"], solids);
 }
 
+TEST_F(NamedObjects, that_are_all_open_have_no_cut_surfaces_and_info_says_so) {
+  std::ofstream(model) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  run({"build", model, "-o", pack});
+  Program info({"info", pack, "--objects", "--json", "-"});  // which has what is for people in the errors
+  EXPECT_EQ(info.wait(), 0);
+  EXPECT_NE(info.errors().find("none of 1 placed parts is solid"), std::string::npos) << info.errors();
+}
+
 TEST_F(NamedObjects, info_lists_and_finds_them) {
   const nlohmann::json all = listed();
   ASSERT_EQ(all.size(), cubes + 1u) << "and the tower";

@@ -91,6 +91,7 @@ TEST_F(NamedBoxes, are_found_by_a_word_one_after_the_other) {
   EXPECT_EQ(tour->selected().name(), "South wall") << "and back";
   give("\b\b\b\bDoor\n");
   EXPECT_EQ(tour->selected().name(), "Door 7");
+  EXPECT_TRUE(inquiry->title().ends_with(": 1 of 1 object")) << inquiry->title();
   give("\b\b\b\bground\n");
   EXPECT_EQ(tour->selected().box().lo.x, 9) << "what is in it shows it";
   give("x");
