@@ -24,9 +24,10 @@ struct PartSpace {
   glm::dvec3 in(const glm::dvec3& point) const { return inverse * (point - transform[3]); }
   /// In its own space a box that holds this one of the hierarchy's space.
   Box in(const Box& box) const {
-    Box own;
-    for (int corner = 0; corner < 8; ++corner) own.extend(in(box.corner(corner)));
-    return own;
+    const glm::dvec3 middle = in((box.lo + box.hi) * 0.5), half = (box.hi - box.lo) * 0.5;
+    const glm::dvec3 reach =
+        glm::abs(inverse[0]) * half.x + glm::abs(inverse[1]) * half.y + glm::abs(inverse[2]) * half.z;
+    return {middle - reach, middle + reach};
   }
   /// The other way about.
   Box out(const Box& box) const { return placed_box(transform, box); }

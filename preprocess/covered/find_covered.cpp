@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -16,15 +17,33 @@ namespace triptych {
 
 namespace {
 
-/// Places on a triangle: n(n + 1)/2 of them, n of 2 or more, all inside. False as soon as take(place) is.
+/// Places all over a triangle, inside and near its corners, so that none of it is further than about `apart`
+/// from one: in 2 to 8 rows from the corner that its shortest side lies opposite to that side, each as dense
+/// as it is wide. False as soon as take(place) is.
 template <typename Take>
-bool each_sample(const std::array<glm::dvec3, 3>& corners, int n, const Take& take) {
+bool each_sample(const std::array<glm::dvec3, 3>& corners, double apart, const Take& take) {
   constexpr double inset = 0.01;
-  const double scale = (1 - 3 * inset) / (n - 1), start = inset;
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; i + k < n; ++k) {
-      const double u = start + scale * i, v = start + scale * k;
-      if (!take(corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v)) return false;
+  size_t top = 0;
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    const double side = glm::distance(corners[(k + 1) % 3], corners[(k + 2) % 3]);
+    longest = std::max(longest, side);
+    if (side < shortest) {
+      shortest = side;
+      top = k;
+    }
+  }
+  const auto steps = [&](double length) { return static_cast<int>(std::ceil(length / apart)); };
+  const int rows = std::clamp(steps(longest), 2, 8);
+  for (int row = 0; row < rows; ++row) {
+    const double down = static_cast<double>(row) / (rows - 1);
+    const int places = std::min(row + 1, steps(down * shortest) + 1);
+    for (int i = 0; i < places; ++i) {
+      const double across = places > 1 ? down * i / (places - 1) : 0;
+      const auto share = [](double of) { return inset + (1 - 3 * inset) * of; };
+      if (!take(corners[top] * share(1 - down) + corners[(top + 1) % 3] * share(down - across) +
+                corners[(top + 2) % 3] * share(across)))
+        return false;
     }
   }
   return true;
@@ -276,7 +295,7 @@ class CoveredFinder {
     const double least = region.is_cut ? own.regions->diagonal / own.shrink / 4 : 0;
     const bool is_corner = size < least;
     const double whole = std::max(size, least);
-    const double apart = size / 12;  // wider triangles have more samples
+    const double apart = size / 12;
     std::map<uint32_t, double> nearest;
     for (uint32_t i = region.first; i < region.first + region.count; ++i) {
       const auto corners = own.corners(i);
@@ -284,11 +303,7 @@ class CoveredFinder {
       const double length = glm::length(normal);
       if (!(length > 0)) continue;
       normal *= (own.turns_over ? -1 : 1) / length;
-      double longest = 0;
-      for (size_t k = 0; k < 3; ++k)
-        longest = std::max(longest, glm::distance(corners[k], corners[(k + 1) % 3]));
-      const int n = std::clamp(static_cast<int>(std::ceil(longest / apart)), 2, 8);
-      const bool all = each_sample(corners, n, [&](const glm::dvec3& at) {
+      const bool all = each_sample(corners, apart, [&](const glm::dvec3& at) {
         const auto over = surroundings.over(index, at, normal, whole);
         if (!over) return false;
         const auto [entry, inserted] = nearest.try_emplace(over->placed, over->clearance);

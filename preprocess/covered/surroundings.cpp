@@ -28,8 +28,8 @@ void Surroundings::look(Other& other, uint32_t region, const glm::dvec3& from, c
   const PartRegions& regions = *placed.regions;
   // In the other's own space, where lengths along the ray are the same.
   const glm::dvec3 start = placed.in(from), direction = placed.inverse * way;
-  RaySpan ray(start, direction, -tolerance_, reach);
-  regions.tree.visit(ray, tolerance_ * placed.shrink, [&](uint32_t triangle) {
+  RaySpan ray(start, direction, -tolerance_, first ? std::min(reach, first->along) : reach);
+  const auto meet = [&](uint32_t triangle) {
     if (other.number == own_.number && regions.region_of[triangle] == region) return;
     const auto& [a, b, c] = regions.triangles[triangle];
     const auto hit = meet_triangle(start, direction, regions.points[a], regions.points[b], regions.points[c]);
@@ -41,7 +41,10 @@ void Surroundings::look(Other& other, uint32_t region, const glm::dvec3& from, c
     if (leaves && hit->along <= tolerance_) return;
     first = First{hit->along, other.number, leaves};
     ray.most = hit->along;
-  });
+    other.last = triangle;
+  };
+  if (other.last) meet(*other.last);
+  regions.tree.visit(ray, tolerance_ * placed.shrink, meet);
 }
 
 std::optional<RegionCover> Surroundings::over(uint32_t region, const glm::dvec3& from, const glm::dvec3& way,

@@ -62,6 +62,7 @@ class Surroundings {
     Box box;
     bool is_body;  ///< it encloses bodies, and all of its mesh is in it
     std::optional<PlacedRegions> placed = {};
+    std::optional<uint32_t> last = {};  ///< the triangle that a ray met last, which the next may meet, too
   };
   struct First {
     double along;

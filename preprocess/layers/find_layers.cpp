@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <optional>
 #include <tsl/robin_set.h>
 
 namespace triptych {
@@ -251,10 +252,12 @@ class LayerFinder {
           found.push_back(overlap);
         }
       };
-      if (with[i].itself) add(own, no_id, [&](auto& made) { within(own, made); });
+      std::optional<Placed> a;
+      const auto own_facets = [&]() -> const Placed& { return a ? *a : a.emplace(placed(own)); };
+      if (with[i].itself) add(own, no_id, [&](auto& made) { within(own_facets(), made); });
       for (uint32_t k = 0; k < with[i].larger.size(); ++k) {
         const uint32_t other = with[i].larger[k];
-        add(other, k, [&](auto& made) { between(own, other, made); });
+        add(other, k, [&](auto& made) { between(own, own_facets(), other, made); });
       }
     }
   }
@@ -297,23 +300,24 @@ class LayerFinder {
           {0, no_id, of_a, of_b, span_of(a, facet_a), facet_a.area, span_of(b, facet_b), facet_b.area});
   }
 
-  void between(uint32_t first, uint32_t second, std::vector<FoundOverlap>& found) const {
-    const Placed a = placed(first), b = placed(second);
+  void between(uint32_t first, const Placed& a, uint32_t second, std::vector<FoundOverlap>& found) const {
     const Box both{glm::max(boxes_[first].lo, boxes_[second].lo),
                    glm::min(boxes_[first].hi, boxes_[second].hi)};
+    std::optional<Placed> b;  // most reach into each other's boxes with no facet
     a.facets->tree.visit(a.in(both), [&](uint32_t of_a) {
       const Facet& facet = a.facets->facets[of_a];
-      b.facets->tree.visit(grown(b.in(a.out(facet.box)), tolerance_ * b.shrink), [&](uint32_t of_b) {
-        const bool same = a.part == b.part && of_a == of_b;
-        const uint32_t color = b.facets->facets[of_b].color;
-        if (!same && (color == no_id || color != facet.color)) add(a, of_a, b, of_b, found);
+      if (is_too_small(facet)) return;
+      if (!b) b.emplace(placed(second));
+      b->facets->tree.visit(grown(b->in(a.out(facet.box)), tolerance_ * b->shrink), [&](uint32_t of_b) {
+        const bool same = a.part == b->part && of_a == of_b;
+        const uint32_t color = b->facets->facets[of_b].color;
+        if (!same && (color == no_id || color != facet.color)) add(a, of_a, *b, of_b, found);
       });
     });
   }
 
   /// Of a part that has several colours: between its own facets.
-  void within(uint32_t number, std::vector<FoundOverlap>& found) const {
-    const Placed own = placed(number);
+  void within(const Placed& own, std::vector<FoundOverlap>& found) const {
     for (uint32_t facet = 0; facet < own.facets->facets.size(); ++facet) {
       const Facet& of = own.facets->facets[facet];
       own.facets->tree.visit(grown(of.box, tolerance_ * own.shrink), [&](uint32_t other) {
