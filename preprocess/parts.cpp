@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "preprocess/closed_groups.hpp"
+#include "preprocess/contacts/close_seams.hpp"
 #include "preprocess/covered/closed_surface.hpp"
 #include "preprocess/divide.hpp"
 #include "preprocess/sorted_mesh.hpp"
@@ -29,7 +30,7 @@ struct PartFigures {
 /// What is known of a mesh, or of a bucket of one, beside the geometry of its parts.
 struct DivisionFigures {
   uint64_t dropped_triangles = 0, welded_vertices = 0, lone_triangles = 0, turned_bodies = 0;
-  bool enlarged = false;  ///< whether points were moved by a step, so that no triangle vanishes
+  uint32_t moved = 0;                       ///< PartInfo::moved
   uint32_t own_borders = 0, first_own = 0;  ///< Division's
   uint32_t bodies = 0;                      ///< Division's
   EdgeSum rest = {};                        ///< of a bucket: of what is not closed
@@ -46,7 +47,7 @@ inline constexpr auto record_members<PartFigures> = std::tuple(&PartFigures::tri
 template <>
 inline constexpr auto record_members<DivisionFigures> = std::tuple(
     &DivisionFigures::dropped_triangles, &DivisionFigures::welded_vertices, &DivisionFigures::lone_triangles,
-    &DivisionFigures::turned_bodies, &DivisionFigures::enlarged, &DivisionFigures::own_borders,
+    &DivisionFigures::turned_bodies, &DivisionFigures::moved, &DivisionFigures::own_borders,
     &DivisionFigures::first_own, &DivisionFigures::bodies, &DivisionFigures::rest, &DivisionFigures::parts);
 
 namespace {
@@ -147,7 +148,7 @@ class PartMaker {
                        .lattice = plan_.meshes[mesh].lattice,
                        .triangles = part.triangles,
                        .borders = part.borders,
-                       .moved = figures.enlarged ? 1u : 0u,
+                       .moved = figures.moved,
                        .own_borders_from = figures.first_own,
                        .own_borders_behind = border_counts[mesh] - figures.first_own,
                        .color = part.color,
@@ -178,15 +179,19 @@ class PartMaker {
   UnitResult divide_welded(const PlannedMesh& mesh, Welded welded, const PartitionLimits& limits,
                            std::span<const SharedPoint> shared, uint32_t first_own) const {
     ClosedTriangles closed = find_closed(welded.surface);
+    ClosedSeams seams;
+    // Points that buckets share stay what they are.
+    if (shared.empty() && options_.holds_contacts()) seams = close_seams(welded.surface, closed);
+    if (seams.points > 0) closed = find_closed(welded.surface);
     // What a bucket has may be the wall of a cavity in what several of them have.
     const uint64_t turned = shared.empty() ? turn_outward(welded.surface, closed) : 0;
     join_cavities(welded.surface, closed);
     const Division division = divide(welded.surface, limits, closed, shared, first_own);
     DivisionFigures figures{.dropped_triangles = welded.dropped_triangles,
-                            .welded_vertices = welded.welded_vertices,
+                            .welded_vertices = welded.welded_vertices + seams.points,
                             .lone_triangles = welded.lone_triangles,
                             .turned_bodies = turned,
-                            .enlarged = welded.enlarged_triangles > 0,
+                            .moved = (welded.enlarged_triangles > 0 ? 1u : 0u) + seams.moved,
                             .own_borders = division.own_borders,
                             .first_own = division.first_own,
                             .bodies = division.bodies,

@@ -33,7 +33,8 @@ struct PartInfo {
   SpoolPlace place;
   uint32_t lattice = 0, triangles = 0;
   uint32_t borders = 0;  ///< how many border points it has
-  uint32_t moved = 0;    ///< steps by which its points may have been moved, so that no triangle vanishes
+  /// Steps by which its points may have been moved, so that no triangle vanishes and seams are closed.
+  uint32_t moved = 0;
   /// Border points with these numbers and above belong only to its bucket: their numbers in the mesh are
   /// larger by own_borders_behind.
   uint32_t own_borders_from = 0, own_borders_behind = 0;

@@ -1,14 +1,13 @@
 #include "preprocess/contacts/stitch.hpp"
 
 #include "preprocess/box_tree.hpp"
-#include "preprocess/contacts/find_contacts.hpp"
+#include "preprocess/contacts/near_points.hpp"
 #include "simplify/key_hash.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <span>
 #include <tsl/robin_map.h>
 #include <tsl/robin_set.h>
 #include <utility>
@@ -34,44 +33,6 @@ struct Divided {
   CornerColors colors;
   std::array<std::vector<Divider>, 3>
       dividers;  ///< in the order of their shares, which are of the whole edge
-};
-
-/// Held points by cells twice as wide as the tolerance of contacts; each cell's are a list.
-class HeldCells {
- public:
-  HeldCells(std::span<const glm::ivec3> points, std::span<const uint32_t> held)
-      : held_(held), next_(held.size(), end) {
-    for (uint32_t i = 0; i < held.size(); ++i) {
-      const auto [cell, inserted] = first_.try_emplace(cell_of(points[held[i]]), i);
-      if (!inserted) next_[i] = std::exchange(cell.value(), i);
-    }
-  }
-  /// Calls visit(point) for all that are within the tolerance of a place, and some beyond it.
-  template <typename Visit>
-  void visit(const glm::ivec3& place, const Visit& visit) const {
-    const glm::ivec3 lo = cell_of(place - reach), hi = cell_of(place + reach);
-    for (int x = lo.x; x <= hi.x; ++x) {
-      for (int y = lo.y; y <= hi.y; ++y) {
-        for (int z = lo.z; z <= hi.z; ++z) {
-          const auto found = first_.find({x, y, z});
-          for (uint32_t i = found == first_.end() ? end : found->second; i != end; i = next_[i])
-            visit(held_[i]);
-        }
-      }
-    }
-  }
-
- private:
-  static constexpr int reach = 16, bits = 5;
-  static_assert(reach >= contact_steps && 1 << bits == 2 * reach);
-  static constexpr uint32_t end = 0xffffffffu;
-  static glm::ivec3 cell_of(const glm::ivec3& place) {
-    return {place.x >> bits, place.y >> bits, place.z >> bits};
-  }
-
-  std::span<const uint32_t> held_;
-  tsl::robin_map<glm::ivec3, uint32_t, KeyHash> first_;  ///< into held_, of each cell
-  std::vector<uint32_t> next_;
 };
 
 VertexColor mixed(const VertexColor& a, const VertexColor& b, double share) {
@@ -120,11 +81,11 @@ class Stitcher {
         if (is_held(corner)) triangles_at[corner].push_back(i);
       }
     }
-    const HeldCells cells(surface_.points, held_);
+    const NearPoints near(surface_.points, held_);
     std::vector<uint8_t> gone(surface_.points.size(), 0);
     for (const uint32_t point : held_) {
       uint32_t target = point;
-      cells.visit(surface_.points[point], [&](uint32_t other) {
+      near.visit(surface_.points[point], [&](uint32_t other) {
         if (other >= target || gone[other] || glm::distance(at(other), at(point)) > contact_steps) return;
         if (can_join(point, other, triangles_at[point])) target = other;
       });

@@ -1,4 +1,5 @@
 // Where surfaces touch: which points are in contact, what chains of levels they get, and how they are joined.
+#include "preprocess/contacts/close_seams.hpp"
 #include "preprocess/contacts/find_contacts.hpp"
 #include "preprocess/contacts/hold_contacts.hpp"
 #include "preprocess/contacts/small_contacts.hpp"
@@ -62,6 +63,29 @@ TEST(Contacts, files_of_single_precision_touch_within_a_few_steps) {
   const uint32_t far = scene.add(awkward::box({0, 1 + 20 * step, 0}, {1, 2, 1}));
   EXPECT_EQ(scene.touching(a, near), 4u);
   EXPECT_EQ(scene.touching(a, far), 0u);
+}
+
+TEST(Seams, points_of_open_edges_become_one_and_those_of_closed_surfaces_stay) {
+  const auto surface_of = [](std::vector<glm::ivec3> points, std::vector<std::array<uint32_t, 3>> corners) {
+    Surface surface{.points = std::move(points), .triangles = {}};
+    for (const auto& own : corners) surface.triangles.push_back({own, 0});
+    return surface;
+  };
+  // Two triangles beside each other; one end of their common edge is 11 steps off, the other one 20.
+  Surface open = surface_of({{0, 0, 0}, {900, 0, 0}, {0, 900, 0}, {911, 0, 0}, {0, 920, 0}, {900, 900, 0}},
+                            {{0, 1, 2}, {3, 5, 4}});
+  const ClosedSeams seams = close_seams(open, find_closed(open));
+  EXPECT_EQ(seams.points, 1u);
+  EXPECT_EQ(seams.moved, 11u);
+  EXPECT_EQ(open.points.size(), 5u);
+  EXPECT_EQ(open.triangles[1].vertices[0], open.triangles[0].vertices[1]);
+  // A triangle of ten steps keeps its corners, and a closed surface all that is near it.
+  Surface small = surface_of({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, {{0, 1, 2}});
+  EXPECT_EQ(close_seams(small, find_closed(small)).points, 0u);
+  Surface closed = surface_of({{0, 0, 0}, {900, 0, 0}, {0, 900, 0}, {0, 0, 900}, {5, 5, 900}},
+                              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  closed.triangles.push_back({{4, 1, 2}, 0});
+  EXPECT_EQ(close_seams(closed, find_closed(closed)).points, 0u);
 }
 
 TEST(Contacts, edges_within_a_smooth_surface_are_no_rims) {

@@ -1,6 +1,7 @@
 // A closed surface that is many objects, which only touch: no gap opens between them at any mix of levels.
 #include "tests/render/closed_scenes.hpp"
 #include "tests/support/awkward_meshes.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <map>
 #include <tuple>
@@ -36,6 +37,32 @@ Model in_objects(const Mesh& whole) {
 TEST(Touching, objects_that_share_points_show_no_gap_at_any_mix_of_levels) {
   const Model model = in_objects(awkward::wavy_sphere(120));
   EXPECT_GT(model.meshes.size(), 30u);
+  EXPECT_GT(holes_of_random_mixes(*pack_of(model, Simplifier::collapse, nothing), 60), 0u)
+      << "nothing to keep";
+  EXPECT_EQ(holes_of_random_mixes(*pack_of(model), 120), 0u);
+}
+
+/// One mesh of all of them, whose points are off by up to so much along each axis.
+Model in_one_mesh(const Model& objects, double off) {
+  scenes::Random randomly(3);
+  Mesh whole;
+  for (const Mesh& object : objects.meshes) {
+    const auto first = static_cast<uint32_t>(whole.positions.size());
+    for (const glm::dvec3& position : object.positions)
+      whole.positions.push_back(position + randomly.vector(-off, off));
+    for (Triangle triangle : object.triangles) {
+      for (uint32_t& corner : triangle.vertices) corner += first;
+      whole.triangles.push_back(triangle);
+    }
+  }
+  std::vector<Mesh> meshes;
+  meshes.push_back(std::move(whole));
+  return awkward::model_of(std::move(meshes));
+}
+
+TEST(Touching, pieces_of_one_mesh_that_are_off_by_what_single_precision_is_show_no_gap) {
+  // The sphere is 20 across: 2^-20 are a few steps of its lattice.
+  const Model model = in_one_mesh(in_objects(awkward::wavy_sphere(45)), 0x1p-20);
   EXPECT_GT(holes_of_random_mixes(*pack_of(model, Simplifier::collapse, nothing), 60), 0u)
       << "nothing to keep";
   EXPECT_EQ(holes_of_random_mixes(*pack_of(model), 120), 0u);
