@@ -58,7 +58,7 @@ int run(const MeasureStreamingCommand& command) {
       {"frame_ms", of_frames([](const FrameRecord& r) { return r.frame_ms; })},
       {"pixel_error", of_frames([](const FrameRecord& r) { return r.pixel_error; })},
       {"drawn_triangles", of_frames([](const FrameRecord& r) { return r.drawn_triangles; })}};
-  const std::string words = add_streaming(report, records, command.run.device.memory, pipeline.memory());
+  const std::string words = add_streaming(report, records, command.run.device.memory, pipeline);
   report["peak_rss_bytes"] = peak_resident_bytes();
   add_device(report, device.names);
   add_picture(report, command.run);

@@ -106,7 +106,7 @@ int run(const RenderCommand& command) {
   }
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   if (const MemoryCaps& caps = command.run.device.memory; caps.streams())
-    fmt::print("{}", add_streaming(report, records, caps, pipeline.memory()));
+    fmt::print("{}", add_streaming(report, records, caps, pipeline));
   write_json(command.run.json, report);
   if (!command.timeline.empty()) write_json(command.timeline, chrome_trace({own_timeline("render")}, {}));
   return 0;

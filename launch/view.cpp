@@ -50,8 +50,7 @@ int run(const ViewCommand& command) {
                                 .height = viewer.window().height(),
                                 .cull = command.cull.kind,
                                 .min_pixels = command.cull.min_pixels,
-                                .device = device.options,
-                                .no_pixel_error = MemoryKeeper::NoPixelError::leaves_out});
+                                .device = device.options});
   std::optional<LocalSteering> steering = steer(pipeline, command.run.target_ms, device.names);
   std::vector<FrameRecord> records;
   std::vector<double> window_ms;
@@ -89,7 +88,7 @@ int run(const ViewCommand& command) {
              report["frame_ms"]["p50"].get<double>());
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   if (const MemoryCaps& caps = command.run.device.memory; caps.streams())
-    fmt::print("{}", add_streaming(report, records, caps, pipeline.memory()));
+    fmt::print("{}", add_streaming(report, records, caps, pipeline));
   write_json(command.run.json, report);
   return interrupted_exit_code();
 }

@@ -110,10 +110,6 @@ void ChunkGeometry::load(uint32_t chunk) {
 }
 
 void ChunkGeometry::require(std::span<const DrawItem> items) {
-  if (missing_.wait) {  // all of them are read side by side
-    for (const DrawItem& item : items)
-      if (!chunks_[item.chunk]) residency_.expect(item.chunk, urgent);
-  }
   for (const DrawItem& item : items) require(item.chunk);
 }
 

@@ -33,7 +33,6 @@ void ReadAhead::expect(uint32_t chunk, float priority) {
     const auto [found, is_new] = entries_.try_emplace(chunk);
     Entry& entry = found->second;
     entry.frame = frame_;
-    if (is_new) entry.foreseen = priority < urgent;
     if (!is_new && (entry.state != State::waiting || entry.priority >= priority)) return;
     if (!is_new) waiting_.erase(order_of(entry, chunk));
     entry.priority = priority;
@@ -94,7 +93,6 @@ std::optional<Chunk> ReadAhead::take_if_ready(uint32_t chunk) {
 Chunk ReadAhead::remove(uint32_t chunk) {
   Entry& entry = entries_.at(chunk);
   use_.bytes -= entry.bytes;
-  use_.foreseen_taken += entry.foreseen;
   ready_.erase(order_of(entry, chunk));
   Chunk taken = std::move(entry.chunk);
   const std::exception_ptr damage = entry.damage;
@@ -145,7 +143,6 @@ void ReadAhead::work() {
     entry.bytes = bytes_of(entry.chunk);
     entry.state = State::ready;
     ++use_.read_ahead;
-    use_.foreseen_read += entry.foreseen;
     use_.bytes += entry.bytes;
     ready_.insert(order_of(entry, chunk));
     use_.peak_bytes = std::max(use_.peak_bytes, use_.bytes);

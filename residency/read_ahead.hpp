@@ -24,8 +24,6 @@ struct ReadAheadUse {
   uint64_t in_time = 0;                ///< of those: were there when they were taken
   uint64_t late = 0;                   ///< of those: were being read then
   uint64_t taken = 0;                  ///< chunks, read ahead or not
-  uint64_t foreseen_read = 0;          ///< of those that threads have read: before any picture lacked them
-  uint64_t foreseen_taken = 0;         ///< of those: were taken
   uint64_t dropped = 0;                ///< read, and dropped since nobody expected them any more
   uint64_t bytes = 0, peak_bytes = 0;  ///< of what is read and not taken yet
   uint64_t open = 0;                   ///< chunks that are expected, being read, or read and not taken yet
@@ -56,9 +54,8 @@ class ReadAhead final : public Residency {
   struct Entry {
     State state = State::waiting;
     float priority = 0;
-    uint64_t frame = 0;     ///< the last one that expected it
-    uint64_t number = 0;    ///< counts what was expected
-    bool foreseen = false;  ///< before a picture lacked it
+    uint64_t frame = 0;   ///< the last one that expected it
+    uint64_t number = 0;  ///< counts what was expected
     Chunk chunk = {};
     uint64_t bytes = 0;
     std::exception_ptr damage = {};  ///< thrown by whoever takes it

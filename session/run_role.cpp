@@ -1,6 +1,5 @@
 #include "base/file.hpp"
 #include "base/inject.hpp"
-#include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "base/signals.hpp"
 #include "base/thread_name.hpp"
@@ -95,8 +94,6 @@ int run_switch(const RoleCommand& command) {
                                       },
                                   .session_rules = injected_rules(command.self)};
   const SwitchNodeSummary done = run_switch_node(pack, command.self, sink, options);
-  record.memory = done.memory;
-  record.peak_rss_bytes = peak_resident_bytes();
   notice("{}: {} frames culled, {} occlusion representations, {} epochs", role_name(command.self),
          done.culled, done.represented, done.epochs);
   record.timeline = own_timeline(role_name(command.self));
@@ -137,8 +134,6 @@ int run_render(const RoleCommand& command) {
          .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
          .gather = std::chrono::milliseconds(static_cast<int64_t>(1000 * command.gather_s)),
          .device = device.options,
-         .no_pixel_error =
-             window ? MemoryKeeper::NoPixelError::leaves_out : MemoryKeeper::NoPixelError::fails,
          .cull = command.cull,
          .connect = [&](const std::function<bool()>& stop) { return connector.connect_again(stop); },
          .successor = command.begin > 0,
@@ -151,8 +146,6 @@ int run_render(const RoleCommand& command) {
   record.device = device.names;
   record.raster = raster_verdict(device.names);
   record.cost_coefficients = done.cost_coefficients;
-  record.memory = done.memory;
-  record.peak_rss_bytes = peak_resident_bytes();
   record.timeline = own_timeline(role_name(Role::render));
   write_json(command.run.json, to_json(record));
   const FrameSource::Numbers numbers = source.numbers();
