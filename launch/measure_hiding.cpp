@@ -5,6 +5,7 @@
 #include "launch/text_table.hpp"
 #include "measure/hiding_cost.hpp"
 #include "measure/json.hpp"
+#include "session/open_pack.hpp"
 
 #include <fmt/core.h>
 
@@ -19,7 +20,7 @@ struct MeasureHidingCommand {
 };
 
 int run(const MeasureHidingCommand& command) {
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
   const ChosenDevice device = choose_device(command.run.device);
