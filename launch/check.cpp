@@ -5,6 +5,7 @@
 #include "launch/solid_report.hpp"
 #include "launch/text_table.hpp"
 #include "measure/json.hpp"
+#include "session/open_pack.hpp"
 
 #include <cstdio>
 #include <fmt/core.h>
@@ -61,7 +62,7 @@ void check_all(const Pack& pack, const CheckOptions& options, const std::filesys
 }
 
 int run(const CheckCommand& command) {
-  const Pack pack(pack_of(command.model, {command.json}));
+  const Pack pack = open_pack(pack_of(command.model, {command.json}));
   CheckOptions options;
   options.found = [](const std::string& message) {
     fmt::print("{}\n", message);

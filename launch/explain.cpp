@@ -8,7 +8,7 @@
 #include "measure/json.hpp"
 #include "measure/pixel_rays.hpp"
 #include "scene/object_text.hpp"
-#include "scene/pack.hpp"
+#include "session/open_pack.hpp"
 
 #include <cmath>
 #include <fmt/core.h>
@@ -157,7 +157,7 @@ void explain_objects(const PackObjects& objects, const Skeleton& skeleton, Drawa
 }
 
 int run(const ExplainCommand& command) {
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   const PackObjects objects = pack.read_objects();
   const std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   if (command.frame >= frames.size()) {

@@ -2,6 +2,7 @@
 #include "launch/object_report.hpp"
 #include "launch/shown_model.hpp"
 #include "measure/json.hpp"
+#include "session/open_pack.hpp"
 
 namespace triptych {
 
@@ -14,7 +15,7 @@ struct FindCommand {
 };
 
 int run(const FindCommand& command) {
-  const Pack pack(pack_of(command.model, {command.json}));
+  const Pack pack = open_pack(pack_of(command.model, {command.json}));
   nlohmann::json description = nlohmann::json::object();
   const size_t found = list_objects(pack, command.text, description);
   write_json(command.json, description);

@@ -7,7 +7,7 @@
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
 #include "scene/finest_boxes.hpp"
-#include "scene/pack.hpp"
+#include "session/open_pack.hpp"
 
 #include <fmt/core.h>
 
@@ -102,7 +102,7 @@ struct InfoCommand {
 };
 
 int run(const InfoCommand& command) {
-  const Pack pack(pack_of(command.model, {command.json}));
+  const Pack pack = open_pack(pack_of(command.model, {command.json}));
   nlohmann::json description = describe(pack);
   if (command.objects) {
     list_objects(pack, command.find, description);

@@ -7,6 +7,7 @@
 #include "measure/frame_steps.hpp"
 #include "measure/json.hpp"
 #include "nodes/pack_device.hpp"
+#include "session/open_pack.hpp"
 
 #include <fmt/core.h>
 
@@ -69,7 +70,7 @@ void add_picks(const std::vector<PickSamples>& samples, nlohmann::json& rows) {
 }
 
 int run(const MeasureFrameCommand& command) {
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack);
   const ChosenDevice chosen = choose_device(command.run.device);
   PackDevice device(pack, chosen.options);

@@ -9,6 +9,7 @@
 #include "measure/json.hpp"
 #include "measure/session_report.hpp"
 #include "nodes/local_pipeline.hpp"
+#include "session/open_pack.hpp"
 
 #include <fmt/core.h>
 
@@ -97,7 +98,7 @@ int run(SessionOptions options) {
   options.hash = true;
   // Opened before the sessions, as they do: pictures are compared with this one, whatever becomes of the
   // file.
-  const Pack pack(options.run.pack);
+  const Pack pack = open_pack(options.run.pack);
   std::vector<FrameRequest> requests = played(load_frames(options.run, pack), options.loop);
   std::vector<SessionOutcome> outcomes = run_sessions(options);
   nlohmann::json batches = nlohmann::json::array();

@@ -8,6 +8,7 @@
 #include "measure/json.hpp"
 #include "measure/speed.hpp"
 #include "nodes/pack_device.hpp"
+#include "session/open_pack.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -111,7 +112,7 @@ class MeasuredDevices {
 };
 
 int run(const MeasureSpeedCommand& command) {
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack);
   if (frames.empty()) fail(command.run.path.string(), "there is no frame to measure");
   const MeasuredDevices measured(pack, command.run.device, command.speed.methods);

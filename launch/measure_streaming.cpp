@@ -10,6 +10,7 @@
 #include "measure/json.hpp"
 #include "measure/streaming_report.hpp"
 #include "nodes/frame_watch.hpp"
+#include "session/open_pack.hpp"
 
 #include <chrono>
 #include <fmt/core.h>
@@ -27,7 +28,7 @@ struct MeasureStreamingCommand {
 };
 
 int run(const MeasureStreamingCommand& command) {
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   const std::vector<FrameRequest> frames = load_frames(command.run, pack);
   const ChosenDevice device = choose_device(command.run.device);
   LocalPipeline pipeline(pack, pipeline_options(command.run, command.cull, device.options));
@@ -58,7 +59,7 @@ int run(const MeasureStreamingCommand& command) {
       {"frame_ms", of_frames([](const FrameRecord& r) { return r.frame_ms; })},
       {"pixel_error", of_frames([](const FrameRecord& r) { return r.pixel_error; })},
       {"drawn_triangles", of_frames([](const FrameRecord& r) { return r.drawn_triangles; })}};
-  const std::string words = add_streaming(report, records, command.run.device.memory, pipeline);
+  const std::string words = add_streaming(report, records, command.run.device.memory, pipeline.memory());
   report["peak_rss_bytes"] = peak_resident_bytes();
   add_device(report, device.names);
   add_picture(report, command.run);

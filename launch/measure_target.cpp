@@ -3,6 +3,7 @@
 #include "measure/json.hpp"
 #include "measure/prediction_trial.hpp"
 #include "measure/steering_report.hpp"
+#include "session/open_pack.hpp"
 
 #include <fmt/core.h>
 
@@ -16,7 +17,7 @@ struct MeasureTargetCommand {
 };
 
 int run(const MeasureTargetCommand& command) {
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   std::vector<FrameRequest> frames = load_frames(command.run, pack.skeleton());
   const ChosenDevice device = choose_device(command.run.device);
   const auto [width, height] = command.run.size;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file_access.hpp"
+#include "protocol/http_source.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,7 @@ void collect(const CLI::App& app, std::vector<NamedFile>& files) {
     if (!names_files(*option)) continue;
     const bool written = is_written(*option), folder = is_folder(app, *option);
     for (const std::string& name : option->results()) {
-      if (is_standard_output(*option, name)) continue;
+      if (is_standard_output(*option, name) || (!written && is_web_address(name))) continue;
       files.push_back({option->get_name(), name, written, folder, {}});
       if (written && folder) files.back().puts = names_written_into(*option, app.get_name());
     }

@@ -16,7 +16,7 @@
 #include "nodes/frame_watch.hpp"
 #include "nodes/local_steering.hpp"
 #include "render/png_file.hpp"
-#include "scene/pack.hpp"
+#include "session/open_pack.hpp"
 #include "session/pictures.hpp"
 #include "session/viewpoint_frames.hpp"
 
@@ -37,7 +37,7 @@ struct RenderCommand {
 
 int run(const RenderCommand& command) {
   if (!command.timeline.empty()) start_timeline();
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   std::vector<FrameRequest> frames =
       command.bcf.empty() ? load_frames(command.run, pack) : viewpoint_frames(command.bcf, command.run, pack);
   const ChosenDevice device = choose_device(command.run.device);
@@ -106,7 +106,7 @@ int run(const RenderCommand& command) {
   }
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   if (const MemoryCaps& caps = command.run.device.memory; caps.streams())
-    fmt::print("{}", add_streaming(report, records, caps, pipeline));
+    fmt::print("{}", add_streaming(report, records, caps, pipeline.memory()));
   write_json(command.run.json, report);
   if (!command.timeline.empty()) write_json(command.timeline, chrome_trace({own_timeline("render")}, {}));
   return 0;

@@ -1,5 +1,6 @@
 #include "launch/command.hpp"
 #include "launch/hide_flags.hpp"
+#include "launch/memory_flags.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
@@ -46,6 +47,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
                   "What the content of the pack must be, as the session has it")
       ->check(whole_number(0));
   add_connect_timeout_flag(role, command.connect_timeout_s);
+  add_memory_flags(role, command.run.device.memory);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/run_pipeline.hpp"
+#include "session/open_pack.hpp"
 
 namespace triptych {
 
@@ -16,7 +17,7 @@ struct RoundsCommand {
 /// The pack, the path and the pipeline of such a command. Error (path) where there is no frame.
 struct RoundsRun {
   explicit RoundsRun(const RoundsCommand& command)
-      : pack(command.run.pack),
+      : pack(open_pack(command.run.pack)),
         frames(load_frames(command.run, pack.skeleton())),
         device(choose_device(command.run.device)),
         pipeline(pack, pipeline_options(command.run, command.cull, device.options)) {

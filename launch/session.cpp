@@ -1,5 +1,6 @@
 #include "base/notice.hpp"
 #include "launch/hide_flags.hpp"
+#include "launch/memory_flags.hpp"
 #include "launch/output_folder.hpp"
 #include "launch/session_flags.hpp"
 #include "launch/viewpoint_flags.hpp"
@@ -7,6 +8,7 @@
 #include "measure/session_faults.hpp"
 #include "measure/session_report.hpp"
 #include "measure/steering_report.hpp"
+#include "measure/streaming_report.hpp"
 #include "view/viewer.hpp"
 
 #include <algorithm>
@@ -16,6 +18,20 @@
 namespace triptych {
 
 namespace {
+
+/// What each role took.
+nlohmann::json memory_of_roles(const std::vector<RoleRecord>& records) {
+  nlohmann::json roles = nlohmann::json::object();
+  for (size_t i = 0; i < all_roles.size(); ++i) {
+    const RoleRecord& role = records.at(i);
+    roles[role_name(all_roles[i])] = {{"peak_rss_bytes", role.peak_rss_bytes},
+                                      {"peak_device_bytes", role.memory.geometry.peak_bytes},
+                                      {"bytes_read", role.memory.geometry.read_bytes},
+                                      {"evicted_chunks", role.memory.geometry.evicted_chunks},
+                                      {"chunks_left_out", role.memory.geometry.left_out}};
+  }
+  return roles;
+}
 
 int run(const SessionOptions& options, const std::string& line) {
   const std::filesystem::path& json = options.run.json;
@@ -79,6 +95,11 @@ int run(const SessionOptions& options, const std::string& line) {
                                              outcome.records.front().cost_coefficients);
     fmt::print("{}", summary);
   }
+  report["memory"] = memory_of_roles(outcome.records);
+  if (const MemoryCaps& caps = options.run.device.memory; caps.streams()) {
+    fmt::print("{}", add_streaming(report, frames, caps, outcome.records.front().memory));
+    for (const FrameRecord& frame : frames) report["series"]["pixel_error"].push_back(frame.pixel_error);
+  }
   write_json(json, report);
   return outcome.exit_code;
 }
@@ -93,6 +114,7 @@ void add_session(CLI::App& app, Action& action) {
   add_shown_run_flags(*sub, options->run, *model);
   add_session_flags(*sub, *options);
   add_target_flag(*sub, options->run);
+  add_memory_flags(*sub, options->run.device.memory);
   sub->add_option("-o,--output", options->output, "Folder for the PNG files")->type_name("DIR");
   sub->add_flag("--hash", options->hash, "Put each picture's hash into the JSON");
   add_until_told_flag(*sub, options->until_told);

@@ -12,7 +12,7 @@
 #include "measure/streaming_report.hpp"
 #include "nodes/frame_watch.hpp"
 #include "nodes/local_steering.hpp"
-#include "scene/pack.hpp"
+#include "session/open_pack.hpp"
 #include "session/viewpoint_frames.hpp"
 #include "session/window_source.hpp"
 
@@ -35,7 +35,7 @@ struct ViewCommand {
 
 int run(const ViewCommand& command) {
   stop_requested();  // installs the handlers: from here on a signal closes the window properly
-  const Pack pack(command.run.pack);
+  const Pack pack = open_pack(command.run.pack);
   ViewerOptions options = viewer_options(command.run, pack);
   options.window.context = command.context;
   options.play = command.play;
@@ -50,7 +50,8 @@ int run(const ViewCommand& command) {
                                 .height = viewer.window().height(),
                                 .cull = command.cull.kind,
                                 .min_pixels = command.cull.min_pixels,
-                                .device = device.options});
+                                .device = device.options,
+                                .no_pixel_error = MemoryKeeper::NoPixelError::leaves_out});
   std::optional<LocalSteering> steering = steer(pipeline, command.run.target_ms, device.names);
   std::vector<FrameRecord> records;
   std::vector<double> window_ms;
@@ -88,7 +89,7 @@ int run(const ViewCommand& command) {
              report["frame_ms"]["p50"].get<double>());
   if (steering) fmt::print("{}", add_steering(report, records, steering->steering()));
   if (const MemoryCaps& caps = command.run.device.memory; caps.streams())
-    fmt::print("{}", add_streaming(report, records, caps, pipeline));
+    fmt::print("{}", add_streaming(report, records, caps, pipeline.memory()));
   write_json(command.run.json, report);
   return interrupted_exit_code();
 }

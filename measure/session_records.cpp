@@ -18,8 +18,15 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_repr
                                    hardware_cull_ms, render_ms, network_ms, waiting_ms, camera_to_image_ms,
                                    latency_known, latency_waiting_ms, latency_network_ms, latency_render_ms,
                                    cut_drawables, drawn_triangles, tests, added, removed, level_changes,
-                                   visible_count, digest_mismatch, fallback, lost, visible, picture_hash,
-                                   steered)
+                                   visible_count, digest_mismatch, fallback, lost, visible, pixel_error,
+                                   raised_for_memory, owed_drawables, left_out_drawables, redrawn, gets_finer,
+                                   picture_hash, steered)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GeometryUse, cap, bytes, peak_bytes, view_bytes, hits, loaded_chunks,
+                                   evicted_chunks, left_out, no_room, reloaded_chunks, read_bytes,
+                                   uploaded_bytes, wait_ms)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReadAheadUse, read_ahead, in_time, late, taken, foreseen_read,
+                                   foreseen_taken, reads, dropped, bytes, peak_bytes, open)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DrawingMemory, geometry, read_ahead)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceNames, vendor, renderer, version)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageSpan, stage, frame, begin_ms, end_ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProcessTimeline, process, spans, lost)
@@ -104,7 +111,27 @@ json to_json(const RoleRecord& record) {
           {"timeline", record.timeline},
           {"clocks", record.clocks},
           {"most_waiting", record.max_backlog},
-          {"cost_coefficients", record.cost_coefficients}};
+          {"cost_coefficients", record.cost_coefficients},
+          {"memory", record.memory},
+          {"peak_rss_bytes", record.peak_rss_bytes}};
+}
+
+/// Counts of a later process of the same role, and the larger of peaks.
+static void add_memory(DrawingMemory& sum, const DrawingMemory& more) {
+  GeometryUse& geometry = sum.geometry;
+  geometry.cap = more.geometry.cap;
+  geometry.peak_bytes = std::max(geometry.peak_bytes, more.geometry.peak_bytes);
+  for (const auto count : {&GeometryUse::hits, &GeometryUse::loaded_chunks, &GeometryUse::evicted_chunks,
+                           &GeometryUse::left_out, &GeometryUse::no_room, &GeometryUse::reloaded_chunks,
+                           &GeometryUse::read_bytes, &GeometryUse::uploaded_bytes})
+    geometry.*count += more.geometry.*count;
+  geometry.wait_ms += more.geometry.wait_ms;
+  ReadAheadUse& ahead = sum.read_ahead;
+  ahead.peak_bytes = std::max(ahead.peak_bytes, more.read_ahead.peak_bytes);
+  for (const auto count : {&ReadAheadUse::read_ahead, &ReadAheadUse::in_time, &ReadAheadUse::late,
+                           &ReadAheadUse::taken, &ReadAheadUse::foreseen_read, &ReadAheadUse::foreseen_taken,
+                           &ReadAheadUse::reads, &ReadAheadUse::dropped})
+    ahead.*count += more.read_ahead.*count;
 }
 
 void add_record(RoleRecord& sum, const RoleRecord& record) {
@@ -118,6 +145,8 @@ void add_record(RoleRecord& sum, const RoleRecord& record) {
   sum.timeline.lost += record.timeline.lost;
   if (!record.clocks.empty()) sum.clocks = record.clocks;
   sum.cost_coefficients = record.cost_coefficients;
+  add_memory(sum.memory, record.memory);
+  sum.peak_rss_bytes = std::max(sum.peak_rss_bytes, record.peak_rss_bytes);
 }
 
 RoleRecord role_record_from_json(const json& document, const std::string& place) {
@@ -137,7 +166,9 @@ RoleRecord role_record_from_json(const json& document, const std::string& place)
             document.at("timeline").get<ProcessTimeline>(),
             document.at("clocks").get<std::vector<PeerClock>>(),
             document.at("most_waiting").get<Backlog>(),
-            document.at("cost_coefficients").get<CostCoefficients>()};
+            document.at("cost_coefficients").get<CostCoefficients>(),
+            document.at("memory").get<DrawingMemory>(),
+            document.at("peak_rss_bytes").get<uint64_t>()};
   } catch (const json::exception& error) {
     fail(place, "is not the record of a role: {}", in_words(error));
   }

@@ -4,6 +4,7 @@
 #include "nodes/cost_model.hpp"
 #include "nodes/frame_record.hpp"
 #include "nodes/inbox.hpp"
+#include "nodes/memory_caps.hpp"
 #include "protocol/mailbox.hpp"
 #include "render/context.hpp"
 
@@ -39,7 +40,7 @@ struct ProcessTimeline {
 };
 
 /// Of the JSON of a RoleRecord: increased whenever its keys, or those of its parts, change.
-constexpr int role_record_version = 4;
+constexpr int role_record_version = 5;
 
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent
@@ -50,6 +51,8 @@ struct RoleRecord {
   std::vector<PeerClock> clocks;         ///< the render node's: its peers' clocks against its own
   Backlog max_backlog{};                 ///< the most that had arrived and was not used yet
   CostCoefficients cost_coefficients{};  ///< the render node's, of frames that were steered
+  DrawingMemory memory{};
+  uint64_t peak_rss_bytes = 0;  ///< as the kernel counts it; the largest of all its processes
 };
 
 /// What this process has recorded so far.

@@ -23,20 +23,22 @@ std::string percent(const json& share) {
 }  // namespace
 
 std::string add_streaming(json& report, const std::vector<FrameRecord>& records, const MemoryCaps& caps,
-                          const LocalPipeline& pipeline) {
-  const GeometryUse use = pipeline.device().geometry_use();
-  const ReadAheadUse ahead = pipeline.read_ahead().value_or(ReadAheadUse());
-  uint64_t raised = 0, owing = 0, owed = 0;
+                          const DrawingMemory& memory) {
+  const GeometryUse& use = memory.geometry;
+  const ReadAheadUse& ahead = memory.read_ahead;
+  uint64_t raised = 0, owing = 0, owed = 0, leaving_out = 0, left_out = 0, redrawn = 0;
   double largest = 0;
   for (const FrameRecord& record : records) {
     raised += record.raised_for_memory;
     owing += record.owed_drawables > 0;
     owed += record.owed_drawables;
+    redrawn += record.redrawn;
+    leaving_out += record.left_out_drawables > 0;
+    left_out += record.left_out_drawables;
     largest = std::max(largest, record.pixel_error);
   }
-  const uint64_t useful = ahead.in_time + ahead.late;
-  const json prefetch = {{"precision", share(useful, ahead.read_ahead)},
-                         {"recall", share(useful, ahead.taken)}};
+  const json prefetch = {{"precision", share(ahead.foreseen_taken, ahead.foreseen_read)},
+                         {"recall", share(ahead.foreseen_taken, ahead.taken)}};
   report["memory_cap"] = cap_json(caps.memory);
   report["device_cap"] = cap_json(caps.device_memory);
   report["geometry_cap"] = cap_json(use.cap);
@@ -49,17 +51,21 @@ std::string add_streaming(json& report, const std::vector<FrameRecord>& records,
   report["reloaded_chunks"] = use.reloaded_chunks;
   report["bytes_read"] = use.read_bytes;
   report["bytes_uploaded"] = use.uploaded_bytes;
+  report["reads"] = ahead.reads;
   report["prefetch"] = prefetch;
   report["raised_frames"] = raised;
   report["owing_frames"] = owing;
   report["owed_drawables"] = owed;
+  report["redrawn_frames"] = redrawn;
+  report["leaving_out_frames"] = leaving_out;
+  report["left_out_drawables"] = left_out;
   report["raised_pixel_error_max"] = largest;
   std::string words = fmt::format(
       "geometry took {:.1f} MiB at most; {} chunks came ({:.1f} MiB of the pack), {} of them while a frame "
       "waited, and {} went\n",
       static_cast<double>(use.peak_bytes) / 0x1p20, use.loaded_chunks,
       static_cast<double>(use.read_bytes) / 0x1p20, report["waits"].get<uint64_t>(), use.evicted_chunks);
-  if (ahead.read_ahead > 0) {
+  if (ahead.foreseen_read > 0) {
     words += fmt::format("of what was read ahead {} was needed, of what was needed {} was read ahead\n",
                          percent(prefetch["precision"]), percent(prefetch["recall"]));
   }
@@ -71,6 +77,12 @@ std::string add_streaming(json& report, const std::vector<FrameRecord>& records,
     words +=
         fmt::format("{} of {} frames drew something coarser that was not read yet, {} drawables in all\n",
                     owing, records.size(), owed);
+  }
+  if (leaving_out > 0) {
+    words += fmt::format(
+        "{} of {} frames LEFT OUT what no pixel error gives room, as what a section cuts: {} drawables in "
+        "all; more memory is needed\n",
+        leaving_out, records.size(), left_out);
   }
   return words;
 }

@@ -43,14 +43,17 @@ struct FrameRecord {
   uint64_t level_changes = 0;  ///< of those, ids of scene nodes that stay visible at another level of detail
   uint64_t visible_count = 0;  ///< drawables of V(i)
   bool digest_mismatch = false;
-  bool fallback = false;           ///< drawn by the render node by itself
-  std::string lost{};              ///< on the first such frame: why
-  VisibleSet visible{};            ///< V(i), where it is kept
-  double pixel_error = 0;          ///< of a frame of one process: as it was drawn
-  uint64_t owed_drawables = 0;     ///< of those of V(i), drawn coarser since they were not read yet
-  bool loading = false;            ///< it owes some, and they are being read
-  bool raised_for_memory = false;  ///< that is more than was asked, for want of memory
-  uint64_t picture_hash = 0;       ///< XXH3-64 of the picture's RGBA bytes, where it was read back
+  bool fallback = false;            ///< drawn by the render node by itself
+  std::string lost{};               ///< on the first such frame: why
+  VisibleSet visible{};             ///< V(i), where it is kept
+  double pixel_error = 0;           ///< as it was drawn
+  bool raised_for_memory = false;   ///< that is more than was asked, for want of memory
+  uint64_t owed_drawables = 0;      ///< of those of V(i), drawn coarser since they were not read yet
+  uint64_t left_out_drawables = 0;  ///< not drawn, or not all of them, since no pixel error leaves them room
+  /// V(i) had no room: the render node drew the frame by itself, with a larger pixel error.
+  bool redrawn = false;
+  bool gets_finer = false;    ///< drawn once more: what it owes is being read, or there is room for more
+  uint64_t picture_hash = 0;  ///< XXH3-64 of the picture's RGBA bytes, where it was read back
   SteeredFrame steered{};
   std::vector<EffectUse> effects{};  ///< those that ran, and what each cost
 };

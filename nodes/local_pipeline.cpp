@@ -31,16 +31,10 @@ LocalPipeline::LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOp
   resize(options.width, options.height);
 }
 
-void LocalPipeline::begin_streaming(const FrameState& first) {
-  const MemoryCaps& caps = options_.device.memory;
-  // Depth, ids, and colours, for each sample, and a copy of the picture.
-  const uint64_t pixels = static_cast<uint64_t>(options_.width) * static_cast<uint64_t>(options_.height);
-  constexpr uint64_t a_sample = 16, a_pixel = 8;
-  const uint64_t ahead = PackDevice::read_ahead_bytes(caps);
-  keeper_.emplace(device_, caps, ahead, (a_sample * first.samples + a_pixel) * pixels);
-  prefetch_.emplace(hierarchy_, device_, *parts_->device.read_ahead(), ahead / 4);
-  if (caps.on_miss == OnMiss::coarser)
-    substitutes_.emplace(hierarchy_, device_, *parts_->device.read_ahead());
+Streaming* LocalPipeline::streaming(const FrameState& first) {
+  if (!parts_ || parts_->device.read_ahead() == nullptr) return nullptr;
+  if (!streaming_) streaming_.emplace(parts_->device, options_.device.memory, first, options_.no_pixel_error);
+  return &*streaming_;
 }
 
 std::optional<ReadAheadUse> LocalPipeline::read_ahead() const {
@@ -74,33 +68,25 @@ void LocalPipeline::set_strategy(StrategyKind kind) {
 }
 
 const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
-  if (!parts_ || !options_.device.memory.streams()) {
+  if (!streaming(frame.state)) {
     draw_once(frame);
     return record_;
   }
-  if (!keeper_) begin_streaming(frame.state);
   const Stopwatch whole;
   FrameRequest raised = frame;
   const VisibleSet before = visible_;
-  const uint64_t no_room = device_.geometry_use().no_room;
-  parts_->device.read_ahead()->next_frame();
+  streaming_->begin_frame();
   for (;;) {
-    raised.state.pixel_error = keeper_->raise(frame.state.pixel_error);
+    raised.state.pixel_error = streaming_->raise(frame.state.pixel_error);
     try {
       draw_once(raised);
       break;
     } catch (const NoRoom& why) {
       visible_ = before;
-      keeper_->refused(raised.state.pixel_error, why);
+      streaming_->refused(raised.state.pixel_error, why);
     }
   }
-  record_.raised_for_memory = raised.state.pixel_error > frame.state.pixel_error;
-  // Whoever draws between frames, as a view from outside, does without what has no room.
-  device_.set_missing({.wait = true, .refuse = false, .fail = !substitutes_});
-  keeper_->drawn();
-  if (device_.geometry_use().no_room > no_room) keeper_->crowded(raised.state.pixel_error);
-  prefetch_->drawn(occlusion_->view(), visible_);
-  record_.loading = record_.owed_drawables > 0 && read_ahead()->open > 0;
+  streaming_->drawn(occlusion_->view(), visible_, frame.state.pixel_error, record_);
   record_.frame_ms = record_.camera_to_image_ms = whole.milliseconds();
   return record_;
 }
@@ -108,9 +94,7 @@ const FrameRecord& LocalPipeline::draw(const FrameRequest& frame) {
 void LocalPipeline::draw_once(const FrameRequest& frame) {
   record_.number = frame.number;
   record_.pixel_error = frame.state.pixel_error;
-  record_.owed_drawables = 0;
-  const uint64_t left_out = device_.geometry_use().left_out;
-  if (keeper_) device_.set_missing({.wait = !substitutes_, .refuse = !substitutes_, .fail = !substitutes_});
+  if (streaming_) streaming_->begin_drawing();
   std::swap(previous_, visible_);
   const Stopwatch whole;
   Stopwatch stage;
@@ -134,10 +118,13 @@ void LocalPipeline::draw_once(const FrameRequest& frame) {
   const FrameView& view = own_view ? *own_view : occlusion_->view();
   ordered_ = visible_;
   sorter_.sort(hierarchy_.skeleton(), view.cell, ordered_);
-  const bool begun = !depth_ && !own_view && strategy_->representation() != nullptr;
+  // What is near gets room before what is not: a picture that leaves something out is drawn in draw rank
+  // order alone.
+  const bool in_order = streaming_ && streaming_->leaves_out();
+  const bool begun = !depth_ && !own_view && !in_order && strategy_->representation() != nullptr;
   if (!begun) picture_->begin(view, frame.number);
   picture_->draw(ordered_);
-  if (substitutes_ && device_.geometry_use().left_out > left_out) draw_substitutes(view);
+  if (streaming_) streaming_->complete(*picture_, view, visible_, record_);
   picture_->finish();
   record_.render_ms = stage.milliseconds();
   record_.frame_ms = record_.camera_to_image_ms = whole.milliseconds();
@@ -149,15 +136,6 @@ void LocalPipeline::draw_once(const FrameRequest& frame) {
   record_.removed = delta_.removed.size();
   record_.visible_count = visible_.size();
   record_.visible = visible_;
-}
-
-void LocalPipeline::draw_substitutes(const FrameView& view) {
-  VisibleSet shown = visible_;
-  record_.owed_drawables = substitutes_->replace(view, shown);
-  sorter_.sort(hierarchy_.skeleton(), view.cell, shown);
-  device_.set_missing({.wait = true, .refuse = true, .fail = false});
-  picture_->begin(view, record_.number);
-  picture_->draw(shown);
 }
 
 }  // namespace triptych

@@ -3,12 +3,10 @@
 
 #include "nodes/frame_record.hpp"
 #include "nodes/injected_rules.hpp"
-#include "nodes/memory_keeper.hpp"
 #include "nodes/occlusion_stage.hpp"
 #include "nodes/pack_device.hpp"
 #include "nodes/picture_stage.hpp"
-#include "nodes/prefetch.hpp"
-#include "nodes/substitutes.hpp"
+#include "nodes/streaming.hpp"
 #include "visibility/strategies.hpp"
 
 #include <map>
@@ -24,6 +22,8 @@ struct LocalPipelineOptions {
   CullOptions batches = {};
   DeviceOptions device = {};
   bool item_buffer = false;  ///< draw drawable ids instead of colours
+  /// Of frames that have no room within the device's caps.
+  MemoryKeeper::NoPixelError no_pixel_error = MemoryKeeper::NoPixelError::fails;
   FrameRules rules = injected_frame_rules();
 };
 
@@ -53,6 +53,10 @@ class LocalPipeline {
   const FrameRules& rules() const { return options_.rules; }
   /// How well reading ahead went; nullopt where nothing is read ahead.
   std::optional<ReadAheadUse> read_ahead() const;
+  DrawingMemory memory() const { return {device_.geometry_use(), read_ahead().value_or(ReadAheadUse())}; }
+  /// What keeps the caps of a device of its own, for whoever draws its picture() by itself; null where there
+  /// are none. first: as frames are drawn; of the first call.
+  Streaming* streaming(const FrameState& first);
 
   /// Culls with this strategy from the next frame on.
   void set_strategy(Strategy& strategy);
@@ -79,9 +83,7 @@ class LocalPipeline {
   };
   LocalPipeline(std::unique_ptr<Parts> parts, const LocalPipelineOptions& options);
   void make_occlusion_stage();
-  void begin_streaming(const FrameState& first);
   void draw_once(const FrameRequest& frame);
-  void draw_substitutes(const FrameView& view);
 
   std::unique_ptr<Parts> parts_;  ///< what the pipeline owns; null where device and strategy are the caller's
   LocalPipelineOptions options_;
@@ -96,9 +98,7 @@ class LocalPipeline {
   VisibleDelta delta_;
   RankSorter sorter_;
   FrameRecord record_;
-  std::optional<MemoryKeeper> keeper_;  ///< where there are caps
-  std::optional<Prefetch> prefetch_;
-  std::optional<Substitutes> substitutes_;  ///< where frames do not wait for chunks
+  std::optional<Streaming> streaming_;  ///< where there are caps
 };
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 // What a process that draws may take.
 #pragma once
 
+#include "residency/read_ahead.hpp"
 #include "scene/geometry_use.hpp"
 
 #include <cstdint>
@@ -21,6 +22,12 @@ struct MemoryCaps {
   /// Whether chunks come and go while frames are drawn.
   bool streams() const { return capped() || on_miss == OnMiss::coarser; }
   bool operator==(const MemoryCaps&) const = default;
+};
+
+/// What the geometry of a process that draws took.
+struct DrawingMemory {
+  GeometryUse geometry{};
+  ReadAheadUse read_ahead{};  ///< zeros where nothing is read ahead
 };
 
 }  // namespace triptych

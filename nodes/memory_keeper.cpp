@@ -14,9 +14,12 @@ namespace {
 
 /// Less is too little for the parts of any picture.
 constexpr uint64_t least_geometry = 1 << 20;
-constexpr double largest_pixel_error = 4096, step_up = 1.25, step_down = 0.95, leap_down = 0.8;
-/// The pixel error is lowered while a frame uses less than this share of its room; faster below the other.
-constexpr double roomy = 0.7, empty = 0.4;
+constexpr double largest_pixel_error = 4096, step_up = 1.25, step_down = 0.95, leap_down = 0.8,
+                 plunge_down = 0.5;
+/// After so many refusals of one frame its pixel error is doubled each time.
+constexpr uint32_t patience = 6;
+/// The pixel error is lowered while a frame uses less than this share of its room; faster below the others.
+constexpr double roomy = 0.7, empty = 0.4, bare = 0.1;
 
 uint64_t mib(uint64_t bytes) { return (bytes >> 20) + 1; }
 
@@ -26,8 +29,8 @@ uint64_t reserve_of(uint64_t memory) { return memory / 16; }
 }  // namespace
 
 MemoryKeeper::MemoryKeeper(Device& device, const MemoryCaps& caps, uint64_t read_ahead,
-                           uint64_t picture_bytes)
-    : device_(device), caps_(caps) {
+                           uint64_t picture_bytes, NoPixelError otherwise)
+    : device_(device), caps_(caps), otherwise_(otherwise) {
   if (!caps.capped()) return;
   uint64_t room = caps.device_memory;
   if (caps.memory != no_cap) {
@@ -61,6 +64,10 @@ void MemoryKeeper::crowded(double pixel_error) {
 }
 
 void MemoryKeeper::refused(double pixel_error, const NoRoom& why) {
+  if (pixel_error >= largest_pixel_error && otherwise_ == NoPixelError::leaves_out) {
+    leaves_out_ = true;
+    return;
+  }
   if (pixel_error >= largest_pixel_error) {
     const bool device = caps_.memory == no_cap;
     const uint64_t cap = device ? caps_.device_memory : caps_.memory;
@@ -69,15 +76,23 @@ void MemoryKeeper::refused(double pixel_error, const NoRoom& why) {
          "least {} MiB are needed",
          cap >> 20, static_cast<double>(geometry_) / 0x1p20, mib(cap + why.needed() - geometry_));
   }
-  crowded(pixel_error);
+  crowded(++refusals_ > patience ? 2 / step_up * pixel_error : pixel_error);
 }
 
-void MemoryKeeper::drawn() {
-  if (geometry_ == no_cap) return;
+bool MemoryKeeper::drawn(bool all) {
+  const bool refused = std::exchange(refusals_, 0) > 0;
+  leaves_out_ = leaves_out_ && !all;
+  if (geometry_ == no_cap) return false;
   const GeometryUse use = device_.geometry_use();
-  const double used = static_cast<double>(use.view_bytes) / static_cast<double>(geometry_);
-  if (used < roomy) held_ *= used < empty ? leap_down : step_down;
+  const double used = static_cast<double>(use.view_bytes) / static_cast<double>(use.cap);
+  const double before = held_;
+  if (all && used < roomy) held_ *= used < bare ? plunge_down : used < empty ? leap_down : step_down;
   if (held_ < 0.01) held_ = 0;
+  keep_below_cap();
+  return held_ < before && !refused;
+}
+
+void MemoryKeeper::keep_below_cap() {
   if (caps_.memory == no_cap) return;
   const uint64_t limit = caps_.memory - reserve_of(caps_.memory) / 2;
   uint64_t resident = resident_bytes();

@@ -11,9 +11,9 @@ namespace triptych {
 PackDevice::PackDevice(const Pack& pack, const DeviceOptions& options)
     : hierarchy_(pack.skeleton()), representation_(hierarchy_) {
   assert(options.kind != DeviceKind::automatic);
-  if (options.memory.streams()) {
-    constexpr size_t threads = 2;
-    auto read_ahead = std::make_unique<ReadAhead>(pack, threads, read_ahead_bytes(options.memory));
+  const ByteSource::Habits habits = pack.source().habits();
+  if (options.memory.streams() || habits.far) {
+    auto read_ahead = std::make_unique<ReadAhead>(pack, habits.threads, read_ahead_bytes(options.memory));
     read_ahead_ = read_ahead.get();
     residency_ = std::move(read_ahead);
   } else {
@@ -25,7 +25,6 @@ PackDevice::PackDevice(const Pack& pack, const DeviceOptions& options)
 }
 
 uint64_t PackDevice::read_ahead_bytes(const MemoryCaps& caps) {
-  if (!caps.streams()) return 0;
   constexpr uint64_t enough = 256 << 20;
   // What frames wait for is read by them; what they do not wait for comes by the threads alone.
   const uint64_t share = caps.on_miss == OnMiss::exact ? 16 : 6;

@@ -21,7 +21,7 @@ class PackDevice {
   const Skeleton& skeleton() const { return hierarchy_.skeleton(); }
   Device& device() { return *device_; }
   const Representation& representation() const { return representation_; }
-  /// Null where nothing is read ahead: without caps, once read, chunks stay.
+  /// Null where nothing is read ahead: without caps, of a file, once read, chunks stay.
   ReadAhead* read_ahead() const { return read_ahead_; }
   /// Bytes that are read ahead at most.
   static uint64_t read_ahead_bytes(const MemoryCaps& caps);

@@ -35,20 +35,20 @@ bool Prefetch::shows_now(SceneNodeId node, const VisibleSet& visible) const {
   return false;
 }
 
-void Prefetch::drawn(const FrameView& view, const VisibleSet& visible) {
+void Prefetch::drawn(const FrameView& view, const VisibleSet& visible, const View* next_view) {
   const std::optional<View> before = last_;
   last_ = view.view();
+  if (next_view) expect(view, *next_view, 2, visible);
   if (!before || before->width != view.view().width || before->height != view.view().height) return;
   // The next frames are urgent; what comes later is read where there is time.
   constexpr double next = 1.5, later = 8;
-  expect(view, *before, next, 2, visible);
-  expect(view, *before, later, 0, visible);
+  if (!next_view) expect(view, ahead(*before, view.view(), next), 2, visible);
+  expect(view, ahead(*before, view.view(), later), 0, visible);
 }
 
-void Prefetch::expect(const FrameView& view, const View& before, double frames, float least,
-                      const VisibleSet& visible) {
+void Prefetch::expect(const FrameView& view, const View& then_view, float least, const VisibleSet& visible) {
   FrameState state = view.state;
-  state.view = ahead(before, view.view(), frames);
+  state.view = then_view;
   if (state.view.camera.eye == state.view.camera.target) return;
   const Skeleton& skeleton = hierarchy_.skeleton();
   const FrameView then(skeleton, state, view.rules);

@@ -10,23 +10,22 @@
 
 namespace triptych {
 
-/// After each frame the camera is taken on its course, as it moved and turned since the frame before, and
-/// what it would see there is expected: other levels of what shows now (LOD-switching events) before what
-/// comes into the frustum (visibility events), nearer things first. What is in the frustum and hidden is not
-/// expected. Interactive Display 2003 §5, Quick-VDR 2004 §5.
+/// After each frame the camera is taken on its course, as it moved and turned since the frame before, or to
+/// where it is known to go, and what it would see there is expected: other levels of what shows now
+/// (LOD-switching events) before what comes into the frustum (visibility events), nearer things first. What
+/// is in the frustum and hidden is not expected. Interactive Display 2003 §5, Quick-VDR 2004 §5.
 class Prefetch {
  public:
   /// All must outlive it. bytes: of how much is expected at once, of the pack's.
   Prefetch(const Hierarchy& hierarchy, const Device& device, ReadAhead& residency, uint64_t bytes)
       : hierarchy_(hierarchy), device_(device), residency_(residency), bytes_(bytes) {}
 
-  /// The frame was drawn, and showed this.
-  void drawn(const FrameView& view, const VisibleSet& visible);
+  /// The frame was drawn, and showed this. next: the next one's view, if that is known.
+  void drawn(const FrameView& view, const VisibleSet& visible, const View* next = nullptr);
 
  private:
-  /// What is seen so many frames ahead, at a priority of at least this.
-  void expect(const FrameView& view, const View& before, double frames, float least,
-              const VisibleSet& visible);
+  /// What is seen from there, at a priority of at least this.
+  void expect(const FrameView& view, const View& then_view, float least, const VisibleSet& visible);
   bool shows_now(SceneNodeId node, const VisibleSet& visible) const;
 
   const Hierarchy& hierarchy_;

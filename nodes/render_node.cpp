@@ -7,28 +7,19 @@
 #include "nodes/frame_patience.hpp"
 #include "nodes/frame_steering.hpp"
 #include "nodes/frame_watch.hpp"
+#include "nodes/level_changes.hpp"
 #include "nodes/local_pipeline.hpp"
+#include "nodes/received_picture.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <optional>
-#include <set>
 #include <thread>
 #include <utility>
 
 namespace triptych {
 
 namespace {
-
-/// Of the ids that changed, those of scene nodes that stayed visible at another level of detail.
-uint64_t level_changes(const Skeleton& skeleton, const VisibleSet& before, const VisibleSet& now) {
-  const VisibleDelta delta = difference(before, now);
-  std::set<SceneNodeId> removed;
-  for (const DrawableId id : delta.removed) removed.insert(skeleton.drawables[id].scene_node);
-  uint64_t changes = 0;
-  for (const DrawableId id : delta.added) changes += removed.count(skeleton.drawables[id].scene_node) ? 2 : 0;
-  return changes;
-}
 
 class RenderNode {
  public:
@@ -42,6 +33,7 @@ class RenderNode {
                        .height = 1,
                        .batches = options.cull,
                        .device = options.device,
+                       .no_pixel_error = options.no_pixel_error,
                        .rules = options.frame_rules}),
         cost_measure_(measure_of(stages_.device().names())),
         patience_(options.timeout),
@@ -50,7 +42,10 @@ class RenderNode {
   /// Runs until the last frame, or until this process is to end.
   void run() {
     first_ = source_.next(numbers_.first);
+    streaming_ = stages_.streaming(first_->state);
     if (options_.target_ms > 0) calibrate(*first_);
+    first_asked_ = first_->state.pixel_error;
+    raise(*first_);
     shown_ = *first_;
     lost_ = options_.successor ? "the render node before this one ended"
                                : "the switch nodes were not both there at the beginning";
@@ -77,16 +72,21 @@ class RenderNode {
     peers_.leave(reason);
     summary_.epochs = peers_.epochs();
   }
-  const RenderNodeSummary& summary() const { return summary_; }
+  RenderNodeSummary summary() const {
+    RenderNodeSummary summary = summary_;
+    summary.memory = stages_.memory();
+    return summary;
+  }
 
  private:
   static constexpr uint32_t in_flight = 2;
 
   struct Released {
     FrameRequest request;
-    double at_ms;     ///< of the run's clock
-    double sent_ms;   ///< how much later it was sent to the switch nodes
-    bool after_idle;  ///< nothing was to be drawn before it
+    double asked;             ///< the pixel error, before it was raised for want of memory
+    double at_ms = 0;         ///< of the run's clock
+    double sent_ms = 0;       ///< how much later it was sent to the switch nodes
+    bool after_idle = false;  ///< nothing was to be drawn before it
   };
 
   void calibrate(FrameRequest& first) {
@@ -126,12 +126,18 @@ class RenderNode {
     if (!found && found.ending().cause != Ending::Cause::stopped) go_on_alone(number, found.ending().reason);
   }
 
+  void raise(FrameRequest& frame) const {
+    if (streaming_) frame.state.pixel_error = streaming_->raise(frame.state.pixel_error);
+  }
+
   /// The first frame was requested before its release, for the warm-up.
-  FrameRequest next_frame(uint32_t number) {
-    if (first_) return *std::exchange(first_, std::nullopt);
+  Released next_frame(uint32_t number) {
+    if (first_) return {*std::exchange(first_, std::nullopt), first_asked_};
     FrameRequest frame = source_.next(number);
     if (steering_) steering_->steer(frame);
-    return frame;
+    const double asked = frame.state.pixel_error;
+    raise(frame);
+    return {std::move(frame), asked};
   }
 
   /// Waits until the next camera is to be released; false if this process is to end before that.
@@ -150,7 +156,8 @@ class RenderNode {
   /// The next camera is due: sends it to the switch nodes.
   void release() {
     const uint32_t number = next_release_++;
-    released_.push_back({next_frame(number), 0, 0, std::exchange(idle_, false)});
+    released_.push_back(next_frame(number));
+    released_.back().after_idle = std::exchange(idle_, false);
     released_.back().at_ms = clock_.milliseconds();
     if (!peers_.inbox()) return;
     if (const auto ending = send(released_.back())) lose(number, *ending);
@@ -195,7 +202,9 @@ class RenderNode {
     if (steering_) record.steered = steered(record);
     ++summary_.frames;
     summary_.fallback_frames += record.fallback;
-    sink_.show(frame.request, record, stages_);
+    FrameRequest as_drawn = frame.request;
+    as_drawn.state.pixel_error = record.pixel_error;
+    sink_.show(as_drawn, record, stages_);
     const TimelineScope scope("hand the picture over", frame.request.number);
     sink_.picture(std::move(record), stages_.target());
     return true;
@@ -228,14 +237,16 @@ class RenderNode {
       if (ending.too_late) ending.reason += fmt::format(" ({})", patience_.reason());
       lose(frame.request.number, ending);
     }
-    return draw_fallback(frame.request);
+    FrameRecord record = draw_alone(frame);
+    record.fallback = true;
+    return record;
   }
 
   /// The cameras that were released already are this epoch's first.
   void begin_epoch(uint32_t number) {
     if (summary_.frames == 0 && !options_.successor) lost_.clear();  // nothing was drawn alone
     notice("render node: frame {}: both switch nodes are {}", number, peers_.epochs() > 1 ? "back" : "here");
-    visible_.clear();
+    received_.clear();
     for (Released& released : released_) {
       if (const auto ending = send(released)) return lose(number, *ending);
     }
@@ -247,53 +258,53 @@ class RenderNode {
     peers_.expect_frames_of(patience_.limit());
   }
 
-  FrameRecord draw_fallback(const FrameRequest& frame) {
+  FrameRecord draw_alone(const Released& released) {
+    FrameRequest frame = released.request;
+    frame.state.pixel_error = released.asked;
     stages_.resume(visible_);
     const StageWatch watch;
     FrameRecord record = stages_.draw(frame);
     const SpentTime spent = watch.spent();
     cost_ms_ = cost_of(spent, cost_measure_);
     worked(spent.wall_ms);
-    record.fallback = true;
     done_ms_ = clock_.milliseconds();
     return record;
   }
 
   Awaited<FrameRecord> draw_together(const Released& released) {
     const FrameRequest& frame = released.request;
-    PictureStage& picture = stages_.picture();
-    SpentTime drawing;
-    const auto add_drawing = [&](const StageWatch& watch) {
-      const SpentTime spent = watch.spent();
-      drawing.wall_ms += spent.wall_ms;
-      drawing.cpu_ms += spent.cpu_ms;
-    };
-    const auto draw_more = [&](const std::vector<DrawableId>& drawables) {
-      const StageWatch watch;
-      options_.session_rules.slow_down();
-      picture.draw(drawables);
-      add_drawing(watch);
-    };
+    ReceivedPicture picture(stages_.picture(), streaming_, options_.session_rules);
     Inbox& inbox = *peers_.inbox();
     const FrameView view(pack_.skeleton(), frame.state, options_.frame_rules);
     picture.begin(view, frame.number);
     inbox.limit_waiting(patience_.limit());
-    Awaited<IntakeResult> taken = take_frame(inbox, pack_.skeleton(), pack_.content_hash(), frame, visible_,
-                                             draw_more, options_.session_rules);
+    Awaited<IntakeResult> taken = take_frame(
+        inbox, pack_.skeleton(), pack_.content_hash(), frame, received_,
+        [&](const auto& decided) { picture.draw(decided); }, options_.session_rules);
     if (!taken) return taken.ending();
     IntakeResult& intake = *taken;
     if (intake.digest_mismatch) {
       std::vector<DrawableId> ordered = intake.visible;
       sort_by_rank(pack_.skeleton(), view.cell, ordered);
       picture.begin(view, frame.number);
-      draw_more(ordered);
+      picture.draw(ordered);
     }
-    const StageWatch finishing;
-    options_.session_rules.slow_down();
-    picture.finish();
-    add_drawing(finishing);
-    done_ms_ = clock_.milliseconds();
+    received_ = intake.visible;
     FrameRecord record;
+    record.number = frame.number;
+    record.pixel_error = frame.state.pixel_error;
+    picture.finish(view, intake.visible, record);
+    if (picture.no_room()) {
+      streaming_->refused(frame.state.pixel_error, *picture.no_room());
+      record = draw_alone(released);
+      record.redrawn = true;
+      return record;
+    }
+    if (streaming_) {
+      const View* next = released_.size() > 1 ? &released_[1].request.state.view : nullptr;
+      streaming_->drawn(view, intake.visible, released.asked, record, next);
+    }
+    done_ms_ = clock_.milliseconds();
     const StageTimes& times = intake.sentinel.times;
     const bool by_wall = cost_measure_ == CostMeasure::wall;
     double culling_ms = times.hardware_cull_ms;
@@ -305,10 +316,10 @@ class RenderNode {
           by_wall ? report->occlusion_representation_ms : report->occlusion_representation_cpu_ms;
       record_latency(record, released, *report, intake);
     }
-    worked(std::max(culling_ms, drawing.wall_ms));
+    worked(std::max(culling_ms, picture.spent().wall_ms));
     // Switch nodes and render node work side by side.
-    cost_ms_ = std::max(culling_cost_ms, cost_of(drawing, cost_measure_));
-    record.render_ms = drawing.wall_ms;
+    cost_ms_ = std::max(culling_cost_ms, cost_of(picture.spent(), cost_measure_));
+    record.render_ms = picture.spent().wall_ms;
     record.waiting_ms = intake.waiting_ms - intake.network_ms;
     record.network_ms = intake.network_ms;
     record.hardware_cull_ms = times.hardware_cull_ms;
@@ -316,8 +327,8 @@ class RenderNode {
     record.tests = times.queries;
     record.added = intake.sentinel.added;
     record.removed = intake.sentinel.removed;
-    record.drawn_triangles = picture.drawn_triangles();
-    const auto effects = picture.target().effects();
+    record.drawn_triangles = stages_.picture().drawn_triangles();
+    const auto effects = stages_.picture().target().effects();
     record.effects.assign(effects.begin(), effects.end());
     record.digest_mismatch = intake.digest_mismatch;
     record.visible = std::move(intake.visible);
@@ -357,12 +368,15 @@ class RenderNode {
   uint32_t next_release_ = numbers_.first;
   std::deque<Released> released_;      ///< cameras that were released, whose pictures are not drawn yet
   std::optional<FrameRequest> first_;  ///< until it is released
+  double first_asked_ = 0;             ///< its pixel error, before it was raised for want of memory
+  Streaming* streaming_ = nullptr;     ///< of the stages, where there are caps
   FrameRequest shown_;                 ///< the last that was drawn, or the first
   bool idle_ = false;                  ///< nothing was to be drawn since the last release
   double done_ms_ = 0, last_done_ms_ = 0;
-  double cost_ms_ = 0;  ///< of the last frame, in cost_measure_: what its busiest role took
-  std::string lost_;    ///< why the epoch ended, for the next record
-  VisibleSet visible_;
+  double cost_ms_ = 0;   ///< of the last frame, in cost_measure_: what its busiest role took
+  std::string lost_;     ///< why the epoch ended, for the next record
+  VisibleSet visible_;   ///< that was drawn
+  VisibleSet received_;  ///< of the last frame of this epoch, as HC has it
   std::optional<FrameSteering> steering_;
   SpentTime done_at_;  ///< of frames that are steered: when the last picture was done
   RenderNodeSummary summary_;

@@ -21,6 +21,8 @@ struct RenderNodeOptions {
   /// render node begins alone, and they join it.
   std::chrono::milliseconds gather{0};
   DeviceOptions device = {};
+  /// Of frames that have no room within the device's caps.
+  MemoryKeeper::NoPixelError no_pixel_error = MemoryKeeper::NoPixelError::fails;
   FrameRules frame_rules = injected_frame_rules();
   CullOptions cull = {};
   Peers::Connect connect = {};
@@ -39,6 +41,7 @@ struct RenderNodeSummary {
   uint64_t fallback_frames = 0;  ///< of those, drawn by the render node by itself
   uint64_t epochs = 0;
   CostCoefficients cost_coefficients{};  ///< of what frames cost, where they were steered
+  DrawingMemory memory{};
 };
 
 /// Draws every frame of the source, in order, and hands each to the sink. At most two are in flight: camera
@@ -47,6 +50,9 @@ struct RenderNodeSummary {
 /// same cut, until both switch nodes are there; those records say so. Between frames it looks after the
 /// switch nodes, too. A context must be current. Returns after the last frame, or earlier, after a whole
 /// frame, where `stop` says so. Nothing that a switch node does makes it end.
+///
+/// Within caps of memory the pixel error of a camera is raised before it is sent. A frame that has no room
+/// all the same is drawn by the local pipeline at a larger one, while the switch nodes go on.
 RenderNodeSummary run_render_node(const Pack& pack, FrameSource& source, FrameSink& sink,
                                   const RenderNodeOptions& options);
 

@@ -6,6 +6,7 @@
 #include "base/threads.hpp"
 #include "nodes/frame_intake.hpp"
 #include "nodes/hidden_sets.hpp"
+#include "nodes/streaming.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
 #include "visibility/strategies.hpp"
@@ -33,7 +34,15 @@ struct LastingState {
   std::unique_ptr<ExactStrategy> strategy;  ///< a session claims that its pictures are the un-culled ones
   std::unique_ptr<FrameTarget> target;      ///< of the size of the last camera
   std::optional<OcclusionStage> stage;
-  SwitchNodeSummary summary;
+  std::optional<OccluderStreaming> streaming;  ///< where there are caps
+  SwitchNodeSummary done;
+
+  SwitchNodeSummary summary() {
+    SwitchNodeSummary summary = done;
+    summary.memory.geometry = device.device().geometry_use();
+    if (device.read_ahead()) summary.memory.read_ahead = device.read_ahead()->use();
+    return summary;
+  }
 };
 
 class Epoch {
@@ -85,6 +94,10 @@ class Epoch {
       node_.stage.reset();
       node_.target = node_.device.device().make_target(TargetKind::depth_only, view.width, view.height);
       node_.stage.emplace(node_.device.skeleton(), *node_.target, *node_.strategy, node_.options.frame_rules);
+    }
+    if (node_.device.read_ahead() != nullptr) {
+      if (!node_.streaming) node_.streaming.emplace(node_.device, node_.options.device.memory, camera.state);
+      node_.streaming->begin_frame(camera.warm_up);
     }
     node_.stage->begin(request(camera));
   }
@@ -148,7 +161,8 @@ class Epoch {
                       .cut_size = static_cast<uint32_t>(result.selected),
                       .sent_at_ms = to_the_microsecond(steady_milliseconds())};
     if (auto lost = send_to_both(sentinel)) return lost;
-    ++node_.summary.culled;
+    if (node_.streaming) node_.streaming->drawn();
+    ++node_.done.culled;
     return std::nullopt;
   }
 
@@ -177,7 +191,7 @@ class Epoch {
     node_.stage->finish();
     const SpentTime spent = whole.spent();
     sets_.add(frame, std::move(intake->visible));
-    ++node_.summary.represented;
+    ++node_.done.represented;
     return inbox_.send(
         Role::render, Channel::nodes,
         SwitchReport{.frame = frame,
@@ -204,8 +218,8 @@ SwitchNodeSummary run_switch_node(const Pack& pack, Role self, EpochSink& sink,
   LastingState node(pack, self, options);
   for (bool again = false;; again = true) {
     const std::unique_ptr<Mailbox> mailbox = options.connect(again);
-    if (!mailbox) return node.summary;
-    ++node.summary.epochs;
+    if (!mailbox) return node.summary();
+    ++node.done.epochs;
     Ending ending;
     try {
       ending = Epoch(node, *mailbox).run();
@@ -222,11 +236,11 @@ SwitchNodeSummary run_switch_node(const Pack& pack, Role self, EpochSink& sink,
       case Ending::Cause::session_over:
         mailbox->leave("");
         sink.epoch_ended(*mailbox, "");
-        return node.summary;
+        return node.summary();
       case Ending::Cause::stopped:
         mailbox->leave("told to end");
         sink.epoch_ended(*mailbox, "");
-        return node.summary;
+        return node.summary();
     }
   }
 }

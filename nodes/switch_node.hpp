@@ -30,12 +30,14 @@ struct SwitchNodeOptions {
 struct SwitchNodeSummary {
   uint64_t culled = 0, represented = 0;  ///< frames as HC and as OR
   uint64_t epochs = 0;
+  DrawingMemory memory{};
 };
 
 /// Runs the role. An epoch ends when a peer is lost: then all links are closed, and connect is called again;
 /// it begins with an empty visible set, while geometry stays on the graphics card. sink: is told of the end
 /// of each epoch. Returns when the session is over or `stop` says so. A context must be current. Error from
-/// connect, and for failures of this role itself.
+/// connect, and for failures of this role itself. Within caps of memory it leaves out of R(i) what it has
+/// not, or has no room for: less is hidden then, and nothing that shows.
 SwitchNodeSummary run_switch_node(const Pack& pack, Role self, EpochSink& sink,
                                   const SwitchNodeOptions& options);
 

@@ -110,6 +110,10 @@ void ChunkGeometry::load(uint32_t chunk) {
 }
 
 void ChunkGeometry::require(std::span<const DrawItem> items) {
+  if (missing_.wait) {  // all of them are read side by side
+    for (const DrawItem& item : items)
+      if (!chunks_[item.chunk] && !cache_.is_damaged(item.chunk)) residency_.expect(item.chunk, urgent);
+  }
   for (const DrawItem& item : items) require(item.chunk);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace triptych {
 
@@ -17,7 +18,9 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
                   skeleton.scene_nodes.empty() ? LatticeBox() : skeleton.scene_nodes[0].box) {}
 
 [[gnu::noinline]] void RasterScene::set_view(const FrameView& view) {
-  if (view_ && view.state == view_->state && view.rules == view_->rules) return;
+  // A changed cap holds for a camera that rests, too.
+  const bool same = view_ && view.state == view_->state && view.rules == view_->rules;
+  if (same && !std::exchange(cap_changed_, false)) return;
   view_ = view;
   geometry_.begin_view();
   representation_.begin(view);

@@ -29,7 +29,10 @@ class RasterScene {
                                                     const SamplePlanes& planes, size_t max_fragments);
 
   const Skeleton& skeleton() const { return skeleton_; }
-  void set_geometry_cap(uint64_t bytes) { geometry_.set_cap(bytes); }
+  void set_geometry_cap(uint64_t bytes) {
+    geometry_.set_cap(bytes);
+    cap_changed_ = true;
+  }
   void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
   const GeometryUse& geometry_use() const { return geometry_.use(); }
   bool has_chunk(uint32_t chunk) const { return geometry_.has(chunk); }
@@ -55,6 +58,7 @@ class RasterScene {
   ChunkGeometry geometry_;
   LatticePlacer placer_;
   std::optional<FrameView> view_;
+  bool cap_changed_ = false;  ///< since the view began
   std::optional<BoxProjector> projector_;
   std::vector<GeometryTerms> terms_;  ///< of each sample
   std::vector<DrawRank> ranks_;

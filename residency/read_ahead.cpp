@@ -33,6 +33,8 @@ void ReadAhead::expect(uint32_t chunk, float priority) {
     const auto [found, is_new] = entries_.try_emplace(chunk);
     Entry& entry = found->second;
     entry.frame = frame_;
+    if (is_new) entry.foreseen = priority < urgent;
+    if (entry.state == State::waiting && priority >= urgent) entry.foreseen = false;  // it comes too late
     if (!is_new && (entry.state != State::waiting || entry.priority >= priority)) return;
     if (!is_new) waiting_.erase(order_of(entry, chunk));
     entry.priority = priority;
@@ -64,16 +66,16 @@ Chunk ReadAhead::take(uint32_t chunk) {
   if (found != entries_.end() && found->second.state != State::waiting) {
     // References into the map stay good while others come and go.
     Entry& entry = found->second;
-    ++(entry.state == State::ready ? use_.in_time : use_.late);
+    if (entry.foreseen) ++(entry.state == State::ready ? use_.in_time : use_.late);
     read_.wait(lock, [&] { return entry.state == State::ready; });
     return remove(chunk);
   }
-  if (found != entries_.end()) {
-    waiting_.erase(order_of(found->second, chunk));
-    entries_.erase(found);
-  }
-  lock.unlock();
-  return pack_.read_chunk(chunk);
+  const bool is_new = found == entries_.end();
+  Entry& entry = entries_[chunk];
+  if (is_new) waiting_.insert(order_of(entry, chunk));
+  entry.foreseen = false;  // nobody had read it
+  read_run(lock, begin_run(chunk));
+  return remove(chunk);
 }
 
 std::optional<Chunk> ReadAhead::take_if_ready(uint32_t chunk) {
@@ -93,6 +95,7 @@ std::optional<Chunk> ReadAhead::take_if_ready(uint32_t chunk) {
 Chunk ReadAhead::remove(uint32_t chunk) {
   Entry& entry = entries_.at(chunk);
   use_.bytes -= entry.bytes;
+  use_.foreseen_taken += entry.foreseen;
   ready_.erase(order_of(entry, chunk));
   Chunk taken = std::move(entry.chunk);
   const std::exception_ptr damage = entry.damage;
@@ -120,33 +123,83 @@ bool ReadAhead::make_room() {
   return true;
 }
 
+bool ReadAhead::joins_run(uint32_t chunk) const {
+  const auto found = entries_.find(chunk);
+  return found != entries_.end() && found->second.state == State::waiting;
+}
+
+std::vector<uint32_t> ReadAhead::begin_run(uint32_t chunk) {
+  const ByteSource::Habits habits = pack_.source().habits();
+  const std::vector<ChunkInfo>& chunks = pack_.skeleton().chunks;
+  std::vector<uint32_t> run = {chunk};
+  uint64_t begin = chunks[chunk].offset, end = begin + chunks[chunk].size;
+  for (uint32_t next = chunk + 1; next < chunks.size() && habits.most_at_once > 0; ++next) {
+    const ChunkInfo& info = chunks[next];
+    if (info.offset < end || info.offset - end > habits.unasked ||
+        info.offset + info.size - begin > habits.most_at_once)
+      break;
+    if (!joins_run(next)) continue;
+    run.push_back(next);
+    end = info.offset + info.size;
+  }
+  for (uint32_t next = chunk; next > 0 && habits.most_at_once > 0;) {
+    const ChunkInfo& info = chunks[--next];
+    const uint64_t info_end = info.offset + info.size;
+    if (info_end > begin || begin - info_end > habits.unasked || end - info.offset > habits.most_at_once)
+      break;
+    if (!joins_run(next)) continue;
+    run.push_back(next);
+    begin = info.offset;
+  }
+  std::sort(run.begin(), run.end());
+  for (const uint32_t each : run) {
+    Entry& entry = entries_.at(each);
+    waiting_.erase(order_of(entry, each));
+    entry.state = State::reading;
+  }
+  return run;
+}
+
+void ReadAhead::read_run(std::unique_lock<std::mutex>& lock, const std::vector<uint32_t>& run) {
+  lock.unlock();
+  std::vector<Chunk> chunks(run.size());
+  std::vector<std::exception_ptr> damage(run.size());
+  try {
+    const std::vector<std::byte> bytes = pack_.read_chunk_bytes(run.front(), run.back());
+    for (size_t i = 0; i < run.size(); ++i) {
+      try {
+        chunks[i] = pack_.decode_chunk_in(bytes, run.front(), run[i]);
+      } catch (...) {
+        damage[i] = std::current_exception();
+      }
+    }
+  } catch (...) {
+    std::fill(damage.begin(), damage.end(), std::current_exception());
+  }
+  lock.lock();
+  for (size_t i = 0; i < run.size(); ++i) {
+    Entry& entry = entries_.at(run[i]);
+    entry.chunk = std::move(chunks[i]);
+    entry.damage = damage[i];
+    entry.bytes = bytes_of(entry.chunk);
+    entry.state = State::ready;
+    use_.foreseen_read += entry.foreseen;
+    use_.bytes += entry.bytes;
+    ready_.insert(order_of(entry, run[i]));
+  }
+  ++use_.reads;
+  use_.peak_bytes = std::max(use_.peak_bytes, use_.bytes);
+  read_.notify_all();
+}
+
 void ReadAhead::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
     expected_.wait(lock, [&] { return ends_ || (!waiting_.empty() && make_room()); });
     if (ends_) return;
-    const uint32_t chunk = std::get<uint32_t>(*waiting_.begin());
-    waiting_.erase(waiting_.begin());
-    Entry& entry = entries_.at(chunk);
-    entry.state = State::reading;
-    lock.unlock();
-    Chunk read;
-    std::exception_ptr damage;
-    try {
-      read = pack_.read_chunk(chunk);
-    } catch (...) {
-      damage = std::current_exception();
-    }
-    lock.lock();
-    entry.chunk = std::move(read);
-    entry.damage = damage;
-    entry.bytes = bytes_of(entry.chunk);
-    entry.state = State::ready;
-    ++use_.read_ahead;
-    use_.bytes += entry.bytes;
-    ready_.insert(order_of(entry, chunk));
-    use_.peak_bytes = std::max(use_.peak_bytes, use_.bytes);
-    read_.notify_all();
+    const std::vector<uint32_t> run = begin_run(std::get<uint32_t>(*waiting_.begin()));
+    read_run(lock, run);
+    use_.read_ahead += run.size();
   }
 }
 

@@ -21,9 +21,12 @@ namespace triptych {
 /// How well it was known what would be taken.
 struct ReadAheadUse {
   uint64_t read_ahead = 0;             ///< chunks that threads have read
-  uint64_t in_time = 0;                ///< of those: were there when they were taken
+  uint64_t in_time = 0;                ///< of those: were there before a picture lacked them, or none waited
   uint64_t late = 0;                   ///< of those: were being read then
   uint64_t taken = 0;                  ///< chunks, read ahead or not
+  uint64_t foreseen_read = 0;          ///< of those that threads have read: before any picture lacked them
+  uint64_t foreseen_taken = 0;         ///< of those: were taken
+  uint64_t reads = 0;                  ///< of the pack, each of one chunk or of several
   uint64_t dropped = 0;                ///< read, and dropped since nobody expected them any more
   uint64_t bytes = 0, peak_bytes = 0;  ///< of what is read and not taken yet
   uint64_t open = 0;                   ///< chunks that are expected, being read, or read and not taken yet
@@ -38,7 +41,8 @@ class ReadAhead final : public Residency {
 
   /// Does nothing if the chunk is expected already, or there.
   void expect(uint32_t chunk, float priority) override;
-  /// Waits for a chunk that is being read; reads one itself that is not.
+  /// Waits for a chunk that is being read; reads one itself that is not, and with it what is expected beside
+  /// it in the pack, where the pack's source likes that (ByteSource::Habits).
   Chunk take(uint32_t chunk) override;
   std::optional<Chunk> take_if_ready(uint32_t chunk) override;
   /// What was expected and is not being read yet is expected no longer: the camera may go elsewhere. What was
@@ -54,8 +58,9 @@ class ReadAhead final : public Residency {
   struct Entry {
     State state = State::waiting;
     float priority = 0;
-    uint64_t frame = 0;   ///< the last one that expected it
-    uint64_t number = 0;  ///< counts what was expected
+    uint64_t frame = 0;     ///< the last one that expected it
+    uint64_t number = 0;    ///< counts what was expected
+    bool foreseen = false;  ///< before a picture lacked it
     Chunk chunk = {};
     uint64_t bytes = 0;
     std::exception_ptr damage = {};  ///< thrown by whoever takes it
@@ -63,6 +68,11 @@ class ReadAhead final : public Residency {
   /// The next one first.
   using Order = std::tuple<float, uint64_t, uint32_t>;
   static Order order_of(const Entry& entry, uint32_t chunk) { return {-entry.priority, entry.number, chunk}; }
+  /// What is read together with a chunk that waits, in the pack's order; none of it waits any more.
+  std::vector<uint32_t> begin_run(uint32_t chunk);
+  bool joins_run(uint32_t chunk) const;
+  /// Reads them, while the lock is open. Then they are ready.
+  void read_run(std::unique_lock<std::mutex>& lock, const std::vector<uint32_t>& run);
   /// Of an entry that is ready; it is gone then.
   Chunk remove(uint32_t chunk);
   /// Makes room for what is urgent, at the cost of what is not. False where there is none.

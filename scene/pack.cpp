@@ -1,6 +1,7 @@
 #include "scene/pack.hpp"
 
 #include "base/bytes.hpp"
+#include "base/descriptor.hpp"
 #include "base/file_access.hpp"
 #include "base/hashing.hpp"
 #include "scene/closed_surfaces.hpp"
@@ -14,32 +15,51 @@
 
 namespace triptych {
 
-Pack::Pack(const std::filesystem::path& file) : name_(file.string()), file_(open_to_read(file)) {
-  size_ = size_of(file_.number(), name_);
-  read();
-}
+namespace {
+
+class FileSource final : public ByteSource {
+ public:
+  explicit FileSource(const std::filesystem::path& file)
+      : name_(file.string()), file_(open_to_read(file)), size_(size_of(file_.number(), name_)) {}
+  const std::string& name() const override { return name_; }
+  uint64_t size() const override { return size_; }
+  void read(uint64_t offset, std::span<std::byte> into, const std::string& place) const override {
+    read_at(file_.number(), offset, into, place);
+  }
+
+ private:
+  std::string name_;
+  Descriptor file_;
+  uint64_t size_;
+};
+
+}  // namespace
+
+Pack::Pack(const std::filesystem::path& file) : Pack(std::make_unique<const FileSource>(file)) {}
+
+Pack::Pack(std::unique_ptr<const ByteSource> source) : source_(std::move(source)) { read(); }
 
 std::vector<std::byte> Pack::read_bytes(uint64_t offset, uint64_t count, const std::string& place) const {
-  if (offset > size_ || count > size_ - offset) {
-    fail(place, "byte {}: the file ends at byte {}, {} bytes were wanted", offset, size_, count);
+  if (offset > size() || count > size() - offset) {
+    fail(place, "byte {}: the file ends at byte {}, {} bytes were wanted", offset, size(), count);
   }
   std::vector<std::byte> bytes(static_cast<size_t>(count));
-  read_at(file_.number(), offset, bytes, place);
+  source_->read(offset, bytes, place);
   return bytes;
 }
 
 void Pack::read() {
   const std::vector<PackSection> table = read_table();
   const auto [geometry, skeleton, sub_hierarchies] = find_sections(table);
-  if (geometry->offset > size_ || geometry->size > size_ - geometry->offset) {
-    fail(name_ + ": section GEOM", "leaves the file");
+  if (geometry->offset > size() || geometry->size > size() - geometry->offset) {
+    fail(name() + ": section GEOM", "leaves the file");
   }
   geometry_offset_ = geometry->offset;
   geometry_size_ = geometry->size;
-  const std::string skeleton_place = name_ + ": section SKEL";
+  const std::string skeleton_place = name() + ": section SKEL";
   const auto skeleton_bytes = read_section(*skeleton, skeleton_place);
   if (sub_hierarchies) {
-    const std::string sub_place = name_ + ": section SUBH";
+    const std::string sub_place = name() + ": section SUBH";
     const auto sub_bytes = read_section(*sub_hierarchies, sub_place);
     skeleton_ = expand(
         decode_skeleton({skeleton_bytes, skeleton_place}, {sub_bytes, sub_place}, geometry_size_), sub_place);
@@ -49,7 +69,7 @@ void Pack::read() {
     content_hash_ = hash_bytes(skeleton_bytes, format_version_);
   }
   if (geometry_checksum(skeleton_.chunks) != geometry->checksum) {
-    fail(name_ + ": section GEOM",
+    fail(name() + ": section GEOM",
          "its checksum does not match the skeleton's chunks: they come from different packs, build it again");
   }
   read_drawn_sections();
@@ -57,10 +77,10 @@ void Pack::read() {
 
 /// What else decides about what is drawn.
 void Pack::read_drawn_sections() {
-  const auto read = [&](const std::optional<PackSection>& section, const char* name, uint32_t version,
+  const auto read = [&](const std::optional<PackSection>& section, const char* type, uint32_t version,
                         const auto& decode) {
     if (!section) return;
-    const std::string place = name_ + ": section " + name;
+    const std::string place = name() + ": section " + type;
     check_version(*section, version, place);
     decode(read_section(*section, place), place);
     const std::array hashes = {content_hash_, section->checksum};
@@ -76,29 +96,29 @@ void Pack::read_drawn_sections() {
 }
 
 std::vector<PackSection> Pack::read_table() {
-  if (size_ < sizeof(PackHeader)) fail(name_, "is not a pack: {} bytes are less than a header", size_);
-  const auto header = ByteReader(read_bytes(0, sizeof(PackHeader), name_), name_).read<PackHeader>();
+  if (size() < sizeof(PackHeader)) fail(name(), "is not a pack: {} bytes are less than a header", size());
+  const auto header = ByteReader(read_bytes(0, sizeof(PackHeader), name()), name()).read<PackHeader>();
   if (header.signature != pack_magic)
-    fail(name_, "is not a pack: it does not start with TRIPTYCH; `triptych build` makes one");
+    fail(name(), "is not a pack: it does not start with TRIPTYCH; `triptych build` makes one");
   format_version_ = header.version;
   if (format_version_ != pack_format_version && format_version_ != instanced_pack_format_version) {
-    fail(name_, "is a pack of format version {}, this program reads versions {} and {}: build it again",
+    fail(name(), "is a pack of format version {}, this program reads versions {} and {}: build it again",
          format_version_, pack_format_version, instanced_pack_format_version);
   }
-  const std::string table_place = name_ + ": section table";
+  const std::string table_place = name() + ": section table";
   const auto table_bytes =
       read_bytes(header.table_offset, uint64_t{header.section_count} * sizeof(PackSection), table_place);
   if (hash_bytes(table_bytes, header.version) != header.table_checksum) {
     fail(table_place, "byte {}: the checksum does not match: the pack is damaged, build it again",
          header.table_offset);
   }
-  if (const uint64_t end = header.table_offset + table_bytes.size(); end != size_)
-    fail(name_, "byte {}: {} bytes are left over after the section table", end, size_ - end);
+  if (const uint64_t end = header.table_offset + table_bytes.size(); end != size())
+    fail(name(), "byte {}: {} bytes are left over after the section table", end, size() - end);
   return ByteReader(table_bytes, table_place).read_all<PackSection>(header.section_count);
 }
 
 Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
-  const std::string place = name_ + ": section table";
+  const std::string place = name() + ": section table";
   constexpr std::array types = {geometry_type, skeleton_type, sub_hierarchies_type};
   const auto name_of = [&](size_t type) { return std::string_view(types[type].data(), types[type].size()); };
   Sections found{};
@@ -153,7 +173,7 @@ void Pack::check_version(const PackSection& section, uint32_t known, const std::
 
 PackOptions Pack::read_options() const {
   if (!options_) return {};
-  const std::string place = name_ + ": section OPTS";
+  const std::string place = name() + ": section OPTS";
   check_version(*options_, options_version, place);
   if (options_->size > max_pack_options_bytes)
     fail(place, "has {} bytes, more than {}", options_->size, max_pack_options_bytes);
@@ -162,15 +182,28 @@ PackOptions Pack::read_options() const {
 
 PackObjects Pack::read_objects() const {
   if (!objects_) return PackObjects(skeleton_);
-  const std::string place = name_ + ": section OBJS";
+  const std::string place = name() + ": section OBJS";
   check_version(*objects_, objects_version, place);
   return {decode_objects(read_section(*objects_, place), place), skeleton_, place};
 }
 
 Chunk Pack::read_chunk(uint32_t chunk) const {
+  return decode_chunk_in(read_chunk_bytes(chunk, chunk), chunk, chunk);
+}
+
+std::vector<std::byte> Pack::read_chunk_bytes(uint32_t first, uint32_t last) const {
+  const ChunkInfo &from = skeleton_.chunks.at(first), &to = skeleton_.chunks.at(last);
+  const std::string place = first == last
+                                ? fmt::format("{}: section GEOM: chunk {}", name(), first)
+                                : fmt::format("{}: section GEOM: chunks {} to {}", name(), first, last);
+  return read_bytes(geometry_offset_ + from.offset, to.offset + to.size - from.offset, place);
+}
+
+Chunk Pack::decode_chunk_in(std::span<const std::byte> all, uint32_t first, uint32_t chunk) const {
   const ChunkInfo& info = skeleton_.chunks.at(chunk);
-  const std::string place = fmt::format("{}: section GEOM: chunk {}", name_, chunk);
-  const auto bytes = read_bytes(geometry_offset_ + info.offset, info.size, place);
+  const std::string place = fmt::format("{}: section GEOM: chunk {}", name(), chunk);
+  const std::span<const std::byte> bytes =
+      all.subspan(info.offset - skeleton_.chunks.at(first).offset, info.size);
   if (hash_bytes(bytes) != info.checksum) {
     fail(place, "byte {}: the checksum does not match: the pack is damaged, build it again",
          geometry_offset_ + info.offset);

@@ -34,6 +34,10 @@ Words shared_arguments(const SessionOptions& options, const SessionSetup& setup,
   }
   if (thread_count_limit() > 0) append(words, {"--threads", std::to_string(thread_count_limit())});
   if (const auto set = forced_instruction_set()) append(words, {"--simd", instruction_set_name(*set)});
+  const MemoryCaps& caps = options.run.device.memory;
+  if (caps.memory != no_cap) append(words, {"--memory", std::to_string(caps.memory)});
+  if (caps.device_memory != no_cap) append(words, {"--device-memory", std::to_string(caps.device_memory)});
+  if (caps.on_miss == OnMiss::coarser) append(words, {"--on-miss", "coarser"});
   if (!options.timeline.empty()) append(words, {"--timeline"});
   if (!options.record.empty()) append(words, {"--record", options.record.string()});
   if (!key_file.empty()) append(words, {"--key-file", key_file});

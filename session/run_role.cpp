@@ -1,5 +1,6 @@
 #include "base/file.hpp"
 #include "base/inject.hpp"
+#include "base/memory.hpp"
 #include "base/notice.hpp"
 #include "base/signals.hpp"
 #include "base/thread_name.hpp"
@@ -8,6 +9,7 @@
 #include "measure/session_records.hpp"
 #include "nodes/render_node.hpp"
 #include "nodes/switch_node.hpp"
+#include "session/open_pack.hpp"
 #include "session/path_source.hpp"
 #include "session/render_sink.hpp"
 #include "session/session_connector.hpp"
@@ -36,7 +38,7 @@ void end_with_stdin() {
 
 /// The role's pack. Error where it is not the one that the session began with.
 Pack open_pack(const RoleCommand& command) {
-  Pack pack(command.run.pack);
+  Pack pack = triptych::open_pack(command.run.pack);
   if (command.pack_hash && *command.pack_hash != pack.content_hash()) {
     fail(pack.name(),
          "is not the pack that the session began with (its content is {:016x}, not {:016x}): start the "
@@ -94,6 +96,8 @@ int run_switch(const RoleCommand& command) {
                                       },
                                   .session_rules = injected_rules(command.self)};
   const SwitchNodeSummary done = run_switch_node(pack, command.self, sink, options);
+  record.memory = done.memory;
+  record.peak_rss_bytes = peak_resident_bytes();
   notice("{}: {} frames culled, {} occlusion representations, {} epochs", role_name(command.self),
          done.culled, done.represented, done.epochs);
   record.timeline = own_timeline(role_name(command.self));
@@ -134,6 +138,8 @@ int run_render(const RoleCommand& command) {
          .timeout = std::chrono::milliseconds(static_cast<int64_t>(command.timeout_ms)),
          .gather = std::chrono::milliseconds(static_cast<int64_t>(1000 * command.gather_s)),
          .device = device.options,
+         .no_pixel_error =
+             window ? MemoryKeeper::NoPixelError::leaves_out : MemoryKeeper::NoPixelError::fails,
          .cull = command.cull,
          .connect = [&](const std::function<bool()>& stop) { return connector.connect_again(stop); },
          .successor = command.begin > 0,
@@ -146,6 +152,8 @@ int run_render(const RoleCommand& command) {
   record.device = device.names;
   record.raster = raster_verdict(device.names);
   record.cost_coefficients = done.cost_coefficients;
+  record.memory = done.memory;
+  record.peak_rss_bytes = peak_resident_bytes();
   record.timeline = own_timeline(role_name(Role::render));
   write_json(command.run.json, to_json(record));
   const FrameSource::Numbers numbers = source.numbers();

@@ -10,6 +10,7 @@
 #include "protocol/flipping_connection.hpp"
 #include "raster/certify_raster.hpp"
 #include "render/certify_gl.hpp"
+#include "session/open_pack.hpp"
 
 #include <thread>
 
@@ -56,9 +57,9 @@ SessionConnector::SessionConnector(const RoleCommand& command, const Pack& pack,
   if (command.record.empty()) return;
   make_folder(command.record);
   const size_t earlier = recordings_of(command.self, command.record).size();
-  recording_ = std::make_unique<RecordingWriter>(
-      command.record / recording_name(command.self, earlier + 1),
-      RecordingHeader{.own = own_, .pack = std::filesystem::absolute(command.run.pack).string()});
+  recording_ =
+      std::make_unique<RecordingWriter>(command.record / recording_name(command.self, earlier + 1),
+                                        RecordingHeader{.own = own_, .pack = lasting_name(command.run.pack)});
 }
 
 ConnectOutcome SessionConnector::attempt(const std::function<bool()>& stop) const {

@@ -12,6 +12,7 @@
 #include "protocol/listener.hpp"
 #include "protocol/recording.hpp"
 #include "session/child_processes.hpp"
+#include "session/open_pack.hpp"
 #include "session/role_arguments.hpp"
 #include "session/temporary_folder.hpp"
 #include "session/viewpoint_frames.hpp"
@@ -268,7 +269,7 @@ SessionOutcome run_session(const SessionOptions& asked) {
   uint64_t pack_hash = 0;
   HiddenName hidden;
   {
-    const Pack pack(options.run.pack);
+    const Pack pack = open_pack(options.run.pack);
     pack_hash = pack.content_hash();
     ViewerOptions at_first = viewer_options(options.run, pack);
     begin_at_viewpoint(options.viewpoint, pack, at_first, false);

@@ -286,10 +286,10 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
   figures_ = fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:.3g} px", options_.window.title,
                          record.frame_ms, record.visible.size(), record.cut_drawables, record.drawn_triangles,
                          pixel_error);
-  if (record.owed_drawables > 0) {
-    figures_ += fmt::format(", {} still coarser", record.owed_drawables);
-    new_frame_ = new_frame_ || record.loading;
-  }
+  if (record.owed_drawables > 0) figures_ += fmt::format(", {} still coarser", record.owed_drawables);
+  if (record.left_out_drawables > 0)
+    figures_ += fmt::format(", NO ROOM for {} of them", record.left_out_drawables);
+  new_frame_ = new_frame_ || record.gets_finer;
   if (pixel_error > options_.pixel_error) figures_ += fmt::format(" (asked for {:g})", options_.pixel_error);
   set_title();
 }

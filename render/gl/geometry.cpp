@@ -114,6 +114,15 @@ void Geometry::write(uint64_t offset, std::span<const std::byte> bytes) {
 
 void Geometry::load(uint32_t chunk) {
   const Stopwatch stopwatch;
+  const ChunkInfo& info = skeleton_.chunks[chunk];
+  const uint64_t at_least = uint64_t{info.vertex_count} * sizeof(ChunkVertex) +
+                            uint64_t{info.triangle_count} * 3 * sizeof(uint32_t);
+  try {
+    cache_.next_to_go(at_least);  // what has no room is not read
+  } catch (const NoRoom&) {
+    if (missing_.refuse) throw;
+    return cache_.leave_out(true);
+  }
   const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
   if (!taken) return cache_.leave_out(false);
   const Chunk& geometry = *taken;
@@ -146,6 +155,11 @@ void Geometry::load(uint32_t chunk) {
 }
 
 void Geometry::require(std::span<const DrawItem> items) {
+  if (missing_.wait) {  // all of them are read side by side
+    for (const DrawItem& item : items)
+      if (!ranges_[item.chunk].loaded() && !cache_.is_damaged(item.chunk))
+        residency_.expect(item.chunk, urgent);
+  }
   for (const DrawItem& item : items) require(item.chunk);
 }
 

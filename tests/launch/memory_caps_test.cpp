@@ -1,5 +1,6 @@
 // `--memory` and `--device-memory`: what the process takes of the machine, as the system counts it.
 #include "tests/session/program.hpp"
+#include "tests/support/range_server.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -89,6 +90,41 @@ TEST_F(MemoryCaps, what_cannot_work_is_one_error_that_names_what_would) {
   }
 }
 
+TEST_F(MemoryCaps, roles_of_a_session_stay_below_them_and_draw_what_one_process_does) {
+  run(render("whole", {}));
+  Program capped(
+      words({"session", (shared / "s.tpk").string(), "--gather", "60", "-o", folder.file("session")},
+            {"--memory", "96M", "--device-memory", "8M"}));
+  ASSERT_EQ(capped.wait(), 0) << capped.errors();
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  EXPECT_LE(capped.peak_bytes(), 96 * mebibyte) << "of a role";
+#endif
+  const nlohmann::json report = json_of(json);
+  EXPECT_EQ(report["memory_cap"], 96 * mebibyte);
+  EXPECT_EQ(report["fallback_frames"], 0);
+  EXPECT_EQ(report["series"]["pixel_error"].size(), 12u);
+  for (const char* role : {"render node", "switch node 0", "switch node 1"}) {
+    const nlohmann::json& memory = report["memory"][role];
+    EXPECT_LE(memory["peak_rss_bytes"], 96 * mebibyte) << role;
+    EXPECT_GT(memory["peak_device_bytes"], 0) << role;
+    EXPECT_LE(memory["peak_device_bytes"], 8 * mebibyte) << role;
+  }
+  ASSERT_EQ(report["raised_frames"], 0) << "8 MiB hold what a frame shows";
+  EXPECT_EQ(pictures("session").size(), 12u);
+  EXPECT_EQ(pictures("session"), pictures("whole"));
+}
+
+TEST_F(MemoryCaps, a_session_without_room_says_how_coarse_it_is) {
+  run(words({"session", (shared / "s.tpk").string(), "--gather", "60", "-o", folder.file("session")},
+            {"--device-memory", "2M"}));
+  const nlohmann::json report = json_of(json);
+  EXPECT_GT(report["raised_frames"], 0);
+  EXPECT_GT(report["raised_pixel_error_max"], 1);
+  EXPECT_EQ(report["digest_mismatches"], 0);
+  for (const auto& [role, memory] : report["memory"].items())
+    EXPECT_LE(memory["peak_device_bytes"], 2 * mebibyte) << role;
+}
+
 TEST_F(MemoryCaps, streaming_is_measured) {
   run(words({"measure", "streaming", (shared / "s.tpk").string()},
             {"--memory", "200M", "--device-memory", "8M", "--rounds", "2"}));
@@ -101,6 +137,41 @@ TEST_F(MemoryCaps, streaming_is_measured) {
   EXPECT_TRUE(report["prefetch"].contains("precision"));
   EXPECT_TRUE(report["prefetch"].contains("recall"));
   EXPECT_EQ(report["raised_pixel_error_max"], 1);
+}
+
+class WebPacks : public MemoryCaps {
+ protected:
+  std::vector<std::string> remote(const std::string& command, const std::vector<std::string>& more = {}) {
+    return words({command, server.address("s.tpk"), "-o", folder.file(command)}, more);
+  }
+  RangeServer server{text_of(shared / "s.tpk")};
+};
+
+TEST_F(WebPacks, are_drawn_as_from_a_file_over_a_slow_and_broken_network) {
+  run(render("whole", {}));
+  server.delay_ms = 5;
+  server.cut_every = 7;
+  run(remote("render"));
+  EXPECT_EQ(pictures("render"), pictures("whole"));
+  run(remote("render", {"--memory", "96M", "--device-memory", "8M"}));
+  EXPECT_EQ(pictures("render"), pictures("whole"));
+  EXPECT_GT(json_of(json)["misses"], 0);
+}
+
+TEST_F(WebPacks, are_drawn_by_sessions_and_told_of) {
+  run(render("whole", {}));
+  run(remote("session", {"--gather", "60"}));
+  EXPECT_EQ(pictures("session"), pictures("whole"));
+  run({"info", server.address("s.tpk"), "--json", json});
+  EXPECT_EQ(json_of(json)["pack_bytes"], std::filesystem::file_size(shared / "s.tpk"));
+}
+
+TEST_F(WebPacks, that_cannot_be_read_are_one_error) {
+  server.status = 404;
+  Program nothing(remote("render"));
+  EXPECT_EQ(nothing.wait(), 1);
+  ASSERT_EQ(nothing.complaints().size(), 1u) << nothing.errors();
+  EXPECT_NE(nothing.complaints()[0].find("no such file on the server"), std::string::npos);
 }
 
 }  // namespace

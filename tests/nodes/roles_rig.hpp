@@ -143,9 +143,13 @@ class Pictures : public FrameSink {
     records.push_back(std::move(record));
     if (after) after(number);
   }
+  void show(const FrameRequest&, const FrameRecord&, LocalPipeline& stages) override {
+    if (on_show) on_show(stages);
+  }
   void epoch_ended(const Mailbox&, const std::string& reason) override { endings.push_back(reason); }
   void clocks(const std::vector<PeerClock>& clocks) override { clocks_heard += clocks.size(); }
 
+  std::function<void(LocalPipeline&)> on_show;  ///< called before that
   std::function<void(uint32_t)> after;  ///< called in the render node's thread, with the number of each frame
   std::vector<FrameRecord> records;
   std::vector<std::string> endings;
@@ -217,6 +221,7 @@ class Roles : public testing::Test {
       EpochSink sink;
       SwitchNodeOptions options;
       options.device = wanted_device();
+      options.device.memory = caps;
       options.cull.packet_ids = 4;
       options.connect = [&](bool) { return connect(own, stop); };
       options.session_rules = rules[static_cast<size_t>(role)];
@@ -234,6 +239,8 @@ class Roles : public testing::Test {
       RenderNodeOptions options;
       options.timeout = timeout;
       options.device = wanted_device();
+      options.device.memory = caps;
+      options.no_pixel_error = no_pixel_error;
       options.cull.packet_ids = 4;
       options.connect = [&](const std::function<bool()>& give_up) {
         if (searches_that_fail-- > 0) fail("the network", "is down");
@@ -252,10 +259,10 @@ class Roles : public testing::Test {
     over = false;
     auto render = start_render(count);
     auto switch_0 = start_switch(Role::switch_0), switch_1 = start_switch(Role::switch_1);
-    const RenderNodeSummary summary = render.get();
+    render.wait();
     over = true;
     switches = {switch_0.get(), switch_1.get()};
-    return summary;
+    return render.get();
   }
   std::atomic<bool>& stopped(Role role) { return stopped_[static_cast<size_t>(role)]; }
 
@@ -288,6 +295,8 @@ class Roles : public testing::Test {
   FrameState like;                                ///< how frames are drawn, but for their views
   std::function<void(FrameRequest&)> like_frame;  ///< what is different in each
   std::array<SessionRules, 3> rules;
+  MemoryCaps caps;  ///< of each role
+  MemoryKeeper::NoPixelError no_pixel_error = MemoryKeeper::NoPixelError::fails;
   std::chrono::milliseconds timeout = patience;  ///< the render node's, for a frame
   std::chrono::milliseconds gather = patience;   ///< and before the first one
   std::atomic<int> searches_that_fail{0};        ///< of the render node

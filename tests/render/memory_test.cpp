@@ -160,7 +160,7 @@ TEST_F(CappedPictures, that_do_not_wait_become_the_exact_ones_while_the_camera_r
       EXPECT_GT(hasty->target().drawn_triangles(), 0u);
       std::this_thread::yield();
     }
-    EXPECT_FALSE(hasty->draw(frame).loading) << frame.number;
+    EXPECT_FALSE(hasty->draw(frame).gets_finer) << frame.number;
     ASSERT_EQ(hasty->target().read_colors(), whole->target().read_colors()) << frame.number;
   }
 }
@@ -190,6 +190,38 @@ TEST_F(CappedPictures, what_is_drawn_between_frames_does_without_what_has_no_roo
   }
 }
 
+TEST_F(CappedPictures, leave_out_what_no_pixel_error_gives_room_where_they_are_to_go_on) {
+  const std::vector<FrameRequest> path = frames(12);
+  const auto whole = pipeline();
+  DeviceOptions device = test::device();
+  for (const OnMiss on_miss : {OnMiss::exact, OnMiss::coarser}) {
+    device.memory = {.device_memory = 64 << 20, .on_miss = on_miss};
+    LocalPipeline capped(pack, {.width = width,
+                                .height = height,
+                                .device = device,
+                                .no_pixel_error = MemoryKeeper::NoPixelError::leaves_out});
+    for (const FrameRequest& frame : path) {
+      for (size_t tries = 0; capped.draw(frame).gets_finer; ++tries) {
+        ASSERT_LT(tries, 20'000u);
+        std::this_thread::yield();
+      }
+      EXPECT_EQ(capped.draw(frame).left_out_drawables, 0u);
+      capped.device().set_geometry_cap(1000);  // less than anything takes
+      const FrameRecord& starved = capped.draw(frame);
+      EXPECT_GT(starved.left_out_drawables, 0u) << frame.number;
+      EXPECT_LE(starved.left_out_drawables, starved.visible_count);
+      EXPECT_TRUE(starved.raised_for_memory);
+      EXPECT_FALSE(starved.gets_finer) << "a window would draw it over and over";
+      EXPECT_LE(capped.device().geometry_use().bytes, 1000u);
+      capped.device().set_geometry_cap(64 << 20);
+      size_t more = 0;
+      while (capped.draw(frame).gets_finer) ASSERT_LT(++more, 20'000u);
+      whole->draw(frame);
+      ASSERT_EQ(capped.target().read_colors(), whole->target().read_colors()) << frame.number;
+    }
+  }
+}
+
 TEST(DamagedChunks, that_nothing_coarser_stands_in_for_are_left_out_where_frames_do_not_wait) {
   const std::filesystem::path file = testing::TempDir() + "triptych_damaged_root.tpk";
   scenes::write_pack("room", file);
@@ -208,7 +240,7 @@ TEST(DamagedChunks, that_nothing_coarser_stands_in_for_are_left_out_where_frames
   DeviceOptions device = test::device();
   device.memory.on_miss = OnMiss::coarser;
   LocalPipeline hasty(pack, {.width = width, .height = height, .cull = StrategyKind::none, .device = device});
-  for (size_t tries = 0; hasty.draw(frame).loading; ++tries) {
+  for (size_t tries = 0; hasty.draw(frame).gets_finer; ++tries) {
     ASSERT_LT(tries, 20'000u);
     std::this_thread::yield();
   }
@@ -244,7 +276,7 @@ TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_d
   EXPECT_THROW(pipeline(OnMiss::exact)->draw(frame), Error);
   const auto hasty = pipeline(OnMiss::coarser);
   hasty->draw(frame);
-  for (size_t tries = 0; hasty->draw(frame).loading; ++tries) {
+  for (size_t tries = 0; hasty->draw(frame).gets_finer; ++tries) {
     ASSERT_LT(tries, 20'000u);
     std::this_thread::yield();
   }

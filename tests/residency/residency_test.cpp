@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "residency/load_on_demand.hpp"
 #include "residency/read_ahead.hpp"
+#include "tests/support/hooked_source.hpp"
 #include "tests/support/small_pack.hpp"
 
 #include <fstream>
@@ -48,7 +49,7 @@ TEST_F(Residencies, give_chunks_as_the_pack_has_them_and_again) {
 TEST_F(Residencies, what_is_expected_is_there_before_it_is_taken) {
   ReadAhead residency(pack, 1, 1 << 20);
   for (uint32_t chunk = 0; chunk < chunks; ++chunk) residency.expect(chunk, 0);
-  residency.expect(0, 5);  // once more, which changes nothing that is read
+  residency.expect(0, 3);  // once more, which changes nothing that is read
   wait_until_read(residency, chunks);
   EXPECT_GT(residency.use().bytes, 0u);
   for (uint32_t chunk = 0; chunk < chunks; ++chunk) check(residency.take(chunk), chunk);
@@ -82,6 +83,37 @@ TEST_F(Residencies, what_is_urgent_is_read_in_place_of_what_is_not) {
   wait_until_read(residency, 2);
   EXPECT_EQ(residency.use().dropped, 1u);
   check(*residency.take_if_ready(1), 1);
+}
+
+TEST_F(Residencies, chunks_that_lie_side_by_side_are_read_together_where_that_is_liked) {
+  ASSERT_GT(chunks, 2u);
+  for (const bool joins : {false, true}) {
+    auto source = std::make_unique<const test::HookedSource>(
+        file, ByteSource::Habits{.threads = 0, .most_at_once = joins ? uint64_t{1} << 20 : 0});
+    const test::HookedSource& counted = *source;
+    const Pack joining(std::move(source));
+    ReadAhead residency(joining, 0, 1 << 20);  // nobody reads but who takes
+    const uint64_t before = counted.reads;
+    for (uint32_t chunk = 0; chunk < chunks; ++chunk) residency.expect(chunk, urgent);
+    check(residency.take(1), 1);
+    for (uint32_t chunk = 0; chunk < chunks; ++chunk) {
+      if (chunk != 1) check(residency.take(chunk), chunk);
+    }
+    EXPECT_EQ(counted.reads - before, joins ? 1u : chunks);
+    EXPECT_EQ(residency.use().reads, joins ? 1u : chunks);
+    EXPECT_EQ(residency.use().bytes, 0u);
+    EXPECT_EQ(residency.use().open, 0u);
+  }
+}
+
+TEST_F(Residencies, damage_in_what_is_read_together_is_of_its_chunk_alone) {
+  damage_first_chunk();
+  const Pack joining(std::make_unique<const test::HookedSource>(
+      file, ByteSource::Habits{.most_at_once = uint64_t{1} << 20}));
+  ReadAhead residency(joining, 0, 1 << 20);
+  for (uint32_t chunk = 0; chunk < chunks; ++chunk) residency.expect(chunk, urgent);
+  for (uint32_t chunk = 1; chunk < chunks; ++chunk) EXPECT_NO_THROW(residency.take(chunk)) << chunk;
+  EXPECT_THROW(residency.take(0), Error);
 }
 
 TEST_F(Residencies, what_is_not_ready_is_expected_urgently) {
