@@ -29,6 +29,7 @@ class Geometry {
 
   /// From the next view on.
   void set_cap(uint64_t bytes) { cap_ = bytes; }
+  bool cap_changed() const { return cap_ != cache_.use().cap; }
   void set_missing(const MissingChunks& missing) { missing_ = missing; }
   const GeometryUse& use() const { return cache_.use(); }
   bool has(uint32_t chunk) const { return cache_.has(chunk); }

@@ -86,7 +86,9 @@ Renderer::Pass& Renderer::transparent_pass(bool colored) {
 }
 
 void Renderer::set_view(const FrameView& view) {
-  if (view_ && view.state == view_->state && view.rules == view_->rules) return;
+  // A changed cap holds for a camera that rests, too.
+  const bool same = view_ && view.state == view_->state && view.rules == view_->rules;
+  if (same && !geometry_.cap_changed()) return;
   view_ = view;
   for (EffectUse& use : uses_) use = {.variants = use.variants};
   geometry_.begin_view();
