@@ -12,6 +12,12 @@ bool Substitutes::is_there(DrawableId id) const {
   });
 }
 
+/// It will never be there, and what else it has is not worth reading.
+bool Substitutes::is_damaged(DrawableId id) const {
+  return std::ranges::any_of(hierarchy_.placements_of(id),
+                             [&](const Placement& placement) { return device_.is_damaged(placement.chunk); });
+}
+
 DrawableId Substitutes::nearest(const FrameView& view, DrawableId id) {
   DrawableId found = no_id, coarsest = no_id, next = id + 1;
   between_.clear();
@@ -22,7 +28,7 @@ DrawableId Substitutes::nearest(const FrameView& view, DrawableId id) {
       coarsest = next;
       if (is_there(next)) {
         found = next;
-      } else {
+      } else if (!is_damaged(next)) {
         between_.push_back(next);
       }
     }

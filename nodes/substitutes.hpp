@@ -28,6 +28,7 @@ class Substitutes {
 
  private:
   bool is_there(DrawableId id) const;
+  bool is_damaged(DrawableId id) const;
   DrawableId nearest(const FrameView& view, DrawableId id);
   DrawableId topmost(DrawableId id) const;
 

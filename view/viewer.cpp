@@ -283,14 +283,15 @@ void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const Fr
   inquiry_.saw();
   // What was asked for may have been raised, to keep a target of time.
   const double pixel_error = frame.state.pixel_error;
-  figures_ = fmt::format("{}: {:.0f} ms, {} of {} drawables, {} triangles, {:.3g} px", options_.window.title,
-                         record.frame_ms, record.visible.size(), record.cut_drawables, record.drawn_triangles,
-                         pixel_error);
+  figures_ = fmt::format(
+      "{}: {:.0f} ms, {} of {} drawables, {} triangles, {} px", options_.window.title, record.frame_ms,
+      record.visible.size(), record.cut_drawables, record.drawn_triangles,
+      pixel_error < 1000 ? fmt::format("{:.3g}", pixel_error) : fmt::format("{:.0f}", pixel_error));
+  if (pixel_error > options_.pixel_error) figures_ += fmt::format(" (asked for {:g})", options_.pixel_error);
   if (record.owed_drawables > 0) figures_ += fmt::format(", {} still coarser", record.owed_drawables);
   if (record.left_out_drawables > 0)
     figures_ += fmt::format(", NO ROOM for {} of them", record.left_out_drawables);
   new_frame_ = new_frame_ || record.gets_finer;
-  if (pixel_error > options_.pixel_error) figures_ += fmt::format(" (asked for {:g})", options_.pixel_error);
   set_title();
 }
 

@@ -63,7 +63,7 @@ TEST_F(MeasureEffects, only_those_that_are_switched_on) {
 TEST_F(MeasureEffects, switched_off_leave_the_picture_of_the_model_without_alpha) {
   const auto picture = [&](const std::string& name, const std::string& effects) {
     const std::string pictures = folder.file("pictures-" + name + effects);
-    std::vector<std::string> all = {"render", "-o", pictures, "--effects", effects};
+    std::vector<std::string> all = {"render", "-o", pictures, "--effects", effects, "--full-detail"};
     for (const std::string& word : words(name)) all.push_back(word);
     run(all);
     return text_of(pictures + "/000001.png");

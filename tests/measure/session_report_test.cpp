@@ -120,30 +120,38 @@ TEST(RoleRecord, its_version_goes_up_when_its_keys_change) {
   const nlohmann::json flat = to_json(record).flatten();
   for (const auto& [key, value] : flat.items()) keys += key + " ";
   // Where these differ now, raise role_record_version and write the new ones down here.
-  EXPECT_EQ(role_record_version, 4);
+  EXPECT_EQ(role_record_version, 5);
   EXPECT_EQ(keys,
-            "/clocks/0/ahead_ms /clocks/0/peer /clocks/0/uncertainty_ms "
-            "/cost_coefficients/0 /cost_coefficients/1 /cost_coefficients/2 /cost_coefficients/3 "
-            "/cost_coefficients/4 /cost_coefficients/5 /device/renderer "
-            "/device/vendor /device/version /frames/0/added /frames/0/camera_to_image_ms "
-            "/frames/0/cut_drawables /frames/0/digest_mismatch /frames/0/drawn_triangles "
-            "/frames/0/fallback /frames/0/frame_ms /frames/0/hardware_cull_ms "
-            "/frames/0/latency_known /frames/0/latency_network_ms "
-            "/frames/0/latency_render_ms /frames/0/latency_waiting_ms "
+            "/clocks/0/ahead_ms /clocks/0/peer /clocks/0/uncertainty_ms /cost_coefficients/0 "
+            "/cost_coefficients/1 /cost_coefficients/2 /cost_coefficients/3 /cost_coefficients/4 "
+            "/cost_coefficients/5 /device/renderer /device/vendor /device/version /frames/0/added "
+            "/frames/0/camera_to_image_ms /frames/0/cut_drawables /frames/0/digest_mismatch "
+            "/frames/0/drawn_triangles /frames/0/fallback /frames/0/frame_ms /frames/0/gets_finer "
+            "/frames/0/hardware_cull_ms /frames/0/latency_known /frames/0/latency_network_ms "
+            "/frames/0/latency_render_ms /frames/0/latency_waiting_ms /frames/0/left_out_drawables "
             "/frames/0/level_changes /frames/0/lost /frames/0/network_ms /frames/0/number "
-            "/frames/0/occlusion_representation_ms /frames/0/picture_hash /frames/0/removed "
+            "/frames/0/occlusion_representation_ms /frames/0/owed_drawables /frames/0/picture_hash "
+            "/frames/0/pixel_error /frames/0/raised_for_memory /frames/0/redrawn /frames/0/removed "
             "/frames/0/render_ms /frames/0/steered/aim_ms /frames/0/steered/asked_pixel_error "
-            "/frames/0/steered/cost_ms "
-            "/frames/0/steered/in_reach /frames/0/steered/pixel_error /frames/0/steered/predicted_ms "
-            "/frames/0/steered/target_ms /frames/0/steered/undisturbed /frames/0/steered/wall_ms "
-            "/frames/0/tests /frames/0/visible/0 /frames/0/visible/1 "
-            "/frames/0/visible_count /frames/0/waiting_ms /most_waiting/bytes "
-            "/most_waiting/messages /raster /role_record /sockets/0/bytes "
+            "/frames/0/steered/cost_ms /frames/0/steered/in_reach /frames/0/steered/pixel_error "
+            "/frames/0/steered/predicted_ms /frames/0/steered/target_ms "
+            "/frames/0/steered/undisturbed /frames/0/steered/wall_ms /frames/0/tests "
+            "/frames/0/visible/0 /frames/0/visible/1 /frames/0/visible_count /frames/0/waiting_ms "
+            "/memory/geometry/bytes /memory/geometry/cap /memory/geometry/evicted_chunks "
+            "/memory/geometry/hits /memory/geometry/left_out /memory/geometry/loaded_chunks "
+            "/memory/geometry/no_room /memory/geometry/peak_bytes /memory/geometry/read_bytes "
+            "/memory/geometry/reloaded_chunks /memory/geometry/uploaded_bytes "
+            "/memory/geometry/view_bytes /memory/geometry/wait_ms /memory/read_ahead/bytes "
+            "/memory/read_ahead/dropped /memory/read_ahead/foreseen_read "
+            "/memory/read_ahead/foreseen_taken /memory/read_ahead/in_time /memory/read_ahead/late "
+            "/memory/read_ahead/open /memory/read_ahead/peak_bytes /memory/read_ahead/read_ahead "
+            "/memory/read_ahead/reads /memory/read_ahead/taken /most_waiting/bytes "
+            "/most_waiting/messages /peak_rss_bytes /raster /role_record /sockets/0/bytes "
             "/sockets/0/delta_body_bytes /sockets/0/delta_ids /sockets/0/deltas "
             "/sockets/0/kernel_bytes /sockets/0/least_round_trip_ms /sockets/0/messages "
-            "/sockets/0/name /sockets/0/retransmissions /sockets/0/round_trip_ms "
-            "/timeline/lost /timeline/process /timeline/spans/0/begin_ms "
-            "/timeline/spans/0/end_ms /timeline/spans/0/frame /timeline/spans/0/stage ");
+            "/sockets/0/name /sockets/0/retransmissions /sockets/0/round_trip_ms /timeline/lost "
+            "/timeline/process /timeline/spans/0/begin_ms /timeline/spans/0/end_ms "
+            "/timeline/spans/0/frame /timeline/spans/0/stage ");
 }
 
 TEST(SessionReport, a_series_has_one_value_a_frame) {

@@ -248,7 +248,8 @@ TEST(DamagedChunks, that_nothing_coarser_stands_in_for_are_left_out_where_frames
   std::filesystem::remove(file);
 }
 
-TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_do_not) {
+/// Of the first chunk of so many levels of a leaf, from the finest on.
+void expect_damage_to_be_survived(uint32_t levels) {
   const std::filesystem::path file = testing::TempDir() + "triptych_damaged_chunks.tpk";
   scenes::write_pack("room", file);
   const Pack pack(file);
@@ -258,9 +259,12 @@ TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_d
       std::find_if(skeleton.scene_nodes.begin(), skeleton.scene_nodes.end(),
                    [](const SceneNode& node) { return node.child_count == 0 && node.drawable_count > 1; });
   ASSERT_NE(leaf, skeleton.scene_nodes.end());
-  const uint32_t chunk = skeleton.placements[skeleton.drawables[leaf->first_drawable].first_placement].chunk;
-  damage(file, skeleton.chunks[chunk]);
-  EXPECT_THROW(pack.read_chunk(chunk), Error);
+  for (uint32_t level = 0; level < levels; ++level) {
+    const Drawable& drawable = skeleton.drawables[leaf->first_drawable + level];
+    const uint32_t chunk = skeleton.placements[drawable.first_placement].chunk;
+    damage(file, skeleton.chunks[chunk]);
+    EXPECT_THROW(pack.read_chunk(chunk), Error);
+  }
   const Box box = skeleton.lattice().box(leaf->box);
   FrameRequest frame{0, {scenes::path(skeleton, width, height).front(), 0}};
   Camera& camera = frame.state.view.camera;
@@ -282,6 +286,14 @@ TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_d
   }
   EXPECT_EQ(hasty->draw(frame).owed_drawables, 1u) << "and nothing else is awaited";
   std::filesystem::remove(file);
+}
+
+TEST(DamagedChunks, are_an_error_where_frames_wait_and_stay_coarser_where_they_do_not) {
+  expect_damage_to_be_survived(1);
+}
+
+TEST(DamagedChunks, of_the_next_coarser_level_too_are_not_awaited_over_and_over) {
+  expect_damage_to_be_survived(2);
 }
 
 TEST(DeviceSpace, gives_each_byte_to_one_and_joins_what_comes_back) {

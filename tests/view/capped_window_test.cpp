@@ -40,7 +40,7 @@ class CappedWindow : public ViewWindow {
     xdotool("keydown w sleep 0.2 keyup w");
     xdotool("key Delete");
     EXPECT_TRUE(title_lacks("NO ROOM")) << title();
-    EXPECT_TRUE(title_lacks("4.1e+03 px")) << title();
+    EXPECT_TRUE(title_lacks("4096 px")) << title();
     EXPECT_NE(look(), starved);
     xdotool("key Escape");
     ASSERT_EQ(program.wait(std::chrono::seconds(60)), 0) << program.errors();
