@@ -14,8 +14,9 @@ bool Substitutes::is_there(DrawableId id) const {
 
 /// It will never be there, and what else it has is not worth reading.
 bool Substitutes::is_damaged(DrawableId id) const {
-  return std::ranges::any_of(hierarchy_.placements_of(id),
-                             [&](const Placement& placement) { return device_.is_damaged(placement.chunk); });
+  return std::ranges::any_of(hierarchy_.placements_of(id), [&](const Placement& placement) {
+    return device_.is_damaged(placement.chunk) || unreadable_.contains(placement.chunk);
+  });
 }
 
 DrawableId Substitutes::nearest(const FrameView& view, DrawableId id) {
@@ -59,6 +60,7 @@ DrawableId Substitutes::topmost(DrawableId id) const {
 size_t Substitutes::replace(const FrameView& view, VisibleSet& drawables) {
   chosen_.clear();
   ready_ = residency_.ready();
+  unreadable_.merge(residency_.unreadable());
   size_t missing = 0;
   for (const DrawableId id : drawables) {
     if (is_there(id)) continue;

@@ -37,6 +37,7 @@ class Substitutes {
   const Device& device_;
   ReadAhead& residency_;
   std::unordered_set<uint32_t> ready_;
+  std::unordered_set<uint32_t> unreadable_;  ///< chunks that will never be there
   std::unordered_map<SceneNodeId, DrawableId> chosen_;
   std::vector<DrawableId> between_;  ///< what is shown and what is missing, the finest first
 };

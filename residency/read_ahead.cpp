@@ -213,10 +213,21 @@ std::unordered_set<uint32_t> ReadAhead::ready() const {
   return chunks;
 }
 
+std::unordered_set<uint32_t> ReadAhead::unreadable() const {
+  const std::lock_guard lock(mutex_);
+  std::unordered_set<uint32_t> chunks;
+  for (const Order& order : ready_) {
+    const uint32_t chunk = std::get<uint32_t>(order);
+    if (entries_.at(chunk).damage) chunks.insert(chunk);
+  }
+  return chunks;
+}
+
 ReadAheadUse ReadAhead::use() const {
   const std::lock_guard lock(mutex_);
   ReadAheadUse use = use_;
-  use.open = entries_.size();
+  use.open = static_cast<uint64_t>(
+      std::ranges::count_if(entries_, [](const auto& entry) { return !entry.second.damage; }));
   return use;
 }
 

@@ -29,7 +29,7 @@ struct ReadAheadUse {
   uint64_t reads = 0;                  ///< of the pack, each of one chunk or of several
   uint64_t dropped = 0;                ///< read, and dropped since nobody expected them any more
   uint64_t bytes = 0, peak_bytes = 0;  ///< of what is read and not taken yet
-  uint64_t open = 0;                   ///< chunks that are expected, being read, or read and not taken yet
+  uint64_t open = 0;  ///< chunks that are expected, being read, or were read and not taken yet
 };
 
 /// Reads expected chunks out of the pack, which must outlive it, on threads of its own, until it holds about
@@ -51,6 +51,8 @@ class ReadAhead final : public Residency {
 
   /// Chunks that are read and not taken.
   std::unordered_set<uint32_t> ready() const;
+  /// Chunks that could not be read, and that nobody has taken and told.
+  std::unordered_set<uint32_t> unreadable() const;
   ReadAheadUse use() const;
 
  private:
