@@ -294,8 +294,8 @@ class RenderNode {
     record.number = frame.number;
     record.pixel_error = frame.state.pixel_error;
     picture.finish(view, intake.visible, record);
-    if (picture.no_room()) {
-      streaming_->refused(frame.state.pixel_error, *picture.no_room());
+    if (picture.no_room()) streaming_->refused(frame.state.pixel_error, *picture.no_room());
+    if (picture.no_room() || (streaming_ && streaming_->is_too_fine(frame.state.pixel_error))) {
       record = draw_alone(released);
       record.redrawn = true;
       return record;

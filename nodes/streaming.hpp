@@ -30,6 +30,8 @@ class Streaming {
   double raise(double asked) const { return keeper_.raise(asked); }
   /// Whether the frame is drawn without what has no room.
   bool leaves_out() const { return keeper_.leaves_out(); }
+  /// Of a frame whose camera was sent before it was known that what it shows has no room at such an error.
+  bool is_too_fine(double pixel_error) const { return leaves_out() && pixel_error < raise(pixel_error); }
 
   void begin_frame();
   void begin_drawing();
