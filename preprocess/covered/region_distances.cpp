@@ -35,8 +35,7 @@ class RegionMeter {
  public:
   RegionMeter(const Parts& parts, const PlacedParts& hierarchy, const CoveredParts& covered,
               PartCache<PartRegions>& cache, const PlacedCache& kept)
-      : parts_(parts),
-        hierarchy_(hierarchy),
+      : hierarchy_(hierarchy),
         lattice_(parts.lattices[hierarchy.lattice]),
         covered_(covered),
         cache_(cache),
@@ -220,7 +219,6 @@ class RegionMeter {
     return found < most ? std::max(found, known) : no_distance;
   }
 
-  const Parts& parts_;
   const PlacedParts& hierarchy_;
   const Lattice& lattice_;
   const CoveredParts& covered_;
