@@ -14,6 +14,7 @@
 #include <random>
 #include <set>
 #include <thread>
+#include <unistd.h>
 
 namespace triptych {
 namespace {
@@ -223,7 +224,8 @@ TEST_F(CappedPictures, leave_out_what_no_pixel_error_gives_room_where_they_are_t
 }
 
 TEST(DamagedChunks, that_nothing_coarser_stands_in_for_are_left_out_where_frames_do_not_wait) {
-  const std::filesystem::path file = testing::TempDir() + "triptych_damaged_root.tpk";
+  const std::filesystem::path file =
+      testing::TempDir() + "triptych_damaged_root_" + std::to_string(::getpid()) + ".tpk";
   scenes::write_pack("room", file);
   const Pack pack(file);
   const Skeleton& skeleton = pack.skeleton();
@@ -250,7 +252,8 @@ TEST(DamagedChunks, that_nothing_coarser_stands_in_for_are_left_out_where_frames
 
 /// Of the first chunk of so many levels of a leaf, from the finest on.
 void expect_damage_to_be_survived(uint32_t levels) {
-  const std::filesystem::path file = testing::TempDir() + "triptych_damaged_chunks.tpk";
+  const std::filesystem::path file =
+      testing::TempDir() + "triptych_damaged_chunks_" + std::to_string(::getpid()) + ".tpk";
   scenes::write_pack("room", file);
   const Pack pack(file);
   // The finest drawable of a leaf that has coarser ones.
