@@ -2,7 +2,6 @@
 #include "launch/rounds_run.hpp"
 #include "launch/text_table.hpp"
 #include "measure/effects_cost.hpp"
-#include "measure/json.hpp"
 
 #include <fmt/core.h>
 
@@ -53,10 +52,7 @@ int run(const RoundsCommand& command) {
       text_table({"added", "frame ms", "x", "frames", "effect ms", "draws", "binds", "bytes", "fragments",
                   "variants", "triangles"},
                  lines));
-  nlohmann::json report = {{"rows", rows}, {"frames", played.frames.size()}, {"rounds", command.rounds}};
-  add_device(report, played.device.names);
-  add_picture(report, command.run);
-  write_json(command.run.json, report);
+  write_rounds(command, played, std::move(rows));
   return 0;
 }
 

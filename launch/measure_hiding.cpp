@@ -3,7 +3,6 @@
 #include "launch/rounds_run.hpp"
 #include "launch/text_table.hpp"
 #include "measure/hiding_cost.hpp"
-#include "measure/json.hpp"
 
 #include <fmt/core.h>
 
@@ -52,10 +51,7 @@ int run(const RoundsCommand& command) {
       text_table({"gone", "objects", "bytes", "apply ms", "first picture", "the same shown", "frame ms",
                   "cold ms", "x", "cut", "triangles"},
                  lines));
-  nlohmann::json report = {{"rows", rows}, {"frames", played.frames.size()}, {"rounds", command.rounds}};
-  add_device(report, played.device.names);
-  add_picture(report, command.run);
-  write_json(command.run.json, report);
+  write_rounds(command, played, std::move(rows));
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "launch/number_flags.hpp"
 #include "launch/run_pipeline.hpp"
+#include "measure/json.hpp"
 #include "session/open_pack.hpp"
 
 namespace triptych {
@@ -29,6 +30,15 @@ struct RoundsRun {
   ChosenDevice device;
   LocalPipeline pipeline;
 };
+
+/// {"rows", "frames", "rounds"} and how it was drawn.
+inline void write_rounds(const RoundsCommand& command, const RoundsRun& played, nlohmann::json rows) {
+  nlohmann::json report = {
+      {"rows", std::move(rows)}, {"frames", played.frames.size()}, {"rounds", command.rounds}};
+  add_device(report, played.device.names);
+  add_picture(report, command.run);
+  write_json(command.run.json, report);
+}
 
 /// The flags of such a command, whose run is `run`.
 inline void add_rounds_command(CLI::App& app, int (*run)(const RoundsCommand&), Action& action) {

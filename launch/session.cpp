@@ -47,10 +47,11 @@ int run(const SessionOptions& options, const std::string& line) {
   if (claimed && !outcome.stopped && outcome.exit_code == 0) claimed->finish();
   if (outcome.stopped) notice("session: told to end, every role has left");
   const std::vector<FrameRecord>& frames = outcome.records.front().frames;
-  uint64_t mismatches = 0, fallback_frames = 0;
+  uint64_t mismatches = 0, fallback_frames = 0, coarser_frames = 0;
   for (const FrameRecord& frame : frames) {
     mismatches += frame.digest_mismatch;
     fallback_frames += frame.fallback;
+    coarser_frames += frame.owed_drawables > 0 || frame.left_out_drawables > 0;
   }
   // A role that was killed and not started again has left no record.
   const bool same_device =
@@ -76,7 +77,9 @@ int run(const SessionOptions& options, const std::string& line) {
       {"restarts", outcome.restarted.size()},
       {"restarted", restarted},
       {"most_waiting", waiting},
-      {"pictures_are", same_device ? "identical" : "conservative"},
+      {"pictures_are", coarser_frames > 0 ? "coarser"
+                       : same_device      ? "identical"
+                                          : "conservative"},
       {"roles", roles}};
   if (!outcome.records.front().device.vendor.empty()) add_device(report, outcome.records.front().device);
   add_picture(report, options.run);

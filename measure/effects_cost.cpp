@@ -2,18 +2,12 @@
 
 #include "base/progress.hpp"
 #include "base/spent_time.hpp"
-#include "scene/transparency.hpp"
-#include "scene/vertex_color.hpp"
 
 #include <algorithm>
 
 namespace triptych {
 
 namespace {
-
-const char* pack_name(Effect effect) {
-  return effect == Effect::vertex_colors ? vertex_colors_effect : transparency_effect;
-}
 
 void add(EffectUse& sum, const EffectUse& use) {
   sum.effect = use.effect;
@@ -35,7 +29,7 @@ struct FrameTimes {
 std::vector<Effect> called_for(const Skeleton& skeleton) {
   std::vector<Effect> effects;
   for (const Effect effect : all_effects) {
-    if (std::ranges::count(skeleton.effects, pack_name(effect)) > 0) effects.push_back(effect);
+    if (std::ranges::count(skeleton.effects, effect_name_in_pack(effect)) > 0) effects.push_back(effect);
   }
   return effects;
 }

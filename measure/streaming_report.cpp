@@ -61,8 +61,8 @@ std::string add_streaming(json& report, const std::vector<FrameRecord>& records,
   report["left_out_drawables"] = left_out;
   report["raised_pixel_error_max"] = largest;
   std::string words = fmt::format(
-      "geometry took {:.1f} MiB at most; {} chunks came ({:.1f} MiB of the pack), {} of them while a frame "
-      "waited, and {} went\n",
+      "geometry took {:.1f} MiB at most; {} chunks came ({:.1f} MiB of the pack), {} of them not "
+      "read ahead in time, and {} went\n",
       static_cast<double>(use.peak_bytes) / 0x1p20, use.loaded_chunks,
       static_cast<double>(use.read_bytes) / 0x1p20, report["waits"].get<uint64_t>(), use.evicted_chunks);
   if (ahead.foreseen_read > 0) {

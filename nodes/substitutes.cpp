@@ -1,6 +1,7 @@
 #include "nodes/substitutes.hpp"
 
 #include "lod/cut.hpp"
+#include "residency/take.hpp"
 
 #include <algorithm>
 
@@ -60,7 +61,9 @@ DrawableId Substitutes::topmost(DrawableId id) const {
 size_t Substitutes::replace(const FrameView& view, VisibleSet& drawables) {
   chosen_.clear();
   ready_ = residency_.ready();
-  unreadable_.merge(residency_.unreadable());
+  for (const auto& [chunk, why] : residency_.unreadable()) {
+    if (unreadable_.insert(chunk).second) say_damaged(why);
+  }
   size_t missing = 0;
   for (const DrawableId id : drawables) {
     if (is_there(id)) continue;

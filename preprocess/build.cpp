@@ -17,6 +17,7 @@
 #include "preprocess/part_bodies.hpp"
 #include "preprocess/parts.hpp"
 #include "preprocess/placed_cache.hpp"
+#include "scene/effects.hpp"
 #include "scene/expand.hpp"
 #include "scene/file_objects.hpp"
 
@@ -220,14 +221,14 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   std::vector<PartLevels> levels;
   if (std::any_of(model.meshes.begin(), model.meshes.end(),
                   [](const Mesh& mesh) { return mesh.has_colors(); }))
-    skeleton.effects.push_back(vertex_colors_effect);
+    skeleton.effects.push_back(effect_name_in_pack(Effect::vertex_colors));
   stage("measure", [&] { plan = make_plan(model, options); });
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   const auto transparent =
       static_cast<uint64_t>(std::count_if(plan.colors.begin(), plan.colors.end(), [&](uint32_t color) {
         return is_transparent(plan.palette[color]);
       }));
-  if (transparent > 0) skeleton.effects.push_back(transparency_effect);
+  if (transparent > 0) skeleton.effects.push_back(effect_name_in_pack(Effect::transparency));
   auto& warnings = skeleton.import.warnings;
   const auto unseen = std::count_if(plan.colors.begin(), plan.colors.end(),
                                     [&](uint32_t color) { return plan.palette[color][3] == 0; });

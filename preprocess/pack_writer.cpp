@@ -3,6 +3,7 @@
 #include "base/hashing.hpp"
 #include "base/unnamed_file.hpp"
 #include "preprocess/encode_chunk.hpp"
+#include "scene/effects.hpp"
 #include "scene/layers.hpp"
 #include "scene/pack_format.hpp"
 #include "scene/pack_skeleton.hpp"
@@ -87,7 +88,8 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
   skeleton.surrounding.chunks = std::move(chunks_);
   const auto& effects = skeleton.surrounding.effects;
   const ClosedSurfaces& closed = skeleton.surrounding.closed;
-  const bool colored = std::count(effects.begin(), effects.end(), vertex_colors_effect) > 0;
+  const bool colored =
+      std::count(effects.begin(), effects.end(), effect_name_in_pack(Effect::vertex_colors)) > 0;
   const uint32_t version = has_layers(effects) ? layered_geometry_version
                            : colored           ? colored_geometry_version
                                                : geometry_version;

@@ -213,12 +213,18 @@ std::unordered_set<uint32_t> ReadAhead::ready() const {
   return chunks;
 }
 
-std::unordered_set<uint32_t> ReadAhead::unreadable() const {
+std::unordered_map<uint32_t, std::string> ReadAhead::unreadable() const {
   const std::lock_guard lock(mutex_);
-  std::unordered_set<uint32_t> chunks;
+  std::unordered_map<uint32_t, std::string> chunks;
   for (const Order& order : ready_) {
     const uint32_t chunk = std::get<uint32_t>(order);
-    if (entries_.at(chunk).damage) chunks.insert(chunk);
+    const std::exception_ptr& damage = entries_.at(chunk).damage;
+    if (!damage) continue;
+    try {
+      std::rethrow_exception(damage);
+    } catch (const std::exception& error) {
+      chunks[chunk] = error.what();
+    }
   }
   return chunks;
 }

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <string>
 #include <thread>
 #include <tuple>
 #include <unordered_map>
@@ -51,8 +52,8 @@ class ReadAhead final : public Residency {
 
   /// Chunks that are read and not taken.
   std::unordered_set<uint32_t> ready() const;
-  /// Chunks that could not be read, and that nobody has taken and told.
-  std::unordered_set<uint32_t> unreadable() const;
+  /// Chunks that could not be read and that nobody has taken, each with why.
+  std::unordered_map<uint32_t, std::string> unreadable() const;
   ReadAheadUse use() const;
 
  private:

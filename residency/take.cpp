@@ -12,9 +12,13 @@ std::optional<Chunk> take(Residency& residency, uint32_t chunk, const MissingChu
   } catch (const Error& error) {
     if (missing.fail) throw;
     cache.mark_damaged(chunk);
-    notice("{}: what is coarser is drawn in its place, where there is any", error.what());
+    say_damaged(error.what());
     return std::nullopt;
   }
+}
+
+void say_damaged(const std::string& damage) {
+  notice("{}: what is coarser is drawn in its place, where there is any", damage);
 }
 
 }  // namespace triptych

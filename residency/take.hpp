@@ -5,6 +5,7 @@
 #include "residency/residency.hpp"
 
 #include <optional>
+#include <string>
 
 namespace triptych {
 
@@ -12,5 +13,8 @@ namespace triptych {
 /// which is said once. Error for damage where MissingChunks::fail is set.
 std::optional<Chunk> take(Residency& residency, uint32_t chunk, const MissingChunks& missing,
                           ChunkCache& cache);
+
+/// Says that a chunk cannot be read. damage: an error's text.
+void say_damaged(const std::string& damage);
 
 }  // namespace triptych

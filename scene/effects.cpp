@@ -2,19 +2,35 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace triptych {
 
-std::string effects_text(Effects effects) {
-  if (effects == Effects::all()) return "all";
-  std::string text;
+namespace {
+
+/// Their names with commas between them.
+std::string names_of(Effects effects) {
+  std::string names;
   for (const Effect effect : all_effects) {
     if (!effects.has(effect)) continue;
-    if (!text.empty()) text += ",";
-    text += effect_name(effect);
+    if (!names.empty()) names += ",";
+    names += effect_name(effect);
   }
-  return text.empty() ? "none" : text;
+  return names;
+}
+
+}  // namespace
+
+std::string effect_name_in_pack(Effect effect) {
+  std::string name(effect_name(effect));
+  std::ranges::replace(name, '-', ' ');
+  return name;
+}
+
+std::string effects_text(Effects effects) {
+  if (effects == Effects::all()) return "all";
+  return effects == Effects::none() ? "none" : names_of(effects);
 }
 
 Effects parse_effects(const std::string& text, const std::string& place) {
@@ -23,13 +39,10 @@ Effects parse_effects(const std::string& text, const std::string& place) {
   Effects effects = Effects::none();
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
-    bool found = false;
-    for (const Effect effect : all_effects) {
-      if (word != effect_name(effect)) continue;
-      effects.add(effect);
-      found = true;
-    }
-    if (!found) fail(place, "\"{}\" is no effect: all, none, or of vertex-colours and transparency", word);
+    const auto* const found = std::ranges::find(all_effects, word, effect_name);
+    if (found == all_effects.end())
+      fail(place, "\"{}\" is no effect: all, none, or some of {}", word, names_of(Effects::all()));
+    effects.add(*found);
   }
   if (effects == Effects::none()) fail(place, "no effect is named: \"none\" says so");
   return effects;

@@ -12,10 +12,13 @@ namespace triptych {
 enum class Effect : uint8_t { vertex_colors, transparency };
 inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency};
 
-/// As flags and reports name it; Skeleton::effects has the same with blanks.
+/// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
   return effect == Effect::vertex_colors ? "vertex-colours" : "transparency";
 }
+
+/// What Skeleton::effects calls it.
+std::string effect_name_in_pack(Effect effect);
 
 /// A set of them.
 class Effects {

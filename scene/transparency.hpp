@@ -10,9 +10,6 @@
 
 namespace triptych {
 
-/// What Skeleton::effects calls it.
-inline constexpr const char* transparency_effect = "transparency";
-
 using Palette = std::span<const std::array<uint8_t, 4>>;
 
 /// Of a colour of the palette: it covers what lies behind by alpha / 255.

@@ -14,7 +14,4 @@ using CornerColors = std::array<VertexColor, 3>;
 
 inline bool is_colored(const VertexColor& color) { return color[3] != 0; }
 
-/// What Skeleton::effects calls them.
-inline constexpr const char* vertex_colors_effect = "vertex colours";
-
 }  // namespace triptych

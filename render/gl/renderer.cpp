@@ -101,8 +101,10 @@ bool Renderer::make_list(std::span<const DrawableId> drawables, DrawPart part) {
   for (const DrawableId id : drawables) representation_.append(id, items_);
   geometry_.require(items_);
   list_.clear();
-  cut_bodies_.find(*view_, items_);
-  for (const CutRun& run : cut_bodies_.runs()) geometry_.require(run.chunk);
+  if (part != DrawPart::transparent) {
+    cut_bodies_.find(*view_, items_);
+    for (const CutRun& run : cut_bodies_.runs()) geometry_.require(run.chunk);
+  }
   builder_.append(geometry_.ranges(), items_, cut_bodies_, part, list_);
   if (list_.commands.empty()) return false;
   records_.upload(std::span<const DrawRecord>(list_.records));

@@ -126,17 +126,40 @@ TEST(Transparent, that_lies_flush_on_something_opaque_tints_it) {
   expect_near(tinted, over(lit(green), stored(0.4f), lit(red)), "flush");
 }
 
+/// In packs of one pane a drawable.
+std::unique_ptr<Pack> pack_of_leaves(const Model& model, uint32_t triangles) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / ("triptych_glass_" + std::to_string(::getpid()) + ".tpk");
+  build_pack(model, {.part_triangles = triangles, .leaf_triangles = triangles, .hlod_triangles = triangles},
+             file);
+  auto pack = std::make_unique<Pack>(file);
+  std::filesystem::remove(file);
+  return pack;
+}
+
 TEST(Transparent, owns_what_shows_of_it_and_nothing_else) {
-  const auto pack = pack_of(panes({{0, red}, {1, green}, {-1, blue}}));
-  LocalPipeline pipeline(*pack,
-                         {.width = side, .height = side, .device = test::device(), .item_buffer = true});
-  pipeline.draw({0, {from_above()}});
-  size_t triangles = 0;
-  for (const DrawableId id : pipeline.target().transparent_owners())
-    triangles += pack->skeleton().drawables[id].triangles;
-  EXPECT_GT(triangles, 0u);
-  const VisibleSet all = owners(pipeline.target(), 1);
-  EXPECT_GE(all.size(), pipeline.target().transparent_owners().size());
+  const std::vector<Pane> all = {{0, red}, {1, green}, {2, yellow}, {-1, blue}};
+  const auto pack = pack_of_leaves(panes(all), 2);
+  LocalPipeline pipeline(*pack, {.width = side,
+                                 .height = side,
+                                 .cull = StrategyKind::frustum,
+                                 .device = test::device(),
+                                 .item_buffer = true});
+  const FrameRecord& record = pipeline.draw({0, {from_above(), 0}});
+  ASSERT_EQ(record.visible.size(), all.size()) << "each is a drawable";
+  const Skeleton& skeleton = pack->skeleton();
+  const auto heights = [&](const VisibleSet& drawables) {
+    std::vector<double> found;
+    for (const DrawableId id : drawables) {
+      const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[id].scene_node];
+      found.push_back(std::round(skeleton.lattice().box(node.box).hi.z));
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  EXPECT_EQ(heights(pipeline.target().transparent_owners()), (std::vector<double>{1, 2}))
+      << "not what lies behind something opaque";
+  EXPECT_EQ(heights(owners(pipeline.target(), 1)), (std::vector<double>{0, 1, 2}));
 }
 
 /// A model of one pane is one drawable, so that sets say what is hidden.
@@ -149,12 +172,8 @@ TEST(Transparent, hides_nothing_from_the_strategy) {
     }
     Model model = awkward::model_of(std::move(meshes));
     model.materials = {{.base_color = {0.5, 0.5, 0.9, is_glass ? 0.3 : 1}}, {.base_color = red}};
-    const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / ("triptych_glass_" + std::to_string(::getpid()) + ".tpk");
-    build_pack(model, {.part_triangles = 12, .leaf_triangles = 12, .hlod_triangles = 12}, file);
-    const Pack pack(file);
-    std::filesystem::remove(file);
-    LocalPipeline pipeline(pack, {.width = side, .height = side, .device = test::device()});
+    const auto pack = pack_of_leaves(model, 12);
+    LocalPipeline pipeline(*pack, {.width = side, .height = side, .device = test::device()});
     for (uint32_t i = 0; i < 3; ++i) pipeline.draw({i, {from_above(), 0}});
     const FrameRecord& last = pipeline.draw({3, {from_above(), 0}});
     if (is_glass) {

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/hashing.hpp"
 #include "preprocess/pack_writer.hpp"
+#include "scene/effects.hpp"
 #include "scene/pack_format.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "tests/support/pack_bytes.hpp"
@@ -229,13 +230,13 @@ TEST(Pack, vertex_colours_give_the_geometry_a_version_of_its_own_and_come_back) 
   const std::string whole = read_text_file(plain);
   EXPECT_EQ(value_at<uint32_t>(whole, value_at<uint64_t>(whole, 16) + 4), geometry_version);
   SmallPack colored = small_pack();
-  colored.skeleton.effects = {vertex_colors_effect};
+  colored.skeleton.effects = {effect_name_in_pack(Effect::vertex_colors)};
   for (Chunk& chunk : colored.chunks) chunk.colors.resize(chunk.vertices.size(), {1, 2, 3, 255});
   const std::filesystem::path file = write_pack(colored);
   const std::string bytes = read_text_file(file);
   EXPECT_EQ(value_at<uint32_t>(bytes, value_at<uint64_t>(bytes, 16) + 4), colored_geometry_version);
   const Pack pack(file);
-  EXPECT_EQ(pack.skeleton().effects, (std::vector<std::string>{vertex_colors_effect}));
+  EXPECT_EQ(pack.skeleton().effects, (std::vector<std::string>{effect_name_in_pack(Effect::vertex_colors)}));
   const Chunk chunk = pack.read_chunk(0);
   EXPECT_EQ(chunk.colors, std::vector<VertexColor>(chunk.vertices.size(), {1, 2, 3, 255}));
 }
