@@ -219,10 +219,8 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   Parts parts;
   Hierarchies hierarchies;
   std::vector<PartLevels> levels;
-  if (std::any_of(model.meshes.begin(), model.meshes.end(),
-                  [](const Mesh& mesh) { return mesh.has_colors(); }))
-    skeleton.effects.push_back(effect_name_in_pack(Effect::vertex_colors));
   stage("measure", [&] { plan = make_plan(model, options); });
+  if (plan.has_vertex_colors()) skeleton.effects.push_back(effect_name_in_pack(Effect::vertex_colors));
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   const auto transparent =
       static_cast<uint64_t>(std::count_if(plan.colors.begin(), plan.colors.end(), [&](uint32_t color) {

@@ -1,8 +1,8 @@
 #include "preprocess/closed_groups.hpp"
 
 #include "base/hashing.hpp"
-#include "preprocess/box_tree.hpp"
 #include "preprocess/edge_wedges.hpp"
+#include "simplify/box_tree.hpp"
 
 #include <glm/geometric.hpp>
 #include <optional>

@@ -1,6 +1,7 @@
 #include "preprocess/hlod_unit.hpp"
 
 #include "preprocess/cached_unit.hpp"
+#include "preprocess/contacts/inner_faces.hpp"
 #include "preprocess/contacts/stitch.hpp"
 #include "preprocess/covered/leave_out.hpp"
 #include "preprocess/relocation.hpp"
@@ -57,6 +58,9 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   const size_t all = children.surface.triangles.size();
   constexpr double small = 1.0 / 64;
   const double early = std::max(children.error, small * diagonal(lattice.box(children.surface.box())));
+  if (where.options.holds_contacts() && where.options.keeps_order() &&
+      !has_transparent(children.surface, where.palette))
+    mark_inner_faces(children.surface, early / lattice.step);
   children.error = std::max(children.error, lattice.step * leave_out_covered(children, early / lattice.step));
   const TriangleObjects objects(children);
   const HlodLimits limits{.triangles = where.options.hlod_triangles,

@@ -2,7 +2,7 @@
 // box sees very many because it is large.
 #pragma once
 
-#include "preprocess/box_tree.hpp"
+#include "simplify/box_tree.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -256,8 +256,8 @@ class PartMaker {
 
   UnitResult divide_whole(const PlannedMesh& mesh) const {
     if (mesh.triangles == 0) return {{}, {}, record_bytes(DivisionFigures())};
-    Welded welded = weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors,
-                         plan_.tint);
+    Welded welded =
+        weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors_of(mesh));
     const PartitionLimits of_mesh = limits(mesh, welded.surface.triangles.size());
     return divide_welded(mesh, std::move(welded), of_mesh, {}, 0);
   }
@@ -266,10 +266,8 @@ class PartMaker {
   void divide_sorted(uint32_t index) {
     const PlannedMesh& mesh = plan_.meshes[index];
     const Mesh& source = model_.meshes[mesh.mesh];
-    const bool colored = source.has_colors();
-    SortedMesh sorted(source,
-                      ToLattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors,
-                                colored ? &plan_.tint : nullptr),
+    const MeshColors colors = plan_.colors_of(mesh);
+    SortedMesh sorted(source, ToLattice(mesh.transform, plan_.lattices[mesh.lattice], colors),
                       options_.bucket_triangles, work_.file("buckets"));
     std::vector<uint64_t> sizes;
     work_.run(
@@ -293,7 +291,7 @@ class PartMaker {
           UnitKind::divided_bucket, std::span(buckets).subspan(first, end - first),
           [&](uint32_t number) {
             Bucket bucket = sorted.buckets().load(number - first_bucket_);
-            Welded welded = weld(bucket.triangles, colored);
+            Welded welded = weld(bucket.triangles, colors.of_corners());
             bucket.triangles = {};
             return record_bytes(divide_welded(mesh, std::move(welded), part_limits, bucket.shared,
                                               sorted.buckets().shared_points()));

@@ -4,7 +4,6 @@
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
-#include "model/import/display_color.hpp"
 #include "model/read_mesh.hpp"
 #include "preprocess/federation.hpp"
 #include "preprocess/placements.hpp"
@@ -18,6 +17,7 @@
 #include <fmt/ranges.h>
 #include <glm/glm.hpp>
 #include <map>
+#include <optional>
 
 namespace triptych {
 
@@ -31,37 +31,31 @@ bool finite(const Box& box) {
   return std::max({furthest.x, furthest.y, furthest.z}) < max_coordinate;
 }
 
-/// Of the positions that triangles use, transformed.
-Box box_of(const Mesh& mesh, const Affine& transform) {
-  Box box;
+/// The box of the positions that triangles use, transformed, and which colours are those of whole triangles.
+void measure(const Mesh& mesh, PlannedMesh& planned, std::optional<FlatColorSearch>& flat) {
   read_mesh(mesh, [&](std::span<const CornerTriangle> batch) {
     for (const CornerTriangle& triangle : batch) {
-      for (const glm::dvec3& corner : triangle.corners) box.extend(transform * glm::dvec4(corner, 1));
+      for (const glm::dvec3& corner : triangle.corners)
+        planned.box.extend(planned.transform * glm::dvec4(corner, 1));
+      if (flat) flat->add(triangle.colors, triangle.material);
     }
   });
-  return box;
 }
 
-std::array<uint8_t, 4> display_color(const Material& material) {
-  const glm::vec4& factor = material.base_color;
-  return {display_byte(factor.r), display_byte(factor.g), display_byte(factor.b),
-          static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
-}
-
-/// Colours in the order of the materials. Of a model of several files, whose later ones would be renumbered
-/// with each new colour of an earlier one, each has the place that its hash says, or the next that is free,
-/// in a table with room to spare.
+/// Colours in the order of the materials, and then the flat ones. Of a model of several files, whose later
+/// ones would be renumbered with each new colour of an earlier one, each has the place that its hash says, or
+/// the next that is free, in a table with room to spare.
 void make_palette(const Model& model, BuildPlan& plan) {
-  std::map<std::array<uint8_t, 4>, uint32_t> indices;
+  std::map<DisplayColor, uint32_t> indices;
   for (const Material& material : model.materials) indices[display_color(material)] = no_id;
+  for (const auto& [color, index] : plan.flat_colors) indices[color] = no_id;
   if (indices.size() > max_colors) fail("build", "the model has more than {} colours", max_colors);
   constexpr size_t room = 8;
   const size_t places = std::bit_ceil(room * indices.size());
   const bool by_hash = file_objects(model.source_objects).size() > 1 && places <= max_colors;
   if (by_hash) plan.palette.resize(places);
   std::vector<uint8_t> taken(plan.palette.size(), 0);
-  for (const Material& material : model.materials) {
-    const std::array<uint8_t, 4> color = display_color(material);
+  const auto index_of = [&](const DisplayColor& color) {
     uint32_t& index = indices[color];
     if (index == no_id && by_hash) {
       index = static_cast<uint32_t>(hash_values(std::span<const uint8_t>(color)) % places);
@@ -72,8 +66,10 @@ void make_palette(const Model& model, BuildPlan& plan) {
       index = static_cast<uint32_t>(plan.palette.size());
       plan.palette.push_back(color);
     }
-    plan.colors.push_back(index);
-  }
+    return index;
+  };
+  for (const Material& material : model.materials) plan.colors.push_back(index_of(display_color(material)));
+  for (auto& [color, index] : plan.flat_colors) index = index_of(color);
 }
 
 bool is_shareable(const Affine& transform, const BuildOptions& options) {
@@ -159,6 +155,25 @@ class Planner {
   std::vector<uint32_t> shared_;  ///< for each mesh the planned one of all placements
 };
 
+/// Reads all that is placed: their boxes, and their flat colours.
+void measure_meshes(const Model& model, BuildPlan& plan) {
+  std::vector<std::optional<FlatColorSearch>> searches(plan.meshes.size());
+  Progress progress("measuring meshes", plan.meshes.size());
+  parallel_for(plan.meshes.size(), [&](size_t i) {
+    PlannedMesh& mesh = plan.meshes[i];
+    const Mesh& source = model.meshes[mesh.mesh];
+    mesh.has_colors = source.has_colors();
+    if (mesh.has_colors) searches[i].emplace(plan.tint);
+    measure(source, mesh, searches[i]);
+    mesh.flat_colors = searches[i] && searches[i]->colors();
+    progress.advance();
+  });
+  for (const std::optional<FlatColorSearch>& search : searches) {
+    if (!search || !search->colors()) continue;
+    for (const DisplayColor& color : *search->colors()) plan.flat_colors[color] = no_id;
+  }
+}
+
 /// Boxes of hierarchies, and a lattice for each mesh that is placed more than once and each hierarchy.
 void make_lattices(BuildPlan& plan) {
   plan.lattices.resize(1);
@@ -201,17 +216,20 @@ void make_lattices(BuildPlan& plan) {
 
 }  // namespace
 
+MeshColors BuildPlan::colors_of(const PlannedMesh& mesh) const {
+  return {colors, mesh.has_colors ? &tint : nullptr, mesh.flat_colors ? &flat_colors : nullptr};
+}
+
+bool BuildPlan::has_vertex_colors() const {
+  return std::ranges::any_of(meshes, [&](const PlannedMesh& mesh) { return colors_of(mesh).of_corners(); });
+}
+
 BuildPlan make_plan(const Model& model, const BuildOptions& options) {
   BuildPlan plan;
-  make_palette(model, plan);
   plan.tint = VertexTint(model.materials);
   Planner(model, options, plan).run();
-  Progress progress("measuring meshes", plan.meshes.size());
-  parallel_for(plan.meshes.size(), [&](size_t i) {
-    PlannedMesh& mesh = plan.meshes[i];
-    mesh.box = box_of(model.meshes[mesh.mesh], mesh.transform);
-    progress.advance();
-  });
+  measure_meshes(model, plan);
+  make_palette(model, plan);
   for (const Mesh& mesh : model.meshes) {
     if (!mesh.stream) continue;
     const std::vector<std::string> warnings = mesh.stream->warnings();

@@ -4,7 +4,7 @@
 
 #include "model/model.hpp"
 #include "preprocess/build.hpp"
-#include "preprocess/vertex_tint.hpp"
+#include "preprocess/flat_colors.hpp"
 #include "scene/lattice.hpp"
 
 #include <array>
@@ -25,6 +25,8 @@ struct PlannedMesh {
   double stretch = 0;               ///< the largest of its placements in the model
   Box box;                          ///< of its triangles, in the space of its lattice
   uint64_t triangles = 0;
+  bool has_colors = false;   ///< of vertices
+  bool flat_colors = false;  ///< and they are those of whole triangles
 };
 
 /// A placement of a planned mesh.
@@ -59,14 +61,19 @@ struct BuildPlan {
   std::vector<SourceObjectId> objects;
   std::vector<PlannedHierarchy> hierarchies;  ///< sub-hierarchies, and last the model's own
   std::vector<Lattice> lattices;              ///< 0: the model's
-  std::vector<std::array<uint8_t, 4>> palette;
+  std::vector<DisplayColor> palette;
   std::vector<uint32_t> colors;  ///< for each material its palette index
   VertexTint tint;
+  FlatColors flat_colors;
   uint64_t dropped_triangles = 0;     ///< of meshes that have no valid triangle
   std::vector<std::string> warnings;  ///< what streams found when they were read
   uint64_t left_out = 0;              ///< placements whose transform is not usable
 
   const Box& box() const { return hierarchies.back().box; }  ///< of the model
+  /// Valid as long as the plan.
+  MeshColors colors_of(const PlannedMesh& mesh) const;
+  /// Whether vertices of any mesh keep colours of their own.
+  bool has_vertex_colors() const;
 };
 
 /// Reads every mesh that is placed once, for its box. Error for a model of which nothing can be placed.

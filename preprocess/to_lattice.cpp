@@ -14,28 +14,32 @@ bool has_area(const CornerTriangle& triangle, const glm::dmat3& linear) {
   const auto& [a, b, c] = triangle.corners;
   return glm::cross(linear * (b - a), linear * (c - a)) != glm::dvec3(0);
 }
+
+uint32_t palette_index(const MeshColors& colors, const CornerTriangle& triangle) {
+  if (colors.flat == nullptr) return colors.materials[triangle.material];
+  return colors.flat->at(colors.tint->flat(triangle.colors, triangle.material).value());
+}
 }  // namespace
 
-ToLattice::ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors,
-                     const VertexTint* tint)
+ToLattice::ToLattice(const Affine& transform, const Lattice& lattice, const MeshColors& colors)
     : transform_(transform),
       lattice_(lattice),
       colors_(colors),
-      tint_(tint),
       mirrors_(glm::determinant(glm::dmat3(transform)) < 0) {}
 
 LatticeTriangle ToLattice::operator()(const CornerTriangle& triangle) const {
   LatticeTriangle result;
   for (size_t i = 0; i < 3; ++i)
     result.corners[i] = lattice_.nearest(transform_ * glm::dvec4(triangle.corners[i], 1));
-  if (tint_) result.corner_colors = (*tint_)(triangle.colors, triangle.material);
+  if (colors_.of_corners()) result.corner_colors = (*colors_.tint)(triangle.colors, triangle.material);
   if (mirrors_) {
     std::swap(result.corners[1], result.corners[2]);
     std::swap(result.corner_colors[1], result.corner_colors[2]);
   }
   const auto& [a, b, c] = result.corners;
-  result.color =
-      degenerate(a, b, c) && !has_area(triangle, glm::dmat3(transform_)) ? no_id : colors_[triangle.material];
+  result.color = degenerate(a, b, c) && !has_area(triangle, glm::dmat3(transform_))
+                     ? no_id
+                     : palette_index(colors_, triangle);
   return result;
 }
 

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "model/mesh_stream.hpp"
-#include "preprocess/vertex_tint.hpp"
+#include "preprocess/flat_colors.hpp"
 #include "scene/affine.hpp"
 #include "scene/lattice.hpp"
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 
 namespace triptych {
 
@@ -25,17 +24,15 @@ struct LatticeTriangle {
 /// Puts triangles on a lattice: transformed, rounded, with the opposite winding if the transform mirrors.
 class ToLattice {
  public:
-  /// `colors` gives the palette index of each material, `tint` what vertex colours become, if there are any.
-  /// Both must outlive this.
-  ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors,
-            const VertexTint* tint = nullptr);
+  /// What `colors` points to must outlive this.
+  ToLattice(const Affine& transform, const Lattice& lattice, const MeshColors& colors);
   LatticeTriangle operator()(const CornerTriangle& triangle) const;
+  const MeshColors& colors() const { return colors_; }
 
  private:
   Affine transform_;
   Lattice lattice_;
-  std::span<const uint32_t> colors_;
-  const VertexTint* tint_;
+  MeshColors colors_;
   bool mirrors_;
 };
 

@@ -117,18 +117,16 @@ Welded weld(std::span<const LatticeTriangle> triangles, bool colored) {
   return welded;
 }
 
-Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
-            std::span<const uint32_t> colors, const VertexTint& tint) {
+Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice, const MeshColors& colors) {
   if (const auto loaded = mesh.stream ? mesh.stream->load() : nullptr)
-    return weld(*loaded, transform, lattice, colors, tint);
-  const bool colored = mesh.has_colors();
-  const ToLattice to_lattice(transform, lattice, colors, colored ? &tint : nullptr);
+    return weld(*loaded, transform, lattice, colors);
+  const ToLattice to_lattice(transform, lattice, colors);
   std::vector<LatticeTriangle> triangles;
   triangles.reserve(mesh.triangle_count());
   uint64_t not_finite = read_mesh(mesh, [&](std::span<const CornerTriangle> batch) {
     for (const CornerTriangle& triangle : batch) triangles.push_back(to_lattice(triangle));
   });
-  Welded welded = weld(triangles, colored);
+  Welded welded = weld(triangles, colors.of_corners());
   welded.dropped_triangles += not_finite;
   if (!mesh.stream) {
     std::vector<uint8_t> used(mesh.positions.size(), 0);

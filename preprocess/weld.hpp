@@ -25,8 +25,7 @@ struct Welded {
 /// stays one point, and the corners keep their colours, if the triangles are `colored`.
 Welded weld(std::span<const LatticeTriangle> triangles, bool colored);
 
-/// A whole mesh, transformed and rounded to the lattice. `colors` gives the palette index of each material.
-Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
-            std::span<const uint32_t> colors, const VertexTint& tint = {});
+/// A whole mesh, transformed and rounded to the lattice.
+Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice, const MeshColors& colors);
 
 }  // namespace triptych

@@ -40,6 +40,7 @@ struct Cell {
   Quadric quadric;
   double least = std::numeric_limits<double>::infinity();
   uint32_t best = 0;
+  bool sunk = true;  ///< so is the best
 };
 
 /// For each point the number of its cell.
@@ -102,7 +103,7 @@ TrianglePlanes::TrianglePlanes(const Surface& surface) {
 }
 
 CellMoves move_to_cells(const Surface& surface, const TrianglePlanes& planes, std::span<const uint8_t> locked,
-                        double cell, const LayeredPlanes& layered) {
+                        double cell, const LayeredPlanes& layered, std::span<const uint8_t> sunk) {
   const glm::dvec3 lo(surface.box().lo);
   std::vector<uint32_t> cell_of = cells_of(surface, lo, cell);
   if (!layered.empty()) cell_of = divided(surface, cell_of, cell, layered);
@@ -121,9 +122,10 @@ CellMoves move_to_cells(const Surface& surface, const TrianglePlanes& planes, st
   for (uint32_t i = 0; i < surface.points.size(); ++i) {
     Cell& own = cells[cell_of[i]];
     const double error = own.quadric(glm::dvec3(surface.points[i]) - lo);
-    if (error < own.least || !(own.least < std::numeric_limits<double>::infinity())) {
-      own.least = error;
-      own.best = i;
+    const bool is_sunk = !sunk.empty() && sunk[i] != 0;
+    const bool is_first = !(own.least < std::numeric_limits<double>::infinity());
+    if (is_first || is_sunk < own.sunk || (is_sunk == own.sunk && error < own.least)) {
+      own = {own.quadric, error, i, is_sunk};
     }
   }
   CellMoves moves;

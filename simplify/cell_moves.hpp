@@ -38,8 +38,9 @@ struct CellMoves {
 /// Lindstrom, Out-of-core simplification of large polygonal models, 2000, but only to existing points);
 /// locked points stay. `cell`: the edge of a cell, lattice steps; `planes`: those of the surface. Layered
 /// planes in which a point of a cell lies, and which are larger than two cells, divide it: points in front of
-/// such a plane, in it and behind it go to points of their own.
+/// such a plane, in it and behind it go to points of their own. sunk: sunk_points(), to which a cell's points
+/// move only if it has no others.
 CellMoves move_to_cells(const Surface& surface, const TrianglePlanes& planes, std::span<const uint8_t> locked,
-                        double cell, const LayeredPlanes& layered);
+                        double cell, const LayeredPlanes& layered, std::span<const uint8_t> sunk = {});
 
 }  // namespace triptych

@@ -149,6 +149,7 @@ bool Collapser::try_target(ShrinkingMesh& mesh, uint32_t target) {
   collapse_.bound = std::max(collapse_.bound, collapse_.planes_left);
   collapse_.error_before = *std::max_element(before_.begin(), before_.end());
   collapse_.cost = collapse_.bound + length_weight * length_;
+  if (!sunk_.empty() && sunk_[target] && !sunk_[collapse_.point]) collapse_.cost += collapse_.bound;
   return true;
 }
 

@@ -44,9 +44,11 @@ class Collapser {
   /// (flat regions) the short ones come first, which keeps triangles well shaped.
   static constexpr double length_weight = 1e-4;
 
-  /// For a mesh of this many points; their planes are kept by reference.
-  explicit Collapser(size_t points, const LayeredPlanes& planes = LayeredPlanes::none())
-      : planes_(planes), marks_(points, 0) {}
+  /// For a mesh of this many points; their planes are kept by reference. sunk: sunk_points(). What shows goes
+  /// there last.
+  explicit Collapser(size_t points, const LayeredPlanes& planes = LayeredPlanes::none(),
+                     std::vector<uint8_t> sunk = {})
+      : planes_(planes), sunk_(std::move(sunk)), marks_(points, 0) {}
 
   /// Of the neighbours that the point may move to, the one nearest to the planes around it; valid until the
   /// next call; null if it must stay. With a target, only that one is considered.
@@ -90,6 +92,7 @@ class Collapser {
   bool cover(ShrinkingMesh& mesh, const Spoke& gone, uint32_t target, double error);
 
   const LayeredPlanes& planes_;
+  std::vector<uint8_t> sunk_;  ///< for each point; empty if none is
   Star star_;
   StarColors colors_;  ///< if the mesh has any
   bool has_colors_ = false;

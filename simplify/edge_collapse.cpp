@@ -1,5 +1,7 @@
 #include "simplify/edge_collapse.hpp"
 
+#include "simplify/sunk_points.hpp"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -16,7 +18,7 @@ EdgeCollapse::EdgeCollapse(const Surface& surface, std::span<const uint8_t> lock
                            const LayeredPlanes& planes)
     : mesh_(surface),
       locked_(locked),
-      collapser_(surface.points.size(), planes),
+      collapser_(surface.points.size(), planes, sunk_points(surface)),
       targets_(surface.points.size(), Collapser::any),
       costs_(surface.points.size(), -1),
       queued_(surface.points.size(), -1),

@@ -10,6 +10,10 @@ namespace {
 constexpr size_t enough = 32;
 /// Of the thickness; a section has two thicknesses from side to side.
 constexpr double reach_factor = 3;
+/// Of what has no more points than this, and is much longer than wide, ends are two points: no further apart
+/// than this, of the radius.
+constexpr size_t few = 64;
+constexpr double end_width = 0.25;
 
 }  // namespace
 
@@ -55,7 +59,24 @@ glm::dvec3 LocalMiddles::around(uint32_t point) {
       ++count;
     }
   }
-  return count > 0 ? place + sum / count : place;
+  return count > 1 ? place + sum / count : middle_of_two(component, place);
+}
+
+/// Between a point that has none around it and the nearest one, if that is much nearer than the thing is
+/// long: the end of something that has few points left.
+glm::dvec3 LocalMiddles::middle_of_two(uint32_t component, const glm::dvec3& place) const {
+  const std::vector<uint32_t>& points = points_[component];
+  if (points.size() > few) return place;
+  double least = end_width * components_.covers[component].radius;
+  glm::dvec3 nearest = place;
+  for (const uint32_t other : points) {
+    const glm::dvec3 there(surface_.points[other]);
+    const double distance = glm::distance(there, place);
+    if (distance == 0 || distance >= least) continue;
+    least = distance;
+    nearest = there;
+  }
+  return (place + nearest) / 2.0;
 }
 
 }  // namespace triptych

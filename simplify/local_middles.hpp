@@ -17,7 +17,8 @@ class LocalMiddles {
       : surface_(surface), components_(components), has_cells_(components.covers.size(), 0) {}
 
   /// The mean of the points of the same component around one of them, so that a cross section is within
-  /// reach: for a wire a point of its axis.
+  /// reach: for a wire a point of its axis. Where there is none, the middle of it and of the nearest one, if
+  /// both seem to be the end of something long; otherwise the point itself.
   glm::dvec3 around(uint32_t point);
 
  private:
@@ -25,6 +26,7 @@ class LocalMiddles {
   double reach(uint32_t component) const;
   CellKey cell_of(uint32_t component, const glm::dvec3& point) const;
   void fill_cells(uint32_t component);
+  glm::dvec3 middle_of_two(uint32_t component, const glm::dvec3& place) const;
 
   const Surface& surface_;
   const ComponentCovers& components_;

@@ -2,14 +2,22 @@
 // pixel, nothing near them hides that their levels cover other pixels than they do.
 #pragma once
 
-#include "simplify/surface.hpp"
+#include "simplify/component_covers.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace triptych {
 
-/// Whether the surface covers little of what its box does, both as closed surfaces: a quarter of their areas.
-bool is_scattered(const Surface& surface);
+/// The components of a surface that are small beside its box.
+struct SmallThings {
+  std::vector<Cover> covers;
+  size_t triangles = 0;
+};
+
+/// Those of a surface, if they cover little of what its box does, both as closed surfaces: a quarter of their
+/// areas. None otherwise.
+SmallThings scattered_things(const Surface& surface);
 
 /// The level that a chain begins with, where it is not half of the surface.
 struct FirstLevel {
@@ -19,7 +27,7 @@ struct FirstLevel {
 
 /// Of scattered compact things of a few triangles, as stand-ins (simplify/stand_ins.hpp) are: tetrahedra at
 /// once. Halving would leave all of them lopsided in the same way, with half as many triangles again. They
-/// regain what stand-ins lack.
+/// regain what stand-ins lack. What they stand on keeps its triangles.
 FirstLevel first_level_of_scattered(const Surface& surface);
 
 }  // namespace triptych

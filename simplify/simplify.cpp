@@ -2,6 +2,7 @@
 
 #include "simplify/care.hpp"
 #include "simplify/collapse_chain.hpp"
+#include "simplify/component_covers.hpp"
 #include "simplify/stand_ins.hpp"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ class Parts {
  public:
   Parts(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits)
       : surface_(surface),
+        covers_(surface),
         components_(convex_components(surface, locked, limits.max_bound, least_convex(surface))) {
     std::vector<uint8_t> is_convex(surface.triangles.size(), 0);
     for (const ConvexComponent& component : components_) {
@@ -45,6 +47,7 @@ class Parts {
       for (const uint32_t source : rest_.sources) locked_rest.push_back(locked[source]);
     }
     chain_ = collapse_chain(rest_.surface, locked_rest, limits);
+    take_care_of_wires(rest_.surface, chain_.levels);
     for (Level& level : chain_.levels) {
       for (uint32_t& source : level.piece.sources) source = rest_.sources[source];
     }
@@ -58,7 +61,7 @@ class Parts {
     std::vector<double> bounds;
     for (const Level& level : chain_.levels) bounds.push_back(level.bound);
     for (const ConvexComponent& component : components_) {
-      for (const StandIn& stand_in : component.stand_ins) bounds.push_back(stand_in.bound);
+      for (const StandIn& stand_in : component.stand_ins) bounds.push_back(bound_of(component, stand_in));
     }
     std::sort(bounds.begin(), bounds.end());
     return bounds;
@@ -85,7 +88,7 @@ class Parts {
     for (const ConvexComponent& component : components_) {
       if (const StandIn* const stand_in = at(component, bound)) {
         append(stand_in->piece, level.piece);
-        level.bound = std::max(level.bound, stand_in->bound);
+        level.bound = std::max(level.bound, bound_of(component, *stand_in));
         level.moved = std::max(level.moved, stand_in->bound);
       } else {
         std::vector<Triangle> own;
@@ -104,10 +107,15 @@ class Parts {
     }
     return found;
   }
-  static const StandIn* at(const ConvexComponent& component, double bound) {
+  double bound_of(const ConvexComponent& component, const StandIn& stand_in) const {
+    const uint32_t point = surface_.triangles[component.triangles.front()].vertices[0];
+    const Cover& cover = covers_.covers[covers_.component_of[point]];
+    return cover.is_wire() ? bound_of_wire(stand_in.bound, cover.thickness) : stand_in.bound;
+  }
+  const StandIn* at(const ConvexComponent& component, double bound) const {
     const StandIn* found = nullptr;
     for (const StandIn& stand_in : component.stand_ins) {
-      if (stand_in.bound <= bound) found = &stand_in;
+      if (bound_of(component, stand_in) <= bound) found = &stand_in;
     }
     return found;
   }
@@ -123,6 +131,7 @@ class Parts {
   }
 
   const Surface& surface_;
+  ComponentCovers covers_;
   std::vector<ConvexComponent> components_;
   size_t convex_ = 0;  ///< triangles in them
   Piece rest_;
@@ -145,9 +154,9 @@ void go_on(const Surface& surface, std::span<const uint8_t> locked, const Simpli
   }
   SimplifyLimits left = limits;
   left.max_bound -= from.bound;
-  FirstLevel first;
-  if (limits.colors == Colors::ignore) first = first_level_of_scattered(from.piece.surface);
-  Chain more = collapse_chain(from.piece.surface, own_locked, left, first);
+  Chain more =
+      collapse_chain(from.piece.surface, own_locked, left, first_level_of_scattered(from.piece.surface));
+  take_care_of_wires(from.piece.surface, more.levels);
   for (Level& level : more.levels) {
     for (uint32_t& source : level.piece.sources) source = from.piece.sources[source];
     level.bound += from.bound;
@@ -187,7 +196,7 @@ Chain chain_by_parts(const Surface& surface, std::span<const uint8_t> locked, co
 Chain simplify(const Surface& surface, std::span<const uint8_t> locked, const SimplifyLimits& limits) {
   if (!limits.keep_cover) return collapse_chain(surface, locked, limits);
   Chain chain = chain_by_parts(surface, locked, limits);
-  take_care(surface, limits.colors, chain.levels);
+  take_care_of_scattered(surface, chain.levels);
   return chain;
 }
 

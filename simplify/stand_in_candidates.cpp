@@ -12,7 +12,7 @@ namespace triptych {
 
 namespace {
 
-constexpr size_t least_triangles = 16, most_triangles = 512;
+constexpr size_t least_triangles = 8, most_triangles = 512;
 /// Corners may be so far above the planes of triangles, as a share of the radius.
 constexpr double hollow = 0.01;
 

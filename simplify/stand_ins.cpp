@@ -166,6 +166,7 @@ std::optional<StandIn> nearest(const Shapes& shapes, const StandInComponent& com
   for (const std::array<int, 3>& order : shapes.orders) {
     const glm::dvec3 reach(frame.reach[order[0]], frame.reach[order[1]], frame.reach[order[2]]);
     for (const StandInShape& shape : shapes.shapes) {
+      if (shape.triangles.size() >= component.piece.surface.triangles.size()) continue;
       const double factor = scale_for(shape, reach, shapes.in_all, area * shapes.cover);
       if (factor < 0) continue;
       const double along = shapes.in_all ? reach.z * factor : reach.z;
@@ -203,7 +204,7 @@ std::vector<Shapes> shapes_for(bool stands, bool is_rod) {
              .as_near = about_as_near}};
   if (stands) return {};
   return {{.shapes = {prism(3, 0), prism(3, quarter)}, .orders = any},
-          {.shapes = {tetrahedron()}, .orders = up, .in_all = true}};
+          {.shapes = {tetrahedron()}, .orders = any}};
 }
 
 std::vector<StandIn> stand_ins_of(const StandInComponent& component, double max_bound) {

@@ -23,7 +23,7 @@ struct ConvexComponent {
 };
 
 /// The components of a surface that are closed, convex but for rounding and of one colour, that have at least
-/// 16 and at most 512 triangles, and of which all that is held lies in the plane of one face, on which they
+/// 12 and at most 512 triangles, and of which all that is held lies in the plane of one face, on which they
 /// stand: locked points, and triangles that lie in layers or are covered. In the order of their first
 /// triangles. Stand-ins are four-sided prisms and antiprisms, on the component's plane if it stands on one,
 /// with 92 % of its area (which decides how much something convex covers: Cauchy), and of rods that stand on

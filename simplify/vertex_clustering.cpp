@@ -3,6 +3,7 @@
 #include "simplify/cell_moves.hpp"
 #include "simplify/color_charts.hpp"
 #include "simplify/key_hash.hpp"
+#include "simplify/sunk_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,7 @@ struct Source {
   Colors colors;
   TrianglePlanes planes;
   const LayeredPlanes& layered;
+  std::vector<uint8_t> sunk;
 };
 
 class Clustering {
@@ -41,7 +43,7 @@ class Clustering {
   /// Gives up as soon as more than `most` triangles are left.
   Clustering(const Source& source, double cell, size_t most = std::numeric_limits<size_t>::max())
       : surface_(source.surface), planes_(source.planes), colors_(source.colors), max_(most), cell_(cell) {
-    CellMoves moves = move_to_cells(surface_, planes_, source.locked, cell, source.layered);
+    CellMoves moves = move_to_cells(surface_, planes_, source.locked, cell, source.layered, source.sunk);
     image_ = std::move(moves.images);
     moved_ = moves.furthest;
     planes_left_ = moves.planes_left;
@@ -232,7 +234,7 @@ class Clustering {
 
 Source source_of(const Surface& surface, std::span<const uint8_t> locked, Colors colors,
                  const LayeredPlanes& layered) {
-  return {surface, locked, colors, TrianglePlanes(surface), layered};
+  return {surface, locked, colors, TrianglePlanes(surface), layered, sunk_points(surface)};
 }
 
 }  // namespace

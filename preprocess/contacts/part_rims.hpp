@@ -1,9 +1,9 @@
 // What of a part's surface others may continue: its points, and the edges where it ends or folds.
 #pragma once
 
-#include "preprocess/box_tree.hpp"
 #include "preprocess/part.hpp"
 #include "scene/lattice.hpp"
+#include "simplify/box_tree.hpp"
 
 #include <array>
 #include <cstdint>

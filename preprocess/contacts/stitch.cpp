@@ -1,7 +1,7 @@
 #include "preprocess/contacts/stitch.hpp"
 
-#include "preprocess/box_tree.hpp"
 #include "preprocess/contacts/near_points.hpp"
+#include "simplify/box_tree.hpp"
 #include "simplify/key_hash.hpp"
 
 #include <algorithm>

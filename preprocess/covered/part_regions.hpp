@@ -1,9 +1,9 @@
 // The smooth regions of a part: connected triangles of one colour, without a sharp edge between them.
 #pragma once
 
-#include "preprocess/box_tree.hpp"
 #include "preprocess/part.hpp"
 #include "scene/lattice.hpp"
+#include "simplify/box_tree.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // The flat faces of a part: connected triangles of one colour in one plane.
 #pragma once
 
-#include "preprocess/box_tree.hpp"
 #include "preprocess/part.hpp"
 #include "scene/lattice.hpp"
+#include "simplify/box_tree.hpp"
 
 #include <array>
 #include <cstdint>

@@ -19,6 +19,7 @@ Made make(uint32_t last, uint32_t hlod_triangles = 32) {
   BuildOptions options;
   options.hlod_triangles = hlod_triangles;
   const Lattice lattice{{0, 0, 0}, 0x1p-10};
+  const std::vector<VertexColor> palette(3, {255, 255, 255, 255});
   std::vector<HlodSource> sources(2);
   for (uint32_t leaf = 0; leaf < 2; ++leaf) {
     Surface& surface = sources[leaf].surface = awkward::surface_of(awkward::grid(6, 1, 0.01));
@@ -26,7 +27,7 @@ Made make(uint32_t last, uint32_t hlod_triangles = 32) {
     sources[leaf].spans.assign(surface.points.size(), {leaf, last, std::numeric_limits<float>::infinity()});
   }
   const UnitResult result = hlod_unit(std::move(sources), 0, 0, 2, {},
-                                      HlodPlace{.options = options, .lattice = lattice, .palette = {}});
+                                      HlodPlace{.options = options, .lattice = lattice, .palette = palette});
   return {result.chunks.size(), record_of<HlodFigures>(result.figures, "a test"),
           record_of<Baked>(result.geometry.at(0), "a test")};
 }

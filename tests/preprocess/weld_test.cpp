@@ -9,7 +9,9 @@
 namespace triptych {
 namespace {
 
-const std::vector<uint32_t> colors = {0, 1, 2};
+const std::vector<uint32_t> palette_of_materials = {0, 1, 2};
+const VertexTint white;
+const MeshColors colors{palette_of_materials}, of_corners{palette_of_materials, &white};
 const Lattice lattice{{0, 0, 0}, 0x1p-10};
 
 TEST(Weld, a_soup_of_a_grid_becomes_the_grid) {
@@ -94,10 +96,9 @@ TEST(Weld, what_has_no_area_from_the_start_is_not_enlarged) {
 
 TEST(Weld, materials_become_palette_entries) {
   Mesh mesh = awkward::box({0, 0, 0}, {1, 1, 1}, 2);
-  for (const Triangle& triangle :
-       weld(mesh, Affine(1), lattice, std::vector<uint32_t>{7, 8, 9}).surface.triangles) {
-    EXPECT_EQ(triangle.material, 9u);
-  }
+  const std::vector<uint32_t> others = {7, 8, 9};
+  const Surface surface = weld(mesh, Affine(1), lattice, {others}).surface;
+  for (const Triangle& triangle : surface.triangles) EXPECT_EQ(triangle.material, 9u);
 }
 
 TEST(Weld, where_two_colours_meet_is_one_point_and_the_corners_keep_theirs) {
@@ -106,7 +107,7 @@ TEST(Weld, where_two_colours_meet_is_one_point_and_the_corners_keep_theirs) {
             {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
             {{{0, 1, 2}, 0}, {{4, 3, 5}, 0}}};
   mesh.colors = {red, red, red, blue, blue, blue};
-  const Surface surface = weld(mesh, Affine(1), lattice, colors).surface;
+  const Surface surface = weld(mesh, Affine(1), lattice, of_corners).surface;
   EXPECT_EQ(surface.points.size(), 4u);
   EXPECT_EQ(surface.colors, (std::vector<CornerColors>{{red, red, red}, {blue, blue, blue}}));
 }
@@ -117,7 +118,7 @@ TEST(Weld, colours_stay_with_their_corners_where_triangles_are_mirrored_or_dropp
   mesh.colors = {red, green, blue};
   Affine mirror(1);
   mirror[0].x = -1;
-  const Surface surface = weld(mesh, mirror, lattice, colors).surface;
+  const Surface surface = weld(mesh, mirror, lattice, of_corners).surface;
   ASSERT_EQ(surface.colors.size(), 1u);
   for (size_t k = 0; k < 3; ++k) {
     const glm::ivec3 point = surface.points[surface.triangles[0].vertices[k]];
@@ -136,6 +137,20 @@ TEST(Weld, vertex_colours_multiply_base_colours_in_linear_light_and_the_first_ma
   EXPECT_NEAR(drawn[2], 99, 1);  // an eighth
   EXPECT_EQ(tint({}, 1)[0], (VertexColor{188, 255, 137, 255}))
       << "a corner without a colour has the material's";
+}
+
+TEST(Weld, flat_colours_become_those_of_the_palette) {
+  constexpr VertexColor red{255, 0, 0, 255}, blue{0, 0, 255, 255};
+  const FlatColors flat = {{red, 7}, {blue, 4}};
+  Mesh mesh{"m",
+            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+            {{{0, 1, 2}, 0}, {{4, 3, 5}, 0}}};
+  mesh.colors = {red, red, red, blue, blue, blue};
+  const Surface surface = weld(mesh, Affine(1), lattice, {palette_of_materials, &white, &flat}).surface;
+  EXPECT_EQ(surface.points.size(), 4u);
+  EXPECT_TRUE(surface.colors.empty());
+  EXPECT_EQ(surface.triangles[0].material, 7u);
+  EXPECT_EQ(surface.triangles[1].material, 4u);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tests/support/awkward_meshes.hpp"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace triptych {
 namespace {
@@ -27,10 +28,11 @@ Surface boxes_apart(int count, int apart) {
 }
 
 /// What a level with a bound of so many steps says.
-double bound_with_care(const Surface& surface, Colors colors, double bound) {
+double bound_with_care(const Surface& surface, double bound) {
   std::vector<Level> levels(1);
   levels[0].bound = bound;
-  take_care(surface, colors, levels);
+  take_care_of_wires(surface, levels);
+  take_care_of_scattered(surface, levels);
   return levels[0].bound;
 }
 
@@ -68,14 +70,40 @@ TEST(Scattered, is_not_what_stands_close_is_alone_or_has_many_triangles) {
   EXPECT_EQ(first_level_of_scattered(balls).triangles, 0u);
 }
 
+/// The surface and a plate under all of it.
+Surface on_a_plate(Surface surface) {
+  const LatticeBox box = surface.box();
+  const auto first = static_cast<uint32_t>(surface.points.size());
+  for (const auto& [x, y] : {std::pair(box.lo.x, box.lo.y), std::pair(box.hi.x, box.lo.y),
+                             std::pair(box.hi.x, box.hi.y), std::pair(box.lo.x, box.hi.y)})
+    surface.points.emplace_back(x, y, box.lo.z - 1);
+  surface.triangles.push_back({{first, first + 1, first + 2}, 2});
+  surface.triangles.push_back({{first, first + 2, first + 3}, 2});
+  return surface;
+}
+
+TEST(Scattered, what_they_stand_on_does_not_count) {
+  const Surface apart = on_a_plate(boxes_apart(4, 16384));
+  EXPECT_EQ(scattered_things(apart).covers.size(), 16u);
+  EXPECT_EQ(first_level_of_scattered(apart).triangles, 64u + 2);
+  EXPECT_GT(bound_with_care(apart, 1200), 1400);
+}
+
 TEST(Care, is_taken_of_scattered_things_about_as_large_as_the_bound) {
   const Surface apart = boxes_apart(4, 16384), close = boxes_apart(4, 2048);
-  for (const Colors colors : {Colors::keep, Colors::ignore}) {
-    EXPECT_GT(bound_with_care(apart, colors, 1200), 1400);
-    EXPECT_EQ(bound_with_care(apart, colors, 600), 600) << "they are larger";
-    EXPECT_EQ(bound_with_care(apart, colors, 6000), 6000) << "they are far smaller";
-    EXPECT_EQ(bound_with_care(close, colors, 1200), 1200);
-  }
+  EXPECT_GT(bound_with_care(apart, 1200), 1400);
+  EXPECT_EQ(bound_with_care(apart, 600), 600) << "they are larger";
+  EXPECT_EQ(bound_with_care(apart, 6000), 6000) << "they are far smaller";
+  EXPECT_EQ(bound_with_care(close, 1200), 1200);
+}
+
+TEST(Care, is_taken_of_wires_where_a_fifth_of_their_thickness_shows) {
+  const Surface wire = awkward::surface_of(awkward::box({0, 0, 0}, {64, 1, 1}, 1));
+  const double thickness = ComponentCovers(wire).covers[0].thickness;
+  EXPECT_EQ(bound_with_care(wire, thickness / 6), thickness / 6);
+  EXPECT_GT(bound_with_care(wire, thickness / 4), thickness);
+  const Surface beam = awkward::surface_of(awkward::box({0, 0, 0}, {8, 1, 1}, 1));
+  EXPECT_EQ(bound_with_care(beam, 1024), 1024);
 }
 
 }  // namespace

@@ -143,8 +143,8 @@ inline Model model_of(std::vector<Mesh> meshes) {
 
 /// The mesh on a lattice of a thousandth.
 inline Surface surface_of(const Mesh& mesh) {
-  const std::vector<uint32_t> colors = {0, 1, 2};
-  return weld(mesh, Affine(1), Lattice{{0, 0, 0}, 0x1p-10}, colors).surface;
+  const std::vector<uint32_t> materials = {0, 1, 2};
+  return weld(mesh, Affine(1), Lattice{{0, 0, 0}, 0x1p-10}, {materials}).surface;
 }
 
 }  // namespace triptych::awkward

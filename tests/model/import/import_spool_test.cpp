@@ -76,7 +76,8 @@ TEST(ImportSpool, meshes_beyond_what_memory_holds_wait_in_a_file_and_weld_as_the
                 found = import_model(
                     {file, file}, {.temporary_folder = folder, .max_in_memory = most, .held_bytes = 100'000});
     ASSERT_EQ(found.meshes.size(), expected.meshes.size());
-    const std::vector<uint32_t> colors(expected.materials.size(), 0);
+    const std::vector<uint32_t> materials(expected.materials.size(), 0);
+    const MeshColors colors{materials};
     size_t held = 0, stored = 0;
     uint64_t welded_vertices = 0;
     for (size_t i = 0; i < found.meshes.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "preprocess/box_tree.hpp"
+#include "simplify/box_tree.hpp"
 
 #include "simplify/median_split.hpp"
 
