@@ -4,6 +4,7 @@
 #include "preprocess/build.hpp"
 #include "preprocess/check/check.hpp"
 #include "preprocess/placements.hpp"
+#include "scene/finest_boxes.hpp"
 #include "scene/pack.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/drawable_triangles.hpp"
@@ -90,8 +91,7 @@ TEST(Instances, a_build_with_sub_hierarchies_is_sound_and_draws_what_the_flat_on
   EXPECT_NEAR(area(pack), area(other), area(other) * 1e-5);
   EXPECT_LT(pack.skeleton().chunks.size(), other.skeleton().chunks.size() / 2);
   EXPECT_EQ(pack.skeleton().objects.initial, other.skeleton().objects.initial);
-  const Box box = pack.skeleton().lattice().box(pack.skeleton().scene_nodes[0].box),
-            flat_box = other.skeleton().lattice().box(other.skeleton().scene_nodes[0].box);
+  const Box box = model_box(pack.skeleton()), flat_box = model_box(other.skeleton());
   EXPECT_LT(glm::distance(box.lo, flat_box.lo) + glm::distance(box.hi, flat_box.hi), 5);
 }
 
