@@ -163,27 +163,38 @@ void BuildCache::keep_earlier() {
   }
 }
 
-void BuildCache::count(bool is_found) {
-  const std::lock_guard lock(mutex_);
-  ++(is_found ? found_ : made_);
+BuildCache::Count BuildCache::count() const {
+  Count all;
+  for (const auto& [kind, count] : counts_) {
+    all.found += count.found;
+    all.made += count.made;
+  }
+  return all;
 }
 
-std::vector<std::byte> BuildCache::get(const ContentKey& key,
+void BuildCache::add_to_count(std::string_view kind, bool is_found) {
+  const std::lock_guard lock(mutex_);
+  auto known = counts_.find(kind);
+  if (known == counts_.end()) known = counts_.emplace(kind, Count()).first;
+  ++(is_found ? known->second.found : known->second.made);
+}
+
+std::vector<std::byte> BuildCache::get(std::string_view kind, const ContentKey& key,
                                        const std::function<std::vector<std::byte>()>& make) {
   std::optional<std::vector<std::byte>> known = find(key);
   const bool found = known.has_value();
   std::vector<std::byte> bytes = found ? std::move(*known) : make();
-  count(found);
+  add_to_count(kind, found);
   keep(key, bytes);
   return bytes;
 }
 
 void BuildCache::renew(
-    const ContentKey& key,
+    std::string_view kind, const ContentKey& key,
     const std::function<std::vector<std::byte>(const std::vector<std::byte>& before)>& make) {
   const std::vector<std::byte> before = find(key).value_or(std::vector<std::byte>());
   const std::vector<std::byte> bytes = make(before);
-  count(bytes == before);
+  add_to_count(kind, bytes == before);
   keep(key, bytes);
 }
 

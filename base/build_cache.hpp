@@ -15,6 +15,8 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
+#include <tsl/robin_map.h>
 #include <vector>
 
 namespace triptych {
@@ -33,17 +35,23 @@ class BuildCache {
 
   /// What is kept under the key, or else what `make` gives, which is kept. Safe on several threads. A disk
   /// that is full is no error before commit().
-  std::vector<std::byte> get(const ContentKey& key, const std::function<std::vector<std::byte>()>& make);
+  /// kind: under which it is counted.
+  std::vector<std::byte> get(std::string_view kind, const ContentKey& key,
+                             const std::function<std::vector<std::byte>()>& make);
   /// What `make` makes of what is kept under the key, which may be of something else than now, in part or
   /// all of it: `make` must tell. Empty where there is nothing. Safe on several threads; counted as found
   /// where it stays the same.
-  void renew(const ContentKey& key,
+  void renew(std::string_view kind, const ContentKey& key,
              const std::function<std::vector<std::byte>(const std::vector<std::byte>& before)>& make);
   /// How often get() and renew() found something, and how often they did not.
-  uint64_t found() const { return found_; }
-  uint64_t made() const { return made_; }
+  struct Count {
+    uint64_t found = 0, made = 0;
+  };
+  using Counts = std::map<std::string, Count, std::less<>>;  ///< by kind
+  const Counts& counts() const { return counts_; }
+  Count count() const;  ///< of all kinds
   /// Counts what was looked for by find() or read() as get() does.
-  void count(bool is_found);
+  void add_to_count(std::string_view kind, bool is_found);
   /// Bytes that this build asked for, and that are not kept since the limit has no room for them.
   uint64_t left_out_bytes() const { return left_out_bytes_; }
 
@@ -80,13 +88,15 @@ class BuildCache {
   ContentKey program_;
   std::optional<uint64_t> limit_;
   Descriptor old_;
-  std::map<ContentKey, Entry> old_entries_;
+  using Entries = tsl::robin_map<ContentKey, Entry, ContentKeyHash>;
+  Entries old_entries_;
   std::mutex mutex_;  ///< of what follows
   AtomicFile file_;
-  std::map<ContentKey, Entry> entries_;
+  Entries entries_;
   std::string problem_;  ///< why nothing more is written; empty: none
   std::set<ContentKey> left_out_;
-  uint64_t found_ = 0, made_ = 0, left_out_bytes_ = 0;
+  Counts counts_;
+  uint64_t left_out_bytes_ = 0;
 };
 
 }  // namespace triptych

@@ -14,6 +14,9 @@ struct ContentKey {
   uint64_t low = 0, high = 0;
   auto operator<=>(const ContentKey&) const = default;
 };
+struct ContentKeyHash {
+  size_t operator()(const ContentKey& key) const { return key.low; }
+};
 
 /// Takes content piece by piece; write_record() (base/record.hpp) can write to it.
 class ContentKeyWriter {

@@ -130,7 +130,7 @@ class UsedCache {
   /// KeptBuild::take(); what there is in the cache then stays.
   std::optional<nlohmann::json> take(const std::filesystem::path& output) const {
     auto report = build_ ? build_->take(output) : std::nullopt;
-    if (report) (*report)["cache"] = figures(1, 0);
+    if (report) (*report)["cache"] = figures({1, 0});
     return report;
   }
 
@@ -145,18 +145,23 @@ class UsedCache {
     } catch (const Error& error) {
       notice("warning: the cache stays as it was: {}", error.what());
     }
-    fmt::print("{}: {} of {} pieces of work were done before\n", file_.string(), cache_->found(),
-               cache_->found() + cache_->made());
+    const BuildCache::Count all = cache_->count();
+    fmt::print("{}: {} of {} pieces of work were done before\n", file_.string(), all.found,
+               all.found + all.made);
     if (cache_->left_out_bytes() > 0)
       notice("warning: {}: {} bytes of what this build asked for have no room within --cache-limit",
              file_.string(), in_threes(static_cast<double>(cache_->left_out_bytes())));
-    return figures(cache_->found(), cache_->made());
+    return figures(all);
   }
 
  private:
-  nlohmann::json figures(uint64_t found, uint64_t made) const {
-    return {{"found", found},
-            {"made", made},
+  nlohmann::json figures(const BuildCache::Count& all) const {
+    nlohmann::json kinds = nlohmann::json::object();
+    for (const auto& [kind, count] : cache_->counts())
+      kinds[kind] = {{"found", count.found}, {"made", count.made}};
+    return {{"found", all.found},
+            {"made", all.made},
+            {"kinds", kinds},
             {"left_out_bytes", cache_->left_out_bytes()},
             {"bytes", std::filesystem::exists(file_) ? std::filesystem::file_size(file_) : 0}};
   }

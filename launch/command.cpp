@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -256,6 +257,8 @@ void add_samples_flag(CLI::App& command, std::vector<uint32_t>& samples) {
 
 namespace {
 void add_effects_flag(CLI::App& command, Effects& effects) {
+  std::vector<std::string_view> names;
+  for (const Effect effect : all_effects) names.push_back(effect_name(effect));
   command
       .add_option_function<std::string>(
           "--effects",
@@ -266,8 +269,8 @@ void add_effects_flag(CLI::App& command, Effects& effects) {
               throw CLI::ValidationError(error.what());
             }
           },
-          "Draw only these of what the model calls for beyond opaque surfaces: vertex-colours, transparency")
-      ->type_name("all|none|NAME,...")
+          "Draw only these of what the model calls for beyond opaque surfaces")
+      ->type_name(fmt::format("{}|all|none", fmt::join(names, ",")))
       ->default_str("all");
 }
 }  // namespace

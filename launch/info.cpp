@@ -7,8 +7,10 @@
 #include "measure/hierarchy_quality.hpp"
 #include "measure/json.hpp"
 #include "scene/finest_boxes.hpp"
+#include "scene/skeleton_memory.hpp"
 #include "session/open_pack.hpp"
 
+#include <algorithm>
 #include <fmt/core.h>
 
 namespace triptych {
@@ -21,6 +23,32 @@ nlohmann::json vector_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 nlohmann::json build_json(const Pack& pack) {
   const PackOptions options = pack.read_options();
   return options.empty() ? nlohmann::json() : nlohmann::json(options);
+}
+
+double bytes_a_drawable(const Skeleton& skeleton, uint64_t bytes) {
+  return static_cast<double>(bytes) / static_cast<double>(std::max<size_t>(skeleton.drawables.size(), 1));
+}
+
+/// What the skeleton takes in memory.
+nlohmann::json memory_json(const Skeleton& skeleton) {
+  const uint64_t bytes = skeleton_bytes(skeleton);
+  nlohmann::json arrays = nlohmann::json::object();
+  for (const ArrayMemory& array : skeleton_memory(skeleton))
+    arrays[std::string(array.name)] = {{"count", array.count}, {"bytes", array.bytes}};
+  return {{"bytes", bytes}, {"bytes_a_drawable", bytes_a_drawable(skeleton, bytes)}, {"arrays", arrays}};
+}
+
+void print_memory(const Skeleton& skeleton) {
+  std::vector<std::vector<std::string>> rows;
+  const auto add = [&](std::string_view name, const std::string& count, uint64_t bytes) {
+    rows.push_back({std::string(name), count, in_threes(static_cast<double>(bytes)),
+                    in_threes(bytes_a_drawable(skeleton, bytes), 1)});
+  };
+  for (const ArrayMemory& array : skeleton_memory(skeleton)) {
+    if (array.bytes > 0) add(array.name, in_threes(static_cast<double>(array.count)), array.bytes);
+  }
+  add("skeleton", "", skeleton_bytes(skeleton));
+  fmt::print("\n{}", text_table({"in memory", "count", "bytes", "bytes a drawable"}, rows));
 }
 
 nlohmann::json describe(const Pack& pack) {
@@ -47,6 +75,7 @@ nlohmann::json describe(const Pack& pack) {
           {"effects", skeleton.effects},
           {"build", build_json(pack)},
           {"import", to_json(skeleton.import)},
+          {"skeleton", memory_json(skeleton)},
           {"hierarchy", to_json(hierarchy_quality(skeleton))}};
 }
 
@@ -111,10 +140,12 @@ int run(const InfoCommand& command) {
     return 0;
   }
   for (const auto& [key, value] : description.items()) {
-    if (key != "hierarchy" && key != "objects") fmt::print("{:<17} {}\n", key, in_words(value));
+    if (key != "hierarchy" && key != "objects" && key != "skeleton")
+      fmt::print("{:<17} {}\n", key, in_words(value));
   }
   print_objects(pack.skeleton());
   print_hierarchy(pack.skeleton());
+  print_memory(pack.skeleton());
   write_json(command.json, description);
   return 0;
 }

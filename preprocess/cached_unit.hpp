@@ -11,11 +11,12 @@ namespace triptych {
 void write_unit_kind(ContentKeyWriter& writer, UnitKind kind, const BuildOptions& options);
 
 /// What `make` gives, or gave when it was made of the same: its chunks then get this lattice, since lattices
-/// have other numbers in each build. Null: it is made.
+/// have other numbers in each build. Null: it is made. name: of its kind, as the build's figures say it.
 template <typename Make>
-UnitResult cached_unit(BuildCache* cache, const ContentKeyWriter& key, uint32_t lattice, const Make& make) {
+UnitResult cached_unit(BuildCache* cache, std::string_view name, const ContentKeyWriter& key,
+                       uint32_t lattice, const Make& make) {
   if (!cache) return make();
-  const std::vector<std::byte> bytes = cache->get(key.key(), [&] { return record_bytes(make()); });
+  const std::vector<std::byte> bytes = cache->get(name, key.key(), [&] { return record_bytes(make()); });
   auto result = record_of<UnitResult>(bytes, "a build's cache");
   for (UnitChunk& chunk : result.chunks) chunk.lattice = lattice;
   return result;

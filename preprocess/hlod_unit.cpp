@@ -111,7 +111,7 @@ UnitResult hlod_unit(std::vector<HlodSource> sources, double error, uint32_t fir
   const uint32_t leaves = end_place - first_place;
   ContentKeyWriter key;
   if (where.options.cache) write_key(key, sources, error, leaves, gaps, where);
-  UnitResult result = cached_unit(where.options.cache, key, where.lattice_number,
+  UnitResult result = cached_unit(where.options.cache, "levels of scene nodes", key, where.lattice_number,
                                   [&] { return make_levels(sources, error, leaves, gaps, where); });
   auto coarsest = record_of<Baked>(result.geometry.at(0), "a build unit");
   place.to_model(coarsest.spans, coarsest.objects);

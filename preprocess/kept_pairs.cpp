@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace triptych {
@@ -21,18 +20,20 @@ ContentKey KeptPairs::key_of(const ContentKey& a, const ContentKey& b) {
   return key.key();
 }
 
-const std::vector<std::byte>* KeptPairs::find(const ContentKey& pair) {
+const std::vector<std::byte>* KeptPairs::find(const ContentKey& key) {
   // Most come in the same order as then.
-  auto found = std::find(before_.keys.begin() + static_cast<std::ptrdiff_t>(next_), before_.keys.end(), pair);
-  if (found == before_.keys.end()) found = std::find(before_.keys.begin(), before_.keys.end(), pair);
-  if (found == before_.keys.end()) return nullptr;
-  const auto index = static_cast<size_t>(found - before_.keys.begin());
-  next_ = index + 1;
-  return &before_.values[index];
+  if (next_ < before_.keys.size() && before_.keys[next_] == key) return &before_.values[next_++];
+  if (numbers_.empty()) {
+    for (size_t i = 0; i < before_.keys.size(); ++i) numbers_.insert({before_.keys[i], i});
+  }
+  const auto found = numbers_.find(key);
+  if (found == numbers_.end()) return nullptr;
+  next_ = found->second + 1;
+  return &before_.values[found->second];
 }
 
-void KeptPairs::note(const ContentKey& pair, std::vector<std::byte> bytes) {
-  now_.keys.push_back(pair);
+void KeptPairs::note(const ContentKey& key, std::vector<std::byte> bytes) {
+  now_.keys.push_back(key);
   now_.values.push_back(std::move(bytes));
 }
 

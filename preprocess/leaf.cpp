@@ -236,7 +236,7 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
     const std::vector<std::byte> bytes = work.parts().read(info.place);
     ContentKeyWriter key;
     if (options.cache) write_levels_key(key, bytes, info, lattice, parts.palette, options, kept_triangles);
-    return record_bytes(cached_unit(options.cache, key, info.lattice, [&] {
+    return record_bytes(cached_unit(options.cache, "levels of parts", key, info.lattice, [&] {
       return make_levels(record_of<Part>(bytes, work.parts().path().string()), info, lattice, parts.palette,
                          options, kept_triangles);
     }));

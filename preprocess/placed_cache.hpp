@@ -36,11 +36,19 @@ class PlacedCache {
   /// placed changes in one place, the other groups stay the same.
   std::vector<uint32_t> group_ends(const PlacedParts& hierarchy) const;
 
-  /// What `make` gives, or gave under the same key. Value: a record, or a vector.
+  /// What `make` gives, or gave under the same key, which begins with `what`. Value: a record, or a vector.
   template <typename Value, typename Make>
-  Value get(const ContentKeyWriter& key, const Make& make) const {
+  Value get(std::string_view what, const ContentKeyWriter& key, const Make& make) const {
     if (!cache_) return make();
-    return record_of<Value>(cache_->get(key.key(), [&] { return record_bytes(make()); }), "a build's cache");
+    return record_of<Value>(cache_->get(what, key.key(), [&] { return record_bytes(make()); }),
+                            "a build's cache");
+  }
+
+  /// Hands what is kept under the key, or nothing, to `make`, which tells what of it holds, and keeps what
+  /// that gives. Only where there is a cache.
+  template <typename Make>
+  void renew(std::string_view what, const ContentKeyWriter& key, const Make& make) const {
+    cache_->renew(what, key.key(), make);
   }
 
   /// Calls make(KeptPairs&), for pairs of so many placed parts from `first` on; what: they tell of them.
@@ -56,7 +64,7 @@ class PlacedCache {
     ContentKeyWriter key;
     begin(key, what, hierarchy);
     for (const ContentKey& member : keys.subspan(first, count)) key.write(member);
-    cache_->renew(key.key(), [&](const std::vector<std::byte>& before) {
+    renew(what, key, [&](const std::vector<std::byte>& before) {
       KeptPairs pairs(before);
       make(pairs);
       return pairs.bytes();

@@ -44,14 +44,15 @@ void measure(const Mesh& mesh, PlannedMesh& planned, std::optional<FlatColorSear
 
 /// Colours in the order of the materials, and then the flat ones. Of a model of several files, whose later
 /// ones would be renumbered with each new colour of an earlier one, each has the place that its hash says, or
-/// the next that is free, in a table with room to spare.
+/// the next that is free, in a table with room to spare, which is as large for all models but those of very
+/// many colours.
 void make_palette(const Model& model, BuildPlan& plan) {
   std::map<DisplayColor, uint32_t> indices;
   for (const Material& material : model.materials) indices[display_color(material)] = no_id;
   for (const auto& [color, index] : plan.flat_colors) indices[color] = no_id;
   if (indices.size() > max_colors) fail("build", "the model has more than {} colours", max_colors);
-  constexpr size_t room = 8;
-  const size_t places = std::bit_ceil(room * indices.size());
+  constexpr size_t room = 8, usual_places = 4096;
+  const size_t places = std::max(std::bit_ceil(room * indices.size()), usual_places);
   const bool by_hash = file_objects(model.source_objects).size() > 1 && places <= max_colors;
   if (by_hash) plan.palette.resize(places);
   std::vector<uint8_t> taken(plan.palette.size(), 0);

@@ -59,6 +59,7 @@ void ClosedSurfaces::find_reach(const Skeleton& skeleton) {
   for (const ClosedRun& run : runs) ++first_in_chunk_[run.chunk + 1];
   std::partial_sum(first_in_chunk_.begin(), first_in_chunk_.end(), first_in_chunk_.begin());
   by_chunk_ = sorted_by_chunk(runs);
+  reach_.reserve(skeleton.scene_nodes.size());
   for (const SceneNode& node : skeleton.scene_nodes) {
     LatticeBox& box = reach_.emplace_back(node.box);
     if (node.child_count > 0 || node.drawable_count == 0) continue;

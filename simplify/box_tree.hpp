@@ -35,6 +35,11 @@ class BoxTree {
       return true;
     });
   }
+  /// The same until visit(index) returns false.
+  template <typename Visit>
+  void visit_while(const Box& box, const Visit& visit) const {
+    walk(box, end, visit);
+  }
   /// The same for boxes that the ray meets; visit() may shorten the ray, by its `most`. margin: of boxes.
   template <typename Visit>
   void visit(const RaySpan& ray, double margin, const Visit& visit) const {

@@ -14,6 +14,9 @@ std::string quoted(const std::string& text) {
   return word + "'";
 }
 
+/// The words of a flag's value, with spaces between them.
+std::string words_of(const DescribedFlag& flag) { return CLI::detail::join(flag.choices, " "); }
+
 /// The first sentence or part of one: what fits beside a flag.
 std::string short_description(const std::string& text) {
   return text.substr(0, std::min(text.find_first_of(";:\n"), text.find(". ")));
@@ -37,6 +40,12 @@ std::string zsh_text(const std::string& text) {
   return escaped;
 }
 
+/// What zsh calls for a flag's value.
+std::string zsh_action(const DescribedFlag& flag) {
+  if (flag.choices.empty()) return flag.names_file ? "_files" : " ";
+  return flag.is_list ? "_values -s , value " + words_of(flag) : "(" + words_of(flag) + ")";
+}
+
 std::string zsh_function(const DescribedCommand& command) {
   std::string name = "_triptych";
   for (const std::string& word : command.path) name += "_" + word;
@@ -52,13 +61,11 @@ std::string zsh_function(const DescribedCommand& command) {
   }
   text += "  _arguments";
   for (const DescribedFlag& flag : command.flags) {
-    const std::string action = !flag.choices.empty() ? "(" + CLI::detail::join(flag.choices, " ") + ")"
-                               : flag.names_file     ? "_files"
-                                                     : " ";
     if (flag.positional) continue;
     for (const std::string& flag_name : flag.names)
-      text += " \\\n    " + quoted("*" + flag_name + "[" + zsh_text(flag.description) + "]" +
-                                   (flag.value.empty() ? "" : ":" + zsh_text(flag.value) + ":" + action));
+      text += " \\\n    " +
+              quoted("*" + flag_name + "[" + zsh_text(flag.description) + "]" +
+                     (flag.value.empty() ? "" : ":" + zsh_text(flag.value) + ":" + zsh_action(flag)));
   }
   return text + " \\\n    '*:file:_files'\n}\n";
 }
@@ -82,15 +89,22 @@ std::string bash_completion(const std::vector<DescribedCommand>& commands) {
       below += fmt::format("      {}) words={} ;;\n", quoted(command.words()),
                            quoted(CLI::detail::join(command.subcommands, " ")));
     for (const DescribedFlag& flag : command.flags) {
-      for (const std::string& name : flag.names) {
-        if (!flag.choices.empty())
-          values +=
-              fmt::format("    {}) COMPREPLY=($(compgen -W {} -- \"$word\")); return ;;\n",
-                          quoted(command.words() + ":" + name), quoted(CLI::detail::join(flag.choices, " ")));
-      }
+      if (flag.choices.empty()) continue;
+      for (const std::string& name : flag.names)
+        values += fmt::format("    {}) {} {}; return ;;\n", quoted(command.words() + ":" + name),
+                              flag.is_list ? "_triptych_list" : "_triptych_word", quoted(words_of(flag)));
     }
   }
   return "# Completes command lines of triptych in bash. Made by `triptych describe bash`.\n"
+         "_triptych_word() { COMPREPLY=($(compgen -W \"$1\" -- \"$word\")); }\n"
+         // The last word of a list, and none of those before it again; what they offer begins with those.
+         "_triptych_list() {\n"
+         "  local given='' last=${word##*,} choice\n"
+         "  [[ $word == *,* ]] && given=${word%,*},\n"
+         "  for choice in $1; do\n"
+         "    [[ $choice == \"$last\"* && ,$given != *,$choice,* ]] && COMPREPLY+=(\"$given$choice\")\n"
+         "  done\n"
+         "}\n"
          "_triptych() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' longer "
          "words='' i\n"
@@ -156,7 +170,8 @@ std::string fish_completion(const std::vector<DescribedCommand>& commands) {
       for (const std::string& name : flag.names)
         script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (!flag.choices.empty()) {
-        script += " -x -a " + quoted(CLI::detail::join(flag.choices, " "));
+        script +=
+            " -x -a " + quoted(flag.is_list ? "(__fish_append , " + words_of(flag) + ")" : words_of(flag));
       } else if (!flag.value.empty()) {
         script += flag.names_file ? " -r" : " -x";
       }

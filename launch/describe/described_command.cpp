@@ -8,7 +8,7 @@ namespace triptych {
 
 namespace {
 
-/// "a|b|c" are choices; "FILE.json" and "WxH" are not.
+/// "a|b|c" are choices, and so are "a,b|c"; "FILE.json" and "WxH" are not.
 std::vector<std::string> choices_in(const std::string& value) {
   std::vector<std::string> words;
   if (value.find('|') != std::string::npos) words = CLI::detail::split(value, '|');
@@ -30,6 +30,7 @@ DescribedFlag described(const CLI::Option& option) {
   flag.value = option.get_type_name();
   flag.otherwise = option.get_default_str();
   flag.choices = choices_in(flag.value);
+  flag.is_list = !flag.choices.empty() && flag.value.find(',') != std::string::npos;
   flag.names_file = names_files(option);
   return flag;
 }

@@ -12,6 +12,7 @@ struct DescribedFlag {
   std::string value;                   ///< what follows it, as in --help; empty for one without a value
   std::string description, otherwise;  ///< otherwise: its default; may be empty
   std::vector<std::string> choices;    ///< the words of its value, where it takes no others
+  bool is_list = false;                ///< its value may be several of the choices, with commas between them
   bool names_file = false, positional = false, required = false;
 };
 

@@ -56,7 +56,7 @@ Converted KeptConversions::get(const std::shared_ptr<const StreamSource>& source
                                const std::function<Converted()>& convert) {
   const Keys keys = keys_of(source, how);
   std::optional<Converted> found = find(keys, source->name(), folder);
-  cache_.count(found.has_value());
+  cache_.add_to_count("converted files", found.has_value());
   Converted converted = found ? std::move(*found) : convert();
   if (converted.also_read.empty() && !has_changed(source)) keep(keys, converted);
   return converted;

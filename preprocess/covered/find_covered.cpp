@@ -2,13 +2,11 @@
 
 #include "base/threads.hpp"
 #include "preprocess/contacts/find_contacts.hpp"
+#include "preprocess/covered/look_over.hpp"
 #include "preprocess/covered/relative_place.hpp"
-#include "preprocess/covered/surroundings.hpp"
 #include "preprocess/spatial_order.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -16,38 +14,6 @@
 namespace triptych {
 
 namespace {
-
-/// Places all over a triangle, inside and near its corners, so that none of it is further than about `apart`
-/// from one: in 2 to 8 rows from the corner that its shortest side lies opposite to that side, each as dense
-/// as it is wide. False as soon as take(place) is.
-template <typename Take>
-bool each_sample(const std::array<glm::dvec3, 3>& corners, double apart, const Take& take) {
-  constexpr double inset = 0.01;
-  size_t top = 0;
-  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-  for (size_t k = 0; k < 3; ++k) {
-    const double side = glm::distance(corners[(k + 1) % 3], corners[(k + 2) % 3]);
-    longest = std::max(longest, side);
-    if (side < shortest) {
-      shortest = side;
-      top = k;
-    }
-  }
-  const auto steps = [&](double length) { return static_cast<int>(std::ceil(length / apart)); };
-  const int rows = std::clamp(steps(longest), 2, 8);
-  for (int row = 0; row < rows; ++row) {
-    const double down = static_cast<double>(row) / (rows - 1);
-    const int places = std::min(row + 1, steps(down * shortest) + 1);
-    for (int i = 0; i < places; ++i) {
-      const double across = places > 1 ? down * i / (places - 1) : 0;
-      const auto share = [](double of) { return inset + (1 - 3 * inset) * of; };
-      if (!take(corners[top] * share(1 - down) + corners[(top + 1) % 3] * share(down - across) +
-                corners[(top + 2) % 3] * share(across)))
-        return false;
-    }
-  }
-  return true;
-}
 
 /// What lies over a region in one of the placements: its number in what stands around that, and how near it
 /// comes.
@@ -69,6 +35,21 @@ inline constexpr auto record_members<FoundBlock> = std::tuple(&FoundBlock::left,
 
 namespace {
 
+/// What a build keeps of a block.
+struct KeptBlock {
+  ContentKey key;  ///< of all that `found` was made of
+  FoundBlock found;
+  std::vector<std::byte> regions;  ///< KeptPairs::bytes() of regions, each in one placement
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<KeptBlock> = std::tuple(&KeptBlock::key, &KeptBlock::found,
+                                                             &KeptBlock::regions);
+
+namespace {
+
 class CoveredFinder {
  public:
   CoveredFinder(const Parts& parts, const PlacedParts& hierarchy, PartCache<PartRegions>& cache,
@@ -79,7 +60,10 @@ class CoveredFinder {
         kept_(kept),
         tolerance_(contact_steps * parts.lattices[hierarchy.lattice].step),
         boxes_(boxes_of(parts, hierarchy)),
-        tree_(boxes_) {}
+        tree_(boxes_) {
+    for (uint32_t i = 0; kept.is_used() && i < hierarchy.placed.size(); ++i)
+      placed_keys_.push_back(kept.key_of(hierarchy, i));
+  }
 
   std::vector<CoveredRegion> run() {
     // Part by part: a region that is not covered in one placement is not looked at in others.
@@ -156,19 +140,34 @@ class CoveredFinder {
     return covers;
   }
 
-  /// All placements of one part: the first, then more and more at once, while any region is left.
+  /// Where blocks of a part's placements end, ascending: the first is alone, since what is open there need
+  /// not be looked at elsewhere; then of about 16, at most 64, so that where the placements change in one
+  /// place the other blocks stay the same.
+  std::vector<size_t> block_ends(const std::vector<uint32_t>& placements) const {
+    constexpr size_t about = 16, most = 64;
+    std::vector<size_t> ends = {1};
+    for (size_t i = 1; i < placements.size(); ++i) {
+      const size_t size = i + 1 - ends.back();
+      const bool ends_here = kept_.is_used() ? placed_keys_[placements[i]].low % about == 0 : size == about;
+      if (ends_here || size == most || i + 1 == placements.size()) ends.push_back(i + 1);
+    }
+    return ends;
+  }
+
+  /// All placements of one part, block by block while any region is left.
   std::vector<CoveredRegion> look_at(const std::vector<uint32_t>& placements) const {
-    constexpr size_t growth = 4, most = 64;
     std::vector<uint32_t> left;  // set by the first block
     Proofs proofs;
     std::vector<std::vector<std::pair<uint32_t, Covers>>> covers;  // of each placement, by region
     ContentKey before;                                             // of the blocks before
-    for (size_t first = 0, size = 1; first < placements.size() && (first == 0 || !left.empty());
-         first += size, size = std::min(growth * size, most)) {
-      const auto block = std::span(placements).subspan(first, std::min(size, placements.size() - first));
+    size_t first = 0;
+    for (const size_t end : block_ends(placements)) {
+      if (first > 0 && left.empty()) break;
+      const auto block = std::span(placements).subspan(first, end - first);
       std::vector<Neighborhood> around;
       for (const uint32_t placed : block) around.push_back(neighborhood(placed));
       const FoundBlock found = find(block, around, first == 0, left, proofs, before);
+      first = end;
       left = found.left;
       for (size_t k = 0; k < found.covers.size(); ++k) {
         auto& own = covers.emplace_back();
@@ -192,29 +191,45 @@ class CoveredFinder {
   /// What find_in() gives, or gave. `before` becomes the key of this block.
   FoundBlock find(std::span<const uint32_t> block, const std::vector<Neighborhood>& around, bool is_first,
                   const std::vector<uint32_t>& left, const Proofs& proofs, ContentKey& before) const {
-    const auto make = [&] { return find_in(block, around, is_first, left, proofs); };
-    if (!kept_.is_used()) return make();
-    ContentKeyWriter key;
-    kept_.begin(key, "covered", hierarchy_);
-    key.write(before);
-    for (size_t k = 0; k < block.size(); ++k) {
-      kept_.add(key, hierarchy_, block[k]);
-      key.write(uint64_t{around[k].placed.size()});
-      for (const auto& [place, other] : around[k].placed) kept_.add(key, hierarchy_, other);
+    if (!kept_.is_used()) {
+      KeptPairs none;
+      return find_in(block, around, is_first, left, proofs, none);
     }
-    before = key.key();
-    return kept_.get<FoundBlock>(key, make);
+    constexpr std::string_view what = "covered";
+    ContentKeyWriter own, all;
+    kept_.begin(own, what, hierarchy_);
+    all.write(before);
+    for (size_t k = 0; k < block.size(); ++k) {
+      own.write(placed_keys_[block[k]]);
+      all.write(uint64_t{around[k].placed.size()});
+      for (const auto& [place, other] : around[k].placed) all.write(placed_keys_[other]);
+    }
+    all.write(own.key());
+    before = all.key();
+    FoundBlock found;
+    kept_.renew(what, own, [&](const std::vector<std::byte>& bytes) {
+      KeptBlock known;
+      if (!bytes.empty()) known = record_of<KeptBlock>(bytes, "a build's cache");
+      if (known.key == before) {
+        found = std::move(known.found);
+        return bytes;
+      }
+      KeptPairs regions(known.regions);
+      found = find_in(block, around, is_first, left, proofs, regions);
+      return record_bytes(KeptBlock{before, found, regions.bytes()});
+    });
+    return found;
   }
 
   FoundBlock find_in(std::span<const uint32_t> block, const std::vector<Neighborhood>& around, bool is_first,
-                     std::vector<uint32_t> left, Proofs proofs) const {
+                     std::vector<uint32_t> left, Proofs proofs, KeptPairs& regions) const {
     if (is_first) {
       left.resize(cache_.get(part_of(block.front()))->regions.size());
       std::iota(left.begin(), left.end(), 0u);
     }
     std::vector<std::map<uint32_t, std::vector<FoundCover>>> covers(block.size());
     for (size_t k = 0; k < block.size() && !left.empty(); ++k) {
-      Looker looker(*this, block[k], around[k]);
+      Looker looker(*this, block[k], around[k], regions);
       std::erase_if(left, [&](uint32_t region) {
         auto found = looker.covers_of(region, proofs[region]);
         if (!found) return true;
@@ -255,21 +270,59 @@ class CoveredFinder {
   /// A placement among what stands around it, which is loaded where it is needed.
   class Looker {
    public:
-    Looker(const CoveredFinder& finder, uint32_t placed, const Neighborhood& around)
-        : finder_(finder), number_(placed), around_(around) {}
+    Looker(const CoveredFinder& finder, uint32_t placed, const Neighborhood& around, KeptPairs& regions)
+        : finder_(finder), number_(placed), around_(around), kept_(regions) {}
 
     /// Nothing where the region is not covered all over.
     std::optional<std::vector<FoundCover>> covers_of(uint32_t region, const std::vector<Proof>& proofs) {
       for (const Proof& proof : proofs) {
         if (auto covers = covers_by(proof, around_)) return covers;
       }
-      if (!surroundings_) {
-        std::vector<std::pair<uint32_t, Box>> others;
-        for (const auto& [place, other] : around_.placed) others.push_back({other, finder_.boxes_[other]});
-        surroundings_.emplace(finder_.parts_, finder_.hierarchy_, finder_.cache_, number_, others,
-                              finder_.tolerance_);
+      return kept_.is_used() ? kept_covers(region) : covers_of(region);
+    }
+
+   private:
+    /// What covers_of() gives, or gave: its neighbours among those alone that may lie over the region, so
+    /// that others may come and go.
+    std::optional<std::vector<FoundCover>> kept_covers(uint32_t region) {
+      ContentKeyWriter key;
+      key.write(finder_.placed_keys_[number_]);
+      key.write(region);
+      std::vector<uint64_t> near;  // indices in what stands around
+      size_t at = 0;
+      for (const uint32_t other : reached_from(surroundings(), region, finder_.tolerance_)) {
+        while (around_.placed[at].second != other) ++at;
+        near.push_back(at);
+        key.write(finder_.placed_keys_[other]);
+        key.write(other == number_);
       }
-      const auto covers = finder_.look_over(*surroundings_, region);
+      const auto found = kept_.get<std::vector<FoundCover>>(key.key(), [&] {
+        std::vector<std::vector<FoundCover>> made;
+        auto covers = covers_of(region);
+        if (!covers) return made;
+        for (FoundCover& cover : *covers) {
+          const auto index = std::ranges::lower_bound(near, cover.neighbour);
+          cover.neighbour = static_cast<uint64_t>(index - near.begin());
+        }
+        made.push_back(std::move(*covers));
+        return made;
+      });
+      if (found.empty()) return std::nullopt;
+      std::vector<FoundCover> covers = found.front();
+      for (FoundCover& cover : covers) cover.neighbour = near.at(cover.neighbour);
+      return covers;
+    }
+
+    Surroundings& surroundings() {
+      if (surroundings_) return *surroundings_;
+      std::vector<std::pair<uint32_t, Box>> others;
+      for (const auto& [place, other] : around_.placed) others.push_back({other, finder_.boxes_[other]});
+      return surroundings_.emplace(finder_.parts_, finder_.hierarchy_, finder_.cache_, number_, others,
+                                   finder_.tolerance_);
+    }
+
+    std::optional<std::vector<FoundCover>> covers_of(uint32_t region) {
+      const auto covers = look_over(surroundings(), region, finder_.tolerance_);
       if (!covers) return std::nullopt;
       std::vector<FoundCover> found;
       for (const RegionCover& cover : *covers)
@@ -277,45 +330,12 @@ class CoveredFinder {
       return found;
     }
 
-   private:
     const CoveredFinder& finder_;
     uint32_t number_;
     const Neighborhood& around_;
+    KeptPairs& kept_;
     std::optional<Surroundings> surroundings_;
   };
-
-  /// Samples a region all over; nothing where it is not covered.
-  std::optional<Covers> look_over(Surroundings& surroundings, uint32_t index) const {
-    const PlacedRegions& own = surroundings.own();
-    const SmoothRegion& region = own.regions->regions[index];
-    const double size = diagonal(own.out(region.box));
-    if (size < 8 * tolerance_) return std::nullopt;
-    // How large the surface is of which a border cut off a corner is not known: it may lie deeper than the
-    // corner alone might, where it is hidden from the sides, too.
-    const double least = region.is_cut ? own.regions->diagonal / own.shrink / 4 : 0;
-    const bool is_corner = size < least;
-    const double whole = std::max(size, least);
-    const double apart = size / 12;
-    std::map<uint32_t, double> nearest;
-    for (uint32_t i = region.first; i < region.first + region.count; ++i) {
-      const auto corners = own.corners(i);
-      glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-      const double length = glm::length(normal);
-      if (!(length > 0)) continue;
-      normal *= (own.turns_over ? -1 : 1) / length;
-      const bool all = each_sample(corners, apart, [&](const glm::dvec3& at) {
-        const auto over = surroundings.over(index, at, normal, whole);
-        if (!over) return false;
-        const auto [entry, inserted] = nearest.try_emplace(over->placed, over->clearance);
-        if (!inserted) entry->second = std::min(entry->second, over->clearance);
-        return !is_corner || surroundings.hidden_from_sides(index, at, normal, whole);
-      });
-      if (!all) return std::nullopt;
-    }
-    Covers covers;
-    for (const auto& [placed, clearance] : nearest) covers.push_back({placed, clearance});
-    return covers;
-  }
 
   const Parts& parts_;
   const PlacedParts& hierarchy_;
@@ -324,6 +344,7 @@ class CoveredFinder {
   double tolerance_;
   std::vector<Box> boxes_;  ///< of placed parts
   BoxTree tree_;
+  std::vector<ContentKey> placed_keys_;  ///< empty where there is no cache
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace triptych {
@@ -27,6 +28,21 @@ struct RegionDistance {
   uint64_t region = 0;
   double distance = 0;
 };
+
+/// What a build keeps of a placement.
+struct KeptDistances {
+  ContentKey neighbours, triangles;  ///< of all that they were made of, and of that what counts
+  std::vector<RegionDistance> distances;
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto record_members<KeptDistances> = std::tuple(&KeptDistances::neighbours,
+                                                                 &KeptDistances::triangles,
+                                                                 &KeptDistances::distances);
+
+namespace {
 
 /// Of each covered region of a part the furthest in the placements that were looked at, lattice steps.
 using Furthest = std::map<uint32_t, double>;
@@ -116,15 +132,55 @@ class RegionMeter {
     return members;
   }
 
-  /// further(), or what it gave.
+  /// What distances of a placement's regions are measured of: their triangles, and those around them that are
+  /// not covered; lattice steps.
+  struct Measured {
+    std::map<uint32_t, std::vector<Corners>> left_out;  ///< by region
+    std::vector<Corners> stays;
+    double most = 0;  ///< what is further counts as no distance
+  };
+
+  /// further(), or what it gave for the same neighbours, or else for the same triangles: most of what comes
+  /// and goes around a placement, and most of what is covered elsewhere on its neighbours, is too far to
+  /// matter.
   Furthest kept_further(const Placement& placement, const Furthest& before) const {
-    if (!kept_.is_used()) return further(placement, before);
-    ContentKeyWriter key;
-    kept_.begin(key, "distances of what is covered", hierarchy_);
-    for (const auto& [region, distance] : before) {
+    if (!kept_.is_used()) return further(what_counts(placement, before), before);
+    constexpr std::string_view what = "distances of what is covered";
+    const ContentKey neighbours = neighbours_key(placement, before);
+    ContentKeyWriter own;
+    kept_.begin(own, what, hierarchy_);
+    kept_.add(own, hierarchy_, placement.placed);
+    KeptDistances known;
+    kept_.renew(what, own, [&](const std::vector<std::byte>& bytes) {
+      if (!bytes.empty()) known = record_of<KeptDistances>(bytes, "a build's cache");
+      if (known.neighbours == neighbours) return bytes;
+      const Measured measured = what_counts(placement, before);
+      const ContentKey triangles = triangles_key(measured, before);
+      if (known.triangles != triangles) {
+        known.distances.clear();
+        for (const auto& [region, distance] : further(measured, before))
+          known.distances.push_back({region, distance});
+      }
+      known.neighbours = neighbours;
+      known.triangles = triangles;
+      return record_bytes(known);
+    });
+    Furthest result;
+    for (const RegionDistance& of : known.distances) result[static_cast<uint32_t>(of.region)] = of.distance;
+    return result;
+  }
+
+  static void write_distances(ContentKeyWriter& key, const Furthest& distances) {
+    key.write(uint64_t{distances.size()});
+    for (const auto& [region, distance] : distances) {
       key.write(region);
       key.write(distance);
     }
+  }
+  /// Of all that what_counts() looks at.
+  ContentKey neighbours_key(const Placement& placement, const Furthest& before) const {
+    ContentKeyWriter key;
+    write_distances(key, before);
     for (const uint32_t member : placement.near) {
       kept_.add(key, hierarchy_, member);
       key.write(member == placement.placed);
@@ -133,46 +189,57 @@ class RegionMeter {
       if (found == covered_.end()) continue;
       for (const auto& [region, covers] : found->second) key.write(region);
     }
-    const auto distances = kept_.get<std::vector<RegionDistance>>(key, [&] {
-      std::vector<RegionDistance> list;
-      for (const auto& [region, distance] : further(placement, before)) list.push_back({region, distance});
-      return list;
-    });
-    Furthest result;
-    for (const RegionDistance& of : distances) result[static_cast<uint32_t>(of.region)] = of.distance;
-    return result;
+    return key.key();
+  }
+  /// Of all that further() looks at.
+  static ContentKey triangles_key(const Measured& measured, const Furthest& before) {
+    ContentKeyWriter key;
+    write_distances(key, before);
+    for (const auto& [region, triangles] : measured.left_out) {
+      key.write(region);
+      key.write(uint64_t{triangles.size()});
+      key.write_all(std::span<const Corners>(triangles));
+    }
+    key.write_all(std::span<const Corners>(measured.stays));
+    key.write(measured.most);
+    return key.key();
   }
 
-  /// `before`, and what is further in this placement.
-  Furthest further(const Placement& placement, const Furthest& before) const {
+  /// Of regions that are not known to be too far.
+  Measured what_counts(const Placement& placement, const Furthest& before) const {
     const Box box = lattice_.box(hierarchy_.boxes[placement.placed]);
-    const double most = thin * diagonal(box) / lattice_.step;
-    const CoveredPart& covered = covered_.at(placement.placed);
-    Furthest result = before;
-    std::map<uint32_t, std::vector<Corners>> left_out;
+    Measured measured{{}, {}, thin * diagonal(box) / lattice_.step};
     Box around;
     {
       const auto regions = cache_.get(hierarchy_.placed[placement.placed].part);
       const PartSpace space(hierarchy_, placement.placed);
-      for (const auto& [region, covers] : covered) {
-        double& distance = result.try_emplace(region, 0.0).first->second;
-        if (distance == no_distance) continue;
+      for (const auto& [region, covers] : covered_.at(placement.placed)) {
+        const auto known = before.find(region);
+        if (known != before.end() && known->second == no_distance) continue;
         const SmoothRegion& of = regions->regions[region];
-        std::vector<Corners>& triangles = left_out[region];
+        std::vector<Corners>& triangles = measured.left_out[region];
         for (uint32_t i = of.first; i < of.first + of.count; ++i)
           triangles.push_back(corners_in_steps(*regions, space, i));
         around.extend(space.out(of.box));
       }
     }
+    if (!measured.left_out.empty())
+      measured.stays = what_stays(placement.near, grown(around, measured.most * lattice_.step));
+    return measured;
+  }
+
+  /// `before`, and what is further in this placement.
+  static Furthest further(const Measured& measured, const Furthest& before) {
+    Furthest result = before;
+    const auto& [left_out, stays, most] = measured;
     if (left_out.empty()) return result;
-    const std::vector<Corners> stays = what_stays(placement.near, grown(around, most * lattice_.step));
     if (stays.empty()) {
       for (const auto& [region, triangles] : left_out) result[region] = no_distance;
       return result;
     }
     const TriangleTree tree(stays);
     for (const auto& [region, triangles] : left_out) {
-      double& distance = result[region];
+      double& distance = result[region];  // 0 where it was not met before
       distance = bound(triangles, tree, distance, most);
     }
     return result;

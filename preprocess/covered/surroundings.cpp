@@ -22,10 +22,32 @@ Surroundings::Surroundings(const Parts& parts, const PlacedParts& hierarchy, Par
   }
 }
 
+const PlacedRegions& Surroundings::placed(Other& other) {
+  if (!other.placed) other.placed.emplace(parts_, hierarchy_, other.number, cache_);
+  return *other.placed;
+}
+
+std::vector<uint32_t> Surroundings::reaching(const Box& near, const Box& inside) {
+  std::vector<uint32_t> numbers;
+  for (Other& other : others_) {
+    if (other.number != own_.number) {
+      if (!overlap(other.box, near)) continue;
+      const PlacedRegions& of = placed(other);
+      bool is_any = false;
+      of.regions->tree.visit_while(of.in(other.is_body ? inside : near), [&](uint32_t) {
+        is_any = true;
+        return false;
+      });
+      if (!is_any) continue;
+    }
+    numbers.push_back(other.number);
+  }
+  return numbers;
+}
+
 void Surroundings::look(Other& other, uint32_t region, const glm::dvec3& from, const glm::dvec3& way,
                         double reach, std::optional<First>& first) {
-  if (!other.placed) other.placed.emplace(parts_, hierarchy_, other.number, cache_);
-  const PlacedRegions& placed = *other.placed;
+  const PlacedRegions& placed = this->placed(other);
   const PartRegions& regions = *placed.regions;
   // In the other's own space, where lengths along the ray are the same.
   const glm::dvec3 start = placed.in(from), direction = placed.inverse * way;
@@ -35,12 +57,15 @@ void Surroundings::look(Other& other, uint32_t region, const glm::dvec3& from, c
     const auto& [a, b, c] = regions.triangles[triangle];
     const auto hit = meet_triangle(start, direction, regions.points[a], regions.points[b], regions.points[c]);
     if (!hit || hit->along < -tolerance_ || hit->along > reach) return;
-    if (first && hit->along >= first->along) return;
+    if (first && hit->along >= first->along) {
+      const bool is_before = first->placed == other.number && triangle < first->triangle;
+      if (hit->along > first->along || !is_before) return;
+    }
     // A transform that mirrors turns triangles over, and the ray with them.
     const bool leaves = hit->leaves != (placed.outside == Outside::back);
     // What faces the same way in the same plane lies beside it, not over it.
     if (leaves && hit->along <= tolerance_) return;
-    first = First{hit->along, other.number, leaves};
+    first = First{hit->along, other.number, triangle, leaves};
     ray.most = hit->along;
     other.last = triangle;
   };

@@ -49,6 +49,10 @@ class Surroundings {
 
   const PlacedRegions& own() const { return own_; }
 
+  /// Of `others` those that have triangles whose boxes reach into `near`, or into `inside`, if they are
+  /// bodies that reach into `near`, and itself: a part of others, in their order.
+  std::vector<uint32_t> reaching(const Box& near, const Box& inside);
+
   /// What a ray from a place of the region along `way`, of length 1, first meets within a sixteenth of
   /// `whole`, or the body that the place lies in, if the ray leaves it within `whole`.
   std::optional<RegionCover> over(uint32_t region, const glm::dvec3& from, const glm::dvec3& way,
@@ -66,10 +70,12 @@ class Surroundings {
   };
   struct First {
     double along;
-    uint32_t placed;
+    uint32_t placed, triangle;
     bool leaves;
   };
-  /// The nearest of `first` and what the ray meets of the other one up to `reach`.
+  const PlacedRegions& placed(Other& other);
+  /// The nearest of `first` and what the ray meets of the other one up to `reach`; at one distance what is of
+  /// the earlier one, and of its triangles the first, whatever was met before.
   void look(Other& other, uint32_t region, const glm::dvec3& from, const glm::dvec3& way, double reach,
             std::optional<First>& first);
 

@@ -90,12 +90,13 @@ LayerReport make_layers(Parts& parts, const SpoolFile& geometry, uint64_t memory
     overlaps.insert(overlaps.end(), found.begin(), found.end());
   }
   const auto triangles_of = [&](uint32_t part) {
+    constexpr std::string_view what = "facets";
     ContentKeyWriter key;
     if (kept.is_used()) {
-      kept.begin(key, "facets", parts.hierarchies.back());
+      kept.begin(key, what, parts.hierarchies.back());
       kept.add_part(key, part);
     }
-    return kept.get<FacetTriangles>(key, [&] {
+    return kept.get<FacetTriangles>(what, key, [&] {
       const auto facets = cache.get(part);
       FacetTriangles triangles{{}, facets->numbers};
       for (const Facet& facet : facets->facets) triangles.ends.push_back(facet.first + facet.count);

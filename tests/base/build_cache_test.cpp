@@ -36,11 +36,11 @@ class Cache : public testing::Test {
                std::optional<uint64_t> limit = std::nullopt) {
     BuildCache cache(file, program, limit);
     for (const uint64_t number : numbers)
-      EXPECT_EQ(cache.get(key(number), [&] { return bytes(number); }), bytes(number));
-    EXPECT_EQ(cache.found() + cache.made(), numbers.size());
+      EXPECT_EQ(cache.get("numbers", key(number), [&] { return bytes(number); }), bytes(number));
+    EXPECT_EQ(cache.count().found + cache.count().made, numbers.size());
     if (commit) cache.commit();
     left_out = cache.left_out_bytes();
-    return cache.found();
+    return cache.count().found;
   }
 
   std::filesystem::path file;
@@ -109,7 +109,7 @@ TEST_F(Cache, of_a_larger_limit_is_cut_to_a_smaller_one) {
 
 TEST_F(Cache, counts_what_it_leaves_out_once) {
   BuildCache cache(file, {1, 2}, 1000);
-  for (int i = 0; i < 2; ++i) cache.get(key(2000), [&] { return bytes(2000); });
+  for (int i = 0; i < 2; ++i) cache.get("numbers", key(2000), [&] { return bytes(2000); });
   EXPECT_EQ(cache.left_out_bytes(), 2000u + 48);
 }
 
@@ -154,12 +154,12 @@ TEST_F(Cache, is_written_over_no_file_of_another_kind) {
 TEST_F(Cache, renews_what_it_has_under_a_key) {
   const auto renew = [&](uint64_t expected, uint64_t now) {
     BuildCache cache(file, {1, 2});
-    cache.renew(key(1), [&](const std::vector<std::byte>& before) {
+    cache.renew("numbers", key(1), [&](const std::vector<std::byte>& before) {
       EXPECT_EQ(before, bytes(expected));
       return bytes(now);
     });
     cache.commit();
-    return cache.found();
+    return cache.count().found;
   };
   EXPECT_EQ(renew(0, 10), 0u);
   EXPECT_EQ(renew(10, 10), 1u);

@@ -49,6 +49,23 @@ TEST_F(Completions, of_fish_are_the_words_that_may_follow) {
   EXPECT_EQ(completed("triptych render --device g"), "gl ");
   EXPECT_EQ(completed("triptych measure session --rate"), "--rate ");
   EXPECT_EQ(completed("triptych measure session spe"), "") << "one subcommand is enough";
+  EXPECT_EQ(completed("triptych build --keep touching,pl"), "touching,planes ");
+  EXPECT_EQ(completed("triptych render --effects vertex-colours,tr"), "vertex-colours,transparency ");
+}
+
+TEST_F(Completions, of_bash_are_the_words_that_may_follow) {
+  const std::string file = script("bash", "triptych.bash");
+  const auto completed = [&](const std::string& typed) {
+    return printed("bash -c 'source " + file + "; COMP_WORDS=(" + typed +
+                   "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _triptych; echo ${COMPREPLY[*]}'");
+  };
+  EXPECT_EQ(completed("triptych rend"), "render\n");
+  EXPECT_EQ(completed("triptych measure sess"), "session\n");
+  EXPECT_EQ(completed("triptych render --device g"), "gl\n");
+  EXPECT_EQ(completed("triptych build --keep touching,pl"), "touching,planes\n");
+  EXPECT_EQ(completed("triptych build --keep touching,planes,"),
+            "touching,planes,cover touching,planes,order touching,planes,none\n");
+  EXPECT_EQ(completed("triptych render --effects vertex-colours,tr"), "vertex-colours,transparency\n");
 }
 
 TEST_F(Completions, of_zsh_are_the_words_that_may_follow) {
@@ -72,6 +89,9 @@ zpty -d shell
   EXPECT_TRUE(completes("triptych measure sess", "triptych measure session"));
   EXPECT_TRUE(completes("triptych render --pixel", "triptych render --pixel-error"));
   EXPECT_TRUE(completes("triptych render --device g", "triptych render --device gl"));
+  EXPECT_TRUE(completes("triptych build --keep touching,pl", "triptych build --keep touching,planes"));
+  EXPECT_TRUE(completes("triptych render --effects vertex-colours,tr",
+                        "triptych render --effects vertex-colours,transparency"));
 }
 
 }  // namespace
