@@ -3,6 +3,7 @@
 #include "preprocess/build.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/object_sets.hpp"
+#include "tests/support/smoothed.hpp"
 
 #include <array>
 #include <cmath>
@@ -307,6 +308,25 @@ Model glass() {
   return scene.take();
 }
 
+Model smooth() {
+  Scene scene;
+  Random random(29);
+  scene.box({-1, -1, -0.25}, {21, 13, 0});
+  for (int i = 0; i < 24; ++i) {
+    const glm::dvec3 at = random.vector() * glm::dvec3(18, 11, 3);
+    scene.add(test::smoothed(awkward::sphere(6 + 2 * random.index(8), random.number(0.3, 1.2), at)));
+    scene.box(at + 1.0, at + 1.0 + random.vector(0.2, 1));
+    if (i % 3 == 0) scene.add(test::smoothed(awkward::box(at - 1.0, at - 0.4)));  // like a cushion
+    if (i % 4 == 0) scene.add(awkward::sphere(12, 0.6, at + glm::dvec3(0, 0, 2)));  // faceted, coarse levels not
+  }
+  scene.add(test::smoothed(awkward::grid(24, 6, 0.8)), awkward::translation({8, 2, 1}));
+  scene.add(test::smoothed(awkward::wavy_sphere(14)), placed(glm::dmat3(0.1), {4, 4, 5}));
+  scene.place(placed(glm::dmat3(-0.1, 0, 0, 0, 0.2, 0, 0, 0, 0.1), {9, 4, 5}));  // mirrored and stretched
+  scene.place(placed(rotation(random) * 0.15, {15, 8, 5}));
+  scene.place(placed(rotation(random) * glm::dmat3(0.05, 0, 0, 0, 0.2, 0, 0, 0, 0.1), {2, 9, 5}));
+  return scene.take();
+}
+
 struct Entry {
   std::string name;
   Model (*make)();
@@ -331,6 +351,7 @@ const std::vector<Entry>& entries() {
                                          {"storeys", storeys},
                                          {"painted", painted},
                                          {"glass", glass},
+                                         {"smooth", smooth},
                                          {"triangle", triangle}};
   return all;
 }
