@@ -75,7 +75,8 @@ void add_keep_flag(CLI::App& command, Kept& keep) {
           "show no gap (touching), that what lies right beneath a surface does not come out of it (order), "
           "that of surfaces in one plane the same one shows from everywhere "
           "(planes), "
-          "that small things cover as much of the screen as in full detail (cover), that surfaces are shaded as "
+          "that small things cover as much of the screen as in full detail (cover), that surfaces are shaded "
+          "as "
           "in full detail (shade), or none"))
       ->check(one_of(words))
       ->type_name(all + "|none")

@@ -20,7 +20,7 @@ namespace triptych {
 struct CornerTriangle {
   std::array<glm::dvec3, 3> corners;
   uint32_t material;
-  CornerColors colors = {};  ///< as Mesh::colors; of streams without colours all zero
+  CornerColors colors = {};    ///< as Mesh::colors; of streams without colours all zero
   CornerNormals normals = {};  ///< as Mesh::normals; of streams without normals all zero
   bool operator==(const CornerTriangle&) const = default;
 };

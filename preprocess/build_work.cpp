@@ -57,7 +57,7 @@ void BuildWork::run(UnitKind kind, std::span<const uint32_t> indices, const Unit
     batch = record_of<StoredBatch>(*record, place);
     if (batch.kind != kind || batch.units.size() != indices.size())
       fail(place, "holds other work than this build's: remove the folder, and build again");
-    for (const StoredUnit& stored : batch.units) 
+    for (const StoredUnit& stored : batch.units)
       pack_.adopt(stored.chunks, stored.seen_from_outside, stored.normals);
     if (progress) progress->advance(indices.size());
   } else {

@@ -40,8 +40,8 @@ struct StoredUnit {
 template <>
 inline constexpr auto record_members<StoredUnit> = std::tuple(&StoredUnit::first_chunk, &StoredUnit::chunks,
                                                               &StoredUnit::seen_from_outside,
-                                                              &StoredUnit::normals,
-                                                              &StoredUnit::geometry, &StoredUnit::figures);
+                                                              &StoredUnit::normals, &StoredUnit::geometry,
+                                                              &StoredUnit::figures);
 
 class BuildWork {
  public:

@@ -111,8 +111,10 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   how.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
   Chain chain = simplify(children.surface, locked, how);
   if (limits.shade || children.surface.file_normals) {
-    const LevelNormals normals(children.surface);
-    for (Level& level : chain.levels) normals.shade(level.piece);
+    LevelNormals normals(children.surface,
+                         children.error > 0 ? LevelNormals::Facets::coarse : LevelNormals::Facets::true_ones);
+    const double before = children.error / lattice.step;
+    for (Level& level : chain.levels) normals.shade(level.piece, before + level.bound);
   }
   hlod.stuck = chain.stuck && chain.levels.empty();
   if (chain.levels.empty() || limits.begins_as_it_is) {

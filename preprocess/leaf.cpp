@@ -179,8 +179,8 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
   if (options.keep.shade || part.surface.file_normals) {
-    const LevelNormals normals(part.surface);
-    for (Level& level : chain.levels) normals.shade(level.piece);
+    LevelNormals normals(part.surface);
+    for (Level& level : chain.levels) normals.shade(level.piece, level.bound);
   }
 
   UnitResult result;

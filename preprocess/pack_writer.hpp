@@ -87,7 +87,7 @@ class PackWriter {
   std::vector<ChunkInfo> chunks_;
   std::vector<bool> seen_from_outside_;  ///< for each chunk
   NormalsUsed normals_;
-  SpoolFile pieces_;                     ///< LatticeBoxes: large models have too many to hold them in memory
+  SpoolFile pieces_;  ///< LatticeBoxes: large models have too many to hold them in memory
 };
 
 }  // namespace triptych

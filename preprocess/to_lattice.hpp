@@ -29,8 +29,8 @@ struct CornerStreams {
 };
 inline CornerStreams corner_streams(const Mesh& mesh) { return {mesh.has_colors(), mesh.has_normals()}; }
 
-/// What takes normals along under a transform: its cofactors, so that they keep looking to the same side of the
-/// surface where it mirrors, too.
+/// What takes normals along under a transform: its cofactors, so that they keep looking to the same side of
+/// the surface where it mirrors, too.
 glm::dmat3 normal_matrix(const glm::dmat3& linear);
 /// All of the corners' normals, or none.
 CornerNormals placed_normals(const CornerNormals& normals, const glm::dmat3& normal_matrix);

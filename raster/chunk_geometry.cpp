@@ -76,7 +76,8 @@ uint64_t RasterChunk::bytes() const {
 }
 
 uint64_t RasterChunk::bytes_of(const ChunkInfo& info) {
-  const uint64_t a_vertex = 3 * sizeof(int32_t) + sizeof(uint8_t) + sizeof(VertexColor) + sizeof(VertexNormal);
+  const uint64_t a_vertex =
+      3 * sizeof(int32_t) + sizeof(uint8_t) + sizeof(VertexColor) + sizeof(VertexNormal);
   const uint64_t a_triangle = 4 * sizeof(uint32_t) + sizeof(uint8_t);
   const uint64_t spare = 6 * spare_vertices * sizeof(uint32_t) + 2 * sizeof(uint32_t);
   return sizeof(RasterChunk) + info.vertex_count * a_vertex + info.triangle_count * a_triangle + spare +

@@ -42,7 +42,7 @@ class RasterChunk {
   /// Of each vertex Chunk::normals; empty if it has none.
   std::vector<VertexNormal> vertex_normal;
   ChunkNormals normals_from = ChunkNormals::none;
-  std::vector<uint32_t> outward;          ///< of each triangle a bit, the lowest first; and spare ones
+  std::vector<uint32_t> outward;  ///< of each triangle a bit, the lowest first; and spare ones
   bool has_outward = false;
   std::vector<uint32_t> transparent;  ///< transparent_runs()
 

@@ -18,7 +18,8 @@ struct InterpolatedColors {
   bool bends;
   glm::vec3 normals[3];  ///< of corners, eye space, unit length, if it bends
 
-  /// Channels at the centre of a pixel, 0 to 1. Weights stay within the triangle. light: direction, eye space.
+  /// Channels at the centre of a pixel, 0 to 1. Weights stay within the triangle. light: direction, eye
+  /// space.
   void at(int32_t x, int32_t y, const glm::vec3& light, float (&color)[3]) const;
   /// The same without light.
   void base_at(int32_t x, int32_t y, float (&color)[3]) const;

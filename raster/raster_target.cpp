@@ -132,7 +132,9 @@ void RasterTarget::count_effects(const ShadingCounts& counts, double set_up_ms) 
   effects_.clear();
   // Each with its share of the time, by pixels.
   const auto ms_of = [&](uint64_t pixels) {
-    return pixels == 0 ? 0 : counts.varying_ms * static_cast<double>(pixels) / static_cast<double>(counts.varying_pixels);
+    return pixels == 0
+               ? 0
+               : counts.varying_ms * static_cast<double>(pixels) / static_cast<double>(counts.varying_pixels);
   };
   if (counts.colored_pixels > 0) {
     effects_.push_back({.effect = Effect::vertex_colors,

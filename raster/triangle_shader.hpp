@@ -23,7 +23,7 @@ class TriangleShader {
 
   /// How a triangle is shaded.
   struct Look {
-    bool colors = false;  ///< with the colours of its corners
+    bool colors = false;                        ///< with the colours of its corners
     ChunkNormals normals = ChunkNormals::none;  ///< with the normals of its corners
     CornerLights lights = {};                   ///< then; otherwise only the light
     bool varies() const { return colors || lights.bends; }

@@ -22,7 +22,7 @@ struct ChunkRange {
   std::vector<uint32_t> outward_runs = {};  ///< Chunk::outward_runs
   bool colored = false;                     ///< whether vertices have colours
   ChunkNormals normals = ChunkNormals::none;
-  std::vector<uint32_t> transparent = {};   ///< transparent_runs()
+  std::vector<uint32_t> transparent = {};  ///< transparent_runs()
   bool loaded() const { return index_count > 0; }
 };
 
@@ -45,7 +45,8 @@ struct DrawCommand {
 };
 
 /// Commands that follow each other, show the same sides of triangles, are all of coloured chunks or none, and
-/// of chunks with the same kind of normals; or those of one closed surface that a section may cut, for its cut surfaces.
+/// of chunks with the same kind of normals; or those of one closed surface that a section may cut, for its
+/// cut surfaces.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
   bool colored = false;

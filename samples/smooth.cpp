@@ -33,7 +33,8 @@ MeshPart with_smooth_normals(const MeshPart& part, double crease_degrees) {
     smooth.positions.push_back(position(corner));
     smooth.normals.emplace_back(length > 0 ? sum / length : glm::dvec3(0, 1, 0));
     smooth.indices.push_back(static_cast<uint32_t>(corner));
-    if (!part.vertex_colours.empty()) smooth.vertex_colours.push_back(part.vertex_colours[part.indices[corner]]);
+    if (!part.vertex_colours.empty())
+      smooth.vertex_colours.push_back(part.vertex_colours[part.indices[corner]]);
   }
   return smooth;
 }

@@ -5,8 +5,8 @@
 
 namespace triptych {
 
-/// The same triangles, each with corners of its own, whose normals are the means of those of all facets at the
-/// place that are no further off than `crease_degrees` from their own facet's, by area.
+/// The same triangles, each with corners of its own, whose normals are the means of those of all facets at
+/// the place that are no further off than `crease_degrees` from their own facet's, by area.
 MeshPart with_smooth_normals(const MeshPart& part, double crease_degrees = 50);
 
 }  // namespace triptych

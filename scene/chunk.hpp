@@ -34,8 +34,8 @@ inline constexpr size_t max_chunk_pieces = 256;
 /// the surface that they stand for; or the model's files have them.
 enum class ChunkNormals : uint8_t { none, of_levels, of_files };
 
-/// The bytes that begin a chunk's streams of vertex colours and normals, in this order. That of indices begins
-/// with 0xe0 or more.
+/// The bytes that begin a chunk's streams of vertex colours and normals, in this order. That of indices
+/// begins with 0xe0 or more.
 inline constexpr uint8_t chunk_colors_stream = 1, chunk_level_normals_stream = 3,
                          chunk_file_normals_stream = 4, first_index_byte = 0xe0;
 
@@ -64,8 +64,8 @@ struct Chunk {
 
 /// Reads back what encode_chunk (preprocess/encode_chunk.hpp) wrote. Error (place) for bytes that do not
 /// decode, or that hold other counts than `info`, indices out of range, colours beyond palette_size, normals
-/// that are none or of some corners of a triangle alone, points outside their piece's box, or triangles across
-/// pieces. `pieces`: Skeleton::pieces_of() the chunk.
+/// that are none or of some corners of a triangle alone, points outside their piece's box, or triangles
+/// across pieces. `pieces`: Skeleton::pieces_of() the chunk.
 Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
                    std::span<const LatticeBox> pieces, size_t palette_size, const std::string& place);
 

@@ -30,8 +30,8 @@ constexpr std::string_view effect_name(Effect effect) {
 /// What Skeleton::effects calls it.
 std::string effect_name_in_pack(Effect effect);
 
-/// What Skeleton::effects calls it where chunks of coarse levels have the shading normals of the surfaces that
-/// they stand for: part of those levels, and so never switched off.
+/// What Skeleton::effects calls it where chunks of coarse levels have the shading normals of the surfaces
+/// that they stand for: part of those levels, and so never switched off.
 inline constexpr const char* level_normals_effect = "normals of levels";
 
 /// Whether any chunk of a pack with these Skeleton::effects has shading normals.

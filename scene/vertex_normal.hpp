@@ -8,10 +8,10 @@
 
 namespace triptych {
 
-/// A direction on the octahedron |x| + |y| + |z| = 1, its lower half folded over the upper one, by its x and y
-/// (Meyer, Süßmuth, Sußner, Stamminger and Greiner, On floating-point normal vectors, 2010): −1 to 1 as 1 to
-/// 2047, to about a twentieth of a degree. Both zero where the vertex has no normal of its own: then that of
-/// its triangle shows.
+/// A direction on the octahedron |x| + |y| + |z| = 1, its lower half folded over the upper one, by its x and
+/// y (Meyer, Süßmuth, Sußner, Stamminger and Greiner, On floating-point normal vectors, 2010): −1 to 1 as 1
+/// to 2047, to a sixth of a degree. Both zero where the vertex has no normal of its own: then that of its
+/// triangle shows.
 using VertexNormal = std::array<uint16_t, 2>;
 
 /// Of the corners of a triangle: of all of them, or of none.

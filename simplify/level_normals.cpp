@@ -17,6 +17,13 @@ constexpr float alike = 0.99985f, in_facet = 0.99996f;
 constexpr float smooth_facets = 0.766f, smooth_corners = 0.94f;
 /// What the source shows at a point has to do with the triangle: 60 degrees.
 constexpr float related = 0.5f;
+/// Triangles that are not so many times as wide as the level is off show no facets.
+constexpr double narrow = 2;
+/// So many of those that are connected are compared with the source, at most.
+constexpr size_t most_compared = 64;
+/// Normals of corners are worth it where the facet's own is off by a degree at least, and they by less than
+/// this share of that.
+constexpr float seen = 0.0175f, worth_it = 0.6f;
 
 glm::vec3 unit(const glm::dvec3& v) {
   const double length = glm::length(v);
@@ -32,6 +39,19 @@ glm::vec3 facet_normal(const Surface& surface, const Triangle& triangle) {
   return unit(glm::cross(edge(surface, triangle, 0, 1), edge(surface, triangle, 0, 2)));
 }
 
+CornerNormals corner_normals_of(const std::array<glm::vec3, 3>& normals) {
+  CornerNormals result;
+  for (size_t k = 0; k < 3; ++k) result[k] = to_vertex_normal(glm::dvec3(normals[k]));
+  return result;
+}
+
+/// How wide it is across its longest side.
+double width(const Corners& triangle) {
+  const auto& [a, b, c] = triangle;
+  const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+  return longest > 0 ? glm::length(glm::cross(b - a, c - a)) / longest : 0;
+}
+
 float angle_at(const Surface& surface, const Triangle& triangle, size_t corner) {
   const glm::dvec3 a = edge(surface, triangle, corner, (corner + 1) % 3),
                    b = edge(surface, triangle, corner, (corner + 2) % 3);
@@ -40,7 +60,8 @@ float angle_at(const Surface& surface, const Triangle& triangle, size_t corner) 
 
 }  // namespace
 
-LevelNormals::LevelNormals(const Surface& source) : source_(source), first_(source.points.size() + 1, 0) {
+LevelNormals::LevelNormals(const Surface& source, Facets facets)
+    : source_(source), facets_(facets), first_(source.points.size() + 1, 0) {
   for (const Triangle& triangle : source.triangles) {
     for (const uint32_t point : triangle.vertices) ++first_[point + 1];
   }
@@ -68,33 +89,96 @@ const LevelNormals::Corner* LevelNormals::find(const std::array<uint32_t, 3>& po
   return nullptr;
 }
 
-CornerNormals LevelNormals::normals_of(const Piece& level, const Triangle& triangle) const {
+/// As it is shaded.
+glm::vec3 LevelNormals::normal_at(uint32_t triangle, const glm::dvec3& point) const {
+  if (source_.normals.empty() || !has_normal(source_.normals[triangle][0]))
+    return facet_normal(source_, source_.triangles[triangle]);
+  const auto& [a, b, c] = tree_->triangle(triangle);
+  const glm::dvec3 area = glm::cross(b - a, c - a), at = closest_point(point, {a, b, c});
+  const double whole = glm::dot(area, area);
+  const std::array weights = {glm::dot(glm::cross(c - b, at - b), area),
+                              glm::dot(glm::cross(a - c, at - c), area),
+                              glm::dot(glm::cross(b - a, at - a), area)};
+  glm::dvec3 sum(0);
+  for (size_t k = 0; k < 3; ++k)
+    sum += glm::normalize(direction_of(source_.normals[triangle][k])) * (weights[k] / whole);
+  return unit(sum);
+}
+
+void LevelNormals::compare(const Choice& choice, Differences& differences) {
+  if (!tree_) {
+    std::vector<Corners> triangles;
+    for (const Triangle& own : source_.triangles) {
+      const auto at = [&](size_t k) { return glm::dvec3(source_.points[own.vertices[k]]); };
+      triangles.push_back({at(0), at(1), at(2)});
+    }
+    tree_.emplace(std::move(triangles));
+  }
+  constexpr double far = 2.0 / 3, near = 1.0 / 6, middle = 1.0 / 3;
+  constexpr std::array<std::array<double, 3>, 4> places = {
+      {{middle, middle, middle}, {far, near, near}, {near, far, near}, {near, near, far}}};
+  uint32_t hint = 0;
+  for (const auto& [u, v, w] : places) {
+    const glm::dvec3 place = u * choice.places[0] + v * choice.places[1] + w * choice.places[2];
+    hint = tree_->nearest(place, hint).triangle;
+    glm::vec3 there = normal_at(hint, place);
+    const float cosine = glm::dot(there, choice.facet);
+    if (std::abs(cosine) < related) continue;
+    if (cosine < 0) there = -there;  // both sides are lit
+    const auto& [a, b, c] = choice.normals;
+    const glm::vec3 mixed = unit(u * glm::dvec3(a) + v * glm::dvec3(b) + w * glm::dvec3(c));
+    differences.facets += glm::length(there - choice.facet);
+    differences.normals += glm::length(there - mixed);
+    ++differences.count;
+  }
+}
+
+bool LevelNormals::are_worth_it(std::span<const Choice> connected, double error) {
+  double area = 0, wide = 0;
+  for (const Choice& choice : connected) {
+    area += choice.area;
+    wide += choice.area * width(choice.places);
+  }
+  if (wide < narrow * error * area) return false;
+  Differences differences;
+  const size_t step = connected.size() / most_compared + 1;
+  for (size_t i = 0; i < connected.size(); i += step) compare(connected[i], differences);
+  return differences.facets > seen * static_cast<float>(differences.count) &&
+         differences.normals < worth_it * differences.facets;
+}
+
+/// Gives the triangle what needs no comparison with the source; otherwise returns what it may have.
+std::optional<LevelNormals::Choice> LevelNormals::choose(Piece& level, uint32_t index) const {
+  const Triangle& triangle = level.surface.triangles[index];
+  CornerNormals& own = level.surface.normals[index];
   std::array<uint32_t, 3> points;
   for (size_t k = 0; k < 3; ++k) points[k] = level.sources[triangle.vertices[k]];
   if (const Corner* const same = find(points)) {
-    CornerNormals normals{};
-    if (!same->own) return normals;
-    const CornerNormals& there = source_.normals[same->triangle];
-    for (size_t k = 0; k < 3; ++k) normals[k] = there[(same->number + k) % 3];
-    return normals;
+    for (size_t k = 0; k < 3 && same->own; ++k)
+      own[k] = source_.normals[same->triangle][(same->number + k) % 3];
+    return std::nullopt;
   }
-  const glm::vec3 facet = facet_normal(level.surface, triangle);
+  Choice choice{.triangle = index,
+                .places = {},
+                .facet = facet_normal(level.surface, triangle),
+                .normals = {},
+                .area = 0};
   std::array<const Corner*, 3> nearest{};
-  bool lies_in_facets = true;
+  bool lies_in_facets = true, of_files = false;
   for (size_t k = 0; k < 3; ++k) {
     float best = related;
     for (const Corner& corner : corners_at(points[k])) {
-      const float cosine = glm::dot(corner.normal, facet);
+      const float cosine = glm::dot(corner.normal, choice.facet);
       if (cosine > best || (cosine == best && !nearest[k])) {
         best = cosine;
         nearest[k] = &corner;
       }
     }
-    if (!nearest[k]) return {};
+    if (!nearest[k] || (facets_ == Facets::coarse && !nearest[k]->own)) return std::nullopt;
     lies_in_facets = lies_in_facets && best > in_facet;
+    of_files = of_files || (source_.file_normals && nearest[k]->own);
   }
-  if (lies_in_facets) return {};
-  CornerNormals normals{};
+  if (lies_in_facets) return std::nullopt;
   bool differs = false;
   for (size_t k = 0; k < 3; ++k) {
     glm::vec3 sum(0);
@@ -103,18 +187,40 @@ CornerNormals LevelNormals::normals_of(const Piece& level, const Triangle& trian
       const bool smooth = cosine > (corner.own && nearest[k]->own ? smooth_corners : smooth_facets);
       if (smooth) sum += corner.normal * corner.angle;
     }
-    const glm::vec3 normal = unit(glm::dvec3(sum));
-    differs = differs || glm::dot(normal, facet) < alike;
-    normals[k] = to_vertex_normal(glm::dvec3(normal));
-    if (!has_normal(normals[k])) return {};
+    choice.normals[k] = unit(glm::dvec3(sum));
+    if (choice.normals[k] == glm::vec3(0)) return std::nullopt;
+    differs = differs || glm::dot(choice.normals[k], choice.facet) < alike;
   }
-  return differs ? normals : CornerNormals{};
+  if (!differs) return std::nullopt;
+  if (of_files) {
+    own = corner_normals_of(choice.normals);
+    return std::nullopt;
+  }
+  for (size_t k = 0; k < 3; ++k) choice.places[k] = glm::dvec3(level.surface.points[triangle.vertices[k]]);
+  choice.area =
+      glm::length(glm::cross(edge(level.surface, triangle, 0, 1), edge(level.surface, triangle, 0, 2)));
+  return choice;
 }
 
-void LevelNormals::shade(Piece& level) const {
-  level.surface.normals.clear();
-  for (const Triangle& triangle : level.surface.triangles)
-    level.surface.normals.push_back(normals_of(level, triangle));
+void LevelNormals::shade(Piece& level, double error) {
+  level.surface.normals.assign(level.surface.triangles.size(), {});
+  std::vector<Choice> choices;
+  for (uint32_t i = 0; i < level.surface.triangles.size(); ++i) {
+    if (auto choice = choose(level, i)) choices.push_back(*choice);
+  }
+  DisjointSets sets = connected_points(level.surface);
+  const auto component = [&](const Choice& choice) {
+    return sets.root(level.surface.triangles[choice.triangle].vertices[0]);
+  };
+  std::ranges::stable_sort(choices, {}, component);
+  for (size_t first = 0, end = 0; first < choices.size(); first = end) {
+    const size_t own = component(choices[first]);
+    while (end < choices.size() && component(choices[end]) == own) ++end;
+    const auto connected = std::span(choices).subspan(first, end - first);
+    if (!are_worth_it(connected, error)) continue;
+    for (const Choice& choice : connected)
+      level.surface.normals[choice.triangle] = corner_normals_of(choice.normals);
+  }
   level.surface.file_normals = source_.file_normals;
   level.surface.drop_empty_normals();
 }

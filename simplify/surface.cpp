@@ -89,8 +89,7 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   using Key = std::array<uint32_t, 5>;
   tsl::robin_map<Key, uint32_t, KeyHash, KeyEqual> further;
   const bool colored = !surface.colors.empty(), shaded = !surface.normals.empty();
-  if (shaded)
-    chunk.normals_from = surface.file_normals ? ChunkNormals::of_files : ChunkNormals::of_levels;
+  if (shaded) chunk.normals_from = surface.file_normals ? ChunkNormals::of_files : ChunkNormals::of_levels;
   const auto differs = [&](uint32_t index, const ChunkVertex& vertex, const VertexColor& color,
                            const VertexNormal& normal) {
     return chunk.vertices[index] != vertex || (colored && chunk.colors[index] != color) ||

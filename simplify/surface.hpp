@@ -31,8 +31,8 @@ struct Surface {
   /// Of the corners of each triangle, as they are drawn; empty if the surface has none. Corners at one point
   /// may differ: a seam runs there.
   std::vector<CornerColors> colors = {};
-  /// The shading normals of the corners of each triangle; none where it shows its own. Empty if the surface has
-  /// none.
+  /// The shading normals of the corners of each triangle; none where it shows its own. Empty if the surface
+  /// has none.
   std::vector<CornerNormals> normals = {};
   bool file_normals = false;  ///< they come from the model's files
 

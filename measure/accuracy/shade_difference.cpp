@@ -22,9 +22,7 @@ bool alike(const SurfacePixel& one, const SurfacePixel& other) {
   return !one.background() && one.found && other.found && one.color == other.color;
 }
 
-std::array<size_t, 4> neighbours(size_t at, size_t width) {
-  return {at - 1, at + 1, at - width, at + width};
-}
+std::array<size_t, 4> neighbours(size_t at, size_t width) { return {at - 1, at + 1, at - width, at + width}; }
 
 }  // namespace
 
@@ -84,9 +82,8 @@ PixelMask inside_surfaces(std::span<const SurfacePixel> reference, int width, in
   for (int y = 1; y + 1 < height; ++y) {
     for (int x = 1; x + 1 < width; ++x) {
       const size_t at = static_cast<size_t>(y) * w + static_cast<size_t>(x);
-      mask.at(x, y) = std::ranges::all_of(neighbours(at, w), [&](size_t next) {
-        return alike(reference[next], reference[at]);
-      });
+      mask.at(x, y) = std::ranges::all_of(neighbours(at, w),
+                                          [&](size_t next) { return alike(reference[next], reference[at]); });
     }
   }
   return mask;

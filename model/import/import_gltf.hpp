@@ -148,7 +148,7 @@ class GltfMeshes {
   std::vector<std::optional<uint32_t>> meshes_;  ///< the file's to the model's
   std::vector<uint32_t> renamed_;  ///< an accessor's vertex to the mesh's, while a primitive is read
   std::map<std::pair<int64_t, int64_t>, std::optional<uint32_t>> skinned_;  ///< by mesh and skin
-  std::string first_damage_;      ///< the warning of primitives that cannot be read
+  std::string first_damage_;                          ///< the warning of primitives that cannot be read
   std::string first_bad_colors_, first_bad_normals_;  ///< and of those whose colours or normals cannot
   int64_t last_accessor_ = -1;
   std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor

@@ -90,8 +90,8 @@ std::optional<uint32_t> GltfMeshes::read_mesh(size_t index) {
       PositionTable positions = part.unpacked
                                     ? *part.unpacked
                                     : GltfAccessor(gltf_, part.positions, part.triangles.place).positions();
-      streamed.push_back({std::move(part.triangles), std::move(positions), std::move(part.colors),
-                          std::move(part.normals)});
+      streamed.push_back(
+          {std::move(part.triangles), std::move(positions), std::move(part.colors), std::move(part.normals)});
     }
     return target_.add_stream(source.name, std::make_shared<IndexedStream>(std::move(streamed)));
   }

@@ -82,8 +82,8 @@ class MeshSpool {
   ByteSpool vertices_;  ///< three doubles each
   ByteSpool colors_;    ///< three floats for each vertex, no numbers for none; empty while none has one
   ByteSpool normals_;   ///< three floats for each vertex, 0 for none; empty while none has one
-  /// Material; the face's colour, if faces have some; number of normals and normals, if faces have some; number
-  /// of corners and corners: 32 bits each.
+  /// Material; the face's colour, if faces have some; number of normals and normals, if faces have some;
+  /// number of corners and corners: 32 bits each.
   ByteSpool faces_;
   std::vector<Part> parts_;
   std::vector<Name> names_;

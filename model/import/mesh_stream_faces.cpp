@@ -158,7 +158,8 @@ class FaceReader {
 
   void read_normals(uint64_t count) {
     face_normals_.resize(count);
-    for (VertexNormal& normal : face_normals_) std::memcpy(&normal, window_.take(sizeof(normal)), sizeof(normal));
+    for (VertexNormal& normal : face_normals_)
+      std::memcpy(&normal, window_.take(sizeof(normal)), sizeof(normal));
   }
   /// Of the face's corner: its own normal, if the face has those.
   Vertex corner(uint64_t index, const std::byte* bytes) {

@@ -24,9 +24,9 @@ struct FaceTable {
   std::optional<FaceColors> colors = std::nullopt;  ///< then vertices have none
   /// The list, before that of the corners, that holds a VertexNormal of each, in 32 bits; or it is empty.
   std::optional<size_t> normals = std::nullopt;
-  uint64_t begin = 0, end = 0;                      ///< bytes; the last face may end before
-  bool end_known = false;                           ///< whether the last face must end there
-  bool swapped = false;                             ///< in the other byte order
+  uint64_t begin = 0, end = 0;  ///< bytes; the last face may end before
+  bool end_known = false;       ///< whether the last face must end there
+  bool swapped = false;         ///< in the other byte order
 };
 
 class FaceStream : public MeshStream {

@@ -120,7 +120,9 @@ class ColorCache {
 class NormalCache {
  public:
   explicit NormalCache(const PositionTable& values) : values_(values) {}
-  VertexNormal at(uint64_t index) { return to_vertex_normal(values_.at(index)); }
+  VertexNormal at(uint64_t index) {
+    return to_vertex_normal(glm::dvec3(glm::vec3(values_.at(index))));  // as MeshSpool keeps them
+  }
 
  private:
   PositionCache values_;

@@ -48,9 +48,9 @@ Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Res
 
 Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
   const Projection projection = view_->view().camera.projection;
-  std::optional<Pass>& pass =
-      passes_[variant.sections ? 1 : 0][variant.caps ? 1 : 0][variant.normals ? 1 : 0][variant.smooth ? 1 : 0]
-             [static_cast<size_t>(variant.colors)][static_cast<size_t>(projection)][static_cast<size_t>(kind)];
+  std::optional<Pass>& pass = passes_[variant.sections ? 1 : 0][variant.caps ? 1 : 0][variant.normals ? 1 : 0]
+                                     [variant.smooth ? 1 : 0][static_cast<size_t>(variant.colors)]
+                                     [static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
   pass.emplace(make_pass(kind, projection, variant));
   if (variant.colors == BaseColors::vertices) ++use(Effect::vertex_colors).variants;
@@ -148,11 +148,12 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
   const auto prepare = [&](const DrawGroup& group) {
     const bool shades = framebuffer.has_colors();
     if (shades) count(group, &EffectUse::binds, 1);
-    ShaderVariant variant{.colors = shades && shows_colors(group) ? BaseColors::vertices : BaseColors::palette,
-                          .smooth = shades && shows_normals(group),
-                          .layers = layers_,
-                          .sections = !view_->section_space.keeps_all(),
-                          .normals = framebuffer.has_colors() && framebuffer.layout().normals};
+    ShaderVariant variant{
+        .colors = shades && shows_colors(group) ? BaseColors::vertices : BaseColors::palette,
+        .smooth = shades && shows_normals(group),
+        .layers = layers_,
+        .sections = !view_->section_space.keeps_all(),
+        .normals = framebuffer.has_colors() && framebuffer.layout().normals};
     if (variant.sections) {
       variant.caps = true;
       bind_nearest_backs(framebuffer.width(), framebuffer.height());

@@ -70,7 +70,7 @@ class Renderer {
   Geometry geometry_;
   /// By sections, caps, normals, smooth, base colours, projection and kind; made when first used.
   std::optional<Pass> passes_[2][2][2][2][2][2][4];
-  std::optional<Pass> winding_passes_[2];            ///< by projection
+  std::optional<Pass> winding_passes_[2];               ///< by projection
   std::optional<Pass> transparent_passes_[2][2][2][2];  ///< by sections, base colours, smooth, projection
   /// Of a picture: the bits of depths of the nearest backs of what draw_caps() counts, 0 between its uses.
   struct NearestBacks {

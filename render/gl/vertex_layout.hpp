@@ -12,8 +12,8 @@ namespace triptych {
 inline constexpr GLuint vertices_stream = 0;  ///< binding of a buffer of vertices, as VertexLayout says
 inline constexpr GLuint records_stream = 1;   ///< of a buffer with a DrawRecord for each base instance
 
-/// What follows each ChunkVertex: its colour, and its normal. The chunks of a pack in which any has normals all
-/// have room for them, so that commands of one draw need not differ in it.
+/// What follows each ChunkVertex: its colour, and its normal. The chunks of a pack in which any has normals
+/// all have room for them, so that commands of one draw need not differ in it.
 struct VertexLayout {
   bool colors = false, normals = false;
 

@@ -146,11 +146,12 @@ class Exhibition {
 
 EffectsReport make_effects(const std::filesystem::path& folder) {
   EffectsReport report;
-  for (const auto& [name, effects, called] : {std::tuple{"scene", "all", Called{true, true, true}},
-                                              {"plain", "none", Called{false, false, false}},
-                                              {"transparency", "transparency", Called{true, false, false}},
-                                              {"vertex-colours", "vertex-colours", Called{false, true, false}},
-                                              {"smooth-normals", "smooth-normals", Called{false, false, true}}}) {
+  for (const auto& [name, effects, called] :
+       {std::tuple{"scene", "all", Called{true, true, true}},
+        {"plain", "none", Called{false, false, false}},
+        {"transparency", "transparency", Called{true, false, false}},
+        {"vertex-colours", "vertex-colours", Called{false, true, false}},
+        {"smooth-normals", "smooth-normals", Called{false, false, true}}}) {
     const Exhibition exhibition(folder, name, called);
     report.files.push_back({std::string(name) + ".gltf", effects});
     report.objects = exhibition.objects;

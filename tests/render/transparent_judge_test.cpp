@@ -1,5 +1,5 @@
-// An independent judge of transparency and of shading normals: rays that go on through what is transparent, up
-// to the first opaque thing, must see the colours of the picture.
+// An independent judge of transparency and of shading normals: rays that go on through what is transparent,
+// up to the first opaque thing, must see the colours of the picture.
 #include "lod/cut.hpp"
 #include "tests/render/rig.hpp"
 #include "tests/support/scenes.hpp"
@@ -33,7 +33,10 @@ struct Hit {
 class RayScene {
  public:
   RayScene(const Pack& pack, const FrameView& view)
-      : view_(view.view()), light_(light_direction(view)), device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
+      : view_(view.view()),
+        light_(light_direction(view)),
+        device_(rtcNewDevice("threads=1")),
+        scene_(rtcNewScene(device_)) {
     rtcSetSceneFlags(
         scene_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     const Skeleton& skeleton = pack.skeleton();
@@ -82,7 +85,8 @@ class RayScene {
       auto& hits = reinterpret_cast<Context*>(arguments->context)->hits;
       const float depth = RTCRayN_tfar(arguments->ray, arguments->N, 0);
       hits.push_back({depth, RTCHitN_primID(arguments->hit, arguments->N, 0),
-                      RTCHitN_u(arguments->hit, arguments->N, 0), RTCHitN_v(arguments->hit, arguments->N, 0)});
+                      RTCHitN_u(arguments->hit, arguments->N, 0),
+                      RTCHitN_v(arguments->hit, arguments->N, 0)});
       arguments->valid[0] = 0;  // and the ray goes on
     };
     RTCRay ray{};
@@ -108,7 +112,8 @@ class RayScene {
   float lit(const glm::vec3& direction) const {
     const float length = glm::length(direction);
     const glm::vec3 normal = length > 0 ? direction / length : glm::vec3(0);
-    return ambient_light + diffuse_light * std::abs(glm::dot(normal, light_)) + head_light * std::abs(normal.z);
+    return ambient_light + diffuse_light * std::abs(glm::dot(normal, light_)) +
+           head_light * std::abs(normal.z);
   }
 
   void add(const Pack& pack, const Placement& placement, std::vector<glm::vec3>& corners) {

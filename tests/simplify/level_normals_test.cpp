@@ -47,9 +47,9 @@ TEST(LevelNormals, of_a_coarse_cylinder_are_those_of_the_fine_one) {
   const Surface fine = cylinder(48, 6);
   Chain chain = simplify(fine, {}, {.triangles = 40});
   ASSERT_FALSE(chain.levels.empty());
-  const LevelNormals normals(fine);
+  LevelNormals normals(fine);
   Piece& coarse = chain.levels.back().piece;
-  normals.shade(coarse);
+  normals.shade(coarse, chain.levels.back().bound);
   ASSERT_EQ(coarse.surface.normals.size(), coarse.surface.triangles.size());
   size_t shaded = 0;
   for (size_t t = 0; t < coarse.surface.triangles.size(); ++t) {
@@ -68,12 +68,12 @@ TEST(LevelNormals, of_a_coarse_cylinder_are_those_of_the_fine_one) {
 TEST(LevelNormals, are_none_where_triangles_of_the_source_stay_and_where_they_are_merged_in_a_plane) {
   const Surface source = cylinder(8, 4);  // 45 degrees: facets, and no cylinder
   Piece same = whole(source);
-  LevelNormals(source).shade(same);
+  LevelNormals(source).shade(same, 0);
   EXPECT_TRUE(same.surface.normals.empty());
   // Its strips as two triangles each.
   Chain chain = simplify(source, {}, {.triangles = 16, .max_bound = 1});
   ASSERT_FALSE(chain.levels.empty());
-  LevelNormals(source).shade(chain.levels.back().piece);
+  LevelNormals(source).shade(chain.levels.back().piece, chain.levels.back().bound);
   EXPECT_TRUE(chain.levels.back().piece.surface.normals.empty());
 }
 
@@ -85,13 +85,13 @@ TEST(LevelNormals, of_a_source_that_has_its_own_are_those) {
   }
   source.file_normals = true;
   Piece same = whole(source);
-  LevelNormals(source).shade(same);
+  LevelNormals(source).shade(same, 0);
   EXPECT_EQ(same.surface.normals, source.normals);
   EXPECT_TRUE(same.surface.file_normals);
   Chain chain = simplify(source, {}, {.triangles = 12});
   ASSERT_FALSE(chain.levels.empty());
   Surface& coarse = chain.levels.back().piece.surface;
-  LevelNormals(source).shade(chain.levels.back().piece);
+  LevelNormals(source).shade(chain.levels.back().piece, chain.levels.back().bound);
   ASSERT_EQ(coarse.normals.size(), coarse.triangles.size());
   for (size_t t = 0; t < coarse.triangles.size(); ++t) {
     for (size_t k = 0; k < 3 && has_normal(coarse.normals[t][k]); ++k) {
@@ -119,8 +119,8 @@ TEST(LevelNormals, that_say_what_facets_say_are_dropped) {
   EXPECT_FALSE(plain.file_normals);
   // One that is turned to the other side says the same; one that leans by ten degrees does not.
   surface.normals[0].fill(to_vertex_normal(-facet(surface.triangles[0])));
-  surface.normals[1][2] =
-      to_vertex_normal(glm::normalize(facet(surface.triangles[1])) + glm::dvec3(0, 0, std::tan(glm::radians(10.0))));
+  surface.normals[1][2] = to_vertex_normal(glm::normalize(facet(surface.triangles[1])) +
+                                           glm::dvec3(0, 0, std::tan(glm::radians(10.0))));
   drop_plain_normals(surface);
   ASSERT_EQ(surface.normals.size(), surface.triangles.size());
   for (size_t t = 0; t < surface.normals.size(); ++t) EXPECT_EQ(has_normal(surface.normals[t][0]), t == 1);

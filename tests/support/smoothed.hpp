@@ -13,7 +13,8 @@ inline Mesh smoothed(Mesh mesh) {
   std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0));
   for (const Triangle& triangle : mesh.triangles) {
     const auto& [a, b, c] = triangle.vertices;
-    const glm::dvec3 facet = glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    const glm::dvec3 facet =
+        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
     for (const uint32_t vertex : triangle.vertices) sums[vertex] += facet;
   }
   mesh.normals.clear();
