@@ -44,7 +44,8 @@ const std::map<std::string, bool Kept::*>& promises() {
   static const std::map<std::string, bool Kept::*> names = {{"touching", &Kept::touching},
                                                             {"order", &Kept::order},
                                                             {"planes", &Kept::planes},
-                                                            {"cover", &Kept::cover}};
+                                                            {"cover", &Kept::cover},
+                                                            {"shade", &Kept::shade}};
   return names;
 }
 
@@ -74,7 +75,9 @@ void add_keep_flag(CLI::App& command, Kept& keep) {
           "show no gap (touching), that what lies right beneath a surface does not come out of it (order), "
           "that of surfaces in one plane the same one shows from everywhere "
           "(planes), "
-          "that small things cover as much of the screen as in full detail (cover), or none"))
+          "that small things cover as much of the screen as in full detail (cover), that surfaces are shaded "
+          "as "
+          "in full detail (shade), or none"))
       ->check(one_of(words))
       ->type_name(all + "|none")
       ->default_str(name_of(keep));

@@ -126,6 +126,9 @@ Layout lay_out(const aiScene& scene, ConversionNotes& notes) {
     if (colored)
       primitive["attributes"]["COLOR_0"] =
           add(uint64_t{mesh.mNumVertices} * 12, mesh.mNumVertices, 5126, "VEC3");
+    if (mesh.HasNormals())
+      primitive["attributes"]["NORMAL"] =
+          add(uint64_t{mesh.mNumVertices} * 12, mesh.mNumVertices, 5126, "VEC3");
     primitive["indices"] = add(triangles * 12, triangles * 3, 5125, "SCALAR");
     if (mesh.mMaterialIndex < scene.mNumMaterials) {
       // Vertex colours of what has no material are not multiplied by that of others.
@@ -212,6 +215,10 @@ void write_mesh(const aiMesh& mesh, Output& output, const std::string& place, Co
   for (unsigned i = 0; mesh.HasVertexColors(0) && i < mesh.mNumVertices; ++i) {
     const aiColor4D color = linear_color(mesh.mColors[0][i]);  // those displayed, too
     output.write(std::array<float, 3>{color.r, color.g, color.b});
+  }
+  for (unsigned i = 0; mesh.HasNormals() && i < mesh.mNumVertices; ++i) {
+    const aiVector3D& normal = mesh.mNormals[i];
+    output.write(std::array<float, 3>{normal.x, normal.y, normal.z});
   }
   std::vector<glm::dvec3> corners;
   std::vector<std::array<uint32_t, 3>> triangles;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/vertex_color.hpp"
+#include "scene/vertex_normal.hpp"
 
 #include <array>
 #include <cstdint>
@@ -19,7 +20,8 @@ namespace triptych {
 struct CornerTriangle {
   std::array<glm::dvec3, 3> corners;
   uint32_t material;
-  CornerColors colors = {};  ///< as Mesh::colors; of streams without colours all zero
+  CornerColors colors = {};    ///< as Mesh::colors; of streams without colours all zero
+  CornerNormals normals = {};  ///< as Mesh::normals; of streams without normals all zero
   bool operator==(const CornerTriangle&) const = default;
 };
 
@@ -38,6 +40,7 @@ class MeshStream {
 
   /// Whether vertices have colours.
   virtual bool has_colors() const { return false; }
+  virtual bool has_normals() const { return false; }  ///< the same of shading normals
 
   /// Calls take with batches of some thousands of triangles in the file's order; the same triangles in the
   /// same order each time. Returns how many were dropped: their coordinates are not finite. Several threads

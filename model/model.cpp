@@ -5,6 +5,7 @@ namespace triptych {
 uint64_t Mesh::triangle_count() const { return stream ? stream->triangle_count() : triangles.size(); }
 
 bool Mesh::has_colors() const { return stream ? stream->has_colors() : !colors.empty(); }
+bool Mesh::has_normals() const { return stream ? stream->has_normals() : !normals.empty(); }
 
 std::string Model::name() const { return files.empty() ? "the model" : files.front().string(); }
 

@@ -41,10 +41,13 @@ struct Mesh {
   /// Of each position, where the file has any; empty otherwise. They multiply the base colour of the material
   /// in linear light, but for material 0, which stands for none.
   std::vector<VertexColor> colors = {};
+  /// The shading normal of each position, mesh space, where the file has any; empty otherwise.
+  std::vector<VertexNormal> normals = {};
 
   /// Of a stream: as MeshStream::triangle_count.
   uint64_t triangle_count() const;
-  bool has_colors() const;  ///< of vertices
+  bool has_colors() const;   ///< of vertices
+  bool has_normals() const;  ///< the same
 };
 
 /// One placement of a mesh in the model.

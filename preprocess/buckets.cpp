@@ -38,8 +38,11 @@ std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm
   return found->number;
 }
 
-Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, bool colored, SpoolFile& spool)
-    : triangle_bytes_(colored ? sizeof(LatticeTriangle) : offsetof(LatticeTriangle, corner_colors)),
+Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, const CornerStreams& streams,
+                 SpoolFile& spool)
+    : triangle_bytes_(streams.normals  ? sizeof(LatticeTriangle)
+                      : streams.colors ? offsetof(LatticeTriangle, corner_normals)
+                                       : offsetof(LatticeTriangle, corner_colors)),
       spool_(spool) {
   const uint64_t every = total / max_sample + 1;
   std::vector<glm::ivec3> sample;

@@ -27,6 +27,7 @@ struct Kept {
   bool order = true;     ///< what lies right beneath a surface does not come out of it
   bool planes = true;    ///< of surfaces in one plane the same one shows from everywhere
   bool cover = true;     ///< small things cover as much of the screen as in full detail
+  bool shade = true;     ///< surfaces are shaded as in full detail
 };
 
 struct BuildOptions {

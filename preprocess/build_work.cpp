@@ -40,6 +40,7 @@ StoredUnit BuildWork::store(UnitKind kind, UnitResult result) {
   for (const UnitChunk& added : result.chunks) {
     unit.chunks.push_back(pack_.chunks()[pack_.add_chunk(added.chunk, added.lattice)]);
     unit.seen_from_outside.push_back(added.chunk.seen_from_outside);
+    unit.normals.add(added.chunk.normals);
   }
   for (const std::vector<std::byte>& record : result.geometry)
     unit.geometry.push_back(geometry(kind).append(record));
@@ -56,7 +57,8 @@ void BuildWork::run(UnitKind kind, std::span<const uint32_t> indices, const Unit
     batch = record_of<StoredBatch>(*record, place);
     if (batch.kind != kind || batch.units.size() != indices.size())
       fail(place, "holds other work than this build's: remove the folder, and build again");
-    for (const StoredUnit& stored : batch.units) pack_.adopt(stored.chunks, stored.seen_from_outside);
+    for (const StoredUnit& stored : batch.units)
+      pack_.adopt(stored.chunks, stored.seen_from_outside, stored.normals);
     if (progress) progress->advance(indices.size());
   } else {
     for (std::vector<std::byte>& bytes : run_units(indices, unit, progress)) {

@@ -28,6 +28,7 @@ struct StoredUnit {
   uint32_t first_chunk = 0;       ///< index in the pack of the first of its chunks; the others follow
   std::vector<ChunkInfo> chunks;  ///< as in the pack
   std::vector<uint8_t> seen_from_outside;  ///< 1 for each of them that is made to be
+  NormalsUsed normals;                     ///< of them
   std::vector<SpoolPlace> geometry;  ///< where each of its records lies, in BuildWork::geometry() of its kind
   std::vector<std::byte> figures;    ///< as the unit returned them
 
@@ -39,7 +40,8 @@ struct StoredUnit {
 template <>
 inline constexpr auto record_members<StoredUnit> = std::tuple(&StoredUnit::first_chunk, &StoredUnit::chunks,
                                                               &StoredUnit::seen_from_outside,
-                                                              &StoredUnit::geometry, &StoredUnit::figures);
+                                                              &StoredUnit::normals, &StoredUnit::geometry,
+                                                              &StoredUnit::figures);
 
 class BuildWork {
  public:

@@ -15,10 +15,10 @@ void write_unit_kind(ContentKeyWriter& writer, UnitKind kind, const BuildOptions
   writer.write(limits.bound);
   const Kept& keep = options.keep;
   const BuildRules& rules = options.rules;
-  for (const bool flag : {keep.touching, keep.order, keep.planes, keep.cover, options.share_instances,
-                          rules.bounds_hold_children, rules.bounds_hold_rounding, rules.bounds_are_stretched,
-                          rules.mirrors_flip_winding, rules.contacts_hold, rules.order_is_kept,
-                          rules.layers_are_told, rules.levels_are_marked})
+  for (const bool flag : {keep.touching, keep.order, keep.planes, keep.cover, keep.shade,
+                          options.share_instances, rules.bounds_hold_children, rules.bounds_hold_rounding,
+                          rules.bounds_are_stretched, rules.mirrors_flip_winding, rules.contacts_hold,
+                          rules.order_is_kept, rules.layers_are_told, rules.levels_are_marked})
     writer.write(flag);
   writer.write(rules.max_condition);
 }

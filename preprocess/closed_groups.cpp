@@ -175,6 +175,7 @@ uint64_t turn_outward(Surface& surface, const ClosedTriangles& closed) {
     if (closed.body_of[i] == no_id || !turns(closed.body_of[i])) continue;
     std::swap(surface.triangles[i].vertices[1], surface.triangles[i].vertices[2]);
     if (!surface.colors.empty()) std::swap(surface.colors[i][1], surface.colors[i][2]);
+    if (!surface.normals.empty()) std::swap(surface.normals[i][1], surface.normals[i][2]);
   }
   uint64_t turned = 0;
   for (uint32_t i = 0; i < closed.bodies; ++i) turned += turns(i);

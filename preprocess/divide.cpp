@@ -82,16 +82,8 @@ Division divide(const Surface& surface, const PartitionLimits& limits, const Clo
       }
     }
   }
-  std::vector<Triangle> triangles;
-  std::vector<CornerColors> colors;
   for (const auto& group : groups) {
-    triangles.clear();
-    colors.clear();
-    for (const uint32_t index : group) {
-      triangles.push_back(surface.triangles[index]);
-      if (!surface.colors.empty()) colors.push_back(surface.colors[index]);
-    }
-    Piece piece = extract(surface.points, triangles, colors);
+    Piece piece = extract(surface, group);
     Part& part = division.parts.emplace_back();
     for (uint32_t point = 0; point < piece.sources.size(); ++point) {
       const uint32_t number = numbers[piece.sources[point]];

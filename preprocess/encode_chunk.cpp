@@ -95,6 +95,7 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t
   meshopt_remapIndexBuffer(indices.data(), indices.data(), indices.size(), places.data());
   const std::vector<ChunkVertex> vertices = moved(chunk.vertices, places, vertex_count);
   const std::vector<VertexColor> colors = moved(chunk.colors, places, vertex_count);
+  const std::vector<VertexNormal> normals = moved(chunk.normals, places, vertex_count);
   std::vector<uint8_t> index_bytes(meshopt_encodeIndexBufferBound(indices.size(), vertices.size()));
   index_bytes.resize(
       meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
@@ -115,6 +116,11 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t
   if (!colors.empty()) {
     writer.write(chunk_colors_stream);
     write_packed(colors, writer);
+  }
+  if (!normals.empty()) {
+    writer.write(chunk.normals_from == ChunkNormals::of_files ? chunk_file_normals_stream
+                                                              : chunk_level_normals_stream);
+    write_packed(normals, writer);
   }
   writer.write_all(std::span<const uint8_t>(index_bytes));
   return std::move(writer.bytes());

@@ -2,6 +2,8 @@
 
 #include "preprocess/contacts/small_contacts.hpp"
 #include "preprocess/covered/leave_out.hpp"
+#include "preprocess/to_lattice.hpp"
+#include "simplify/level_normals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +32,7 @@ CornerColors Baker::colors_of(const Triangle& triangle) const {
 }
 
 /// Of triangles that are equal the first one stays, and says which object it is.
-void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors,
+void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors, const CornerNormals& normals,
                          std::span<const SourceObjectId> objects, size_t index) {
   std::array<uint32_t, 3> turned = triangle.vertices;
   std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
@@ -42,23 +44,29 @@ void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors,
   const bool colored = colors || !surface.colors.empty();
   surface.triangles.push_back(triangle);
   if (colored) surface.colors.push_back(colors ? *colors : colors_of(triangle));
+  if (has_normal(normals[0]) && surface.normals.empty()) surface.normals.resize(surface.triangles.size() - 1);
+  if (has_normal(normals[0]) || !surface.normals.empty()) surface.normals.push_back(normals);
   if (!objects.empty()) baked_.objects.push_back(objects[index]);
 }
 
 void Baker::add(const Surface& surface, std::span<const LeafSpan> spans,
                 std::span<const SourceObjectId> objects) {
+  baked_.surface.file_normals = baked_.surface.file_normals || surface.file_normals;
   std::vector<uint32_t> placed;
   for (size_t i = 0; i < surface.points.size(); ++i) placed.push_back(place(surface.points[i], spans[i]));
   for (size_t t = 0; t < surface.triangles.size(); ++t) {
     Triangle triangle = surface.triangles[t];
     for (uint32_t& vertex : triangle.vertices) vertex = placed[vertex];
-    add_triangle(triangle, surface.colors.empty() ? nullptr : &surface.colors[t], objects, t);
+    add_triangle(triangle, surface.colors.empty() ? nullptr : &surface.colors[t],
+                 surface.normals.empty() ? CornerNormals{} : surface.normals[t], objects, t);
   }
 }
 
 void Baker::add(const Surface& surface, const Lattice& from, const Affine& transform,
                 std::span<const LeafSpan> spans, std::span<const SourceObjectId> objects) {
   moved_ = std::max(moved_, std::sqrt(3.0) / 2 * (1 + 1e-9));
+  baked_.surface.file_normals = baked_.surface.file_normals || surface.file_normals;
+  const glm::dmat3 of_normals = normal_matrix(glm::dmat3(transform));
   std::vector<glm::ivec3> points;
   for (const glm::ivec3& point : surface.points) {
     points.push_back(lattice_.nearest(transform * glm::dvec4(from.position(point), 1)));
@@ -67,9 +75,12 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
   for (size_t t = 0; t < surface.triangles.size(); ++t) {
     Triangle triangle = surface.triangles[t];
     CornerColors colors = surface.colors.empty() ? CornerColors{} : surface.colors[t];
+    CornerNormals normals{};
+    if (!surface.normals.empty()) normals = placed_normals(surface.normals[t], of_normals);
     if (mirrors) {
       std::swap(triangle.vertices[1], triangle.vertices[2]);
       std::swap(colors[1], colors[2]);
+      std::swap(normals[1], normals[2]);
     }
     std::array<glm::ivec3, 3> corners;
     for (size_t i = 0; i < 3; ++i) corners[i] = points[triangle.vertices[i]];
@@ -78,12 +89,13 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
       moved_ = std::max(moved_, std::sqrt(3.0) / 2 + 1 + 1e-9);
     }
     for (size_t i = 0; i < 3; ++i) triangle.vertices[i] = place(corners[i], spans[triangle.vertices[i]]);
-    add_triangle(triangle, surface.colors.empty() ? nullptr : &colors, objects, t);
+    add_triangle(triangle, surface.colors.empty() ? nullptr : &colors, normals, objects, t);
   }
 }
 
 Baked Baker::finish(double error) {
   baked_.error = error + moved_ * lattice_.step;
+  baked_.surface.drop_empty_normals();
   return std::move(baked_);
 }
 
@@ -98,6 +110,12 @@ Hlod make_hlod(Baked children, uint32_t first_place, uint32_t end_place, const L
   how.triangles = limits.triangles;
   how.colors = Colors::ignore;  // a level that merges a room's furniture cannot keep the colours apart
   Chain chain = simplify(children.surface, locked, how);
+  if (limits.shade || children.surface.file_normals) {
+    LevelNormals normals(children.surface,
+                         children.error > 0 ? LevelNormals::Facets::coarse : LevelNormals::Facets::true_ones);
+    const double before = children.error / lattice.step;
+    for (Level& level : chain.levels) normals.shade(level.piece, before + level.bound);
+  }
   hlod.stuck = chain.stuck && chain.levels.empty();
   if (chain.levels.empty() || limits.begins_as_it_is) {
     Level all{{children.surface, std::vector<uint32_t>(children.surface.points.size())}, 0, 0};

@@ -56,7 +56,7 @@ class Baker {
 
  private:
   uint32_t place(const glm::ivec3& point, const LeafSpan& span);
-  void add_triangle(const Triangle& triangle, const CornerColors* colors,
+  void add_triangle(const Triangle& triangle, const CornerColors* colors, const CornerNormals& normals,
                     std::span<const SourceObjectId> objects, size_t index);
   CornerColors colors_of(const Triangle& triangle) const;
 
@@ -87,6 +87,7 @@ struct HlodLimits {
   /// Errors that levels may not have. From their ends on what is covered is left out.
   std::vector<ErrorGap> gaps = {};
   bool begins_as_it_is = false;  ///< the children's geometry is the finest level
+  bool shade = false;            ///< levels have the shading normals of the children's geometry
 };
 
 /// Levels for an inner scene node, whose leaves have the places first_place up to, not including, end_place.

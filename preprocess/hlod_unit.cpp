@@ -66,7 +66,8 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   const HlodLimits limits{.triangles = where.options.hlod_triangles,
                           .simplify = where.options.simplify_limits(),
                           .gaps = gaps,
-                          .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all};
+                          .begins_as_it_is = 4 * children.surface.triangles.size() <= 3 * all,
+                          .shade = where.options.keep.shade};
   constexpr uint32_t first = Relocation::own_first_place;
   Hlod hlod = make_hlod(std::move(children), first, first + leaves, lattice, limits);
   hlod.coarsest.objects = objects.of(hlod.drawables.back().piece);

@@ -5,6 +5,7 @@
 #include "preprocess/covered/error_gaps.hpp"
 #include "preprocess/covered/leave_out.hpp"
 #include "preprocess/pieces.hpp"
+#include "simplify/level_normals.hpp"
 #include "simplify/simplify.hpp"
 
 #include <algorithm>
@@ -177,6 +178,10 @@ UnitResult make_levels(Part part, const PartInfo& info, const Lattice& lattice, 
   limits.triangles = coarsest_triangles;
   limits.max_bound = coarsest_bound * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
   Chain chain = simplify(part.surface, locked, limits);
+  if (options.keep.shade || part.surface.file_normals) {
+    LevelNormals normals(part.surface);
+    for (Level& level : chain.levels) normals.shade(level.piece, level.bound);
+  }
 
   UnitResult result;
   LevelFigures figures;

@@ -40,7 +40,8 @@ EncodedChunk::EncodedChunk(const Chunk& chunk, std::span<const uint32_t> runs, P
     : bytes(encode_chunk(chunk, runs, palette)),
       triangles(static_cast<uint32_t>(chunk.triangle_count())),
       box(chunk.box()),
-      pieces(chunk.pieces()) {
+      pieces(chunk.pieces()),
+      normals(chunk.normals_from) {
   // The codec drops vertices that no triangle uses, so the bytes say how many there are.
   std::memcpy(&vertices, bytes.data(), sizeof(vertices));
 }
@@ -74,11 +75,14 @@ uint32_t PackWriter::add_chunk(const EncodedChunk& chunk, uint32_t lattice) {
                      .box = chunk.box});
   if (!chunk.pieces.empty()) pieces_.append(std::as_bytes(std::span(chunk.pieces)));
   seen_from_outside_.push_back(chunk.seen_from_outside);
+  normals_.add(chunk.normals);
   file_.write(chunk.bytes);
   return static_cast<uint32_t>(chunks_.size() - 1);
 }
 
-void PackWriter::adopt(std::span<const ChunkInfo> chunks, std::span<const uint8_t> seen_from_outside) {
+void PackWriter::adopt(std::span<const ChunkInfo> chunks, std::span<const uint8_t> seen_from_outside,
+                       const NormalsUsed& normals) {
+  normals_.add(normals);
   chunks_.insert(chunks_.end(), chunks.begin(), chunks.end());
   for (const uint8_t seen : seen_from_outside) seen_from_outside_.push_back(seen != 0);
 }
@@ -86,13 +90,16 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks, std::span<const uint8_
 void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> objects,
                         const PackOptions& options) {
   skeleton.surrounding.chunks = std::move(chunks_);
-  const auto& effects = skeleton.surrounding.effects;
+  auto& effects = skeleton.surrounding.effects;
+  if (normals_.of_files) effects.push_back(effect_name_in_pack(Effect::smooth_normals));
+  if (normals_.of_levels) effects.emplace_back(level_normals_effect);
   const ClosedSurfaces& closed = skeleton.surrounding.closed;
   const bool colored =
       std::count(effects.begin(), effects.end(), effect_name_in_pack(Effect::vertex_colors)) > 0;
-  const uint32_t version = has_layers(effects) ? layered_geometry_version
-                           : colored           ? colored_geometry_version
-                                               : geometry_version;
+  const uint32_t version = normals_.of_files || normals_.of_levels ? shaded_geometry_version
+                           : has_layers(effects)                   ? layered_geometry_version
+                           : colored                               ? colored_geometry_version
+                                                                   : geometry_version;
   std::vector<PackSection> table = {{.type = geometry_type,
                                      .version = version,
                                      .offset = sizeof(PackHeader),

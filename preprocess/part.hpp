@@ -12,7 +12,8 @@ namespace triptych {
 
 template <>
 inline constexpr auto record_members<Surface> = std::tuple(&Surface::points, &Surface::triangles,
-                                                           &Surface::colors);
+                                                           &Surface::colors, &Surface::normals,
+                                                           &Surface::file_normals);
 
 /// A point that the part shares with other parts of its mesh.
 struct BorderPoint {

@@ -8,6 +8,7 @@
 #include "preprocess/divide.hpp"
 #include "preprocess/sorted_mesh.hpp"
 #include "preprocess/weld.hpp"
+#include "simplify/level_normals.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -188,6 +189,7 @@ class PartMaker {
     // What a bucket has may be the wall of a cavity in what several of them have.
     const uint64_t turned = shared.empty() ? turn_outward(welded.surface, closed) : 0;
     join_cavities(welded.surface, closed);
+    drop_plain_normals(welded.surface);
     const Division division = divide(welded.surface, limits, closed, shared, first_own);
     DivisionFigures figures{.dropped_triangles = welded.dropped_triangles,
                             .welded_vertices = welded.welded_vertices + seams.points,
@@ -267,6 +269,7 @@ class PartMaker {
     const PlannedMesh& mesh = plan_.meshes[index];
     const Mesh& source = model_.meshes[mesh.mesh];
     const MeshColors colors = plan_.colors_of(mesh);
+    const CornerStreams streams = corner_streams(source, colors);
     SortedMesh sorted(source, ToLattice(mesh.transform, plan_.lattices[mesh.lattice], colors),
                       options_.bucket_triangles, work_.file("buckets"));
     std::vector<uint64_t> sizes;
@@ -291,7 +294,7 @@ class PartMaker {
           UnitKind::divided_bucket, std::span(buckets).subspan(first, end - first),
           [&](uint32_t number) {
             Bucket bucket = sorted.buckets().load(number - first_bucket_);
-            Welded welded = weld(bucket.triangles, colors.of_corners());
+            Welded welded = weld(bucket.triangles, streams);
             bucket.triangles = {};
             return record_bytes(divide_welded(mesh, std::move(welded), part_limits, bucket.shared,
                                               sorted.buckets().shared_points()));

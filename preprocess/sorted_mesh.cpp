@@ -26,7 +26,7 @@ const Buckets& SortedMesh::buckets() {
             take(batch);
           });
         },
-        mesh_.triangle_count(), bucket_triangles_, to_lattice_.colors().of_corners(), spool_);
+        mesh_.triangle_count(), bucket_triangles_, corner_streams(mesh_, to_lattice_.colors()), spool_);
   });
   return *buckets_;
 }

@@ -1,7 +1,7 @@
 // The triangles of a mesh on a lattice.
 #pragma once
 
-#include "model/mesh_stream.hpp"
+#include "model/model.hpp"
 #include "preprocess/flat_colors.hpp"
 #include "scene/affine.hpp"
 #include "scene/lattice.hpp"
@@ -17,9 +17,24 @@ namespace triptych {
 struct LatticeTriangle {
   std::array<glm::ivec3, 3> corners;
   uint32_t color;
-  CornerColors corner_colors = {};  ///< as they are drawn; unused where the mesh has none
+  CornerColors corner_colors = {};    ///< as they are drawn; unused where the mesh has none
+  CornerNormals corner_normals = {};  ///< on the lattice; all of the corners' or none
   bool operator==(const LatticeTriangle&) const = default;
 };
+
+/// What corners have, which need not be kept where they have none.
+struct CornerStreams {
+  bool colors = false, normals = false;
+};
+inline CornerStreams corner_streams(const Mesh& mesh, const MeshColors& colors) {
+  return {colors.of_corners(), mesh.has_normals()};
+}
+
+/// What takes normals along under a transform: its cofactors, so that they keep looking to the same side of
+/// the surface where it mirrors, too.
+glm::dmat3 normal_matrix(const glm::dmat3& linear);
+/// All of the corners' normals, or none.
+CornerNormals placed_normals(const CornerNormals& normals, const glm::dmat3& normal_matrix);
 
 /// Puts triangles on a lattice: transformed, rounded, with the opposite winding if the transform mirrors.
 class ToLattice {
@@ -34,6 +49,7 @@ class ToLattice {
   Lattice lattice_;
   MeshColors colors_;
   bool mirrors_;
+  glm::dmat3 of_normals_;  ///< mesh to lattice
 };
 
 }  // namespace triptych

@@ -15,7 +15,7 @@ namespace {
 
 class Welder {
  public:
-  Welder(size_t triangles, bool colored) : colored_(colored) {
+  Welder(size_t triangles, const CornerStreams& streams) : streams_(streams) {
     places_.reserve(triangles / 2 + 4);
     surface.triangles.reserve(triangles);
   }
@@ -29,14 +29,15 @@ class Welder {
       corners[i] = found->second;
     }
     surface.triangles.push_back({corners, triangle.color});
-    if (colored_) surface.colors.push_back(triangle.corner_colors);
+    if (streams_.colors) surface.colors.push_back(triangle.corner_colors);
+    if (streams_.normals) surface.normals.push_back(triangle.corner_normals);
   }
   bool has(const glm::ivec3& point) const { return places_.contains(point); }
 
   Surface surface;
 
  private:
-  bool colored_;
+  CornerStreams streams_;
   tsl::robin_map<glm::ivec3, uint32_t, KeyHash> places_;
 };
 
@@ -73,9 +74,9 @@ std::vector<uint8_t> repeated_triangles(const Surface& surface) {
 
 }  // namespace
 
-Welded weld(std::span<const LatticeTriangle> triangles, bool colored) {
+Welded weld(std::span<const LatticeTriangle> triangles, const CornerStreams& streams) {
   Welded welded;
-  Welder welder(triangles.size(), colored);
+  Welder welder(triangles.size(), streams);
   std::vector<const LatticeTriangle*> flat;
   for (const LatticeTriangle& triangle : triangles) {
     const auto& [a, b, c] = triangle.corners;
@@ -102,17 +103,21 @@ Welded weld(std::span<const LatticeTriangle> triangles, bool colored) {
   const std::vector<uint8_t> repeated = repeated_triangles(welder.surface);
   std::vector<Triangle>& kept = welder.surface.triangles;
   std::vector<CornerColors>& kept_colors = welder.surface.colors;
+  std::vector<CornerNormals>& kept_normals = welder.surface.normals;
   size_t next = 0;
   for (size_t i = 0; i < kept.size(); ++i) {
     if (!repeated[i]) {
-      if (colored) kept_colors[next] = kept_colors[i];
+      if (streams.colors) kept_colors[next] = kept_colors[i];
+      if (streams.normals) kept_normals[next] = kept_normals[i];
       kept[next++] = kept[i];
     } else if (i < with_area_before) {
       ++welded.dropped_triangles;
     }
   }
   kept.resize(next);
-  if (colored) kept_colors.resize(next);
+  if (streams.colors) kept_colors.resize(next);
+  if (streams.normals) kept_normals.resize(next);
+  welder.surface.file_normals = streams.normals;
   welded.surface = std::move(welder.surface);
   return welded;
 }
@@ -120,13 +125,14 @@ Welded weld(std::span<const LatticeTriangle> triangles, bool colored) {
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice, const MeshColors& colors) {
   if (const auto loaded = mesh.stream ? mesh.stream->load() : nullptr)
     return weld(*loaded, transform, lattice, colors);
+  const CornerStreams streams = corner_streams(mesh, colors);
   const ToLattice to_lattice(transform, lattice, colors);
   std::vector<LatticeTriangle> triangles;
   triangles.reserve(mesh.triangle_count());
   uint64_t not_finite = read_mesh(mesh, [&](std::span<const CornerTriangle> batch) {
     for (const CornerTriangle& triangle : batch) triangles.push_back(to_lattice(triangle));
   });
-  Welded welded = weld(triangles, colors.of_corners());
+  Welded welded = weld(triangles, streams);
   welded.dropped_triangles += not_finite;
   if (!mesh.stream) {
     std::vector<uint8_t> used(mesh.positions.size(), 0);

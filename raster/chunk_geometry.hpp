@@ -39,7 +39,10 @@ class RasterChunk {
   std::vector<uint32_t> color;            ///< of each triangle, index into the palette
   std::vector<uint8_t> layers;            ///< of each triangle ChunkVertex::layer; empty if all are 0
   std::vector<VertexColor> vertex_color;  ///< of each vertex, in place of `color`; empty if it has none
-  std::vector<uint32_t> outward;          ///< of each triangle a bit, the lowest first; and spare ones
+  /// Of each vertex Chunk::normals; empty if it has none.
+  std::vector<VertexNormal> vertex_normal;
+  ChunkNormals normals_from = ChunkNormals::none;
+  std::vector<uint32_t> outward;  ///< of each triangle a bit, the lowest first; and spare ones
   bool has_outward = false;
   std::vector<uint32_t> transparent;  ///< transparent_runs()
 

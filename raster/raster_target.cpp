@@ -130,9 +130,21 @@ void RasterTarget::make_picture() const {
 
 void RasterTarget::count_effects(const ShadingCounts& counts, double set_up_ms) const {
   effects_.clear();
-  if (counts.varying_pixels > 0) {
-    effects_.push_back(
-        {.effect = Effect::vertex_colors, .ms = counts.varying_ms, .fragments = counts.varying_pixels});
+  // Each with its share of the time, by pixels.
+  const auto ms_of = [&](uint64_t pixels) {
+    return pixels == 0
+               ? 0
+               : counts.varying_ms * static_cast<double>(pixels) / static_cast<double>(counts.varying_pixels);
+  };
+  if (counts.colored_pixels > 0) {
+    effects_.push_back({.effect = Effect::vertex_colors,
+                        .ms = ms_of(counts.colored_pixels),
+                        .fragments = counts.colored_pixels});
+  }
+  if (counts.smooth_triangles > 0) {
+    effects_.push_back({.effect = Effect::smooth_normals,
+                        .ms = ms_of(counts.smooth_pixels),
+                        .fragments = counts.smooth_pixels});
   }
   if (!transparent_.empty()) {
     effects_.push_back({.effect = Effect::transparency,

@@ -30,6 +30,10 @@ class BandResolver {
     for (size_t i = 0; i < planes.size(); ++i) edges_.emplace_back(planes[i], view, *rule_, places[i]);
   }
 
+  void count() {
+    for (const KeptShades& shades : recent_) counts_.smooth_triangles += shades.smooth_triangles();
+  }
+
   [[gnu::noinline]] void make(int32_t y, Rgba* picture_row) {
     bool varies = false;
     for (size_t i = 0; i < planes_.size(); ++i) {
@@ -49,17 +53,17 @@ class BandResolver {
   /// Once a pixel and triangle.
   void shade_varying(int32_t y) {
     const TimedShading timed(counts_.varying_ms);
-    uint64_t pixels = 0;
+    VaryingPixels pixels;
     for (size_t x = 0; x < width_; ++x) {
       for (size_t i = 0; i < planes_.size(); ++i) {
         const uint32_t slot = planes_[i].slots(y)[x];
         if (planes_[i].depths(y)[x] == 0 || !recent(i).varies(slot)) continue;
         const Rgba* const known = shared_ ? shaded_before(x, y, i, slot) : nullptr;
         row(i)[x] = known != nullptr ? *known : recent(i).of(slot, static_cast<int32_t>(x), y);
-        ++pixels;
+        pixels.add(recent(i).kind(slot));
       }
     }
-    counts_.varying_pixels += pixels;
+    pixels.add_to(counts_);
   }
   const Rgba* shaded_before(size_t x, int32_t y, size_t plane, uint32_t slot) {
     for (size_t i = plane; i > 0; --i) {
@@ -103,6 +107,7 @@ class BandResolver {
     BandResolver band(planes, view, layers, shader, last, counts);
     for (int32_t y = first; y <= last; ++y)
       band.make(y, picture.data() + static_cast<size_t>(y) * static_cast<size_t>(planes.front().width()));
+    band.count();
   });
 }
 

@@ -8,13 +8,13 @@ namespace {
 [[gnu::noinline]] void shade_varying(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
                                      int32_t y, KeptShades& recent, Rgba* row, ShadingCounts& counts) {
   const TimedShading timed(counts.varying_ms);
-  uint64_t pixels = 0;
+  VaryingPixels pixels;
   for (size_t x = 0; x < depths.size(); ++x) {
     if (depths[x] == 0 || !recent.varies(slots[x])) continue;
     row[x] = recent.of(slots[x], static_cast<int32_t>(x), y);
-    ++pixels;
+    pixels.add(recent.kind(slots[x]));
   }
-  counts.varying_pixels += pixels;
+  pixels.add_to(counts);
 }
 
 }  // namespace
@@ -32,6 +32,7 @@ namespace {
       if (colors.any_varies()) shade_varying(buffer.depths(y), buffer.slots(y), y, colors, row, counts);
       over.blend(0, y, row);
     }
+    counts.smooth_triangles += colors.smooth_triangles();
   });
 }
 

@@ -175,6 +175,7 @@ BandBlenders::~BandBlenders() {
   for (const TransparentBlender& blender : blenders_) {
     counts_.blended_fragments += blender.fragments();
     counts_.splits += blender.splits();
+    counts_.smooth_triangles += blender.smooth_triangles();
   }
 }
 

@@ -86,6 +86,7 @@ class TransparentBlender {
   /// How many, and how often there were too many for one list.
   uint64_t fragments() const { return blended_; }
   uint64_t splits() const { return splits_; }
+  uint64_t smooth_triangles() const { return shades_.smooth_triangles(); }
 
  private:
   void blend_area(const PixelBox& area, Rgba* row);

@@ -53,7 +53,8 @@ TriangleShader::TriangleShader(const FrameView& view)
       hatching_(view.view().height),
       width_(view.view().width),
       height_(view.view().height),
-      vertex_colors_(view.state.effects.has(Effect::vertex_colors)) {}
+      vertex_colors_(view.state.effects.has(Effect::vertex_colors)),
+      smooth_normals_(view.state.effects.has(Effect::smooth_normals)) {}
 
 Rgba TriangleShader::to_bytes(const glm::vec3& color) {
   return {to_byte(color.x), to_byte(color.y), to_byte(color.z), 255};
@@ -71,13 +72,43 @@ Rgba TriangleShader::cap(const glm::vec3& base, uint32_t side, int32_t x, int32_
   return to_bytes(lit * ink.scale + ink.add);
 }
 
-Rgba TriangleShader::cap(const SlotTable::Triangle& shown, uint32_t side, int32_t x, int32_t y,
-                         const float (&lit_color)[3]) const {
-  return cap(glm::vec3(lit_color[0], lit_color[1], lit_color[2]) / light_on(shown), side, x, y);
+Rgba TriangleShader::cap(const InterpolatedColors& varying, uint32_t side, int32_t x, int32_t y) const {
+  float color[3];
+  varying.base_at(x, y, color);
+  return cap(glm::vec3(color[0], color[1], color[2]), side, x, y);
 }
 
-InterpolatedColors TriangleShader::varying(const SlotTable::Triangle& shown) const {
-  return interpolate_colors(stage_, width_, height_, shown, light_on(shown));
+Rgba TriangleShader::color(const InterpolatedColors& varying, int32_t x, int32_t y) const {
+  float color[3];
+  varying.at(x, y, light_, color);
+  return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
+}
+
+ChunkNormals TriangleShader::normals_shown(const SlotTable::Triangle& shown) const {
+  const RasterChunk& chunk = *shown.range->chunk;
+  if (chunk.vertex_normal.empty() || !has_normal(chunk.vertex_normal[chunk.corner[0][shown.triangle]]))
+    return ChunkNormals::none;
+  const bool off = chunk.normals_from == ChunkNormals::of_files && !smooth_normals_;
+  return off ? ChunkNormals::none : chunk.normals_from;
+}
+
+TriangleShader::Look TriangleShader::look(const SlotTable::Triangle& shown) const {
+  Look look;
+  look.colors = vertex_colors_ && !shown.range->chunk->vertex_color.empty();
+  look.normals = normals_shown(shown);
+  if (look.normals != ChunkNormals::none) {
+    look.lights = corner_normals(shown, light_);
+  } else {
+    look.lights.light = facet_light(shown);
+  }
+  return look;
+}
+
+InterpolatedColors TriangleShader::varying(const SlotTable::Triangle& shown, const Look& look) const {
+  const CornerBase of_corners{look.colors, look.colors ? glm::vec3(0) : base(shown)};
+  return interpolate_colors(stage_, width_, height_, shown, of_corners,
+                            look.lights.bends ? 1 : look.lights.light,
+                            look.lights.bends ? &look.lights : nullptr);
 }
 
 glm::vec3 TriangleShader::normal(const SlotTable::Triangle& shown) {
@@ -85,7 +116,7 @@ glm::vec3 TriangleShader::normal(const SlotTable::Triangle& shown) {
   return normal * to_unit(normal);
 }
 
-float TriangleShader::light_on(const SlotTable::Triangle& shown) const {
+float TriangleShader::facet_light(const SlotTable::Triangle& shown) const {
   const glm::vec3 normal = normal_of(shown);
   const float scale = to_unit(normal);
   const float towards = (normal.x * light_.x + normal.y * light_.y) + normal.z * light_.z;
@@ -106,21 +137,22 @@ Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
-    varying = {slot, shader_.varying(table_.find(slot))};
+    const SlotTable::Triangle shown = table_.find(slot);
+    varying = {slot, shader_.varying(shown, shader_.look(shown))};
   }
-  float color[3];
-  varying.colors.at(x, y, color);
-  if (cap) return shader_.cap(table_.find(slot), cap->side, x, y, color);
-  return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
+  return cap ? shader_.cap(varying.colors, cap->side, x, y) : shader_.color(varying.colors, x, y);
 }
 
 uint32_t KeptShades::place_of(uint32_t slot) {
   const uint32_t place = slot % count;
   if (slots_[place] != slot) {
     const SlotTable::Triangle shown = table_.find(slot, range_);
-    varies_[place] = shader_.varies(shown);
+    const TriangleShader::Look look = shader_.look(shown);
+    varies_[place] = look.varies();
     capped_[place] = Caps::show(shown);
-    colors_[place] = varies_[place] ? 0 : std::bit_cast<uint32_t>(shader_(shown));
+    colors_[place] = varies_[place] ? 0 : std::bit_cast<uint32_t>(shader_.color(shown, look));
+    kinds_[place] = {look.colors, look.normals};
+    smooth_triangles_ += look.normals == ChunkNormals::of_files;
     slots_[place] = slot;
     even_slots_[place] = varies_[place] || capped_[place] ? no_slot(place) : slot;
   }

@@ -3,6 +3,7 @@
 
 #include "raster/caps.hpp"
 #include "raster/corner_colors.hpp"
+#include "raster/shading_counts.hpp"
 #include "raster/visibility_buffer.hpp"
 #include "visibility/cap_look.hpp"
 
@@ -20,24 +21,32 @@ class TriangleShader {
  public:
   explicit TriangleShader(const FrameView& view);
 
-  /// Of a triangle whose chunk has no colours of its own.
-  Rgba operator()(const SlotTable::Triangle& shown) const { return to_bytes(base(shown) * light_on(shown)); }
+  /// How a triangle is shaded.
+  struct Look {
+    bool colors = false;                        ///< with the colours of its corners
+    ChunkNormals normals = ChunkNormals::none;  ///< with the normals of its corners
+    CornerLights lights = {};                   ///< then; otherwise only the light
+    bool varies() const { return colors || lights.bends; }
+  };
+  Look look(const SlotTable::Triangle& shown) const;
+  /// Of one that does not vary.
+  Rgba color(const SlotTable::Triangle& shown, const Look& look) const {
+    return to_bytes(base(shown) * look.lights.light);
+  }
+  /// Of one that does at the centre of a pixel.
+  Rgba color(const InterpolatedColors& varying, int32_t x, int32_t y) const;
   /// Of a cap at a side that shows at a pixel in place of the triangle, with the colours of its corners if it
   /// has any.
   Rgba cap(const SlotTable::Triangle& shown, uint32_t side, int32_t x, int32_t y) const {
     return cap(base(shown), side, x, y);
   }
-  Rgba cap(const SlotTable::Triangle& shown, uint32_t side, int32_t x, int32_t y,
-           const float (&lit_color)[3]) const;
+  Rgba cap(const InterpolatedColors& varying, uint32_t side, int32_t x, int32_t y) const;
   const Caps& caps() const { return caps_; }
-  bool varies(const SlotTable::Triangle& shown) const {
-    return vertex_colors_ && !shown.range->chunk->vertex_color.empty();
-  }
   /// By how much it covers what lies behind, from 0 to 1.
   float alpha(const SlotTable::Triangle& shown) const {
     return static_cast<float>(palette_[shown.range->chunk->color[shown.triangle]][3]) / 255.0f;
   }
-  InterpolatedColors varying(const SlotTable::Triangle& shown) const;
+  InterpolatedColors varying(const SlotTable::Triangle& shown, const Look& look) const;
   /// Of either side, eye space, unit length; 0 of a triangle without area.
   static glm::vec3 normal(const SlotTable::Triangle& shown);
 
@@ -46,7 +55,8 @@ class TriangleShader {
   /// The colour of the material, from 0 to 1.
   glm::vec3 base(const SlotTable::Triangle& shown) const;
   Rgba cap(const glm::vec3& base, uint32_t side, int32_t x, int32_t y) const;
-  float light_on(const SlotTable::Triangle& shown) const;
+  float facet_light(const SlotTable::Triangle& shown) const;
+  ChunkNormals normals_shown(const SlotTable::Triangle& shown) const;
 
   const std::vector<std::array<uint8_t, 4>>& palette_;
   glm::vec3 light_;
@@ -54,7 +64,7 @@ class TriangleShader {
   Caps caps_;
   CapHatching hatching_;
   int width_, height_;
-  bool vertex_colors_;
+  bool vertex_colors_, smooth_normals_;
 };
 
 /// The colours of triangles that were shaded a short while ago: most show in the row above, too.
@@ -68,6 +78,14 @@ class KeptShades {
   /// For kernels: those that do not vary.
   SlotColors known();
   bool any_varies() const { return any_varies_; }
+  /// Of a triangle that varies: whether with the colours of its corners, and what normals they have.
+  struct Kind {
+    bool colors = false;
+    ChunkNormals normals = ChunkNormals::none;
+  };
+  Kind kind(uint32_t slot) { return kinds_[place_of(slot)]; }
+  /// Triangles with normals of the model's files, bending or not.
+  uint64_t smooth_triangles() const { return smooth_triangles_; }
   void begin_row() { any_varies_ = false; }
 
   /// Whether the colours of the slot's triangle vary, as where caps show in its place; and what they are at a
@@ -96,7 +114,27 @@ class KeptShades {
   size_t range_ = 0;                            ///< where the last slot was found
   std::array<Varying, varying_count> varying_;  // unused, and so not touched, in pictures without any
   std::bitset<varying_count> varying_is_set_;
+  std::array<Kind, count> kinds_;  // set where its slot is
+  uint64_t smooth_triangles_ = 0;
   bool any_varies_ = false;
+};
+
+/// Counts pixels of triangles that vary.
+class VaryingPixels {
+ public:
+  void add(const KeptShades::Kind& kind) {
+    ++all_;
+    colored_ += kind.colors;
+    smooth_ += kind.normals == ChunkNormals::of_files;
+  }
+  void add_to(ShadingCounts& counts) const {
+    counts.varying_pixels += all_;
+    counts.colored_pixels += colored_;
+    counts.smooth_pixels += smooth_;
+  }
+
+ private:
+  uint64_t all_ = 0, colored_ = 0, smooth_ = 0;
 };
 
 /// The colours of a row's pixels, background where nothing is. Those whose colours vary get none: recent says

@@ -39,7 +39,7 @@ void DrawListBuilder::add_command(const ChunkRange& range, const DrawGroup& grou
                            .base_vertex = static_cast<int32_t>(range.base_vertex),
                            .base_instance = static_cast<uint32_t>(list.records.size() - 1)});
   const bool fits = !list.groups.empty() && list.groups.back().caps == DrawGroup::Caps::none &&
-                    list.groups.back().front == group.front && list.groups.back().colored == group.colored;
+                    list.groups.back().front == group.front && !differ_in_vertices(list.groups.back(), group);
   if (!fits) list.groups.push_back(group);
   ++list.groups.back().count;
 }
@@ -136,7 +136,7 @@ void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item
   uint32_t begin = item.first_index / 3;
   const uint32_t end = begin + item.index_count / 3;
   const auto add = [&](int32_t shown_front, uint32_t first, uint32_t last) {
-    const DrawGroup group{.front = shown_front, .colored = range.colored};
+    const DrawGroup group{.front = shown_front, .colored = range.colored, .normals = range.normals};
     if (part == DrawPart::all || range.transparent.empty())
       return add_command(range, group, first, last, list);
     for_each_run(range.transparent, first, last, [&](uint32_t from, uint32_t to, bool transparent) {

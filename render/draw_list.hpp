@@ -21,7 +21,8 @@ struct ChunkRange {
   uint32_t first_index = 0, index_count = 0, base_vertex = 0;
   std::vector<uint32_t> outward_runs = {};  ///< Chunk::outward_runs
   bool colored = false;                     ///< whether vertices have colours
-  std::vector<uint32_t> transparent = {};   ///< transparent_runs()
+  ChunkNormals normals = ChunkNormals::none;
+  std::vector<uint32_t> transparent = {};  ///< transparent_runs()
   bool loaded() const { return index_count > 0; }
 };
 
@@ -43,17 +44,23 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Commands that follow each other, show the same sides of triangles, and are all of coloured chunks or none;
-/// or those of one closed surface that a section may cut, for its cut surfaces.
+/// Commands that follow each other, show the same sides of triangles, are all of coloured chunks or none, and
+/// of chunks with the same kind of normals; or those of one closed surface that a section may cut, for its
+/// cut surfaces.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
   bool colored = false;
+  ChunkNormals normals = ChunkNormals::none;  ///< of cut surfaces none
   enum class Caps : uint8_t { none, plain, mirrored } caps = Caps::none;
   uint32_t count = 0;
   /// Of cut surfaces: so many commands behind those `count`, which draw the whole surface, draw what of it
   /// shows them.
   uint32_t shown = 0;
 };
+
+inline bool differ_in_vertices(const DrawGroup& a, const DrawGroup& b) {
+  return a.colored != b.colored || a.normals != b.normals;
+}
 
 /// Which triangles of drawables a list draws.
 enum class DrawPart : uint8_t { all, opaque, transparent };

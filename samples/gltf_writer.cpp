@@ -80,6 +80,10 @@ Json GltfWriter::add_primitive(const MeshPart& part) {
     accessor["type"] = "VEC4";
     primitive["attributes"]["COLOR_0"] = colours;
   }
+  if (!part.normals.empty()) {
+    primitive["attributes"]["NORMAL"] =
+        add_accessor(std::as_bytes(std::span<const glm::vec3>(part.normals)), part.normals.size(), false);
+  }
   return primitive;
 }
 

@@ -16,6 +16,8 @@ struct MeshPart {
   double alpha = 1;  ///< by how much it covers what lies behind
   /// Of positions, linear, red, green, blue and 255; multiplied by the colour. Empty if they have none.
   std::vector<std::array<uint8_t, 4>> vertex_colours = {};
+  /// Shading normals of positions, of unit length. Empty if they have none.
+  std::vector<glm::vec3> normals = {};
 };
 
 }  // namespace triptych

@@ -65,10 +65,21 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
               .indices = {},
               .outward_runs = std::move(outward_runs)};
   auto rest = reader.read_all<uint8_t>(reader.left());
-  if (!rest.empty() && rest.front() < first_index_byte) {
-    if (rest.front() != chunk_colors_stream) fail(place, "has a stream of the unknown kind {}", rest.front());
+  for (uint8_t before = 0; !rest.empty() && rest.front() < first_index_byte;) {
+    const uint8_t kind = rest.front();
+    if (kind <= before) fail(place, "has a stream of the kind {} behind one of the kind {}", kind, before);
+    before = kind;
     ByteReader attributes(std::as_bytes(std::span(rest).subspan(1)), place);
-    chunk.colors = read_vertex_stream<VertexColor>(attributes, vertex_count, place);
+    if (kind == chunk_colors_stream) {
+      chunk.colors = read_vertex_stream<VertexColor>(attributes, vertex_count, place);
+    } else if (kind == chunk_level_normals_stream || kind == chunk_file_normals_stream) {
+      if (!chunk.normals.empty()) fail(place, "has two streams of normals");
+      chunk.normals = read_vertex_stream<VertexNormal>(attributes, vertex_count, place);
+      chunk.normals_from =
+          kind == chunk_file_normals_stream ? ChunkNormals::of_files : ChunkNormals::of_levels;
+    } else {
+      fail(place, "has a stream of the unknown kind {}", kind);
+    }
     rest = attributes.read_all<uint8_t>(attributes.left());
   }
   chunk.indices.resize(size_t{triangle_count} * 3);
@@ -83,7 +94,16 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
     if (!pieces[vertex.piece].contains(LatticeBox{vertex.point, vertex.point}))
       fail(place, "has a vertex outside its box");
   }
+  for (const VertexNormal& normal : chunk.normals) {
+    if (has_normal(normal) ? !is_vertex_normal(normal) : normal[1] != 0)
+      fail(place, "has a normal {}, {}, which is none", normal[0], normal[1]);
+  }
   for (size_t i = 0; i < chunk.indices.size(); i += 3) {
+    const auto shaded = [&](size_t k) {
+      return !chunk.normals.empty() && has_normal(chunk.normals[chunk.indices[i + k]]);
+    };
+    if (shaded(0) != shaded(1) || shaded(0) != shaded(2))
+      fail(place, "has a triangle with normals at some of its corners");
     const uint32_t piece = chunk.vertices[chunk.indices[i]].piece;
     for (size_t k = 1; k < 3; ++k) {
       if (chunk.vertices[chunk.indices[i + k]].piece != piece)

@@ -4,6 +4,7 @@
 #include "scene/layers.hpp"
 #include "scene/skeleton.hpp"
 #include "scene/vertex_color.hpp"
+#include "scene/vertex_normal.hpp"
 
 #include <array>
 #include <cstdint>
@@ -29,8 +30,14 @@ inline constexpr size_t max_colors = size_t{1} << 20;
 /// The most pieces of a chunk, for the same reason.
 inline constexpr size_t max_chunk_pieces = 256;
 
-/// The byte that begins a chunk's stream of vertex colours. That of indices begins with 0xe0 or more.
-inline constexpr uint8_t chunk_colors_stream = 1, first_index_byte = 0xe0;
+/// Where a chunk's shading normals come from, if it has any: coarse levels of faceted surfaces have those of
+/// the surface that they stand for; or the model's files have them.
+enum class ChunkNormals : uint8_t { none, of_levels, of_files };
+
+/// The bytes that begin a chunk's streams of vertex colours and normals, in this order. That of indices
+/// begins with 0xe0 or more.
+inline constexpr uint8_t chunk_colors_stream = 1, chunk_level_normals_stream = 3,
+                         chunk_file_normals_stream = 4, first_index_byte = 0xe0;
 
 struct Chunk {
   std::vector<ChunkVertex> vertices;
@@ -42,6 +49,10 @@ struct Chunk {
   /// Of each vertex, shown in place of the palette's and interpolated over triangles; empty if the chunk has
   /// none.
   std::vector<VertexColor> colors = {};
+  /// Of each vertex, interpolated over triangles for their shade; the corners of a triangle all have one, or
+  /// none. Empty if no vertex has one.
+  std::vector<VertexNormal> normals = {};
+  ChunkNormals normals_from = ChunkNormals::none;
 
   size_t triangle_count() const { return indices.size() / 3; }
   /// The runs, triangle by triangle.
@@ -52,8 +63,9 @@ struct Chunk {
 };
 
 /// Reads back what encode_chunk (preprocess/encode_chunk.hpp) wrote. Error (place) for bytes that do not
-/// decode, or that hold other counts than `info`, indices out of range, colours beyond palette_size, points
-/// outside their piece's box, or triangles across pieces. `pieces`: Skeleton::pieces_of() the chunk.
+/// decode, or that hold other counts than `info`, indices out of range, colours beyond palette_size, normals
+/// that are none or of some corners of a triangle alone, points outside their piece's box, or triangles
+/// across pieces. `pieces`: Skeleton::pieces_of() the chunk.
 Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
                    std::span<const LatticeBox> pieces, size_t palette_size, const std::string& place);
 

@@ -28,6 +28,12 @@ std::string effect_name_in_pack(Effect effect) {
   return name;
 }
 
+bool has_normals(const std::vector<std::string>& effects_in_pack) {
+  return std::ranges::any_of(effects_in_pack, [](const std::string& name) {
+    return name == level_normals_effect || name == effect_name_in_pack(Effect::smooth_normals);
+  });
+}
+
 std::string effects_text(Effects effects) {
   if (effects == Effects::all()) return "all";
   return effects == Effects::none() ? "none" : names_of(effects);

@@ -5,20 +5,37 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace triptych {
 
 /// That can be switched off from frame to frame.
-enum class Effect : uint8_t { vertex_colors, transparency };
-inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency};
+enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals };
+inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency,
+                                           Effect::smooth_normals};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
-  return effect == Effect::vertex_colors ? "vertex-colours" : "transparency";
+  switch (effect) {
+    case Effect::vertex_colors:
+      return "vertex-colours";
+    case Effect::transparency:
+      return "transparency";
+    case Effect::smooth_normals:
+      break;
+  }
+  return "smooth-normals";
 }
 
 /// What Skeleton::effects calls it.
 std::string effect_name_in_pack(Effect effect);
+
+/// What Skeleton::effects calls it where chunks of coarse levels have the shading normals of the surfaces
+/// that they stand for: part of those levels, and so never switched off.
+inline constexpr const char* level_normals_effect = "normals of levels";
+
+/// Whether any chunk of a pack with these Skeleton::effects has shading normals.
+bool has_normals(const std::vector<std::string>& effects_in_pack);
 
 /// A set of them.
 class Effects {

@@ -24,6 +24,9 @@ inline constexpr uint32_t colored_geometry_version = 3;
 /// Of that section where vertices may say how many layers lie on them (Skeleton::effects names those, and
 /// vertex colours if there are any).
 inline constexpr uint32_t layered_geometry_version = 4;
+/// Of that section where chunks may have shading normals (Skeleton::effects names them, and the others if
+/// there are any).
+inline constexpr uint32_t shaded_geometry_version = 5;
 inline constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
 inline constexpr std::array<char, 4> sub_hierarchies_type = {'S', 'U', 'B', 'H'};
 /// Only in packs of models with names. It is not read when a pack is opened.

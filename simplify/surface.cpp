@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <tsl/robin_map.h>
+#include <type_traits>
 
 namespace triptych {
 
@@ -12,6 +14,12 @@ LatticeBox Surface::box() const {
   LatticeBox box;
   for (const glm::ivec3& point : points) box.extend(point);
   return box;
+}
+
+void Surface::drop_empty_normals() {
+  if (std::ranges::any_of(normals, [](const CornerNormals& own) { return has_normal(own[0]); })) return;
+  normals.clear();
+  file_normals = false;
 }
 
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles,
@@ -32,6 +40,27 @@ Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> t
     }
   }
   return piece;
+}
+
+Piece extract(const Surface& surface, std::span<const uint32_t> chosen) {
+  const auto those = [&](const auto& values) {
+    std::remove_cvref_t<decltype(values)> result;
+    if (values.empty()) return result;
+    result.reserve(chosen.size());
+    for (const uint32_t triangle : chosen) result.push_back(values[triangle]);
+    return result;
+  };
+  Piece piece = extract(surface.points, those(surface.triangles), those(surface.colors));
+  piece.surface.normals = those(surface.normals);
+  piece.surface.file_normals = surface.file_normals;
+  piece.surface.drop_empty_normals();
+  return piece;
+}
+
+Piece without_lone_points(const Surface& surface) {
+  std::vector<uint32_t> all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return extract(surface, all);
 }
 
 bool has_transparent(const Surface& surface, Palette palette) {
@@ -57,27 +86,36 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   // A point has a vertex for each of its colours and pieces; most have only one, and the map is for the
   // others.
   std::vector<uint32_t> first(surface.points.size(), none);
-  using Key = std::array<uint32_t, 4>;
+  using Key = std::array<uint32_t, 5>;
   tsl::robin_map<Key, uint32_t, KeyHash, KeyEqual> further;
-  const bool colored = !surface.colors.empty();
+  const bool colored = !surface.colors.empty(), shaded = !surface.normals.empty();
+  if (shaded) chunk.normals_from = surface.file_normals ? ChunkNormals::of_files : ChunkNormals::of_levels;
+  const auto differs = [&](uint32_t index, const ChunkVertex& vertex, const VertexColor& color,
+                           const VertexNormal& normal) {
+    return chunk.vertices[index] != vertex || (colored && chunk.colors[index] != color) ||
+           (shaded && chunk.normals[index] != normal);
+  };
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
     const uint32_t material = surface.triangles[i].material;
     const uint8_t piece = pieces.empty() ? 0 : pieces[i];
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t point = surface.triangles[i].vertices[k];
       const VertexColor own = colored ? surface.colors[i][k] : VertexColor{};
+      const VertexNormal normal = shaded ? surface.normals[i][k] : VertexNormal{};
       ChunkVertex vertex{surface.points[point], 0, 0, piece};
       vertex.color = palette_index(material) & (max_colors - 1);
       vertex.layer = layer_of(material) & max_layer;
       const auto next = static_cast<uint32_t>(chunk.vertices.size());
       if (first[point] == none) first[point] = next;
       uint32_t index = first[point];
-      if (index != next && (chunk.vertices[index] != vertex || (colored && chunk.colors[index] != own)))
-        index = further.try_emplace(Key{point, material, std::bit_cast<uint32_t>(own), piece}, next)
-                    .first->second;
+      if (index != next && differs(index, vertex, own, normal)) {
+        const Key key{point, material, std::bit_cast<uint32_t>(own), std::bit_cast<uint32_t>(normal), piece};
+        index = further.try_emplace(key, next).first->second;
+      }
       if (index == next) {
         chunk.vertices.push_back(vertex);
         if (colored) chunk.colors.push_back(own);
+        if (shaded) chunk.normals.push_back(normal);
       }
       chunk.indices.push_back(index);
     }

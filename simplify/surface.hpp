@@ -31,8 +31,14 @@ struct Surface {
   /// Of the corners of each triangle, as they are drawn; empty if the surface has none. Corners at one point
   /// may differ: a seam runs there.
   std::vector<CornerColors> colors = {};
+  /// The shading normals of the corners of each triangle; none where it shows its own. Empty if the surface
+  /// has none.
+  std::vector<CornerNormals> normals = {};
+  bool file_normals = false;  ///< they come from the model's files
 
   LatticeBox box() const;
+  /// Where all triangles show their own normals, the surface has none.
+  void drop_empty_normals();
 };
 
 /// A piece of a surface, and the index of each of its points in the whole.
@@ -45,6 +51,10 @@ struct Piece {
 /// of the triangles, or empty.
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles,
               std::span<const CornerColors> colors = {});
+/// Of its triangles those of these numbers, with all that their corners have.
+Piece extract(const Surface& surface, std::span<const uint32_t> chosen);
+/// All of them: without points that no triangle has.
+Piece without_lone_points(const Surface& surface);
 
 /// Whether any of its triangles is.
 bool has_transparent(const Surface& surface, Palette palette);
@@ -52,7 +62,8 @@ bool has_transparent(const Surface& surface, Palette palette);
 /// The surface's points in the sets that its triangles connect.
 DisjointSets connected_points(const Surface& surface);
 
-/// The surface as it is drawn: a vertex for each point, colour (of palette and corner) and piece that meet.
+/// The surface as it is drawn: a vertex for each point, colour (of palette and corner), normal and piece
+/// that meet.
 /// `pieces`: for each triangle ChunkVertex::piece; empty if all of it is one piece.
 Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
 

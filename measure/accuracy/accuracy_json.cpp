@@ -90,7 +90,9 @@ json row_json(const AccuracyRow& row) {
   object["cover_grown"] = or_null(pictures.cover_grown());
   object["popping"] = or_null(pictures.popping());
   object["flicker_share"] = or_null(pictures.flicker_share());
-  object["shade"] = {{"mean", pictures.shades.mean()}, {"p99", pictures.shades.p99()}};
+  const auto shades = [](const ShadeDifferences& of) { return json{{"mean", of.mean()}, {"p99", of.p99()}}; };
+  object["shade"] = shades(pictures.shades);
+  object["surface_shade"] = shades(pictures.surface_shades);
   object["rmse"] = pictures.rmse();
   object["ssim"] = pictures.ssim();
   object["butteraugli"] = or_null(pictures.butteraugli());

@@ -58,6 +58,10 @@ PictureMeasures measure_picture(const PackSurfaces& surfaces, const FrameView& v
   measures.ssim = difference.ssim;
   measures.shades =
       shade_differences(reference.surface, reference.colors, shown.surface, shown.colors, width, height);
+  const PixelMask inside =
+      away_from_edges(view, reference.surface, inside_surfaces(reference.surface, width, height), radius - 1);
+  measures.surface_shades =
+      shade_differences_in(inside, reference.surface, reference.colors, shown.surface, shown.colors);
   PixelMask holes = find_holes(reference.surface, shown.surface, width, height, radius);
   measures.slit_pixels = take_out_slits(surfaces, view, shown.surface, holes);
   measures.holes = find_patches(std::move(holes));
@@ -93,6 +97,7 @@ void PictureTally::add(const PictureMeasures& measures, const std::vector<uint8_
   squared_error_ += measures.squared_error;
   ssim_ += measures.ssim;
   shades.add(measures.shades);
+  surface_shades.add(measures.surface_shades);
   keep_worst(hole, measures.holes, measures.hole_at, measures, reference, shown);
   keep_worst(swap, measures.swaps, measures.swap_at, measures, reference, shown);
   keep_worst(inner_swap, measures.inner_swaps, measures.inner_swap_at, measures, reference, shown);

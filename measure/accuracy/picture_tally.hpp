@@ -58,7 +58,7 @@ struct PictureMeasures {
   uint64_t slit_pixels = 0;  ///< of take_out_slits()
   uint64_t thin_pixels = 0;  ///< of take_out_thin()
   double squared_error = 0, ssim = 1;
-  ShadeDifferences shades{};
+  ShadeDifferences shades{}, surface_shades{};  ///< inside smooth surfaces; away from edges
   Patches holes{}, swaps{}, inner_swaps{};
   /// WorstPatch::at of the largest ones.
   PointDeviation hole_at{}, swap_at{}, inner_swap_at{};
@@ -98,7 +98,7 @@ class PictureTally {
   std::vector<float> deviations;  ///< pixels
   WorstDeviation worst_deviation;
   WorstPatch deviation_patch;  ///< around the worst one
-  ShadeDifferences shades;
+  ShadeDifferences shades, surface_shades;
   double rmse() const;
   double ssim() const { return mean(ssim_, frames_).value_or(1); }
   /// Nullopt where nothing was measured.

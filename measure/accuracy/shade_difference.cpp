@@ -18,6 +18,12 @@ int difference(std::span<const uint8_t> one, size_t a, std::span<const uint8_t> 
   return largest;
 }
 
+bool alike(const SurfacePixel& one, const SurfacePixel& other) {
+  return !one.background() && one.found && other.found && one.color == other.color;
+}
+
+std::array<size_t, 4> neighbours(size_t at, size_t width) { return {at - 1, at + 1, at - width, at + width}; }
+
 }  // namespace
 
 void ShadeDifferences::add(const ShadeDifferences& other) {
@@ -48,24 +54,39 @@ ShadeDifferences shade_differences(std::span<const SurfacePixel> reference,
                                    std::span<const uint8_t> reference_colors,
                                    std::span<const SurfacePixel> shown, std::span<const uint8_t> shown_colors,
                                    int width, int height) {
+  PixelMask mask = inside_surfaces(reference, width, height);
+  for (size_t at = 0; at < mask.pixels.size(); ++at) {
+    if (mask.pixels[at] == 0) continue;
+    mask.pixels[at] = std::ranges::all_of(neighbours(at, static_cast<size_t>(width)), [&](size_t next) {
+      return difference(reference_colors, next, reference_colors, at) <= smooth;
+    });
+  }
+  return shade_differences_in(mask, reference, reference_colors, shown, shown_colors);
+}
+
+ShadeDifferences shade_differences_in(const PixelMask& mask, std::span<const SurfacePixel> reference,
+                                      std::span<const uint8_t> reference_colors,
+                                      std::span<const SurfacePixel> shown,
+                                      std::span<const uint8_t> shown_colors) {
   ShadeDifferences differences;
-  const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
-  const auto alike = [&](const SurfacePixel& one, const SurfacePixel& other) {
-    return !one.background() && one.found && other.found && one.color == other.color;
-  };
-  for (size_t y = 1; y + 1 < h; ++y) {
-    for (size_t x = 1; x + 1 < w; ++x) {
-      const size_t at = y * w + x;
-      if (!alike(shown[at], reference[at])) continue;
-      const std::array<size_t, 4> around = {at - 1, at + 1, at - w, at + w};
-      const bool inside = std::ranges::all_of(around, [&](size_t next) {
-        return alike(reference[next], reference[at]) &&
-               difference(reference_colors, next, reference_colors, at) <= smooth;
-      });
-      if (inside) differences.add(static_cast<uint8_t>(difference(reference_colors, at, shown_colors, at)));
-    }
+  for (size_t at = 0; at < mask.pixels.size(); ++at) {
+    if (mask.pixels[at] != 0 && alike(shown[at], reference[at]))
+      differences.add(static_cast<uint8_t>(difference(reference_colors, at, shown_colors, at)));
   }
   return differences;
+}
+
+PixelMask inside_surfaces(std::span<const SurfacePixel> reference, int width, int height) {
+  PixelMask mask(width, height);
+  const auto w = static_cast<size_t>(width);
+  for (int y = 1; y + 1 < height; ++y) {
+    for (int x = 1; x + 1 < width; ++x) {
+      const size_t at = static_cast<size_t>(y) * w + static_cast<size_t>(x);
+      mask.at(x, y) = std::ranges::all_of(neighbours(at, w),
+                                          [&](size_t next) { return alike(reference[next], reference[at]); });
+    }
+  }
+  return mask;
 }
 
 }  // namespace triptych

@@ -1,6 +1,7 @@
 // How much lighter or darker surfaces are than in the reference, as where facets of coarse levels show.
 #pragma once
 
+#include "measure/accuracy/patches.hpp"
 #include "measure/accuracy/surface_pixels.hpp"
 
 #include <array>
@@ -30,5 +31,14 @@ ShadeDifferences shade_differences(std::span<const SurfacePixel> reference,
                                    std::span<const uint8_t> reference_colors,
                                    std::span<const SurfacePixel> shown, std::span<const uint8_t> shown_colors,
                                    int width, int height);
+
+/// The same of the pixels of the mask, smooth or not, that the picture shows in the reference's base colour.
+ShadeDifferences shade_differences_in(const PixelMask& mask, std::span<const SurfacePixel> reference,
+                                      std::span<const uint8_t> reference_colors,
+                                      std::span<const SurfacePixel> shown,
+                                      std::span<const uint8_t> shown_colors);
+
+/// Pixels where the reference shows one base colour, there and at the four neighbours.
+PixelMask inside_surfaces(std::span<const SurfacePixel> reference, int width, int height);
 
 }  // namespace triptych

@@ -43,6 +43,7 @@ struct GltfDracoMesh {
   IndexTable indices;
   PositionTable positions;
   std::optional<ColorTable> colors = std::nullopt;
+  std::optional<PositionTable> normals = std::nullopt;
 };
 /// Error (place) if they cannot be unpacked.
 GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& draco, const std::string& place);
@@ -113,6 +114,7 @@ class GltfMeshes {
     int64_t positions = -1;                 ///< accessor
     std::optional<PositionTable> unpacked;  ///< in place of the accessor
     std::optional<ColorTable> colors;
+    std::optional<PositionTable> normals;
     const GltfPrimitive* primitive = nullptr;
     bool can_stream = false;
   };
@@ -129,8 +131,12 @@ class GltfMeshes {
   std::optional<Part> read_primitive(const GltfPrimitive& primitive, const std::string& place);
   void read_indices(const GltfPrimitive& primitive, const std::string& place, Part& part);
   void read_colors(const GltfPrimitive& primitive, const std::string& place, Part& part);
+  void read_normals(const GltfPrimitive& primitive, const std::string& place, Part& part);
+  static void hold_in_memory(GltfAccessor& accessor, const std::string& place, PositionTable& values);
   bool read_draco(const GltfPrimitive& primitive, const std::string& place, Part& part);
   void read_triangles(const Part& part, const Move& move, Mesh& mesh);
+  static VertexNormal moved_normal(const Move& move, uint32_t vertex, const glm::dvec3& position,
+                                   const VertexNormal& normal);
   Move skinning(const Part& part, const std::vector<Affine>& joints);
   Positions& positions(int64_t accessor, const std::string& place);
   void read_material(const GltfMaterial& material);
@@ -142,8 +148,8 @@ class GltfMeshes {
   std::vector<std::optional<uint32_t>> meshes_;  ///< the file's to the model's
   std::vector<uint32_t> renamed_;  ///< an accessor's vertex to the mesh's, while a primitive is read
   std::map<std::pair<int64_t, int64_t>, std::optional<uint32_t>> skinned_;  ///< by mesh and skin
-  std::string first_damage_;      ///< the warning of primitives that cannot be read
-  std::string first_bad_colors_;  ///< and of those whose colours cannot
+  std::string first_damage_;                          ///< the warning of primitives that cannot be read
+  std::string first_bad_colors_, first_bad_normals_;  ///< and of those whose colours or normals cannot
   int64_t last_accessor_ = -1;
   std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor
 };

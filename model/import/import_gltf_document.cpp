@@ -215,7 +215,8 @@ class DocumentParser {
           const auto found = attributes.find(name);
           return found == attributes.end() ? -1 : found->second;
         };
-        primitive.draco = {members_.integer(*draco, "bufferView", -1), id_of("POSITION"), id_of("COLOR_0")};
+        primitive.draco = {members_.integer(*draco, "bufferView", -1), id_of("POSITION"), id_of("COLOR_0"),
+                           id_of("NORMAL")};
       }
       mesh.primitives.push_back(std::move(primitive));
     }

@@ -59,6 +59,7 @@ struct GltfDraco {
   int64_t view = -1;
   int64_t positions = -1;  ///< the id of Draco's attribute
   int64_t colors = -1;     ///< the same of COLOR_0
+  int64_t normals = -1;    ///< the same of NORMAL
 };
 
 struct GltfPrimitive {

@@ -90,7 +90,8 @@ std::optional<uint32_t> GltfMeshes::read_mesh(size_t index) {
       PositionTable positions = part.unpacked
                                     ? *part.unpacked
                                     : GltfAccessor(gltf_, part.positions, part.triangles.place).positions();
-      streamed.push_back({std::move(part.triangles), std::move(positions), std::move(part.colors)});
+      streamed.push_back(
+          {std::move(part.triangles), std::move(positions), std::move(part.colors), std::move(part.normals)});
     }
     return target_.add_stream(source.name, std::make_shared<IndexedStream>(std::move(streamed)));
   }
@@ -145,6 +146,7 @@ std::optional<GltfMeshes::Part> GltfMeshes::read_primitive(const GltfPrimitive& 
   part.triangles.vertex_count = positions.count();
   part.can_stream = positions.can_stream();
   read_colors(primitive, place, part);
+  read_normals(primitive, place, part);
   read_indices(primitive, place, part);
   if (part.triangles.mode == TriangleMode::list)
     target_.warn("indices are left over after the last triangle", part.triangles.index_count() % 3);
@@ -163,18 +165,41 @@ void GltfMeshes::read_colors(const GltfPrimitive& primitive, const std::string& 
       fail(place, "{} colours of {} vertices", accessor.count(), part.triangles.vertex_count);
     part.colors = accessor.colors();
     if (accessor.can_stream() && part.colors->values.source) return;
-    // Sparse ones, and zeros without a buffer, are assembled in memory, and read from there.
-    PositionTable& values = part.colors->values;
-    accessor.load();
-    values.stride = scalar_bytes(values.fields[0].type) * static_cast<size_t>(accessor.components());
-    values.source = std::make_shared<StreamSource>(place, accessor.take_elements());
-    values.offset = 0;
+    hold_in_memory(accessor, place, part.colors->values);
   } catch (const Error& error) {
     part.colors.reset();
     if (first_bad_colors_.empty())
       first_bad_colors_ = fmt::format(
           "primitives whose vertex colours cannot be read are drawn without, the first: {}", error.what());
     target_.warn(first_bad_colors_);
+  }
+}
+
+/// Sparse elements, and zeros without a buffer, are assembled in memory, and read from there.
+void GltfMeshes::hold_in_memory(GltfAccessor& accessor, const std::string& place, PositionTable& values) {
+  accessor.load();
+  values.stride = scalar_bytes(values.fields[0].type) * static_cast<size_t>(accessor.components());
+  values.source = std::make_shared<StreamSource>(place, accessor.take_elements());
+  values.offset = 0;
+}
+
+/// Of vertices, as their colours.
+void GltfMeshes::read_normals(const GltfPrimitive& primitive, const std::string& place, Part& part) {
+  const auto attribute = primitive.attributes.find("NORMAL");
+  if (attribute == primitive.attributes.end()) return;
+  try {
+    GltfAccessor accessor(gltf_, attribute->second, place);
+    if (accessor.components() != 3) fail(place, "normals of {} components", accessor.components());
+    if (accessor.count() < part.triangles.vertex_count)
+      fail(place, "{} normals of {} vertices", accessor.count(), part.triangles.vertex_count);
+    part.normals = accessor.positions();
+    if (!accessor.can_stream() || !part.normals->source) hold_in_memory(accessor, place, *part.normals);
+  } catch (const Error& error) {
+    part.normals.reset();
+    if (first_bad_normals_.empty())
+      first_bad_normals_ = fmt::format(
+          "primitives whose normals cannot be read are drawn without, the first: {}", error.what());
+    target_.warn(first_bad_normals_);
   }
 }
 
@@ -187,6 +212,7 @@ bool GltfMeshes::read_draco(const GltfPrimitive& primitive, const std::string& p
     part.triangles.mode = TriangleMode::list;
     part.unpacked = std::move(mesh.positions);
     part.colors = std::move(mesh.colors);
+    part.normals = std::move(mesh.normals);
     part.can_stream = true;
     return true;
   } catch (const Error&) {
@@ -233,6 +259,13 @@ GltfMeshes::Positions& GltfMeshes::positions(int64_t accessor, const std::string
   return *last_positions_;
 }
 
+/// What joints do to a direction at a vertex.
+VertexNormal GltfMeshes::moved_normal(const Move& move, uint32_t vertex, const glm::dvec3& position,
+                                      const VertexNormal& normal) {
+  if (!move || !has_normal(normal)) return normal;
+  return to_vertex_normal(move(vertex, position + direction_of(normal)) - move(vertex, position));
+}
+
 /// Reads the triangles, and those vertices of the accessor that they use.
 void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) {
   std::optional<Positions> unpacked;
@@ -243,6 +276,11 @@ void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) 
   if (part.colors) {
     colors.emplace(*part.colors);
     mesh.colors.resize(mesh.positions.size());
+  }
+  std::optional<NormalCache> normals;
+  if (part.normals) {
+    normals.emplace(*part.normals);
+    mesh.normals.resize(mesh.positions.size());
   }
   std::vector<std::array<uint32_t, 3>> triangles;
   uint32_t lowest = unnamed, highest = 0;
@@ -270,6 +308,9 @@ void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) 
         mesh.positions.push_back(move ? move(corners[k], position) : position);
         if (colors || !mesh.colors.empty())
           mesh.colors.push_back(colors ? colors->at(corners[k]) : VertexColor{});
+        if (normals || !mesh.normals.empty())
+          mesh.normals.push_back(normals ? moved_normal(move, corners[k], position, normals->at(corners[k]))
+                                         : VertexNormal{});
       }
       triangle.vertices[k] = name;
     }

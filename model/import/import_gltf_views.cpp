@@ -146,6 +146,10 @@ GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& packed, const 
                                .scale = glm::dvec3(1 / largest_channel(*colors)),
                                .linear = true};
   }
+  const draco::PointAttribute* normals =
+      packed.normals >= 0 ? mesh->GetAttributeByUniqueId(static_cast<uint32_t>(packed.normals)) : nullptr;
+  if (normals && normals->num_components() == 3)
+    result.normals = table_of(values_of(*mesh, *normals, place, "normals"));
   return result;
 }
 

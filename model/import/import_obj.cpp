@@ -82,9 +82,11 @@ class ObjImport {
     const std::string_view word = take_word(line);
     const auto behind_word = static_cast<size_t>(word.data() + word.size() - whole.data());
     const auto name = [&] { return trimmed(without_comment(whole, true).substr(behind_word)); };
-    if (word.empty() || word == "vt" || word == "vn" || word == "vp" || word == "s") return;
+    if (word.empty() || word == "vt" || word == "vp" || word == "s") return;
     if (word == "v") {
       read_vertex(line);
+    } else if (word == "vn") {
+      read_normal(line);
     } else if (word == "f" || word == "fo") {
       read_face(without_comment(line, false));
     } else if (word == "o") {
@@ -155,14 +157,41 @@ class ObjImport {
     return glm::dvec3(numbers[count - 3], numbers[count - 2], numbers[count - 1]);
   }
 
+  /// One without three numbers counts, and is none. Files have them before the first face that may use them.
+  void read_normal(std::string_view line) {
+    constexpr size_t most = size_t{1} << 26;
+    if (normals_.empty() && spool_.has_faces())
+      return target_.warn("normals behind the first faces are not used");
+    if (normals_.size() == most) return target_.warn("normals beyond the first 67,108,864 are not used");
+    if (normals_.empty()) spool_.shade_faces();
+    glm::dvec3 normal;
+    for (int i = 0; i < 3; ++i)
+      normal[i] = to_number(take_word(line)).value_or(std::numeric_limits<double>::quiet_NaN());
+    normals_.push_back(to_vertex_normal(normal));
+  }
+
+  /// Of "7//3" and "7/1/3"; none where the corner names none, or one that is not there.
+  VertexNormal normal_of(std::string_view word) const {
+    const size_t first = word.find('/');
+    const size_t second = first == std::string_view::npos ? first : word.find('/', first + 1);
+    if (second == std::string_view::npos) return {};
+    const auto number = to_integer(word.substr(second + 1));
+    if (!number) return {};
+    const auto known = static_cast<int64_t>(normals_.size());
+    const int64_t index = *number < 0 ? known + *number : *number - 1;
+    return index >= 0 && index < known ? normals_[static_cast<size_t>(index)] : VertexNormal{};
+  }
+
   void read_face(std::string_view line) {
     corners_.clear();
+    corner_normals_.clear();
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
       const auto vertex = vertex_index(word);
       if (!vertex) return;
       corners_.push_back(*vertex);
+      if (!normals_.empty()) corner_normals_.push_back(normal_of(word));
     }
-    spool_.add_face(corners_, material_);
+    spool_.add_face(corners_, material_, {}, corner_normals_);
   }
 
   /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0. Nothing, and a warning, if it is none.
@@ -285,6 +314,7 @@ class ObjImport {
   std::map<std::string, NamedMaterial> materials_;
   std::set<std::string> skipped_;  ///< kinds of statements that are not understood
   std::vector<uint32_t> corners_;
+  std::vector<VertexNormal> normals_, corner_normals_;  ///< of the file; of the face that is read
   uint32_t material_ = 0;
   std::string first_bad_vertex_, first_bad_face_;    ///< warnings
   double highest_channel_ = 0;                       ///< of all colours of vertices

@@ -44,6 +44,18 @@ std::optional<std::array<size_t, 3>> channels_of(const PlyElement& element) {
   return at;
 }
 
+/// Which properties of a vertex hold its normal, if it has one.
+std::optional<std::array<size_t, 3>> normals_of(const PlyElement& element) {
+  std::array<size_t, 3> at;
+  for (size_t i = 0; i < 3; ++i) {
+    static constexpr std::array names = {"nx", "ny", "nz"};
+    const auto found = element.find({names[i]});
+    if (!found || element.properties[*found].count_type) return std::nullopt;
+    at[i] = *found;
+  }
+  return at;
+}
+
 /// What a channel's value is multiplied by to be from 0 to 1: whole numbers go to 255, whatever their type,
 /// but for the one of 16 bits.
 double channel_scale(PlyType type) {
@@ -61,10 +73,10 @@ size_t corner_list_of(const PlyElement& element, uint64_t vertex_count, const Fi
 
 void read_vertices(const PlyElement& element, PlyValues& values, FileImport& target, MeshSpool& spool) {
   const std::array<size_t, 3> at = coordinates_of(element, target);
-  const auto channels = channels_of(element);
+  const auto channels = channels_of(element), normals = normals_of(element);
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin_record();
-    glm::dvec3 position{0}, color{0};
+    glm::dvec3 position{0}, color{0}, normal{0};
     for (size_t k = 0; k < element.properties.size(); ++k) {
       const PlyProperty& property = element.properties[k];
       if (property.count_type) {
@@ -76,9 +88,10 @@ void read_vertices(const PlyElement& element, PlyValues& values, FileImport& tar
         if (k == at[static_cast<size_t>(axis)]) position[axis] = value;
         if (channels && k == (*channels)[static_cast<size_t>(axis)])
           color[axis] = value * channel_scale(property.type);
+        if (normals && k == (*normals)[static_cast<size_t>(axis)]) normal[axis] = value;
       }
     }
-    spool.add_vertex(position, channels ? std::optional(color) : std::nullopt);
+    spool.add_vertex(position, channels ? std::optional(color) : std::nullopt, normal);
   }
 }
 
@@ -199,6 +212,7 @@ void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count,
   const auto source = target.content();
   PositionTable vertices;
   std::optional<ColorTable> colors;
+  std::optional<PositionTable> normals;
   FaceTable faces{.source = source, .element = {}, .material = {}, .end = source->size()};
   for (const PlyElement& element : header.elements) {
     const auto record = element.record_bytes();
@@ -210,6 +224,10 @@ void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count,
         colors->values.offset = offset;
         for (int i = 0; i < 3; ++i)
           colors->scale[i] = channel_scale(element.properties[(*channels)[static_cast<size_t>(i)]].type);
+      }
+      if (const auto at = normals_of(element)) {
+        normals = table_of(element, *at);
+        normals->offset = offset;
       }
     } else if (element.name == "face") {
       faces.element = element;
@@ -231,7 +249,12 @@ void add_stream(const PlyHeader& header, uint64_t offset, uint64_t vertex_count,
     colors->values.source = source;
     colors->values.swapped = vertices.swapped;
   }
-  const auto stream = std::make_shared<FaceStream>(std::move(vertices), std::move(faces), std::move(colors));
+  if (normals) {
+    normals->source = source;
+    normals->swapped = vertices.swapped;
+  }
+  const auto stream = std::make_shared<FaceStream>(std::move(vertices), std::move(faces), std::move(colors),
+                                                   std::move(normals));
   target.add_instance(target.add_stream(target.file().stem().string(), stream), Affine(1));
 }
 
@@ -241,18 +264,21 @@ bool uses_colors(const PlyHeader& header, const PlyElement& element) {
                                   : element.name == "face" && face_colors_of(header);
 }
 
-/// Warns of normals, confidences and other properties that the model does not have.
+/// Warns of confidences and other properties that the model does not have.
 void warn_of_unused(const PlyHeader& header, FileImport& target) {
   static constexpr std::array used = {"x", "y", "z", "vertex_indices", "vertex_index"};
   static constexpr std::array colours = {"red",           "green",        "blue", "alpha", "diffuse_red",
                                          "diffuse_green", "diffuse_blue", "r",    "g",     "b"};
+  static constexpr std::array directions = {"nx", "ny", "nz"};
   for (const PlyElement& element : header.elements) {
     if (element.name != "vertex" && element.name != "face" && element.name != "tristrips") continue;
     std::string names;
     for (const PlyProperty& property : element.properties) {
       const bool known =
           std::count(used.begin(), used.end(), property.name) > 0 ||
-          (uses_colors(header, element) && std::count(colours.begin(), colours.end(), property.name) > 0);
+          (uses_colors(header, element) && std::count(colours.begin(), colours.end(), property.name) > 0) ||
+          (element.name == "vertex" && normals_of(element) &&
+           std::count(directions.begin(), directions.end(), property.name) > 0);
       if (!known && names.size() < 120) names += " " + property.name.substr(0, 40);
     }
     if (!names.empty())

@@ -31,20 +31,27 @@ uint64_t promised_triangles(const FaceTable& faces) {
 struct Vertex {
   glm::dvec3 position{0};
   VertexColor color{};
+  VertexNormal normal{};
 };
 
 class VertexCache {
  public:
-  VertexCache(const PositionTable& positions, const std::optional<ColorTable>& colors)
+  VertexCache(const PositionTable& positions, const std::optional<ColorTable>& colors,
+              const std::optional<PositionTable>& normals)
       : positions_(positions) {
     if (colors) colors_.emplace(*colors);
+    if (normals) normals_.emplace(*normals);
   }
   uint64_t count() const { return positions_.count(); }
-  Vertex at(uint64_t index) { return {positions_.at(index), colors_ ? colors_->at(index) : VertexColor{}}; }
+  Vertex at(uint64_t index) {
+    return {positions_.at(index), colors_ ? colors_->at(index) : VertexColor{},
+            normals_ ? normals_->at(index) : VertexNormal{}};
+  }
 
  private:
   PositionCache positions_;
   std::optional<ColorCache> colors_;
+  std::optional<NormalCache> normals_;
 };
 
 uint64_t read_length(SourceWindow& window, const PlyProperty& property, bool swapped) {
@@ -93,9 +100,9 @@ class FaceColorReader {
 class FaceReader {
  public:
   FaceReader(const PositionTable& vertices, const FaceTable& faces, const std::optional<ColorTable>& colors,
-             TriangleBatch& batch)
+             const std::optional<PositionTable>& normals, TriangleBatch& batch)
       : faces_(faces),
-        vertices_(vertices, colors),
+        vertices_(vertices, colors, normals),
         window_(faces.source, faces.begin, faces.end),
         batch_(batch),
         type_(faces.element.properties[faces.list].type) {
@@ -110,6 +117,8 @@ class FaceReader {
         if (!properties[k].count_type) {
           const std::byte* bytes = window_.take(scalar_bytes(properties[k].type));
           if (k == faces_.material) std::memcpy(&material_, bytes, sizeof(material_));
+        } else if (k == faces_.normals) {
+          read_normals(read_length(window_, properties[k], faces_.swapped));
         } else if (k == faces_.list) {
           read_corners(read_length(window_, properties[k], faces_.swapped));
         } else {
@@ -143,7 +152,20 @@ class FaceReader {
   void add(const Vertex& a, const Vertex& b, const Vertex& c) {
     batch_.add(a.position, b.position, c.position, material_,
                face_colors_ ? CornerColors{face_color_, face_color_, face_color_}
-                            : CornerColors{a.color, b.color, c.color});
+                            : CornerColors{a.color, b.color, c.color},
+               CornerNormals{a.normal, b.normal, c.normal});
+  }
+
+  void read_normals(uint64_t count) {
+    face_normals_.resize(count);
+    for (VertexNormal& normal : face_normals_)
+      std::memcpy(&normal, window_.take(sizeof(normal)), sizeof(normal));
+  }
+  /// Of the face's corner: its own normal, if the face has those.
+  Vertex corner(uint64_t index, const std::byte* bytes) {
+    Vertex found = vertices_.at(vertex(bytes));
+    if (index < face_normals_.size()) found.normal = face_normals_[index];
+    return found;
   }
 
   void read_corners(uint64_t count) {
@@ -151,7 +173,7 @@ class FaceReader {
     if (count > max_clipped_corners) return read_fan(count);
     const std::byte* bytes = window_.take(count * item);
     corners_.resize(count);
-    for (uint64_t i = 0; i < count; ++i) corners_[i] = vertices_.at(vertex(bytes + i * item));
+    for (uint64_t i = 0; i < count; ++i) corners_[i] = corner(i, bytes + i * item);
     if (count == 3) return add(corners_[0], corners_[1], corners_[2]);
     skipped_ += count < 3;
     outline_.clear();
@@ -164,12 +186,12 @@ class FaceReader {
   void read_fan(uint64_t count) {
     ++fans_;
     const size_t item = scalar_bytes(type_);
-    const Vertex first = vertices_.at(vertex(window_.take(item)));
-    Vertex before = vertices_.at(vertex(window_.take(item)));
+    const Vertex first = corner(0, window_.take(item));
+    Vertex before = corner(1, window_.take(item));
     for (uint64_t i = 2; i < count; ++i) {
-      const Vertex corner = vertices_.at(vertex(window_.take(item)));
-      add(first, before, corner);
-      before = corner;
+      const Vertex next = corner(i, window_.take(item));
+      add(first, before, next);
+      before = next;
     }
   }
 
@@ -182,6 +204,7 @@ class FaceReader {
   VertexColor face_color_{};
   uint32_t material_ = 0;
   std::vector<Vertex> corners_;
+  std::vector<VertexNormal> face_normals_;  ///< of the corners that come next; empty where they have none
   std::vector<glm::dvec3> outline_;
   std::vector<std::array<uint32_t, 3>> triangles_;
   uint64_t skipped_ = 0, fans_ = 0;
@@ -189,15 +212,17 @@ class FaceReader {
 
 }  // namespace
 
-FaceStream::FaceStream(PositionTable vertices, FaceTable faces, std::optional<ColorTable> colors)
+FaceStream::FaceStream(PositionTable vertices, FaceTable faces, std::optional<ColorTable> colors,
+                       std::optional<PositionTable> normals)
     : vertices_(std::move(vertices)),
       faces_(std::move(faces)),
       colors_(std::move(colors)),
+      normals_(std::move(normals)),
       triangle_count_(promised_triangles(faces_)) {}
 
 uint64_t FaceStream::read(const TakeTriangles& take) const {
   TriangleBatch batch(take);
-  FaceReader reader(vertices_, faces_, colors_, batch);
+  FaceReader reader(vertices_, faces_, colors_, normals_, batch);
   reader.run();
   const uint64_t dropped = batch.finish();
   dropped_ = dropped;

@@ -22,18 +22,22 @@ struct FaceTable {
   size_t list = 0;                 ///< the property that holds the corners
   std::optional<size_t> material;  ///< the property that holds the model's material, an uint32
   std::optional<FaceColors> colors = std::nullopt;  ///< then vertices have none
-  uint64_t begin = 0, end = 0;                      ///< bytes; the last face may end before
-  bool end_known = false;                           ///< whether the last face must end there
-  bool swapped = false;                             ///< in the other byte order
+  /// The list, before that of the corners, that holds a VertexNormal of each, in 32 bits; or it is empty.
+  std::optional<size_t> normals = std::nullopt;
+  uint64_t begin = 0, end = 0;  ///< bytes; the last face may end before
+  bool end_known = false;       ///< whether the last face must end there
+  bool swapped = false;         ///< in the other byte order
 };
 
 class FaceStream : public MeshStream {
  public:
-  /// colors: of the vertices.
-  FaceStream(PositionTable vertices, FaceTable faces, std::optional<ColorTable> colors = std::nullopt);
+  /// colors, normals: of the vertices.
+  FaceStream(PositionTable vertices, FaceTable faces, std::optional<ColorTable> colors = std::nullopt,
+             std::optional<PositionTable> normals = std::nullopt);
 
   uint64_t triangle_count() const override { return triangle_count_; }
   bool has_colors() const override { return colors_ || faces_.colors; }
+  bool has_normals() const override { return normals_ || faces_.normals; }
   uint64_t read(const TakeTriangles& take) const override;
   std::vector<std::string> warnings() const override;
 
@@ -41,6 +45,7 @@ class FaceStream : public MeshStream {
   PositionTable vertices_;
   FaceTable faces_;
   std::optional<ColorTable> colors_;
+  std::optional<PositionTable> normals_;
   uint64_t triangle_count_;
   mutable std::atomic<uint64_t> dropped_{0}, skipped_faces_{0}, fans_{0}, trailing_bytes_{0};
 };

@@ -3,6 +3,7 @@
 
 #include "model/import/mesh_stream_source.hpp"
 #include "scene/vertex_color.hpp"
+#include "scene/vertex_normal.hpp"
 
 #include <array>
 #include <cstdint>
@@ -114,5 +115,24 @@ class ColorCache {
   glm::dvec3 scale_;
   bool linear_;
 };
+
+/// The same of normals: x, y and z of directions of any length.
+class NormalCache {
+ public:
+  explicit NormalCache(const PositionTable& values) : values_(values) {}
+  VertexNormal at(uint64_t index) {
+    return to_vertex_normal(glm::dvec3(glm::vec3(values_.at(index))));  // as MeshSpool keeps them
+  }
+
+ private:
+  PositionCache values_;
+};
+
+/// Of the corners of a triangle; of a table that is not there none.
+template <typename Cache>
+CornerNormals corner_normals_of(Cache& normals, const std::array<uint32_t, 3>& corners) {
+  if (!normals) return {};
+  return {normals->at(corners[0]), normals->at(corners[1]), normals->at(corners[2])};
+}
 
 }  // namespace triptych

@@ -60,7 +60,7 @@ class SeamCloser {
     }
     if (closed.points == 0) return closed;
     closed.moved = static_cast<uint32_t>(std::ceil(furthest));
-    surface_ = extract(surface_.points, surface_.triangles, surface_.colors).surface;
+    surface_ = without_lone_points(surface_).surface;
     return closed;
   }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <tsl/robin_map.h>
 #include <tsl/robin_set.h>
@@ -31,6 +32,7 @@ struct Divider {
 struct Divided {
   Triangle triangle;
   CornerColors colors;
+  CornerNormals normals;
   std::array<std::vector<Divider>, 3>
       dividers;  ///< in the order of their shares, which are of the whole edge
 };
@@ -40,6 +42,17 @@ VertexColor mixed(const VertexColor& a, const VertexColor& b, double share) {
   for (size_t i = 0; i < color.size(); ++i)
     color[i] = static_cast<uint8_t>(std::lround(a[i] + (b[i] - a[i]) * share));
   return color;
+}
+
+VertexNormal mixed(const VertexNormal& a, const VertexNormal& b, double share) {
+  if (!has_normal(a)) return {};
+  return to_vertex_normal(glm::mix(glm::normalize(direction_of(a)), glm::normalize(direction_of(b)), share));
+}
+
+/// Values of triangles, or a value that stands for none.
+template <typename Value>
+Value of_triangle(const std::vector<Value>& values, size_t triangle) {
+  return values.empty() ? Value{} : values[triangle];
 }
 
 class Stitcher {
@@ -154,9 +167,11 @@ class Stitcher {
   void divide_edges() {
     std::vector<Triangle> triangles;
     std::vector<CornerColors> colors;
+    std::vector<CornerNormals> normals;
     std::vector<SourceObjectId> objects;
     for (size_t i = 0; i < surface_.triangles.size(); ++i) {
-      Divided whole{surface_.triangles[i], surface_.colors.empty() ? CornerColors{} : surface_.colors[i], {}};
+      Divided whole{
+          surface_.triangles[i], of_triangle(surface_.colors, i), of_triangle(surface_.normals, i), {}};
       for (size_t k = 0; k < 3; ++k) {
         const Ends ends = {whole.triangle.vertices[k], whole.triangle.vertices[(k + 1) % 3]};
         const auto found = dividers_.find(ascending(ends));
@@ -170,11 +185,13 @@ class Stitcher {
       divide(std::move(whole), [&](const Divided& piece) {
         triangles.push_back(piece.triangle);
         if (!surface_.colors.empty()) colors.push_back(piece.colors);
+        if (!surface_.normals.empty()) normals.push_back(piece.normals);
         if (!baked_.objects.empty()) objects.push_back(baked_.objects[i]);
       });
     }
     surface_.triangles = std::move(triangles);
     surface_.colors = std::move(colors);
+    surface_.normals = std::move(normals);
     baked_.objects = std::move(objects);
   }
 
@@ -217,6 +234,7 @@ class Stitcher {
     const glm::dvec3 off = from + along * share - at(divider.point);
     moved(glm::dot(off, off));
     first.colors[next] = second.colors[edge] = mixed(triangle.colors[edge], triangle.colors[next], share);
+    first.normals[next] = second.normals[edge] = mixed(triangle.normals[edge], triangle.normals[next], share);
     const auto at_middle = static_cast<std::ptrdiff_t>(middle);
     first.dividers[edge].assign(dividers.begin(), dividers.begin() + at_middle);
     first.dividers[next].clear();
@@ -227,7 +245,7 @@ class Stitcher {
   }
 
   void drop_lone_points() {
-    Piece piece = extract(surface_.points, surface_.triangles, surface_.colors);
+    Piece piece = without_lone_points(surface_);
     std::vector<LeafSpan> spans;
     for (const uint32_t source : piece.sources) spans.push_back(baked_.spans[source]);
     surface_ = std::move(piece.surface);

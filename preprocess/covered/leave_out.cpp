@@ -24,14 +24,11 @@ bool is_left_out(const Triangle& triangle, double distance) {
 
 std::optional<Piece> without_covered(const Piece& piece, double distance) {
   if (!leaves_out_some(piece.surface, distance)) return std::nullopt;
-  std::vector<Triangle> triangles;
-  std::vector<CornerColors> colors;
-  for (size_t i = 0; i < piece.surface.triangles.size(); ++i) {
-    if (is_left_out(piece.surface.triangles[i], distance)) continue;
-    triangles.push_back(piece.surface.triangles[i]);
-    if (!piece.surface.colors.empty()) colors.push_back(piece.surface.colors[i]);
+  std::vector<uint32_t> stay;
+  for (uint32_t i = 0; i < piece.surface.triangles.size(); ++i) {
+    if (!is_left_out(piece.surface.triangles[i], distance)) stay.push_back(i);
   }
-  Piece left = extract(piece.surface.points, triangles, colors);
+  Piece left = extract(piece.surface, stay);
   for (uint32_t& source : left.sources) source = piece.sources[source];
   return left;
 }

@@ -115,8 +115,13 @@ VisibleSet GlFrameTarget::transparent_owners() const {
 }
 
 void GlFrameTarget::finish() {
-  const EffectUse& colors = passes_.renderer.effect_use(Effect::vertex_colors);
-  if (colors.draws > 0 && effects_.empty() && planes_->has_colors()) effects_.push_back(colors);
+  if (effects_.empty() && planes_->has_colors()) {
+    for (const Effect effect : {Effect::vertex_colors, Effect::smooth_normals}) {
+      EffectUse use = passes_.renderer.effect_use(effect);
+      use.effect = effect;
+      if (use.draws > 0) effects_.push_back(use);
+    }
+  }
   picture();
   glFinish();
 }

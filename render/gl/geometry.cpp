@@ -13,10 +13,10 @@ namespace triptych {
 namespace {
 
 /// At most what all chunks of a pack take.
-uint64_t bytes_of_all(const Skeleton& skeleton) {
+uint64_t bytes_of_all(const Skeleton& skeleton, const VertexLayout& largest) {
   uint64_t bytes = 0;
   for (const ChunkInfo& chunk : skeleton.chunks) {
-    bytes += (uint64_t{chunk.vertex_count} + 2) * sizeof(ColoredVertex) +
+    bytes += (uint64_t{chunk.vertex_count} + 2) * largest.stride() +
              uint64_t{chunk.triangle_count} * 3 * sizeof(uint32_t);
   }
   return bytes;
@@ -29,7 +29,8 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
       residency_(residency),
       ranges_(skeleton.chunks.size()),
       places_(skeleton.chunks.size()),
-      cache_(skeleton.chunks.size()) {
+      cache_(skeleton.chunks.size()),
+      normals_(has_normals(skeleton.effects)) {
   const auto& palette = skeleton_.palette;
   // Colours as floats: 16 bytes an entry, read by the vertex stage.
   std::vector<float> colors;
@@ -37,8 +38,8 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
     for (const uint8_t channel : color) colors.push_back(static_cast<float>(channel) / 255);
   }
   glNamedBufferStorage(palette_, static_cast<GLsizeiptr>(colors.size() * sizeof(float)), colors.data(), 0);
-  describe_vertices(vertex_array_);
-  describe_vertices(colored_vertex_array_, true);
+  describe_vertices(vertex_array_, layout(false));
+  describe_vertices(colored_vertex_array_, layout(true));
 }
 
 void Geometry::begin_view() {
@@ -46,7 +47,7 @@ void Geometry::begin_view() {
   if (cap_ == cache_.use().cap) return;
   cache_.set_cap(cap_);
   if (cap_ == no_cap) return;
-  const uint64_t size = std::min(cap_, bytes_of_all(skeleton_));
+  const uint64_t size = std::min(cap_, bytes_of_all(skeleton_, layout(true)));
   if (size < space_.size()) {  // smaller than what is there: it begins anew
     while (cache_.least_recently_used() != ChunkCache::none) drop(cache_.least_recently_used());
     space_ = {};
@@ -62,9 +63,11 @@ void Geometry::make_buffer(uint64_t bytes) {
     glCopyNamedBufferSubData(buffer_, other, 0, 0, static_cast<GLsizeiptr>(space_.size()));
   std::swap(buffer_, other);
   space_.grow(bytes);
-  glVertexArrayVertexBuffer(vertex_array_, vertices_stream, buffer_, 0, sizeof(ChunkVertex));
+  glVertexArrayVertexBuffer(vertex_array_, vertices_stream, buffer_, 0,
+                            static_cast<GLsizei>(layout(false).stride()));
   glVertexArrayElementBuffer(vertex_array_, buffer_);
-  glVertexArrayVertexBuffer(colored_vertex_array_, vertices_stream, buffer_, 0, sizeof(ColoredVertex));
+  glVertexArrayVertexBuffer(colored_vertex_array_, vertices_stream, buffer_, 0,
+                            static_cast<GLsizei>(layout(true).stride()));
   glVertexArrayElementBuffer(colored_vertex_array_, buffer_);
 }
 
@@ -115,7 +118,7 @@ void Geometry::write(uint64_t offset, std::span<const std::byte> bytes) {
 void Geometry::load(uint32_t chunk) {
   const Stopwatch stopwatch;
   const ChunkInfo& info = skeleton_.chunks[chunk];
-  const uint64_t at_least = uint64_t{info.vertex_count} * sizeof(ChunkVertex) +
+  const uint64_t at_least = uint64_t{info.vertex_count} * layout(false).stride() +
                             uint64_t{info.triangle_count} * 3 * sizeof(uint32_t);
   try {
     cache_.next_to_go(at_least);  // what has no room is not read
@@ -126,13 +129,12 @@ void Geometry::load(uint32_t chunk) {
   const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
   if (!taken) return cache_.leave_out(false);
   const Chunk& geometry = *taken;
-  std::vector<ColoredVertex> colored;
-  for (size_t i = 0; i < geometry.colors.size(); ++i)
-    colored.push_back({geometry.vertices[i], geometry.colors[i]});
-  const auto vertices =
-      colored.empty() ? std::as_bytes(std::span(geometry.vertices)) : std::as_bytes(std::span(colored));
+  const VertexLayout layout = this->layout(!geometry.colors.empty());
+  const bool plain = layout.stride() == sizeof(ChunkVertex);
+  const std::vector<std::byte> laid_out = plain ? std::vector<std::byte>() : layout.bytes_of(geometry);
+  const auto vertices = plain ? std::as_bytes(std::span(geometry.vertices)) : std::span(laid_out);
   const auto indices = std::as_bytes(std::span(geometry.indices));
-  const uint64_t stride = colored.empty() ? sizeof(ChunkVertex) : sizeof(ColoredVertex);
+  const uint64_t stride = layout.stride();
   Place where;
   try {
     where = place(vertices.size(), stride, indices.size());
@@ -149,7 +151,8 @@ void Geometry::load(uint32_t chunk) {
                     static_cast<uint32_t>(geometry.indices.size()),
                     static_cast<uint32_t>(where.vertices / stride),
                     geometry.outward_runs,
-                    !colored.empty(),
+                    layout.colors,
+                    geometry.normals_from,
                     transparent_runs(geometry, skeleton_.palette)};
   cache_.add(chunk, vertices.size() + indices.size(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
 }

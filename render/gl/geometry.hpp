@@ -4,6 +4,7 @@
 #include "render/draw_list.hpp"
 #include "render/gl/device_space.hpp"
 #include "render/gl/objects.hpp"
+#include "render/gl/vertex_layout.hpp"
 #include "residency/chunk_cache.hpp"
 #include "residency/residency.hpp"
 
@@ -34,7 +35,8 @@ class Geometry {
   const GeometryUse& use() const { return cache_.use(); }
   bool has(uint32_t chunk) const { return cache_.has(chunk); }
   bool is_damaged(uint32_t chunk) const { return cache_.is_damaged(chunk); }
-  /// Binds vertex array and palette for drawing, of chunks whose vertices have colours or of the others.
+  /// Binds vertex array and palette for drawing, of chunks whose vertices have colours or of the others; with
+  /// their normals, if the pack has any.
   /// records: a buffer with a DrawRecord for each base instance.
   void bind(GLuint records, bool colored) const;
 
@@ -60,6 +62,9 @@ class Geometry {
   GlBuffer buffer_;
   GlBuffer palette_;
   GlVertexArray vertex_array_, colored_vertex_array_;
+  bool normals_;  ///< whether the pack has any
+
+  VertexLayout layout(bool colored) const { return {colored, normals_}; }
 };
 
 }  // namespace triptych

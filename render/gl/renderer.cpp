@@ -48,13 +48,20 @@ Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Res
 
 Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
   const Projection projection = view_->view().camera.projection;
-  std::optional<Pass>& pass =
-      passes_[variant.sections ? 1 : 0][variant.caps ? 1 : 0][variant.normals ? 1 : 0][static_cast<size_t>(
-          variant.colors)][static_cast<size_t>(projection)][static_cast<size_t>(kind)];
+  std::optional<Pass>& pass = passes_[variant.sections ? 1 : 0][variant.caps ? 1 : 0][variant.normals ? 1 : 0]
+                                     [variant.smooth ? 1 : 0][static_cast<size_t>(variant.colors)]
+                                     [static_cast<size_t>(projection)][static_cast<size_t>(kind)];
   if (pass) return *pass;
   pass.emplace(make_pass(kind, projection, variant));
   if (variant.colors == BaseColors::vertices) ++use(Effect::vertex_colors).variants;
+  if (variant.smooth) ++use(Effect::smooth_normals).variants;
   return *pass;
+}
+
+void Renderer::count(const DrawGroup& group, uint64_t EffectUse::*what, uint64_t added) {
+  if (shows_colors(group)) use(Effect::vertex_colors).*what += added;
+  if (group.normals == ChunkNormals::of_files && shows_normals(group))
+    use(Effect::smooth_normals).*what += added;
 }
 
 Renderer::Pass& Renderer::winding_pass() {
@@ -68,13 +75,15 @@ Renderer::Pass& Renderer::winding_pass() {
   return *pass;
 }
 
-Renderer::Pass& Renderer::transparent_pass(bool colored) {
+Renderer::Pass& Renderer::transparent_pass(const DrawGroup& group) {
+  const bool colored = shows_colors(group), smooth = shows_normals(group);
   const Projection projection = view_->view().camera.projection;
   const bool sections = !view_->section_space.keeps_all();
   std::optional<Pass>& pass =
-      transparent_passes_[sections ? 1 : 0][colored ? 1 : 0][static_cast<size_t>(projection)];
+      transparent_passes_[sections ? 1 : 0][colored ? 1 : 0][smooth ? 1 : 0][static_cast<size_t>(projection)];
   if (!pass) {
     const ShaderVariant variant{.colors = colored ? BaseColors::vertices : BaseColors::palette,
+                                .smooth = smooth,
                                 .layers = layers_,
                                 .sections = sections,
                                 .transparent = true};
@@ -136,13 +145,15 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     used.uniforms.set(*view_, place);
     return &used;
   };
-  const auto prepare = [&](bool colored) {
-    const bool varies = colored && framebuffer.has_colors() && shows(Effect::vertex_colors);
-    if (varies) ++use(Effect::vertex_colors).binds;
-    ShaderVariant variant{.colors = varies ? BaseColors::vertices : BaseColors::palette,
-                          .layers = layers_,
-                          .sections = !view_->section_space.keeps_all(),
-                          .normals = framebuffer.has_colors() && framebuffer.layout().normals};
+  const auto prepare = [&](const DrawGroup& group) {
+    const bool shades = framebuffer.has_colors();
+    if (shades) count(group, &EffectUse::binds, 1);
+    ShaderVariant variant{
+        .colors = shades && shows_colors(group) ? BaseColors::vertices : BaseColors::palette,
+        .smooth = shades && shows_normals(group),
+        .layers = layers_,
+        .sections = !view_->section_space.keeps_all(),
+        .normals = framebuffer.has_colors() && framebuffer.layout().normals};
     if (variant.sections) {
       variant.caps = true;
       bind_nearest_backs(framebuffer.width(), framebuffer.height());
@@ -151,10 +162,10 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
       variant.caps = false;
     }
     surfaces = prepared(pass(kind, variant));
-    geometry_.bind(records_, colored);
+    geometry_.bind(records_, group.colored);
   };
-  bool colored = list_.groups.front().colored;
-  prepare(colored);
+  const DrawGroup* prepared_for = &list_.groups.front();
+  prepare(*prepared_for);
   framebuffer.bind(plane);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
@@ -162,9 +173,9 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal
   uintptr_t offset = 0;
   for (const DrawGroup& group : list_.groups) {
-    if (group.colored != colored) prepare(colored = group.colored);
-    if (colored && framebuffer.has_colors() && shows(Effect::vertex_colors))
-      use(Effect::vertex_colors).draws += group.count;
+    if (differ_in_vertices(group, *prepared_for)) prepare(group);
+    prepared_for = &group;
+    if (framebuffer.has_colors()) count(group, &EffectUse::draws, group.count);
     show_sides(group.front);
     if (group.caps == DrawGroup::Caps::none) {
       draw_commands(offset, group.count);
@@ -195,15 +206,15 @@ void Renderer::draw_transparent(std::span<const DrawableId> drawables, const Fra
       glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
       show_sides(0);
       uintptr_t offset = 0;
-      std::optional<bool> bound;
+      const DrawGroup* bound = nullptr;
       for (const DrawGroup& group : list_.groups) {
-        if (bound != group.colored) {
-          const Pass& pass = transparent_pass(group.colored && shows(Effect::vertex_colors));
+        if (!bound || differ_in_vertices(*bound, group)) {
+          const Pass& pass = transparent_pass(group);
           glUseProgram(pass.program);
           pass.uniforms.set(*view_, places[plane]);
           glUniform1i(glGetUniformLocation(pass.program, "plane"), static_cast<GLint>(plane));
           geometry_.bind(records_, group.colored);
-          bound = group.colored;
+          bound = &group;
           ++counts.binds;
         }
         draw_commands(offset, group.count);

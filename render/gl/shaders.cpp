@@ -1,10 +1,10 @@
 #include "render/gl/shaders.hpp"
 
 #include "render/draw_list.hpp"
+#include "render/gl/shading_source.hpp"
 #include "visibility/cap_look.hpp"
 #include "visibility/layer_offset.hpp"
 #include "visibility/pixel_sides.hpp"
-#include "visibility/shading.hpp"
 
 #include <fmt/core.h>
 #include <optional>
@@ -209,35 +209,6 @@ void keep_fragment() {
 )";
 }
 
-/// Of the base colour, between vertices.
-std::string flatness(BaseColors colors) { return colors == BaseColors::palette ? "flat " : ""; }
-
-// The shaded colour of a fragment, the same source text for every pass that draws colours; and, for edges,
-// the normal of its face at a location.
-std::string shaded(BaseColors colors, std::optional<int> normal_location = std::nullopt) {
-  const std::string declared =
-      normal_location ? fmt::format("layout(location = {}) out vec4 face_normal;\n", *normal_location) : "";
-  const std::string written =
-      normal_location ? "  face_normal = vec4(normal * 0.5 + 0.5, side < 0 ? 1.0 : float(side) / 16.0);\n"
-                      : "";
-  return fmt::format("const float ambient = {}, diffuse = {}, head = {};\n{}in vec4 base_color;\n",
-                     ambient_light, diffuse_light, head_light, flatness(colors)) +
-         declared + R"(
-uniform vec3 light;  // direction to the light, eye space
-layout(location = 0) out vec4 color;
-void shade_fragment() {
-  vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
-  float length_squared = dot(normal, normal);
-  normal *= length_squared > 0.0 ? inversesqrt(length_squared) : 0.0;
-  int side = capped_side();
-  if (side >= 0) normal = side_normals[side];
-)" + written +
-         R"(  float lit = ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z);
-  color = vec4(side < 0 ? base_color.rgb * lit : cap_color(base_color.rgb, lit, side), 1.0);
-}
-)";
-}
-
 // From eye space to clip space; what ViewUniforms sets goes in.
 const std::string frustum_uniforms = R"(
 uniform vec4 frustum;  // x scale, y scale, x shift, y shift
@@ -262,6 +233,7 @@ std::string geometry_vertex_shader(Projection projection, const ShaderVariant& v
   return version + draw_record + frustum_uniforms + flatness(variant.colors) + "out vec4 base_color;\n" +
          (palette || variant.transparent ? colors : "") +
          (palette ? "" : "layout(location = 9) in vec4 vertex_color;\n") +
+         (variant.smooth ? eye_normal_source() : std::string()) +
          (variant.transparent ? "flat out float alpha;\nflat out uint record;\n" : "") +
          R"(
 layout(location = 0) in ivec3 point;
@@ -283,6 +255,7 @@ void main() {
 )" + project(projection) +
          (palette ? "  base_color = palette[color_and_piece & 0xfffffu];\n"
                   : "  base_color = vertex_color;\n") +
+         (variant.smooth ? "  shading_normal = eye_normal();\n" : "") +
          R"(
   BoundRecord bound = bounds[first_bound + (color_and_piece >> 24)];
   bound_x = bound.x.xyz;
@@ -303,7 +276,8 @@ std::string depth_fragment_shader(const ShaderVariant& variant) {
 std::string winding_fragment_shader() { return version + cut_away + counted; }
 
 std::string color_fragment_shader(const ShaderVariant& variant) {
-  return version + kept(variant) + shaded(variant.colors, variant.normals ? std::optional(1) : std::nullopt) +
+  return version + kept(variant) +
+         shaded(variant.colors, variant.smooth, variant.normals ? std::optional(1) : std::nullopt) +
          R"(
 void main() {
   keep_fragment();
@@ -313,7 +287,8 @@ void main() {
 }
 
 std::string color_and_item_fragment_shader(const ShaderVariant& variant) {
-  return version + kept(variant) + shaded(variant.colors, variant.normals ? std::optional(2) : std::nullopt) +
+  return version + kept(variant) +
+         shaded(variant.colors, variant.smooth, variant.normals ? std::optional(2) : std::nullopt) +
          R"(
 flat in uint item;
 layout(location = 1) out uint id;
@@ -347,7 +322,7 @@ std::string fragment_list_source() {
 }
 
 std::string transparent_fragment_shader(const ShaderVariant& variant) {
-  return version + kept(variant) + shaded(variant.colors) + fragment_list_source() +
+  return version + kept(variant) + shaded(variant.colors, variant.smooth) + fragment_list_source() +
          fmt::format("layout(binding = {}) uniform sampler2DArray opaque_depths;\n", opaque_depths_unit) + R"(
 uniform int plane;
 flat in float alpha;
@@ -384,7 +359,7 @@ void main() {
 }
 
 std::string flat_model_fragment_shader(bool sections) {
-  return version + in_eye_space + (sections ? cut_whole : not_cut) + shaded(BaseColors::palette) +
+  return version + in_eye_space + (sections ? cut_whole : not_cut) + shaded(BaseColors::palette, false) +
          "void main() { cut_fragment(); shade_fragment(); }\n";
 }
 

@@ -27,6 +27,7 @@ enum class BaseColors { palette, vertices };
 /// it.
 struct ShaderVariant {
   BaseColors colors = BaseColors::palette;
+  bool smooth = false;    ///< vertices may have shading normals
   bool layers = false;    ///< some surface of the model lies on another one in its plane (scene/layers.hpp)
   bool sections = false;  ///< the view has a section
   bool caps = false;      ///< not surfaces, but the cut surfaces before their backs

@@ -4,10 +4,27 @@
 #include "scene/chunk.hpp"
 
 #include <cstddef>
+#include <cstring>
 
 namespace triptych {
 
-void describe_vertices(GLuint vertex_array, bool colored) {
+namespace {
+constexpr GLuint normals_attribute = 10;
+}
+
+std::vector<std::byte> VertexLayout::bytes_of(const Chunk& chunk) const {
+  std::vector<std::byte> bytes(chunk.vertices.size() * stride());
+  std::byte* to = bytes.data();
+  for (size_t i = 0; i < chunk.vertices.size(); ++i, to += stride()) {
+    std::memcpy(to, &chunk.vertices[i], sizeof(ChunkVertex));
+    if (colors) std::memcpy(to + colors_at(), &chunk.colors[i], sizeof(VertexColor));
+    if (normals && !chunk.normals.empty())
+      std::memcpy(to + normals_at(), &chunk.normals[i], sizeof(VertexNormal));
+  }
+  return bytes;
+}
+
+void describe_vertices(GLuint vertex_array, const VertexLayout& layout) {
   GLuint attribute = 0;
   const auto add = [&](GLuint stream) {
     glVertexArrayAttribBinding(vertex_array, attribute, stream);
@@ -30,11 +47,13 @@ void describe_vertices(GLuint vertex_array, bool colored) {
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, item));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, first_bound));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, cut));
-  if (colored) {
+  if (layout.colors) {
     glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE,
-                              offsetof(ColoredVertex, color));
+                              static_cast<GLuint>(layout.colors_at()));
     add(vertices_stream);
   }
+  attribute = normals_attribute;
+  if (layout.normals) add_integers(vertices_stream, 2, GL_UNSIGNED_SHORT, layout.normals_at());
   glVertexArrayBindingDivisor(vertex_array, records_stream, 1);
 }
 

@@ -3,6 +3,7 @@
 #include "samples/gltf_writer.hpp"
 #include "samples/orbits.hpp"
 #include "samples/shape.hpp"
+#include "samples/smooth.hpp"
 #include "samples/solids.hpp"
 
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 
 /// Which effects a file calls for.
 struct Called {
-  bool transparency, vertex_colours;
+  bool transparency, vertex_colours, smooth_normals;
 };
 
 constexpr int cases = 4, screens = 5;
@@ -28,6 +29,10 @@ MeshPart pane(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& c
   MeshPart part = box(low, high, colour);
   if (called.transparency) part.alpha = alpha;
   return part;
+}
+
+MeshPart shaded(const MeshPart& part, const Called& called) {
+  return called.smooth_normals ? with_smooth_normals(part) : part;
 }
 
 /// A stand, a figure on it, and a case of five panes of glass around it.
@@ -42,7 +47,7 @@ std::vector<MeshPart> show_case(int number, const Called& called) {
     profile.push_back({along * 0.6, 0.06 + 0.12 * std::abs(std::sin((2 + number) * along * 2.2))});
   }
   figure.turned({0, stand_height, 0}, 1, profile);
-  parts.push_back(figure.mesh(1500));
+  parts.push_back(shaded(figure.mesh(1500), called));
   const auto add = [&](const glm::dvec3& low, const glm::dvec3& high) {
     parts.push_back(pane(low, high, glass, 0.25, called));
   };
@@ -95,7 +100,7 @@ MeshPart relief(const Called& called) {
         part.indices.push_back(corner);
     }
   }
-  return part;
+  return shaded(part, called);
 }
 
 std::vector<MeshPart> hall() {
@@ -141,10 +146,12 @@ class Exhibition {
 
 EffectsReport make_effects(const std::filesystem::path& folder) {
   EffectsReport report;
-  for (const auto& [name, effects, called] : {std::tuple{"scene", "all", Called{true, true}},
-                                              {"plain", "none", Called{false, false}},
-                                              {"transparency", "transparency", Called{true, false}},
-                                              {"vertex-colours", "vertex-colours", Called{false, true}}}) {
+  for (const auto& [name, effects, called] :
+       {std::tuple{"scene", "all", Called{true, true, true}},
+        {"plain", "none", Called{false, false, false}},
+        {"transparency", "transparency", Called{true, false, false}},
+        {"vertex-colours", "vertex-colours", Called{false, true, false}},
+        {"smooth-normals", "smooth-normals", Called{false, false, true}}}) {
     const Exhibition exhibition(folder, name, called);
     report.files.push_back({std::string(name) + ".gltf", effects});
     report.objects = exhibition.objects;

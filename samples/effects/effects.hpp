@@ -23,7 +23,7 @@ struct EffectsReport {
 /// Writes `scene.gltf` with all effects, `plain.gltf` with none, and a file named after each effect with that
 /// one alone, their buffers, and the paths `walk.json`, `fly.json`, `spin.json` and `jump.json`. All files
 /// have the same triangles: coloured glass stands in rows, in cases around figures, and before a relief whose
-/// corners have colours.
+/// corners have colours; figures and relief are round by the normals of their corners.
 EffectsReport make_effects(const std::filesystem::path& folder);
 
 }  // namespace triptych

@@ -42,6 +42,10 @@ std::optional<std::vector<CornerTriangle>> triangles_of(const std::filesystem::p
         for (size_t k = 0; k < 3; ++k) {
           expect(triangle.vertices[k] < mesh.positions.size(), "an index is out of range");
           corners.corners[k] = mesh.positions[triangle.vertices[k]];
+          if (!mesh.normals.empty()) {
+            expect(mesh.normals.size() == mesh.positions.size(), "normals are not those of the vertices");
+            corners.normals[k] = mesh.normals[triangle.vertices[k]];
+          }
           if (mesh.colors.empty()) continue;
           expect(mesh.colors.size() == mesh.positions.size(), "colours are not those of the vertices");
           corners.colors[k] = mesh.colors[triangle.vertices[k]];

@@ -89,6 +89,10 @@ void write_text_formats() {
         "property uchar red\nproperty uchar green\nproperty float blue\nelement face 1\nproperty list uchar "
         "int "
         "vertex_indices\nend_header\n0 0 0 255 0 0.5\n4 0 0 0 9 1\n1 1 0 3 0 nan\n3 0 1 2\n");
+  write("ply/normals.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty double ny\nproperty char nz\nelement face 1\nproperty list uchar int "
+        "vertex_indices\nend_header\n0 0 0 0 0 1\n4 0 0 0.3 1e300 1\n1 1 0 nan 0 1\n3 0 1 2\n");
   ByteWriter mixed;
   mixed.write_all(
       std::span<const char>(std::string("ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list "
@@ -289,6 +293,13 @@ void write_pack() {
   Skeleton of_colored = skeleton;
   of_colored.chunks[0].size = colored_bytes.size();
   write("pack/colors", parts_of(0, encode_skeleton(of_colored), colored_bytes));
+  Chunk shaded = colored;
+  shaded.normals.resize(shaded.vertices.size(), {900, 1300});
+  shaded.normals_from = ChunkNormals::of_files;
+  const auto shaded_bytes = encode_chunk(shaded);
+  Skeleton of_shaded = skeleton;
+  of_shaded.chunks[0].size = shaded_bytes.size();
+  write("pack/normals", parts_of(0, encode_skeleton(of_shaded), shaded_bytes));
   const StoredSkeleton instanced = with_instances(std::move(skeleton));
   write("pack/instances",
         parts_of(2, encode_skeleton(instanced.surrounding), encode_sub_hierarchies(instanced)));

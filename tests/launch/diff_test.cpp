@@ -75,7 +75,7 @@ TEST_F(Diff, says_with_which_options_packs_were_built_otherwise) {
   EXPECT_EQ(code({one, other, "--json", json}), 0);
   EXPECT_EQ(json_of(json)["built_otherwise"],
             nlohmann::json::parse(
-                R"([{"option": "keep", "before": "cover,order,planes,touching", "after": "none"}])"));
+                R"([{"option": "keep", "before": "cover,order,planes,shade,touching", "after": "none"}])"));
   EXPECT_EQ(code({one, coarse, "--json", json}), 0);
   EXPECT_EQ(json_of(json)["built_otherwise"],
             nlohmann::json::parse(R"([{"option": "chord", "before": null, "after": "0.5"}])"));

@@ -66,7 +66,7 @@ TEST_F(ShownModel, is_several_files_as_in_a_build) {
   const std::string other = folder.file("other/box.obj"), json = folder.file("two.json");
   run({"info", model, other, "--json", json});
   EXPECT_EQ(json_of(json)["source_triangles"], 24);
-  EXPECT_EQ(json_of(json)["build"]["keep"], "cover,order,planes,touching");
+  EXPECT_EQ(json_of(json)["build"]["keep"], "cover,order,planes,shade,touching");
 }
 
 TEST_F(ShownModel, is_all_or_nothing_in_the_cache) {

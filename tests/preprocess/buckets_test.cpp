@@ -45,7 +45,7 @@ Buckets::Read reading(const std::vector<LatticeTriangle>& triangles) {
 TEST(Buckets, hold_every_triangle_once_and_none_too_many) {
   const auto triangles = sheet(60);
   SpoolFile spool(spool_path());
-  const Buckets buckets(reading(triangles), triangles.size(), 500, false, spool);
+  const Buckets buckets(reading(triangles), triangles.size(), 500, {}, spool);
   EXPECT_GT(buckets.count(), 10u);
   std::map<std::array<int, 9>, int> found;
   const auto key = [](const LatticeTriangle& triangle) {
@@ -66,7 +66,7 @@ TEST(Buckets, hold_every_triangle_once_and_none_too_many) {
 TEST(Buckets, know_every_point_that_they_share) {
   const auto triangles = sheet(40);
   SpoolFile spool(spool_path());
-  const Buckets buckets(reading(triangles), triangles.size(), 300, false, spool);
+  const Buckets buckets(reading(triangles), triangles.size(), 300, {}, spool);
   std::map<std::array<int, 3>, std::set<size_t>> users;
   std::vector<Bucket> loaded;
   for (size_t i = 0; i < buckets.count(); ++i) {
@@ -99,7 +99,7 @@ TEST(Buckets, know_every_point_that_they_share) {
 TEST(Buckets, triangles_at_one_place_end_in_one_bucket) {
   const std::vector<LatticeTriangle> triangles(2000, {{glm::ivec3{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, 0});
   SpoolFile spool(spool_path());
-  const Buckets buckets(reading(triangles), triangles.size(), 100, false, spool);
+  const Buckets buckets(reading(triangles), triangles.size(), 100, {}, spool);
   ASSERT_EQ(buckets.count(), 1u);
   EXPECT_EQ(buckets.load(0).triangles.size(), 2000u);
   std::filesystem::remove(spool_path());

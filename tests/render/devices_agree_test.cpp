@@ -128,7 +128,7 @@ TEST_P(DevicesAgree, in_edges_of_one_sample_and_of_several_but_for_a_few_pixels)
 // drawable. Coplanar faces are what differs there.
 INSTANTIATE_TEST_SUITE_P(Scenes, DevicesAgree,
                          testing::Values("room", "flat", "world", "instances", "far", "storeys", "painted",
-                                         "triangle"),
+                                         "smooth", "triangle"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

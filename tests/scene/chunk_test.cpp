@@ -255,6 +255,39 @@ TEST(Chunk, damaged_streams_of_colours_are_refused) {
     EXPECT_THROW(decoded(chunk, std::span(bytes).first(size), info_of(chunk), 7), Error) << size;
 }
 
+TEST(DecodeChunk, normals_come_back_beside_colours_and_damage_to_them_is_refused) {
+  Chunk chunk = colored(test::grid_chunk({0, 0, 0}, 4, 3));
+  for (size_t i = 0; i < chunk.vertices.size(); ++i)
+    chunk.normals.push_back({static_cast<uint16_t>(900 + i), static_cast<uint16_t>(1100 - i)});
+  chunk.normals_from = ChunkNormals::of_files;
+  const Chunk back = decoded(chunk, encode_chunk(chunk), info_of(chunk), 7);
+  EXPECT_EQ(back.normals_from, ChunkNormals::of_files);
+  std::vector<VertexNormal> before = chunk.normals, after = back.normals;
+  std::sort(before.begin(), before.end());
+  std::sort(after.begin(), after.end());
+  EXPECT_EQ(before, after);
+  EXPECT_EQ(back.colors.size(), back.vertices.size());
+  for (const VertexNormal& damaged : {VertexNormal{}, {0, 5}, {3000, 5}, {5, 0}}) {
+    Chunk other = chunk;
+    other.normals[5] = damaged;  // of some corners of its triangles; or out of range
+    EXPECT_THROW(decoded(other, encode_chunk(other), info_of(other), 7), Error) << damaged[0];
+  }
+}
+
+TEST(MakeChunk, a_point_with_two_normals_becomes_two_vertices) {
+  Surface surface{.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}},
+                  .triangles = {{{0, 1, 2}, 0}, {{2, 1, 3}, 0}}};
+  constexpr VertexNormal up{1024, 1024}, aside{1500, 1024};
+  surface.normals = {{up, up, up}, {up, aside, aside}};
+  const Chunk chunk = make_chunk(surface);
+  EXPECT_EQ(chunk.normals_from, ChunkNormals::of_levels);
+  EXPECT_EQ(chunk.vertices.size(), 5u);
+  ASSERT_EQ(chunk.normals.size(), 5u);
+  for (size_t t = 0; t < 2; ++t) {
+    for (size_t k = 0; k < 3; ++k) EXPECT_EQ(chunk.normals[chunk.indices[3 * t + k]], surface.normals[t][k]);
+  }
+}
+
 TEST(MakeChunk, a_point_with_two_colours_becomes_two_vertices) {
   Surface surface{.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}},
                   .triangles = {{{0, 1, 2}, 0}, {{2, 1, 3}, 0}}};

@@ -241,6 +241,26 @@ TEST(Pack, vertex_colours_give_the_geometry_a_version_of_its_own_and_come_back) 
   EXPECT_EQ(chunk.colors, std::vector<VertexColor>(chunk.vertices.size(), {1, 2, 3, 255}));
 }
 
+TEST(Pack, normals_give_the_geometry_a_version_and_an_effect_of_their_own_and_come_back) {
+  for (const auto& [from, effect] :
+       {std::pair<ChunkNormals, std::string>{ChunkNormals::of_levels, level_normals_effect},
+        {ChunkNormals::of_files, effect_name_in_pack(Effect::smooth_normals)}}) {
+    SmallPack shaded = small_pack();
+    Chunk& chunk = shaded.chunks.front();
+    chunk.normals.resize(chunk.vertices.size(), {700, 1500});
+    chunk.normals_from = from;
+    const std::filesystem::path file = write_pack(shaded);
+    const std::string bytes = read_text_file(file);
+    EXPECT_EQ(value_at<uint32_t>(bytes, value_at<uint64_t>(bytes, 16) + 4), shaded_geometry_version);
+    const Pack pack(file);
+    EXPECT_EQ(pack.skeleton().effects, std::vector<std::string>{effect});
+    EXPECT_TRUE(has_normals(pack.skeleton().effects));
+    const Chunk read = pack.read_chunk(0);
+    EXPECT_EQ(read.normals, std::vector<VertexNormal>(read.vertices.size(), {700, 1500}));
+    EXPECT_EQ(read.normals_from, from);
+  }
+}
+
 TEST(Pack, a_pack_without_its_skeleton_or_with_a_newer_one_is_refused) {
   const auto file = write_pack(small_pack());
   std::string without = read_text_file(file);

@@ -3,6 +3,8 @@
 #include "preprocess/build.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/object_sets.hpp"
+#include "tests/support/painted_meshes.hpp"
+#include "tests/support/smoothed.hpp"
 
 #include <array>
 #include <cmath>
@@ -237,43 +239,16 @@ Model storeys() {
   return scene.take();
 }
 
-/// Hills whose colours follow the place, smoothly.
-Mesh painted_hills() {
-  Mesh mesh = awkward::grid(24, 20, 2);
-  for (const glm::dvec3& position : mesh.positions) {
-    const auto channel = [](double value) { return static_cast<uint8_t>(127.5 + 127.5 * std::sin(value)); };
-    mesh.colors.push_back(
-        {channel(0.9 * position.x), channel(0.7 * position.y + 1), channel(position.z), 255});
-  }
-  return mesh;
-}
-
-/// A box whose sides have a colour each: seams run along its edges.
-Mesh painted_box(const glm::dvec3& lo, const glm::dvec3& hi) {
-  const Mesh box = awkward::box(lo, hi);
-  Mesh mesh{"painted box", {}, {}};
-  for (size_t t = 0; t < box.triangles.size(); ++t) {
-    const auto side = static_cast<uint8_t>(t / 2 * 40);
-    Triangle& triangle = mesh.triangles.emplace_back();
-    for (size_t k = 0; k < 3; ++k) {
-      triangle.vertices[k] = static_cast<uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(box.positions[box.triangles[t].vertices[k]]);
-      mesh.colors.push_back({static_cast<uint8_t>(240 - side), side, 90, 255});
-    }
-  }
-  return mesh;
-}
-
 Model painted() {
   Scene scene;
   Random random(21);
-  scene.add(painted_hills());
+  scene.add(test::painted_hills());
   for (int i = 0; i < 12; ++i) {
     const glm::dvec3 at = random.vector(0, 20);
-    scene.add(painted_box(at, at + random.vector(0.5, 3)));
+    scene.add(test::painted_box(at, at + random.vector(0.5, 3)));
     scene.box(at + 3.0, at + 3.0 + random.vector(0.5, 2));
   }
-  scene.add(painted_hills(), awkward::translation({0, 0, 6}));
+  scene.add(test::painted_hills(), awkward::translation({0, 0, 6}));
   scene.place(placed(rotation(random) * 0.5, {-8, 0, 0}));
   scene.place(placed(glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), {-1, 0, 3}));
   return scene.take();
@@ -307,6 +282,26 @@ Model glass() {
   return scene.take();
 }
 
+Model smooth() {
+  Scene scene;
+  Random random(29);
+  scene.box({-1, -1, -0.25}, {21, 13, 0});
+  for (int i = 0; i < 24; ++i) {
+    const glm::dvec3 at = random.vector() * glm::dvec3(18, 11, 3);
+    scene.add(test::smoothed(awkward::sphere(6 + 2 * random.index(8), random.number(0.3, 1.2), at)));
+    scene.box(at + 1.0, at + 1.0 + random.vector(0.2, 1));
+    if (i % 3 == 0) scene.add(test::smoothed(awkward::box(at - 1.0, at - 0.4)));  // like a cushion
+    if (i % 4 == 0)
+      scene.add(awkward::sphere(12, 0.6, at + glm::dvec3(0, 0, 2)));  // faceted, coarse levels not
+  }
+  scene.add(test::smoothed(awkward::grid(24, 6, 0.8)), awkward::translation({8, 2, 1}));
+  scene.add(test::smoothed(awkward::wavy_sphere(14)), placed(glm::dmat3(0.1), {4, 4, 5}));
+  scene.place(placed(glm::dmat3(-0.1, 0, 0, 0, 0.2, 0, 0, 0, 0.1), {9, 4, 5}));  // mirrored and stretched
+  scene.place(placed(rotation(random) * 0.15, {15, 8, 5}));
+  scene.place(placed(rotation(random) * glm::dmat3(0.05, 0, 0, 0, 0.2, 0, 0, 0, 0.1), {2, 9, 5}));
+  return scene.take();
+}
+
 struct Entry {
   std::string name;
   Model (*make)();
@@ -331,6 +326,7 @@ const std::vector<Entry>& entries() {
                                          {"storeys", storeys},
                                          {"painted", painted},
                                          {"glass", glass},
+                                         {"smooth", smooth},
                                          {"triangle", triangle}};
   return all;
 }

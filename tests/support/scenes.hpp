@@ -43,6 +43,7 @@ class Random {
 ///   storeys    sub-hierarchies within sub-hierarchies: stacked, turned, stretched, mirrored
 ///   painted    meshes with vertex colours, smooth ones and ones with seams, among others without
 ///   glass      transparent panes, cases and spheres among opaque boxes, some of them flush with those
+///   smooth     things that are round by the normals of their vertices, among faceted ones
 ///   triangle   nothing but one triangle
 const std::vector<std::string>& names();
 Model make(const std::string& name);

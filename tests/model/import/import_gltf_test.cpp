@@ -277,15 +277,20 @@ TEST(ImportGltf, what_is_not_drawn_or_not_placed_is_said) {
   }
 }
 
-/// The square with colours behind it in its buffer: four elements of a type, as bytes.
-Model colored_square(const json& accessor, const std::string& colors, const ImportOptions& options = {}) {
+/// The square with an attribute behind it in its buffer: four elements of a type, as bytes.
+Model square_with(const std::string& attribute, const json& accessor, const std::string& values,
+                  const ImportOptions& options = {}) {
   json document = square();
-  document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 60}, {"byteLength", colors.size()}});
+  document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 60}, {"byteLength", values.size()}});
   document["accessors"].push_back(accessor);
-  document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+  document["meshes"][0]["primitives"][0]["attributes"][attribute] = 2;
   // A file that streams read must not change: each has its own.
   static int files = 0;
-  return import_text(std::to_string(files++) + ".glb", glb(document, square_bytes() + colors), options);
+  return import_text(std::to_string(files++) + ".glb", glb(document, square_bytes() + values), options);
+}
+
+Model colored_square(const json& accessor, const std::string& colors, const ImportOptions& options = {}) {
+  return square_with("COLOR_0", accessor, colors, options);
 }
 
 template <typename Value>
@@ -325,6 +330,32 @@ TEST(ImportGltf, vertex_colours_of_every_type_are_linear_light) {
       EXPECT_TRUE(model.report.warnings.empty());
     }
   }
+}
+
+TEST(ImportGltf, normals_are_directions_of_every_type) {
+  const VertexNormal wanted = to_vertex_normal({0.6, 0, -0.8});
+  for (const uint64_t stream_above : {uint64_t{1000}, uint64_t{0}}) {
+    const ImportOptions options{.stream_above = stream_above};
+    const json floats = {{"bufferView", 2}, {"componentType", 5126}, {"count", 4}, {"type", "VEC3"}};
+    json shorts = floats;
+    shorts["componentType"] = 5122;
+    shorts["normalized"] = true;
+    for (const Model& model : {square_with("NORMAL", floats, four<float>({0.6f, 0, -0.8f}), options),
+                               square_with("NORMAL", shorts, four<int16_t>({19660, 0, -26214}), options)}) {
+      EXPECT_TRUE(model.meshes[0].has_normals());
+      read_mesh(model.meshes[0], [&](std::span<const CornerTriangle> batch) {
+        for (const CornerTriangle& triangle : batch) {
+          for (const VertexNormal& normal : triangle.normals) EXPECT_EQ(normal, wanted);
+        }
+      });
+      EXPECT_TRUE(model.report.warnings.empty());
+    }
+  }
+  const json few = {{"bufferView", 2}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}};
+  const Model without = square_with("NORMAL", few, four<float>({0, 0, 1}));
+  EXPECT_EQ(without.source_triangles(), 2u);
+  EXPECT_FALSE(without.meshes[0].has_normals());
+  EXPECT_TRUE(warns(without, "normals cannot be read"));
 }
 
 TEST(ImportGltf, vertex_colours_that_cannot_be_read_are_said_and_lose_no_triangle) {
