@@ -105,31 +105,36 @@ TEST(Buckets, triangles_at_one_place_end_in_one_bucket) {
   std::filesystem::remove(spool_path());
 }
 
-TEST(Buckets, keep_the_colours_of_corners_where_there_are_any_and_write_none_otherwise) {
+TEST(Buckets, keep_the_colours_and_normals_of_corners_where_there_are_any_and_write_none_otherwise) {
   auto triangles = sheet(20);
-  for (size_t i = 0; i < triangles.size(); ++i)
+  for (size_t i = 0; i < triangles.size(); ++i) {
     triangles[i].corner_colors.fill({static_cast<uint8_t>(i), static_cast<uint8_t>(i >> 8), 9, 255});
-  std::array<uint64_t, 2> sizes{};
-  for (const bool colored : {false, true}) {
+    triangles[i].corner_normals.fill({static_cast<uint16_t>(i + 1), 7});
+  }
+  std::vector<uint64_t> sizes;
+  for (const CornerStreams& streams :
+       {CornerStreams{}, CornerStreams{.colors = true}, CornerStreams{.colors = true, .normals = true}}) {
     SpoolFile spool(spool_path());
-    const Buckets buckets(reading(triangles), triangles.size(), 100, colored, spool);
-    sizes[colored] = spool.size();
+    const Buckets buckets(reading(triangles), triangles.size(), 100, streams, spool);
+    sizes.push_back(spool.size());
     for (size_t i = 0; i < buckets.count(); ++i) {
       for (const LatticeTriangle& triangle : buckets.load(i).triangles) {
         const CornerColors& colors = triangle.corner_colors;
-        if (!colored) {
+        if (!streams.colors) {
           EXPECT_EQ(colors, CornerColors{});
           continue;
         }
         const size_t index = colors[2][0] + size_t{256} * colors[2][1];
         ASSERT_LT(index, triangles.size());
-        EXPECT_EQ(triangle, triangles[index]);
+        LatticeTriangle wanted = triangles[index];
+        if (!streams.normals) wanted.corner_normals = {};
+        EXPECT_EQ(triangle, wanted);
       }
     }
     std::filesystem::remove(spool_path());
   }
-  EXPECT_EQ(sizes[0], 40 * triangles.size());
-  EXPECT_EQ(sizes[1], 52 * triangles.size());
+  EXPECT_EQ(sizes,
+            (std::vector<uint64_t>{40 * triangles.size(), 52 * triangles.size(), 64 * triangles.size()}));
 }
 
 }  // namespace
