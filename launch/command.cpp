@@ -266,7 +266,8 @@ void add_effects_flag(CLI::App& command, Effects& effects) {
               throw CLI::ValidationError(error.what());
             }
           },
-          "Draw only these of what the model calls for beyond opaque surfaces: vertex-colours, transparency")
+          "Draw only these of what the model calls for beyond opaque surfaces: vertex-colours, transparency, "
+          "textures, emission")
       ->type_name("all|none|NAME,...")
       ->default_str("all");
 }

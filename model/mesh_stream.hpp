@@ -2,6 +2,7 @@
 // needed.
 #pragma once
 
+#include "scene/texture.hpp"
 #include "scene/vertex_color.hpp"
 
 #include <array>
@@ -19,7 +20,8 @@ namespace triptych {
 struct CornerTriangle {
   std::array<glm::dvec3, 3> corners;
   uint32_t material;
-  CornerColors colors = {};  ///< as Mesh::colors; of streams without colours all zero
+  CornerColors colors = {};            ///< as Mesh::colors; of streams without colours all zero
+  CornerCoordinates coordinates = {};  ///< as Mesh::coordinates
   bool operator==(const CornerTriangle&) const = default;
 };
 
@@ -38,6 +40,8 @@ class MeshStream {
 
   /// Whether vertices have colours.
   virtual bool has_colors() const { return false; }
+  /// Whether any of them has a place on a texture.
+  virtual bool has_coordinates() const { return false; }
 
   /// Calls take with batches of some thousands of triangles in the file's order; the same triangles in the
   /// same order each time. Returns how many were dropped: their coordinates are not finite. Several threads

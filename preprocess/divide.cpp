@@ -83,7 +83,7 @@ Division divide(const Surface& surface, const PartitionLimits& limits, const Clo
     }
   }
   std::vector<Triangle> triangles;
-  std::vector<CornerColors> colors;
+  std::vector<SurfaceCorners> colors;
   for (const auto& group : groups) {
     triangles.clear();
     colors.clear();

@@ -199,9 +199,9 @@ class PartMaker {
                             .bodies = division.bodies,
                             .rest = {},
                             .parts = {}};
-    // Of a bucket nobody knows, and through what is transparent backs are seen.
+    // Of a bucket nobody knows, and through what is transparent or cut out backs are seen.
     const bool has_outside =
-        shared.empty() && options_.keeps_order() && !has_transparent(welded.surface, plan_.palette);
+        shared.empty() && options_.keeps_order() && !is_seen_through(welded.surface, plan_.palette_view());
     const Outside outside = has_outside ? outside_of(welded.surface) : Outside::none;
     UnitResult result;
     for (const Part& part : division.parts) {
@@ -209,7 +209,7 @@ class PartMaker {
           figures.parts.emplace_back(PartFigures{static_cast<uint32_t>(part.surface.triangles.size()),
                                                  static_cast<uint32_t>(part.borders.size()),
                                                  color_of(part.surface),
-                                                 has_transparent(part.surface, plan_.palette),
+                                                 is_seen_through(part.surface, plan_.palette_view()),
                                                  outside,
                                                  {},
                                                  division.runs[figures.parts.size()],
@@ -257,7 +257,7 @@ class PartMaker {
   UnitResult divide_whole(const PlannedMesh& mesh) const {
     if (mesh.triangles == 0) return {{}, {}, record_bytes(DivisionFigures())};
     Welded welded = weld(model_.meshes[mesh.mesh], mesh.transform, plan_.lattices[mesh.lattice], plan_.colors,
-                         plan_.tint);
+                         plan_.tint, plan_.materials);
     const PartitionLimits of_mesh = limits(mesh, welded.surface.triangles.size());
     return divide_welded(mesh, std::move(welded), of_mesh, {}, 0);
   }
@@ -266,10 +266,10 @@ class PartMaker {
   void divide_sorted(uint32_t index) {
     const PlannedMesh& mesh = plan_.meshes[index];
     const Mesh& source = model_.meshes[mesh.mesh];
-    const bool colored = source.has_colors();
+    const bool colored = source.has_colors() || source.has_coordinates();
     SortedMesh sorted(source,
                       ToLattice(mesh.transform, plan_.lattices[mesh.lattice], plan_.colors,
-                                colored ? &plan_.tint : nullptr),
+                                source.has_colors() ? &plan_.tint : nullptr, plan_.materials),
                       options_.bucket_triangles, work_.file("buckets"));
     std::vector<uint64_t> sizes;
     work_.run(
@@ -388,6 +388,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   parts.parts = std::move(maker.infos);
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);
+  parts.materials = std::move(plan.materials);
   parts.bodies = maker.bodies;
   parts.has_objects = !plan.objects.empty();
   return parts;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <fmt/ranges.h>
 #include <glm/glm.hpp>
 #include <map>
@@ -42,35 +43,82 @@ Box box_of(const Mesh& mesh, const Affine& transform) {
   return box;
 }
 
-std::array<uint8_t, 4> display_color(const Material& material) {
+/// A colour of the palette, and what else it has.
+struct PaletteEntry {
+  std::array<uint8_t, 4> color;
+  SurfaceMaterial material;
+
+  bool is_plain() const { return material == SurfaceMaterial(); }
+  std::array<uint8_t, sizeof(color) + sizeof(material)> bytes() const {
+    std::array<uint8_t, sizeof(color) + sizeof(material)> all;
+    std::memcpy(all.data(), color.data(), sizeof(color));
+    std::memcpy(all.data() + sizeof(color), &material, sizeof(material));
+    return all;
+  }
+  bool operator<(const PaletteEntry& other) const { return bytes() < other.bytes(); }
+};
+
+PaletteEntry palette_entry(const Material& material, const Textures& textures) {
+  const auto byte = [](float share) {
+    return static_cast<uint8_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * 255));
+  };
   const glm::vec4& factor = material.base_color;
-  return {display_byte(factor.r), display_byte(factor.g), display_byte(factor.b),
-          static_cast<uint8_t>(std::lround(std::clamp(factor.a, 0.0f, 1.0f) * 255))};
+  PaletteEntry entry{{display_byte(factor.r), display_byte(factor.g), display_byte(factor.b), byte(factor.a)},
+                     {}};
+  const auto texture_of = [&](uint32_t image) {
+    return image < textures.of_images.size() ? textures.of_images[image] : ImageTexture();
+  };
+  SurfaceMaterial& own = entry.material;
+  own.emission = {display_byte(material.emission.r), display_byte(material.emission.g),
+                  display_byte(material.emission.b)};
+  const ImageTexture base = texture_of(material.texture);
+  own.texture = base.texture;
+  own.emission_texture = texture_of(material.emission_texture).texture;
+  if (!own.is_textured()) return entry;
+  own.sampler = material.sampler;
+  if (base.texture == no_id) return entry;
+  const auto cutoff = static_cast<uint8_t>(std::clamp(std::ceil(material.cutoff * 255), 0.0f, 255.0f));
+  if (base.least_alpha < cutoff) own.cutoff = cutoff;
+  if (!material.blends) return entry;
+  // Below 1 colours are transparent (scene/transparency.hpp): the texture says where they are not.
+  constexpr uint8_t nearly_opaque = 254;
+  own.alpha = entry.color[3];
+  if (base.least_alpha < 255) entry.color[3] = std::min(entry.color[3], nearly_opaque);
+  return entry;
 }
 
 /// Colours in the order of the materials. Of a model of several files, whose later ones would be renumbered
 /// with each new colour of an earlier one, each has the place that its hash says, or the next that is free,
 /// in a table with room to spare.
-void make_palette(const Model& model, BuildPlan& plan) {
-  std::map<std::array<uint8_t, 4>, uint32_t> indices;
-  for (const Material& material : model.materials) indices[display_color(material)] = no_id;
+void make_palette(const Model& model, const Textures& textures, BuildPlan& plan) {
+  std::vector<PaletteEntry> entries;
+  for (const Material& material : model.materials) entries.push_back(palette_entry(material, textures));
+  std::map<PaletteEntry, uint32_t> indices;
+  for (const PaletteEntry& entry : entries) indices[entry] = no_id;
   if (indices.size() > max_colors) fail("build", "the model has more than {} colours", max_colors);
+  const bool plain = std::ranges::all_of(entries, &PaletteEntry::is_plain);
   constexpr size_t room = 8;
   const size_t places = std::bit_ceil(room * indices.size());
   const bool by_hash = file_objects(model.source_objects).size() > 1 && places <= max_colors;
+  const auto hash_of = [](const PaletteEntry& entry) {
+    return entry.is_plain() ? hash_values(std::span<const uint8_t>(entry.color))
+                            : hash_values(std::span<const uint8_t>(entry.bytes()));
+  };
   if (by_hash) plan.palette.resize(places);
+  if (by_hash && !plain) plan.materials.resize(places);
   std::vector<uint8_t> taken(plan.palette.size(), 0);
-  for (const Material& material : model.materials) {
-    const std::array<uint8_t, 4> color = display_color(material);
-    uint32_t& index = indices[color];
+  for (const PaletteEntry& entry : entries) {
+    uint32_t& index = indices[entry];
     if (index == no_id && by_hash) {
-      index = static_cast<uint32_t>(hash_values(std::span<const uint8_t>(color)) % places);
+      index = static_cast<uint32_t>(hash_of(entry) % places);
       while (taken[index]) index = static_cast<uint32_t>((index + 1) % places);
       taken[index] = 1;
-      plan.palette[index] = color;
+      plan.palette[index] = entry.color;
+      if (!plain) plan.materials[index] = entry.material;
     } else if (index == no_id) {
       index = static_cast<uint32_t>(plan.palette.size());
-      plan.palette.push_back(color);
+      plan.palette.push_back(entry.color);
+      if (!plain) plan.materials.push_back(entry.material);
     }
     plan.colors.push_back(index);
   }
@@ -201,9 +249,9 @@ void make_lattices(BuildPlan& plan) {
 
 }  // namespace
 
-BuildPlan make_plan(const Model& model, const BuildOptions& options) {
+BuildPlan make_plan(const Model& model, const BuildOptions& options, const Textures& textures) {
   BuildPlan plan;
-  make_palette(model, plan);
+  make_palette(model, textures, plan);
   plan.tint = VertexTint(model.materials);
   Planner(model, options, plan).run();
   Progress progress("measuring meshes", plan.meshes.size());

@@ -26,7 +26,7 @@ const Buckets& SortedMesh::buckets() {
             take(batch);
           });
         },
-        mesh_.triangle_count(), bucket_triangles_, mesh_.has_colors(), spool_);
+        mesh_.triangle_count(), bucket_triangles_, mesh_.has_colors() || mesh_.has_coordinates(), spool_);
   });
   return *buckets_;
 }

@@ -17,11 +17,12 @@ bool has_area(const CornerTriangle& triangle, const glm::dmat3& linear) {
 }  // namespace
 
 ToLattice::ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors,
-                     const VertexTint* tint)
+                     const VertexTint* tint, std::span<const SurfaceMaterial> materials)
     : transform_(transform),
       lattice_(lattice),
       colors_(colors),
       tint_(tint),
+      materials_(materials),
       mirrors_(glm::determinant(glm::dmat3(transform)) < 0) {}
 
 LatticeTriangle ToLattice::operator()(const CornerTriangle& triangle) const {
@@ -29,7 +30,10 @@ LatticeTriangle ToLattice::operator()(const CornerTriangle& triangle) const {
   for (size_t i = 0; i < 3; ++i)
     result.corners[i] = lattice_.nearest(transform_ * glm::dvec4(triangle.corners[i], 1));
   if (tint_) result.corner_colors = (*tint_)(triangle.colors, triangle.material);
+  if (!materials_.empty() && materials_[colors_[triangle.material]].is_textured())
+    result.coordinates = triangle.coordinates;
   if (mirrors_) {
+    std::swap(result.coordinates[1], result.coordinates[2]);
     std::swap(result.corners[1], result.corners[2]);
     std::swap(result.corner_colors[1], result.corner_colors[2]);
   }

@@ -5,6 +5,7 @@
 #include "preprocess/vertex_tint.hpp"
 #include "scene/affine.hpp"
 #include "scene/lattice.hpp"
+#include "scene/surface_material.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,7 +19,8 @@ namespace triptych {
 struct LatticeTriangle {
   std::array<glm::ivec3, 3> corners;
   uint32_t color;
-  CornerColors corner_colors = {};  ///< as they are drawn; unused where the mesh has none
+  CornerColors corner_colors = {};     ///< as they are drawn; unused where the mesh has none
+  CornerCoordinates coordinates = {};  ///< none where the colour has no texture
   bool operator==(const LatticeTriangle&) const = default;
 };
 
@@ -26,9 +28,9 @@ struct LatticeTriangle {
 class ToLattice {
  public:
   /// `colors` gives the palette index of each material, `tint` what vertex colours become, if there are any.
-  /// Both must outlive this.
+  /// materials: of the palette (Skeleton::materials). All must outlive this.
   ToLattice(const Affine& transform, const Lattice& lattice, std::span<const uint32_t> colors,
-            const VertexTint* tint = nullptr);
+            const VertexTint* tint = nullptr, std::span<const SurfaceMaterial> materials = {});
   LatticeTriangle operator()(const CornerTriangle& triangle) const;
 
  private:
@@ -36,6 +38,7 @@ class ToLattice {
   Lattice lattice_;
   std::span<const uint32_t> colors_;
   const VertexTint* tint_;
+  std::span<const SurfaceMaterial> materials_;
   bool mirrors_;
 };
 

@@ -29,7 +29,7 @@ class Welder {
       corners[i] = found->second;
     }
     surface.triangles.push_back({corners, triangle.color});
-    if (colored_) surface.colors.push_back(triangle.corner_colors);
+    if (colored_) surface.colors.push_back({triangle.corner_colors, triangle.coordinates});
   }
   bool has(const glm::ivec3& point) const { return places_.contains(point); }
 
@@ -101,7 +101,7 @@ Welded weld(std::span<const LatticeTriangle> triangles, bool colored) {
   }
   const std::vector<uint8_t> repeated = repeated_triangles(welder.surface);
   std::vector<Triangle>& kept = welder.surface.triangles;
-  std::vector<CornerColors>& kept_colors = welder.surface.colors;
+  std::vector<SurfaceCorners>& kept_colors = welder.surface.colors;
   size_t next = 0;
   for (size_t i = 0; i < kept.size(); ++i) {
     if (!repeated[i]) {
@@ -118,17 +118,17 @@ Welded weld(std::span<const LatticeTriangle> triangles, bool colored) {
 }
 
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
-            std::span<const uint32_t> colors, const VertexTint& tint) {
+            std::span<const uint32_t> colors, const VertexTint& tint,
+            std::span<const SurfaceMaterial> materials) {
   if (const auto loaded = mesh.stream ? mesh.stream->load() : nullptr)
-    return weld(*loaded, transform, lattice, colors, tint);
-  const bool colored = mesh.has_colors();
-  const ToLattice to_lattice(transform, lattice, colors, colored ? &tint : nullptr);
+    return weld(*loaded, transform, lattice, colors, tint, materials);
+  const ToLattice to_lattice(transform, lattice, colors, mesh.has_colors() ? &tint : nullptr, materials);
   std::vector<LatticeTriangle> triangles;
   triangles.reserve(mesh.triangle_count());
   uint64_t not_finite = read_mesh(mesh, [&](std::span<const CornerTriangle> batch) {
     for (const CornerTriangle& triangle : batch) triangles.push_back(to_lattice(triangle));
   });
-  Welded welded = weld(triangles, colored);
+  Welded welded = weld(triangles, mesh.has_colors() || mesh.has_coordinates());
   welded.dropped_triangles += not_finite;
   if (!mesh.stream) {
     std::vector<uint8_t> used(mesh.positions.size(), 0);

@@ -22,11 +22,13 @@ struct Welded {
 /// if its corners belong to other triangles, and otherwise enlarged: two of its corners are moved by at most
 /// a step (with_area()). So no triangle is further than that from what is left of it. Deterministic. Welded
 /// vertices are not counted here: corners are not the file's vertices. Where two colours meet at one point it
-/// stays one point, and the corners keep their colours, if the triangles are `colored`.
+/// stays one point, and the corners keep their colours and places on textures, if the triangles are
+/// `colored`.
 Welded weld(std::span<const LatticeTriangle> triangles, bool colored);
 
 /// A whole mesh, transformed and rounded to the lattice. `colors` gives the palette index of each material.
 Welded weld(const Mesh& mesh, const Affine& transform, const Lattice& lattice,
-            std::span<const uint32_t> colors, const VertexTint& tint = {});
+            std::span<const uint32_t> colors, const VertexTint& tint = {},
+            std::span<const SurfaceMaterial> materials = {});
 
 }  // namespace triptych

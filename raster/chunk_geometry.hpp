@@ -27,8 +27,8 @@ class RasterChunk {
   };
   VertexRange vertices(uint32_t first_triangle, uint32_t triangle_count) const;
   uint64_t bytes() const;
-  /// About what it will take, more rather than less, before it is read.
-  static uint64_t bytes_of(const ChunkInfo& info);
+  /// About what it will take, more rather than less, before it is read; textured: it may have coordinates.
+  static uint64_t bytes_of(const ChunkInfo& info, bool textured);
   /// Whether backs of the triangle cannot be seen from outside of the chunk's box (Chunk::outward).
   bool is_outward(size_t triangle) const { return outward[triangle / 32] >> triangle % 32 & 1; }
   uint32_t layer(size_t triangle) const { return layers.empty() ? 0 : layers[triangle]; }
@@ -39,9 +39,12 @@ class RasterChunk {
   std::vector<uint32_t> color;            ///< of each triangle, index into the palette
   std::vector<uint8_t> layers;            ///< of each triangle ChunkVertex::layer; empty if all are 0
   std::vector<VertexColor> vertex_color;  ///< of each vertex, in place of `color`; empty if it has none
-  std::vector<uint32_t> outward;          ///< of each triangle a bit, the lowest first; and spare ones
+  /// Of each vertex, as Chunk::coordinates.
+  std::vector<TextureCoordinates> coordinates;
+  std::vector<uint32_t> outward;  ///< of each triangle a bit, the lowest first; and spare ones
   bool has_outward = false;
   std::vector<uint32_t> transparent;  ///< transparent_runs()
+  std::vector<uint32_t> cut_out;      ///< cut_out_runs(); empty where it has no coordinates
 
  private:
   std::vector<VertexRange> ranges_;  ///< of blocks of triangles

@@ -1,7 +1,8 @@
 // Colours that vary over a triangle: those of its corners, interpolated with perspective.
 #pragma once
 
-#include "raster/geometry_stage.hpp"
+#include "raster/perspective_weights.hpp"
+#include "raster/slots.hpp"
 
 #include <cstdint>
 
@@ -9,9 +10,7 @@ namespace triptych {
 
 /// Plain, so that arrays of it cost nothing before they are used.
 struct InterpolatedColors {
-  /// Products with (x, y, 1), in pixels, are in the proportions of the weights of the corners at a pixel
-  /// (Olano and Greer, Triangle scan conversion using 2D homogeneous coordinates, 1997).
-  double weights[3][3];
+  PerspectiveWeights weights;
   float corners[3][3];  ///< red, green, blue of each, 0 to 1, lit
 
   /// Channels at the centre of a pixel, 0 to 1. Weights stay within the triangle.

@@ -119,9 +119,9 @@ void RasterTarget::make_picture() const {
     const double set_up = stopwatch.milliseconds();
     ShadingCounts counts;
     if (planes_.size() == 1 && !view_->state.edges) {
-      shade(planes_.front(), *view_, layers, picture_, counts);
+      shade(planes_.front(), *view_, scene_.textures(), layers, picture_, counts);
     } else {
-      resolve(planes_, *view_, layers, picture_, counts);
+      resolve(planes_, *view_, scene_.textures(), layers, picture_, counts);
     }
     count_effects(counts, set_up);
   }
@@ -130,10 +130,14 @@ void RasterTarget::make_picture() const {
 
 void RasterTarget::count_effects(const ShadingCounts& counts, double set_up_ms) const {
   effects_.clear();
-  if (counts.varying_pixels > 0) {
+  const auto add = [&](Effect effect, ShadeKind kind, uint64_t pixels) {
+    if (pixels == 0) return;
     effects_.push_back(
-        {.effect = Effect::vertex_colors, .ms = counts.varying_ms, .fragments = counts.varying_pixels});
-  }
+        {.effect = effect, .ms = counts.varying_ms[static_cast<size_t>(kind)], .fragments = pixels});
+  };
+  add(Effect::vertex_colors, ShadeKind::colored, counts.colored_pixels);
+  add(Effect::textures, ShadeKind::textured, counts.varying_pixels[static_cast<size_t>(ShadeKind::textured)]);
+  add(Effect::emission, ShadeKind::emissive, counts.emissive_pixels);
   if (!transparent_.empty()) {
     effects_.push_back({.effect = Effect::transparency,
                         .ms = set_up_ms + counts.blending_ms,

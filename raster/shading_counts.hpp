@@ -3,16 +3,21 @@
 
 #include "base/clock.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
 namespace triptych {
 
 struct ShadingCounts {
-  std::atomic<uint64_t> varying_pixels = 0;             ///< whose colours vary over their triangle
-  std::atomic<uint64_t> blended_fragments = 0;          ///< of transparent triangles
-  std::atomic<uint64_t> splits = 0;                     ///< EffectUse::splits
-  std::atomic<double> varying_ms = 0, blending_ms = 0;  ///< of all threads together
+  /// Pixels whose colours vary, by ShadeKind; and those that have colours of vertices below a texture, or
+  /// beside light of their own.
+  std::array<std::atomic<uint64_t>, 4> varying_pixels = {};
+  std::atomic<uint64_t> colored_pixels = 0, emissive_pixels = 0;
+  std::array<std::atomic<double>, 4> varying_ms = {};  ///< of all threads together, as blending_ms
+  std::atomic<uint64_t> blended_fragments = 0;         ///< of transparent triangles
+  std::atomic<uint64_t> splits = 0;                    ///< EffectUse::splits
+  std::atomic<double> blending_ms = 0;
 };
 
 /// Adds to one of them how long it lived.

@@ -45,15 +45,19 @@ float to_unit(const glm::vec3& normal) {
 
 }  // namespace
 
-TriangleShader::TriangleShader(const FrameView& view)
+TriangleShader::TriangleShader(const FrameView& view, const TextureLevels& textures)
     : palette_(view.skeleton->palette),
+      materials_(view.skeleton->materials),
+      textures_(textures),
       light_(light_direction(view)),
       stage_(view),
       caps_(view),
       hatching_(view.view().height),
       width_(view.view().width),
       height_(view.view().height),
-      vertex_colors_(view.state.effects.has(Effect::vertex_colors)) {}
+      vertex_colors_(view.state.effects.has(Effect::vertex_colors)),
+      shows_textures_(view.state.effects.has(Effect::textures)),
+      shows_emission_(view.state.effects.has(Effect::emission)) {}
 
 Rgba TriangleShader::to_bytes(const glm::vec3& color) {
   return {to_byte(color.x), to_byte(color.y), to_byte(color.z), 255};
@@ -76,8 +80,36 @@ Rgba TriangleShader::cap(const SlotTable::Triangle& shown, uint32_t side, int32_
   return cap(glm::vec3(lit_color[0], lit_color[1], lit_color[2]) / light_on(shown), side, x, y);
 }
 
-InterpolatedColors TriangleShader::varying(const SlotTable::Triangle& shown) const {
-  return interpolate_colors(stage_, width_, height_, shown, light_on(shown));
+SurfaceKinds TriangleShader::kinds(const SlotTable::Triangle& shown) const {
+  const RasterChunk& chunk = *shown.range->chunk;
+  SurfaceKinds kinds;
+  kinds.colored = vertex_colors_ && !chunk.vertex_color.empty();
+  if (materials_.empty()) return kinds;
+  const SurfaceMaterial& material = materials_[chunk.color[shown.triangle]];
+  kinds.emissive = shows_emission_ && material.is_emissive();
+  kinds.textured = shows_textures_ && !chunk.coordinates.empty() &&
+                   (material.texture != SurfaceMaterial::no_texture ||
+                    (kinds.emissive && material.emission_texture != SurfaceMaterial::no_texture));
+  return kinds;
+}
+
+VaryingSurface TriangleShader::varying(const SlotTable::Triangle& shown) const {
+  const RasterChunk& chunk = *shown.range->chunk;
+  VaryingSurface surface;
+  surface.kinds = kinds(shown);
+  surface.lit = light_on(shown);
+  if (surface.kinds.colored)
+    surface.colors =
+        interpolate_colors(stage_, width_, height_, shown, surface.kinds.textured ? 1.0f : surface.lit);
+  const glm::vec3 own = base(shown);
+  for (int k = 0; k < 3; ++k) surface.base[k] = own[k];
+  surface.transparent = shown.range->transparent;
+  surface.material = materials_.empty() ? nullptr : &materials_[chunk.color[shown.triangle]];
+  if (surface.kinds.textured) {
+    surface.texture = surface_texture(stage_, width_, height_, shown.range->placed, chunk, shown.triangle,
+                                      *surface.material);
+  }
+  return surface;
 }
 
 glm::vec3 TriangleShader::normal(const SlotTable::Triangle& shown) {
@@ -101,30 +133,32 @@ KeptShades::KeptShades(const SlotTable& table, const TriangleShader& shader)
 Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   const uint32_t place = place_of(slot);
   const auto cap = capped_[place] ? shader_.caps().entry(x, y) : std::nullopt;
-  if (!varies_[place])
-    return cap ? shader_.cap(table_.find(slot), cap->side, x, y) : std::bit_cast<Rgba>(colors_[place]);
+  const SurfaceKinds& kinds = kinds_[place];
+  const bool own_colors = kinds.colored && !kinds.textured && !kinds.emissive;
+  if (cap && !own_colors) return shader_.cap(table_.find(slot), cap->side, x, y);
+  if (!kinds.any()) return std::bit_cast<Rgba>(colors_[place]);
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
     varying = {slot, shader_.varying(table_.find(slot))};
   }
+  if (!cap) return varying.surface.at(shader_.textures(), x, y);
   float color[3];
-  varying.colors.at(x, y, color);
-  if (cap) return shader_.cap(table_.find(slot), cap->side, x, y, color);
-  return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
+  varying.surface.colors.at(x, y, color);
+  return shader_.cap(table_.find(slot), cap->side, x, y, color);
 }
 
 uint32_t KeptShades::place_of(uint32_t slot) {
   const uint32_t place = slot % count;
   if (slots_[place] != slot) {
     const SlotTable::Triangle shown = table_.find(slot, range_);
-    varies_[place] = shader_.varies(shown);
+    kinds_[place] = shader_.kinds(shown);
     capped_[place] = Caps::show(shown);
-    colors_[place] = varies_[place] ? 0 : std::bit_cast<uint32_t>(shader_(shown));
+    colors_[place] = kinds_[place].any() ? 0 : std::bit_cast<uint32_t>(shader_(shown));
     slots_[place] = slot;
-    even_slots_[place] = varies_[place] || capped_[place] ? no_slot(place) : slot;
+    even_slots_[place] = kinds_[place].any() || capped_[place] ? no_slot(place) : slot;
   }
-  any_varies_ |= is_changing(place);
+  if (is_changing(place)) varying_kinds_ |= 1u << static_cast<uint32_t>(kind_at(place));
   return place;
 }
 

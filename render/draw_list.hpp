@@ -22,6 +22,10 @@ struct ChunkRange {
   std::vector<uint32_t> outward_runs = {};  ///< Chunk::outward_runs
   bool colored = false;                     ///< whether vertices have colours
   std::vector<uint32_t> transparent = {};   ///< transparent_runs()
+  bool textured = false;                    ///< whether vertices have places on textures
+  bool emissive = false;                    ///< whether any of its surfaces has light of its own
+  bool cut_out = false;                     ///< whether any of them has holes
+  std::vector<uint32_t> textures = {};      ///< that they have
   bool loaded() const { return index_count > 0; }
 };
 
@@ -43,11 +47,15 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Commands that follow each other, show the same sides of triangles, and are all of coloured chunks or none;
-/// or those of one closed surface that a section may cut, for its cut surfaces.
+/// Commands that follow each other, show the same sides of triangles, and are of chunks that have the same of
+/// what ChunkRange names; or those of one closed surface that a section may cut, for its cut surfaces.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
-  bool colored = false;
+  bool colored = false, textured = false, emissive = false, cut_out = false;
+  bool is_alike(const DrawGroup& other) const {
+    return colored == other.colored && textured == other.textured && emissive == other.emissive &&
+           cut_out == other.cut_out;
+  }
   enum class Caps : uint8_t { none, plain, mirrored } caps = Caps::none;
   uint32_t count = 0;
   /// Of cut surfaces: so many commands behind those `count`, which draw the whole surface, draw what of it

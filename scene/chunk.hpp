@@ -29,8 +29,9 @@ inline constexpr size_t max_colors = size_t{1} << 20;
 /// The most pieces of a chunk, for the same reason.
 inline constexpr size_t max_chunk_pieces = 256;
 
-/// The byte that begins a chunk's stream of vertex colours. That of indices begins with 0xe0 or more.
-inline constexpr uint8_t chunk_colors_stream = 1, first_index_byte = 0xe0;
+/// The bytes that begin a chunk's streams of attributes, which come in this order. That of indices begins
+/// with 0xe0 or more.
+inline constexpr uint8_t chunk_colors_stream = 1, chunk_coordinates_stream = 2, first_index_byte = 0xe0;
 
 struct Chunk {
   std::vector<ChunkVertex> vertices;
@@ -42,6 +43,8 @@ struct Chunk {
   /// Of each vertex, shown in place of the palette's and interpolated over triangles; empty if the chunk has
   /// none.
   std::vector<VertexColor> colors = {};
+  /// Of each vertex, on the texture of its colour (SurfaceMaterial::texture); empty if the chunk has none.
+  std::vector<TextureCoordinates> coordinates = {};
 
   size_t triangle_count() const { return indices.size() / 3; }
   /// The runs, triangle by triangle.

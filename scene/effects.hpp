@@ -9,12 +9,15 @@
 namespace triptych {
 
 /// That can be switched off from frame to frame.
-enum class Effect : uint8_t { vertex_colors, transparency };
-inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency};
+enum class Effect : uint8_t { vertex_colors, transparency, textures, emission };
+inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency, Effect::textures,
+                                           Effect::emission};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
-  return effect == Effect::vertex_colors ? "vertex-colours" : "transparency";
+  constexpr std::array<std::string_view, all_effects.size()> names = {"vertex-colours", "transparency",
+                                                                      "textures", "emission"};
+  return names[static_cast<size_t>(effect)];
 }
 
 /// What Skeleton::effects calls it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/import/mesh_stream_source.hpp"
+#include "scene/texture.hpp"
 #include "scene/vertex_color.hpp"
 
 #include <array>
@@ -113,6 +114,24 @@ class ColorCache {
   PositionCache values_;
   glm::dvec3 scale_;
   bool linear_;
+};
+
+/// Texture coordinates of vertices in a file: in place of x and y.
+struct CoordinateTable {
+  PositionTable values;
+  /// What they are multiplied by: u = to[0] · x + to[1] · y + to[2], and so on.
+  std::array<double, 6> to = {1, 0, 0, 0, 1, 0};
+};
+
+/// Reads them by their number, as PositionCache does positions.
+class CoordinateCache {
+ public:
+  explicit CoordinateCache(const CoordinateTable& table) : values_(table.values), to_(table.to) {}
+  TextureCoordinates at(uint64_t index);
+
+ private:
+  PositionCache values_;
+  std::array<double, 6> to_;
 };
 
 }  // namespace triptych

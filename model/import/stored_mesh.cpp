@@ -6,11 +6,15 @@
 namespace triptych {
 
 StoredMesh::StoredMesh(std::shared_ptr<SpoolFile> file, const Mesh& mesh)
-    : vertices_(mesh.positions.size()), triangles_(mesh.triangles.size()), has_colors_(mesh.has_colors()) {
+    : vertices_(mesh.positions.size()),
+      triangles_(mesh.triangles.size()),
+      has_colors_(mesh.has_colors()),
+      has_coordinates_(mesh.has_coordinates()) {
   ByteWriter writer;
   writer.write_all(std::span<const glm::dvec3>(mesh.positions));
   writer.write_all(std::span<const Triangle>(mesh.triangles));
   writer.write_all(std::span<const VertexColor>(mesh.colors));
+  writer.write_all(std::span<const TextureCoordinates>(mesh.coordinates));
   place_ = file->append(writer.bytes());
   file_ = std::move(file);
 }
@@ -22,6 +26,7 @@ std::shared_ptr<const Mesh> StoredMesh::load() const {
   mesh->positions = reader.read_all<glm::dvec3>(vertices_);
   mesh->triangles = reader.read_all<Triangle>(triangles_);
   if (has_colors_) mesh->colors = reader.read_all<VertexColor>(vertices_);
+  if (has_coordinates_) mesh->coordinates = reader.read_all<TextureCoordinates>(vertices_);
   return mesh;
 }
 
@@ -34,7 +39,8 @@ uint64_t held_triangles(const Mesh& mesh) {
 
 uint64_t held_bytes(const Mesh& mesh) {
   return mesh.positions.capacity() * sizeof(glm::dvec3) + mesh.triangles.capacity() * sizeof(Triangle) +
-         mesh.colors.capacity() * sizeof(VertexColor);
+         mesh.colors.capacity() * sizeof(VertexColor) +
+         mesh.coordinates.capacity() * sizeof(TextureCoordinates);
 }
 
 }  // namespace triptych

@@ -16,13 +16,14 @@ class StoredMesh : public MeshStream {
 
   uint64_t triangle_count() const override { return triangles_; }
   bool has_colors() const override { return has_colors_; }
+  bool has_coordinates() const override { return has_coordinates_; }
   uint64_t read(const TakeTriangles& take) const override;
   std::shared_ptr<const Mesh> load() const override;
 
  private:
   std::shared_ptr<const SpoolFile> file_;
   uint64_t vertices_, triangles_;
-  bool has_colors_;
+  bool has_colors_, has_coordinates_;
   SpoolPlace place_;  ///< positions, triangles, and colours if there are any
 };
 

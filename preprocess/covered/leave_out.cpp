@@ -25,7 +25,7 @@ bool is_left_out(const Triangle& triangle, double distance) {
 std::optional<Piece> without_covered(const Piece& piece, double distance) {
   if (!leaves_out_some(piece.surface, distance)) return std::nullopt;
   std::vector<Triangle> triangles;
-  std::vector<CornerColors> colors;
+  std::vector<SurfaceCorners> colors;
   for (size_t i = 0; i < piece.surface.triangles.size(); ++i) {
     if (is_left_out(piece.surface.triangles[i], distance)) continue;
     triangles.push_back(piece.surface.triangles[i]);

@@ -115,8 +115,12 @@ VisibleSet GlFrameTarget::transparent_owners() const {
 }
 
 void GlFrameTarget::finish() {
-  const EffectUse& colors = passes_.renderer.effect_use(Effect::vertex_colors);
-  if (colors.draws > 0 && effects_.empty() && planes_->has_colors()) effects_.push_back(colors);
+  const bool counts = effects_.empty() && planes_->has_colors();
+  for (const Effect effect : {Effect::vertex_colors, Effect::textures, Effect::emission}) {
+    const EffectUse& used = passes_.renderer.effect_use(effect);
+    if (counts && used.draws > 0) effects_.push_back(used);
+    if (counts && used.draws > 0) effects_.back().effect = effect;
+  }
   picture();
   glFinish();
 }

@@ -14,9 +14,10 @@ namespace {
 
 /// At most what all chunks of a pack take.
 uint64_t bytes_of_all(const Skeleton& skeleton) {
+  const VertexStreams most{.colored = true, .textured = !skeleton.textures.empty()};
   uint64_t bytes = 0;
   for (const ChunkInfo& chunk : skeleton.chunks) {
-    bytes += (uint64_t{chunk.vertex_count} + 2) * sizeof(ColoredVertex) +
+    bytes += (uint64_t{chunk.vertex_count} + 2) * most.stride() +
              uint64_t{chunk.triangle_count} * 3 * sizeof(uint32_t);
   }
   return bytes;
@@ -29,7 +30,8 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
       residency_(residency),
       ranges_(skeleton.chunks.size()),
       places_(skeleton.chunks.size()),
-      cache_(skeleton.chunks.size()) {
+      cache_(skeleton.chunks.size()),
+      textures_(skeleton, residency) {
   const auto& palette = skeleton_.palette;
   // Colours as floats: 16 bytes an entry, read by the vertex stage.
   std::vector<float> colors;
@@ -37,12 +39,18 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
     for (const uint8_t channel : color) colors.push_back(static_cast<float>(channel) / 255);
   }
   glNamedBufferStorage(palette_, static_cast<GLsizeiptr>(colors.size() * sizeof(float)), colors.data(), 0);
-  describe_vertices(vertex_array_);
-  describe_vertices(colored_vertex_array_, true);
+  if (!skeleton.materials.empty()) {
+    glNamedBufferStorage(materials_,
+                         static_cast<GLsizeiptr>(skeleton.materials.size() * sizeof(SurfaceMaterial)),
+                         skeleton.materials.data(), 0);
+  }
+  for (size_t i = 0; i < vertex_arrays_.size(); ++i)
+    describe_vertices(vertex_arrays_[i], VertexStreams::of_index(i));
 }
 
 void Geometry::begin_view() {
   cache_.begin_view();
+  textures_.begin_view();
   if (cap_ == cache_.use().cap) return;
   cache_.set_cap(cap_);
   if (cap_ == no_cap) return;
@@ -62,10 +70,11 @@ void Geometry::make_buffer(uint64_t bytes) {
     glCopyNamedBufferSubData(buffer_, other, 0, 0, static_cast<GLsizeiptr>(space_.size()));
   std::swap(buffer_, other);
   space_.grow(bytes);
-  glVertexArrayVertexBuffer(vertex_array_, vertices_stream, buffer_, 0, sizeof(ChunkVertex));
-  glVertexArrayElementBuffer(vertex_array_, buffer_);
-  glVertexArrayVertexBuffer(colored_vertex_array_, vertices_stream, buffer_, 0, sizeof(ColoredVertex));
-  glVertexArrayElementBuffer(colored_vertex_array_, buffer_);
+  for (size_t i = 0; i < vertex_arrays_.size(); ++i) {
+    glVertexArrayVertexBuffer(vertex_arrays_[i], vertices_stream, buffer_, 0,
+                              static_cast<GLsizei>(VertexStreams::of_index(i).stride()));
+    glVertexArrayElementBuffer(vertex_arrays_[i], buffer_);
+  }
 }
 
 bool Geometry::try_place(Place& place, uint64_t stride) {
@@ -126,13 +135,10 @@ void Geometry::load(uint32_t chunk) {
   const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
   if (!taken) return cache_.leave_out(false);
   const Chunk& geometry = *taken;
-  std::vector<ColoredVertex> colored;
-  for (size_t i = 0; i < geometry.colors.size(); ++i)
-    colored.push_back({geometry.vertices[i], geometry.colors[i]});
-  const auto vertices =
-      colored.empty() ? std::as_bytes(std::span(geometry.vertices)) : std::as_bytes(std::span(colored));
+  const VertexStreams streams{!geometry.colors.empty(), !geometry.coordinates.empty()};
+  const std::vector<std::byte> vertices = interleaved(geometry, streams);
   const auto indices = std::as_bytes(std::span(geometry.indices));
-  const uint64_t stride = colored.empty() ? sizeof(ChunkVertex) : sizeof(ColoredVertex);
+  const uint64_t stride = streams.stride();
   Place where;
   try {
     where = place(vertices.size(), stride, indices.size());
@@ -149,9 +155,35 @@ void Geometry::load(uint32_t chunk) {
                     static_cast<uint32_t>(geometry.indices.size()),
                     static_cast<uint32_t>(where.vertices / stride),
                     geometry.outward_runs,
-                    !colored.empty(),
-                    transparent_runs(geometry, skeleton_.palette)};
+                    streams.colored,
+                    transparent_runs(geometry, skeleton_)};
+  find_materials(geometry, ranges_[chunk]);
   cache_.add(chunk, vertices.size() + indices.size(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
+}
+
+/// What the chunk calls for beyond its colours.
+void Geometry::find_materials(const Chunk& chunk, ChunkRange& range) const {
+  if (skeleton_.materials.empty()) return;
+  range.textured = !chunk.coordinates.empty();
+  std::vector<uint32_t> colors;
+  for (const ChunkVertex& vertex : chunk.vertices) colors.push_back(vertex.color);
+  std::ranges::sort(colors);
+  colors.erase(std::unique(colors.begin(), colors.end()), colors.end());
+  for (const uint32_t color : colors) {
+    const SurfaceMaterial& material = skeleton_.materials[color];
+    range.emissive |= material.is_emissive();
+    range.cut_out |= range.textured && material.cutoff > 0;
+    for (const uint32_t texture : {material.texture, material.emission_texture})
+      if (range.textured && texture != SurfaceMaterial::no_texture) range.textures.push_back(texture);
+  }
+}
+
+uint64_t Geometry::require_textures(std::span<const DrawItem> items) {
+  uint64_t bytes = 0;
+  for (const DrawItem& item : items) {
+    for (const uint32_t texture : ranges_[item.chunk].textures) bytes += textures_.require(texture);
+  }
+  return bytes;
 }
 
 void Geometry::require(std::span<const DrawItem> items) {
@@ -171,11 +203,14 @@ void Geometry::require(uint32_t chunk) {
   }
 }
 
-void Geometry::bind(GLuint records, bool colored) const {
-  const GLuint vertex_array = colored ? colored_vertex_array_ : vertex_array_;
+void Geometry::bind(GLuint records, const VertexStreams& streams, bool emissive) const {
+  const GLuint vertex_array = vertex_arrays_[streams.index()];
   glVertexArrayVertexBuffer(vertex_array, records_stream, records, 0, sizeof(DrawRecord));
   glBindVertexArray(vertex_array);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_binding, palette_);
+  if (!streams.textured && !emissive) return;
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, materials_binding, materials_);
+  if (streams.textured) textures_.bind();
 }
 
 }  // namespace triptych

@@ -8,6 +8,7 @@ namespace triptych {
 namespace {
 GlProgram make_pass(TargetKind kind, Projection projection, const ShaderVariant& variant) {
   const std::string vertex = geometry_vertex_shader(projection, variant);
+  if (variant.transparent) return make_program("transparent", vertex, transparent_fragment_shader(variant));
   switch (kind) {
     case TargetKind::color:
       return make_program("colour", vertex, color_fragment_shader(variant));
@@ -19,6 +20,14 @@ GlProgram make_pass(TargetKind kind, Projection projection, const ShaderVariant&
       break;
   }
   return make_program("colour and item", vertex, color_and_item_fragment_shader(variant));
+}
+
+uint32_t pass_key(TargetKind kind, Projection projection, const ShaderVariant& variant) {
+  uint32_t key = 0;
+  for (const bool bit : {variant.sections, variant.caps, variant.normals, variant.transparent,
+                         variant.textured, variant.emissive, variant.colors == BaseColors::vertices})
+    key = key << 1 | (bit ? 1u : 0u);
+  return key << 8 | static_cast<uint32_t>(projection) << 4 | static_cast<uint32_t>(kind);
 }
 
 /// Of triangles whose fronts go round so; 0: both.
@@ -48,13 +57,13 @@ Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Res
 
 Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
   const Projection projection = view_->view().camera.projection;
-  std::optional<Pass>& pass =
-      passes_[variant.sections ? 1 : 0][variant.caps ? 1 : 0][variant.normals ? 1 : 0][static_cast<size_t>(
-          variant.colors)][static_cast<size_t>(projection)][static_cast<size_t>(kind)];
-  if (pass) return *pass;
-  pass.emplace(make_pass(kind, projection, variant));
+  const uint32_t key = pass_key(kind, projection, variant);
+  if (const auto found = passes_.find(key); found != passes_.end()) return found->second;
   if (variant.colors == BaseColors::vertices) ++use(Effect::vertex_colors).variants;
-  return *pass;
+  if (variant.textured) ++use(Effect::textures).variants;
+  if (variant.emissive) ++use(Effect::emission).variants;
+  if (variant.transparent) ++use(Effect::transparency).variants;
+  return passes_.emplace(key, make_pass(kind, projection, variant)).first->second;
 }
 
 Renderer::Pass& Renderer::winding_pass() {
@@ -68,21 +77,30 @@ Renderer::Pass& Renderer::winding_pass() {
   return *pass;
 }
 
-Renderer::Pass& Renderer::transparent_pass(bool colored) {
-  const Projection projection = view_->view().camera.projection;
-  const bool sections = !view_->section_space.keeps_all();
-  std::optional<Pass>& pass =
-      transparent_passes_[sections ? 1 : 0][colored ? 1 : 0][static_cast<size_t>(projection)];
-  if (!pass) {
-    const ShaderVariant variant{.colors = colored ? BaseColors::vertices : BaseColors::palette,
-                                .layers = layers_,
-                                .sections = sections,
-                                .transparent = true};
-    pass.emplace(make_program("transparent", geometry_vertex_shader(projection, variant),
-                              transparent_fragment_shader(variant)));
-    ++use(Effect::transparency).variants;
-  }
-  return *pass;
+Renderer::Pass& Renderer::transparent_pass(const DrawGroup& group) {
+  ShaderVariant variant = variant_for(group, true);
+  variant.transparent = true;
+  return pass(TargetKind::color, variant);
+}
+
+ShaderVariant Renderer::variant_for(const DrawGroup& group, bool has_colors) {
+  const bool colored = group.colored && has_colors && shows(Effect::vertex_colors);
+  return {.colors = colored ? BaseColors::vertices : BaseColors::palette,
+          .layers = layers_,
+          .sections = !view_->section_space.keeps_all(),
+          .textured = group.textured && (has_colors || group.cut_out) && shows(Effect::textures),
+          .emissive = group.emissive && has_colors && shows(Effect::emission)};
+}
+
+void Renderer::count_uses(const ShaderVariant& variant, uint64_t draws, uint64_t binds) {
+  const auto count = [&](bool takes_part, Effect effect) {
+    if (!takes_part) return;
+    use(effect).draws += draws;
+    use(effect).binds += binds;
+  };
+  count(variant.colors == BaseColors::vertices, Effect::vertex_colors);
+  count(variant.textured, Effect::textures);
+  count(variant.emissive, Effect::emission);
 }
 
 void Renderer::set_view(const FrameView& view) {
@@ -100,6 +118,7 @@ bool Renderer::make_list(std::span<const DrawableId> drawables, DrawPart part) {
   items_.clear();
   for (const DrawableId id : drawables) representation_.append(id, items_);
   geometry_.require(items_);
+  if (shows(Effect::textures)) use(Effect::textures).upload_bytes += geometry_.require_textures(items_);
   list_.clear();
   if (part != DrawPart::transparent) {
     cut_bodies_.find(*view_, items_);
@@ -136,25 +155,24 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     used.uniforms.set(*view_, place);
     return &used;
   };
-  const auto prepare = [&](bool colored) {
-    const bool varies = colored && framebuffer.has_colors() && shows(Effect::vertex_colors);
-    if (varies) ++use(Effect::vertex_colors).binds;
-    ShaderVariant variant{.colors = varies ? BaseColors::vertices : BaseColors::palette,
-                          .layers = layers_,
-                          .sections = !view_->section_space.keeps_all(),
-                          .normals = framebuffer.has_colors() && framebuffer.layout().normals};
+  ShaderVariant variant;
+  const auto prepare = [&](const DrawGroup& group) {
+    variant = variant_for(group, framebuffer.has_colors());
+    count_uses(variant, 0, 1);
+    variant.normals = framebuffer.has_colors() && framebuffer.layout().normals;
     if (variant.sections) {
-      variant.caps = true;
+      ShaderVariant of_caps = variant;
+      of_caps.caps = true;
+      of_caps.textured = of_caps.emissive = false;
       bind_nearest_backs(framebuffer.width(), framebuffer.height());
       winding = prepared(winding_pass());
-      caps = prepared(pass(kind, variant));
-      variant.caps = false;
+      caps = prepared(pass(kind, of_caps));
     }
     surfaces = prepared(pass(kind, variant));
-    geometry_.bind(records_, colored);
+    geometry_.bind(records_, {group.colored, group.textured}, variant.emissive);
   };
-  bool colored = list_.groups.front().colored;
-  prepare(colored);
+  const DrawGroup* bound = &list_.groups.front();
+  prepare(*bound);
   framebuffer.bind(plane);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
@@ -162,9 +180,9 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal
   uintptr_t offset = 0;
   for (const DrawGroup& group : list_.groups) {
-    if (group.colored != colored) prepare(colored = group.colored);
-    if (colored && framebuffer.has_colors() && shows(Effect::vertex_colors))
-      use(Effect::vertex_colors).draws += group.count;
+    if (!group.is_alike(*bound)) prepare(group);
+    bound = &group;
+    count_uses(variant, group.count, 0);
     show_sides(group.front);
     if (group.caps == DrawGroup::Caps::none) {
       draw_commands(offset, group.count);
@@ -195,17 +213,17 @@ void Renderer::draw_transparent(std::span<const DrawableId> drawables, const Fra
       glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
       show_sides(0);
       uintptr_t offset = 0;
-      std::optional<bool> bound;
+      const DrawGroup* bound = nullptr;
       for (const DrawGroup& group : list_.groups) {
-        if (bound != group.colored) {
-          const Pass& pass = transparent_pass(group.colored && shows(Effect::vertex_colors));
+        if (bound == nullptr || !group.is_alike(*bound)) {
+          const Pass& pass = transparent_pass(group);
           glUseProgram(pass.program);
           pass.uniforms.set(*view_, places[plane]);
           glUniform1i(glGetUniformLocation(pass.program, "plane"), static_cast<GLint>(plane));
-          geometry_.bind(records_, group.colored);
-          bound = group.colored;
+          geometry_.bind(records_, {group.colored, group.textured}, group.emissive);
           ++counts.binds;
         }
+        bound = &group;
         draw_commands(offset, group.count);
         offset += group.count * sizeof(DrawCommand);
         counts.draws += group.count;

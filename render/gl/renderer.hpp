@@ -9,6 +9,7 @@
 #include "render/gl/view_uniforms.hpp"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -47,7 +48,10 @@ class Renderer {
   };
   Pass& pass(TargetKind kind, const ShaderVariant& variant);
   Pass& winding_pass();
-  Pass& transparent_pass(bool colored);
+  Pass& transparent_pass(const DrawGroup& group);
+  /// What a pass over a group's surfaces has of what its chunks call for.
+  ShaderVariant variant_for(const DrawGroup& group, bool has_colors);
+  void count_uses(const ShaderVariant& variant, uint64_t draws, uint64_t binds);
   /// Makes the list of the drawables' part, and uploads it; false where it is empty.
   bool make_list(std::span<const DrawableId> drawables, DrawPart part);
   EffectUse& use(Effect effect) { return uses_[static_cast<size_t>(effect)]; }
@@ -59,10 +63,9 @@ class Renderer {
 
   bool layers_;
   Geometry geometry_;
-  /// By sections, caps, normals, base colours, projection and kind; made when first used.
-  std::optional<Pass> passes_[2][2][2][2][2][4];
-  std::optional<Pass> winding_passes_[2];            ///< by projection
-  std::optional<Pass> transparent_passes_[2][2][2];  ///< by sections, base colours, projection
+  /// By variant, projection and kind (pass_key()); made when first used.
+  std::map<uint32_t, Pass> passes_;
+  std::optional<Pass> winding_passes_[2];  ///< by projection
   /// Of a picture: the bits of depths of the nearest backs of what draw_caps() counts, 0 between its uses.
   struct NearestBacks {
     int width, height;

@@ -4,10 +4,26 @@
 #include "scene/chunk.hpp"
 
 #include <cstddef>
+#include <cstring>
 
 namespace triptych {
 
-void describe_vertices(GLuint vertex_array, bool colored) {
+std::vector<std::byte> interleaved(const Chunk& chunk, const VertexStreams& streams) {
+  std::vector<std::byte> bytes(chunk.vertices.size() * streams.stride());
+  std::byte* to = bytes.data();
+  const auto add = [&](const auto& value) {
+    std::memcpy(to, &value, sizeof(value));
+    to += sizeof(value);
+  };
+  for (size_t i = 0; i < chunk.vertices.size(); ++i) {
+    add(chunk.vertices[i]);
+    if (streams.colored) add(chunk.colors[i]);
+    if (streams.textured) add(chunk.coordinates[i]);
+  }
+  return bytes;
+}
+
+void describe_vertices(GLuint vertex_array, const VertexStreams& streams) {
   GLuint attribute = 0;
   const auto add = [&](GLuint stream) {
     glVertexArrayAttribBinding(vertex_array, attribute, stream);
@@ -30,11 +46,16 @@ void describe_vertices(GLuint vertex_array, bool colored) {
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, item));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, first_bound));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, cut));
-  if (colored) {
+  size_t offset = sizeof(ChunkVertex);
+  if (streams.colored) {
     glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE,
-                              offsetof(ColoredVertex, color));
+                              static_cast<GLuint>(offset));
     add(vertices_stream);
+    offset += sizeof(VertexColor);
+  } else {
+    ++attribute;
   }
+  if (streams.textured) add_integers(vertices_stream, 2, GL_INT, offset);
   glVertexArrayBindingDivisor(vertex_array, records_stream, 1);
 }
 

@@ -42,6 +42,11 @@ std::optional<std::vector<CornerTriangle>> triangles_of(const std::filesystem::p
         for (size_t k = 0; k < 3; ++k) {
           expect(triangle.vertices[k] < mesh.positions.size(), "an index is out of range");
           corners.corners[k] = mesh.positions[triangle.vertices[k]];
+          if (!mesh.coordinates.empty()) {
+            expect(mesh.coordinates.size() == mesh.positions.size(),
+                   "coordinates are not those of the vertices");
+            corners.coordinates[k] = mesh.coordinates[triangle.vertices[k]];
+          }
           if (mesh.colors.empty()) continue;
           expect(mesh.colors.size() == mesh.positions.size(), "colours are not those of the vertices");
           corners.colors[k] = mesh.colors[triangle.vertices[k]];

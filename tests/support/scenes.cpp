@@ -3,6 +3,7 @@
 #include "preprocess/build.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/object_sets.hpp"
+#include "tests/support/textured_scene.hpp"
 
 #include <array>
 #include <cmath>
@@ -331,6 +332,7 @@ const std::vector<Entry>& entries() {
                                          {"storeys", storeys},
                                          {"painted", painted},
                                          {"glass", glass},
+                                         {"textured", textured},
                                          {"triangle", triangle}};
   return all;
 }

@@ -43,6 +43,9 @@ class Random {
 ///   storeys    sub-hierarchies within sub-hierarchies: stacked, turned, stretched, mirrored
 ///   painted    meshes with vertex colours, smooth ones and ones with seams, among others without
 ///   glass      transparent panes, cases and spheres among opaque boxes, some of them flush with those
+///   textured   surfaces with textures, fences and leaves with holes before other things, glass with
+///   textures,
+///              and what glows (tests/support/textured_scene.hpp)
 ///   triangle   nothing but one triangle
 const std::vector<std::string>& names();
 Model make(const std::string& name);
