@@ -38,8 +38,10 @@ std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm
   return found->number;
 }
 
-Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, bool colored, SpoolFile& spool)
-    : triangle_bytes_(colored ? sizeof(LatticeTriangle) : offsetof(LatticeTriangle, corner_colors)),
+Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, KeptCorners kept, SpoolFile& spool)
+    : triangle_bytes_(kept == KeptCorners::points   ? offsetof(LatticeTriangle, corner_colors)
+                      : kept == KeptCorners::colors ? offsetof(LatticeTriangle, coordinates)
+                                                    : sizeof(LatticeTriangle)),
       spool_(spool) {
   const uint64_t every = total / max_sample + 1;
   std::vector<glm::ivec3> sample;

@@ -31,6 +31,9 @@ struct Bucket {
 /// The point's number, if it is one of the shared ones, which are sorted.
 std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm::ivec3& point);
 
+/// What buckets keep of corners: nothing else is written.
+enum class KeptCorners : uint8_t { points, colors, colors_and_coordinates };
+
 /// Space split in half, and each half again, as the triangles are distributed.
 class Buckets {
  public:
@@ -41,8 +44,8 @@ class Buckets {
   /// Reads twice (a sample, then all) and writes all triangles to the spool file, which must outlive this.
   /// `total`: how many triangles there are; `limit`: how many go into a bucket, about; more only where they
   /// all have one centre. Deterministic. Memory: 12 MB for the sample, 30 KB for each bucket, 12 bytes for
-  /// each shared point. `colored`: whether corners have colours; otherwise those are not kept.
-  Buckets(const Read& read, uint64_t total, uint64_t limit, bool colored, SpoolFile& spool);
+  /// each shared point. `kept`: what corners have besides their points.
+  Buckets(const Read& read, uint64_t total, uint64_t limit, KeptCorners kept, SpoolFile& spool);
 
   size_t count() const { return places_.size(); }
   uint64_t triangles(size_t bucket) const;

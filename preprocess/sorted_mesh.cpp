@@ -16,6 +16,9 @@ SortedMesh::~SortedMesh() {
 const Buckets& SortedMesh::buckets() {
   std::call_once(sorted_, [&] {
     std::vector<LatticeTriangle> batch;
+    const KeptCorners kept = mesh_.has_coordinates() ? KeptCorners::colors_and_coordinates
+                             : mesh_.has_colors()    ? KeptCorners::colors
+                                                     : KeptCorners::points;
     buckets_.emplace(
         [&](uint64_t every, const Buckets::Take& take) {
           uint64_t next = 0;  // index in the batch of the next triangle to keep
@@ -26,7 +29,7 @@ const Buckets& SortedMesh::buckets() {
             take(batch);
           });
         },
-        mesh_.triangle_count(), bucket_triangles_, mesh_.has_colors() || mesh_.has_coordinates(), spool_);
+        mesh_.triangle_count(), bucket_triangles_, kept, spool_);
   });
   return *buckets_;
 }

@@ -86,6 +86,7 @@ Textures make_textures(const Model& model, SpoolFile& file) {
   std::vector<uint32_t> images;
   for (uint32_t i = 0; i < used.size(); ++i)
     if (used[i]) images.push_back(i);
+  if (images.empty()) return result;
   const std::vector<uint8_t> cutoffs = cutoffs_of(model);
   std::map<ContentKey, uint32_t> known;
   size_t faults = 0, smaller = 0;

@@ -45,7 +45,7 @@ Buckets::Read reading(const std::vector<LatticeTriangle>& triangles) {
 TEST(Buckets, hold_every_triangle_once_and_none_too_many) {
   const auto triangles = sheet(60);
   SpoolFile spool(spool_path());
-  const Buckets buckets(reading(triangles), triangles.size(), 500, false, spool);
+  const Buckets buckets(reading(triangles), triangles.size(), 500, KeptCorners::points, spool);
   EXPECT_GT(buckets.count(), 10u);
   std::map<std::array<int, 9>, int> found;
   const auto key = [](const LatticeTriangle& triangle) {
@@ -66,7 +66,7 @@ TEST(Buckets, hold_every_triangle_once_and_none_too_many) {
 TEST(Buckets, know_every_point_that_they_share) {
   const auto triangles = sheet(40);
   SpoolFile spool(spool_path());
-  const Buckets buckets(reading(triangles), triangles.size(), 300, false, spool);
+  const Buckets buckets(reading(triangles), triangles.size(), 300, KeptCorners::points, spool);
   std::map<std::array<int, 3>, std::set<size_t>> users;
   std::vector<Bucket> loaded;
   for (size_t i = 0; i < buckets.count(); ++i) {
@@ -99,7 +99,7 @@ TEST(Buckets, know_every_point_that_they_share) {
 TEST(Buckets, triangles_at_one_place_end_in_one_bucket) {
   const std::vector<LatticeTriangle> triangles(2000, {{glm::ivec3{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, 0});
   SpoolFile spool(spool_path());
-  const Buckets buckets(reading(triangles), triangles.size(), 100, false, spool);
+  const Buckets buckets(reading(triangles), triangles.size(), 100, KeptCorners::points, spool);
   ASSERT_EQ(buckets.count(), 1u);
   EXPECT_EQ(buckets.load(0).triangles.size(), 2000u);
   std::filesystem::remove(spool_path());
@@ -109,11 +109,14 @@ TEST(Buckets, keep_the_colours_of_corners_where_there_are_any_and_write_none_oth
   auto triangles = sheet(20);
   for (size_t i = 0; i < triangles.size(); ++i)
     triangles[i].corner_colors.fill({static_cast<uint8_t>(i), static_cast<uint8_t>(i >> 8), 9, 255});
-  std::array<uint64_t, 2> sizes{};
-  for (const bool colored : {false, true}) {
+  for (size_t i = 0; i < triangles.size(); ++i) triangles[i].coordinates.fill({static_cast<int32_t>(i), 7});
+  std::array<uint64_t, 3> sizes{};
+  for (const KeptCorners kept :
+       {KeptCorners::points, KeptCorners::colors, KeptCorners::colors_and_coordinates}) {
+    const bool colored = kept != KeptCorners::points;
     SpoolFile spool(spool_path());
-    const Buckets buckets(reading(triangles), triangles.size(), 100, colored, spool);
-    sizes[colored] = spool.size();
+    const Buckets buckets(reading(triangles), triangles.size(), 100, kept, spool);
+    sizes[static_cast<size_t>(kept)] = spool.size();
     for (size_t i = 0; i < buckets.count(); ++i) {
       for (const LatticeTriangle& triangle : buckets.load(i).triangles) {
         const CornerColors& colors = triangle.corner_colors;
@@ -123,13 +126,16 @@ TEST(Buckets, keep_the_colours_of_corners_where_there_are_any_and_write_none_oth
         }
         const size_t index = colors[2][0] + size_t{256} * colors[2][1];
         ASSERT_LT(index, triangles.size());
-        EXPECT_EQ(triangle, triangles[index]);
+        LatticeTriangle expected = triangles[index];
+        if (kept == KeptCorners::colors) expected.coordinates = {};
+        EXPECT_EQ(triangle, expected);
       }
     }
     std::filesystem::remove(spool_path());
   }
   EXPECT_EQ(sizes[0], 40 * triangles.size());
   EXPECT_EQ(sizes[1], 52 * triangles.size());
+  EXPECT_EQ(sizes[2], 76 * triangles.size());
 }
 
 }  // namespace
