@@ -25,6 +25,7 @@ pkg_check_modules(DRACO REQUIRED IMPORTED_TARGET draco)
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET minizip)
 pkg_check_modules(JPEG REQUIRED IMPORTED_TARGET libjpeg)
+pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
 find_path(ASIO_INCLUDE_DIR asio.hpp REQUIRED)
 
 # OpenGL's functions: glad 2 generates the loader offline at build time. Debian's python has it; another

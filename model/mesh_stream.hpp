@@ -2,6 +2,7 @@
 // needed.
 #pragma once
 
+#include "scene/texture.hpp"
 #include "scene/vertex_color.hpp"
 #include "scene/vertex_normal.hpp"
 
@@ -20,8 +21,9 @@ namespace triptych {
 struct CornerTriangle {
   std::array<glm::dvec3, 3> corners;
   uint32_t material;
-  CornerColors colors = {};    ///< as Mesh::colors; of streams without colours all zero
-  CornerNormals normals = {};  ///< as Mesh::normals; of streams without normals all zero
+  CornerColors colors = {};            ///< as Mesh::colors; of streams without colours all zero
+  CornerNormals normals = {};          ///< as Mesh::normals; of streams without normals all zero
+  CornerCoordinates coordinates = {};  ///< as Mesh::coordinates
   bool operator==(const CornerTriangle&) const = default;
 };
 
@@ -41,6 +43,8 @@ class MeshStream {
   /// Whether vertices have colours.
   virtual bool has_colors() const { return false; }
   virtual bool has_normals() const { return false; }  ///< the same of shading normals
+  /// Whether any of them has a place on a texture.
+  virtual bool has_coordinates() const { return false; }
 
   /// Calls take with batches of some thousands of triangles in the file's order; the same triangles in the
   /// same order each time. Returns how many were dropped: their coordinates are not finite. Several threads

@@ -7,6 +7,8 @@ uint64_t Mesh::triangle_count() const { return stream ? stream->triangle_count()
 bool Mesh::has_colors() const { return stream ? stream->has_colors() : !colors.empty(); }
 bool Mesh::has_normals() const { return stream ? stream->has_normals() : !normals.empty(); }
 
+bool Mesh::has_coordinates() const { return stream ? stream->has_coordinates() : !coordinates.empty(); }
+
 std::string Model::name() const { return files.empty() ? "the model" : files.front().string(); }
 
 uint64_t Model::source_triangles() const {

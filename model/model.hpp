@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -18,9 +19,23 @@
 
 namespace triptych {
 
+/// An image that materials name.
+struct ModelImage {
+  std::string place;  ///< of errors: the file, and which of its images
+  std::function<std::vector<std::byte>()>
+      read;  ///< its bytes, as the file holds them; Error if they are gone
+};
+
+/// Linear factors are as the file gives them.
 struct Material {
   /// Linear factor as the file gives it, red, green, blue, alpha in 0..1.
   glm::vec4 base_color{0.8f, 0.8f, 0.8f, 1};
+  uint32_t texture = no_id;           ///< index into the model's images: multiplies the base colour
+  uint32_t emission_texture = no_id;  ///< multiplies the emission, at the same coordinates
+  TextureSampler sampler = {};
+  glm::vec3 emission{0};  ///< light of its own, a linear factor
+  float cutoff = 0;       ///< where the texture's alpha is less, there is a hole; 0: nowhere
+  bool blends = false;    ///< the texture's alpha lets through what lies behind
   bool operator==(const Material&) const = default;
 };
 
@@ -43,11 +58,14 @@ struct Mesh {
   std::vector<VertexColor> colors = {};
   /// The shading normal of each position, mesh space, where the file has any; empty otherwise.
   std::vector<VertexNormal> normals = {};
+  /// Of each position its place on the texture of the material, where any has one; empty otherwise.
+  std::vector<TextureCoordinates> coordinates = {};
 
   /// Of a stream: as MeshStream::triangle_count.
   uint64_t triangle_count() const;
-  bool has_colors() const;   ///< of vertices
-  bool has_normals() const;  ///< the same
+  bool has_colors() const;       ///< of vertices
+  bool has_normals() const;      ///< the same
+  bool has_coordinates() const;  ///< the same
 };
 
 /// One placement of a mesh in the model.
@@ -84,6 +102,7 @@ struct Group {
 struct Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;  ///< at least one
+  std::vector<ModelImage> images;
   std::vector<Instance> instances;  ///< those that belong to no group
   /// What repeats, stored once; empty for most models, which are lists of instances. See model/flatten.hpp.
   std::vector<Group> groups;

@@ -20,6 +20,9 @@ uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take) {
     if (!mesh.normals.empty()) {
       for (size_t i = 0; i < 3; ++i) triangles.back().normals[i] = mesh.normals[triangle.vertices[i]];
     }
+    if (!mesh.coordinates.empty()) {
+      for (size_t i = 0; i < 3; ++i) triangles.back().coordinates[i] = mesh.coordinates[triangle.vertices[i]];
+    }
     if (triangles.size() == batch) {
       take(triangles);
       triangles.clear();

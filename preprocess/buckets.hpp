@@ -41,7 +41,7 @@ class Buckets {
   /// Reads twice (a sample, then all) and writes all triangles to the spool file, which must outlive this.
   /// `total`: how many triangles there are; `limit`: how many go into a bucket, about; more only where they
   /// all have one centre. Deterministic. Memory: 12 MB for the sample, 30 KB for each bucket, 12 bytes for
-  /// each shared point. streams: what corners have; the rest is not kept.
+  /// each shared point. streams: what corners have; what follows the last of them is not kept.
   Buckets(const Read& read, uint64_t total, uint64_t limit, const CornerStreams& streams, SpoolFile& spool);
 
   size_t count() const { return places_.size(); }

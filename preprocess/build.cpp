@@ -163,6 +163,7 @@ struct Hierarchies {
     }
     skeleton.surrounding.lattices = std::move(parts.lattices);
     skeleton.surrounding.palette = std::move(parts.palette);
+    skeleton.surrounding.materials = std::move(parts.materials);
   }
 };
 
@@ -219,7 +220,14 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   Parts parts;
   Hierarchies hierarchies;
   std::vector<PartLevels> levels;
-  stage("measure", [&] { plan = make_plan(model, options); });
+  SpoolFile texels(work.file("textures"));
+  stage("measure", [&] {
+    Textures textures = make_textures(model, texels);
+    plan = make_plan(model, options, textures);
+    skeleton.textures = std::move(textures.textures);
+    skeleton.import.warnings.insert(skeleton.import.warnings.end(), textures.warnings.begin(),
+                                    textures.warnings.end());
+  });
   if (plan.has_vertex_colors()) skeleton.effects.push_back(effect_name_in_pack(Effect::vertex_colors));
   skeleton.import.dropped_triangles += plan.dropped_triangles;
   const auto transparent =
@@ -227,6 +235,10 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
         return is_transparent(plan.palette[color]);
       }));
   if (transparent > 0) skeleton.effects.push_back(effect_name_in_pack(Effect::transparency));
+  if (std::ranges::any_of(plan.materials, &SurfaceMaterial::is_textured))
+    skeleton.effects.push_back(effect_name_in_pack(Effect::textures));
+  if (std::ranges::any_of(plan.materials, &SurfaceMaterial::is_emissive))
+    skeleton.effects.push_back(effect_name_in_pack(Effect::emission));
   auto& warnings = skeleton.import.warnings;
   const auto unseen = std::count_if(plan.colors.begin(), plan.colors.end(),
                                     [&](uint32_t color) { return plan.palette[color][3] == 0; });
@@ -282,7 +294,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
                                       std::pair{"transparent-materials", transparent}}) {
       if (!said.empty() && count > 0) said[word] = std::to_string(count);
     }
-    work.pack().finish(std::move(stored), objects, said);
+    work.pack().finish(std::move(stored), objects, said, &texels);
   });
   report.pack_bytes = std::filesystem::file_size(file);
   return report;

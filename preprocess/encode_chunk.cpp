@@ -29,21 +29,29 @@ std::vector<uint32_t> runs_of(const std::vector<bool>& outward) {
 struct SortedTriangles {
   std::vector<uint32_t> indices;
   std::vector<uint32_t> run_ends;  ///< of those that keep their places
-  bool has_transparent = false;
+  bool is_seen_through = false;
 };
 
-/// The chunk's triangles, in each run the opaque ones before the transparent ones.
+/// The chunk's triangles, in each run the opaque ones before those that are cut out, and these before the
+/// transparent ones.
 SortedTriangles sort_triangles(const Chunk& chunk, std::span<const uint32_t> runs, Palette palette) {
   SortedTriangles sorted{{}, {runs.begin(), runs.end()}, false};
-  if (palette.empty() || transparent_runs(chunk, palette).empty()) {
+  const bool has_holes = !palette.empty() && !cut_out_runs(chunk, palette).empty();
+  if (!has_holes && (palette.empty() || transparent_runs(chunk, palette).empty())) {
     sorted.indices = chunk.indices;
     return sorted;
   }
-  sorted.has_transparent = true;
+  sorted.is_seen_through = true;
   sorted.run_ends.clear();
-  const auto add = [&](size_t first, size_t end, bool transparent) {
+  enum class Kind : uint8_t { solid, cut_out, transparent };
+  const auto kind_of = [&](size_t triangle) {
+    const uint32_t color = palette_index(chunk, triangle);
+    if (is_transparent(palette[color])) return Kind::transparent;
+    return is_cut_out(palette, color) ? Kind::cut_out : Kind::solid;
+  };
+  const auto add = [&](size_t first, size_t end, Kind kind) {
     for (size_t i = first; i < end; ++i) {
-      if (is_transparent(chunk, i, palette) != transparent) continue;
+      if (kind_of(i) != kind) continue;
       sorted.indices.insert(sorted.indices.end(), chunk.indices.data() + 3 * i,
                             chunk.indices.data() + 3 * (i + 1));
     }
@@ -51,8 +59,9 @@ SortedTriangles sort_triangles(const Chunk& chunk, std::span<const uint32_t> run
   };
   size_t first = 0;
   const auto add_run = [&](size_t end) {
-    add(first, end, false);
-    add(first, end, true);
+    add(first, end, Kind::solid);
+    if (has_holes) add(first, end, Kind::cut_out);
+    add(first, end, Kind::transparent);
     first = end;
   };
   for (const uint32_t end : runs) add_run(end);
@@ -95,18 +104,19 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t
   meshopt_remapIndexBuffer(indices.data(), indices.data(), indices.size(), places.data());
   const std::vector<ChunkVertex> vertices = moved(chunk.vertices, places, vertex_count);
   const std::vector<VertexColor> colors = moved(chunk.colors, places, vertex_count);
+  const std::vector<TextureCoordinates> coordinates = moved(chunk.coordinates, places, vertex_count);
   const std::vector<VertexNormal> normals = moved(chunk.normals, places, vertex_count);
   std::vector<uint8_t> index_bytes(meshopt_encodeIndexBufferBound(indices.size(), vertices.size()));
   index_bytes.resize(
       meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
   std::vector<glm::ivec3> points;
   for (const ChunkVertex& vertex : vertices) points.push_back(vertex.point);
-  std::vector<bool> transparent;
-  if (sorted.has_transparent) {
+  std::vector<bool> seen_through;
+  if (sorted.is_seen_through) {
     for (size_t i = 2; i < indices.size(); i += 3)
-      transparent.push_back(is_transparent(palette[vertices[indices[i]].color]));
+      seen_through.push_back(is_seen_through(palette, vertices[indices[i]].color));
   }
-  const std::vector<uint32_t> runs = runs_of(outward_triangles(points, indices, transparent));
+  const std::vector<uint32_t> runs = runs_of(outward_triangles(points, indices, seen_through));
   ByteWriter writer;
   writer.write(static_cast<uint32_t>(vertices.size()));
   writer.write(static_cast<uint32_t>(indices.size() / 3));
@@ -116,6 +126,10 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t
   if (!colors.empty()) {
     writer.write(chunk_colors_stream);
     write_packed(colors, writer);
+  }
+  if (!coordinates.empty()) {
+    writer.write(chunk_coordinates_stream);
+    write_packed(coordinates, writer);
   }
   if (!normals.empty()) {
     writer.write(chunk.normals_from == ChunkNormals::of_files ? chunk_file_normals_stream

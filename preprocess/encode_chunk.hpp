@@ -15,8 +15,8 @@ namespace triptych {
 /// in range.
 ///
 /// runs: where runs of triangles end, ascending, that stay where they are; triangles change their places
-/// within each, and behind the last. palette: in each of them transparent triangles follow the opaque ones;
-/// empty if none is.
+/// within each, and behind the last. palette: in each of them triangles that are cut out follow the solid
+/// ones, and transparent ones those; empty if backs are seen through none.
 std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t> runs = {},
                                     Palette palette = {});
 

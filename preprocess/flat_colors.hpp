@@ -1,8 +1,10 @@
 // Vertex colours that are those of whole triangles, as programs write them that have colours of faces: such
-// meshes are drawn and simplified as if each colour were a material's.
+// meshes are drawn and simplified as if each colour were a material's. Where a material has a texture or
+// light of its own, vertices keep their colours.
 #pragma once
 
 #include "preprocess/vertex_tint.hpp"
+#include "scene/surface_material.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,9 +39,10 @@ using FlatColors = std::map<DisplayColor, uint32_t>;
 
 /// Where the colours of a mesh's triangles come from.
 struct MeshColors {
-  std::span<const uint32_t> materials;  ///< palette indices
-  const VertexTint* tint = nullptr;     ///< if vertices have colours
-  const FlatColors* flat = nullptr;     ///< if these are flat
+  std::span<const uint32_t> materials;             ///< palette indices
+  const VertexTint* tint = nullptr;                ///< if vertices have colours
+  const FlatColors* flat = nullptr;                ///< if these are flat
+  std::span<const SurfaceMaterial> surfaces = {};  ///< of the palette (Skeleton::materials)
 
   /// Whether corners keep colours of their own.
   bool of_corners() const { return tint != nullptr && flat == nullptr; }

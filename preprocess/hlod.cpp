@@ -24,26 +24,17 @@ uint32_t Baker::place(const glm::ivec3& point, const LeafSpan& span) {
   return found->second;
 }
 
-/// The material's for all corners.
-CornerColors Baker::colors_of(const Triangle& triangle) const {
-  VertexColor color = palette_[palette_index(triangle.material)];
-  color[3] = 255;
-  return {color, color, color};
-}
-
 /// Of triangles that are equal the first one stays, and says which object it is.
-void Baker::add_triangle(const Triangle& triangle, const CornerColors* colors, const CornerNormals& normals,
+void Baker::add_triangle(const Triangle& triangle, const SurfaceCorners* colors, const CornerNormals& normals,
                          std::span<const SourceObjectId> objects, size_t index) {
   std::array<uint32_t, 3> turned = triangle.vertices;
   std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
   if (!triangles_.insert(turned).second) return;
   Surface& surface = baked_.surface;
-  if (colors && surface.colors.empty()) {
-    for (const Triangle& before : surface.triangles) surface.colors.push_back(colors_of(before));
-  }
+  if (colors) surface.colors.resize(surface.triangles.size());  // those before have none
   const bool colored = colors || !surface.colors.empty();
   surface.triangles.push_back(triangle);
-  if (colored) surface.colors.push_back(colors ? *colors : colors_of(triangle));
+  if (colored) surface.colors.push_back(colors ? *colors : SurfaceCorners());
   if (has_normal(normals[0]) && surface.normals.empty()) surface.normals.resize(surface.triangles.size() - 1);
   if (has_normal(normals[0]) || !surface.normals.empty()) surface.normals.push_back(normals);
   if (!objects.empty()) baked_.objects.push_back(objects[index]);
@@ -74,7 +65,7 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
   const bool mirrors = rules_.mirrors_flip_winding && glm::determinant(glm::dmat3(transform)) < 0;
   for (size_t t = 0; t < surface.triangles.size(); ++t) {
     Triangle triangle = surface.triangles[t];
-    CornerColors colors = surface.colors.empty() ? CornerColors{} : surface.colors[t];
+    SurfaceCorners colors = surface.colors.empty() ? SurfaceCorners() : surface.colors[t];
     CornerNormals normals{};
     if (!surface.normals.empty()) normals = placed_normals(surface.normals[t], of_normals);
     if (mirrors) {
@@ -93,7 +84,22 @@ void Baker::add(const Surface& surface, const Lattice& from, const Affine& trans
   }
 }
 
+/// Beside vertices that have colours of their own the others get their material's.
+void Baker::fill_colors() {
+  Surface& surface = baked_.surface;
+  const auto has_own = [](const SurfaceCorners& corners) { return is_colored(corners[0].color); };
+  if (std::ranges::none_of(surface.colors, has_own)) return;
+  for (size_t i = 0; i < surface.colors.size(); ++i) {
+    VertexColor color = palette_[palette_index(surface.triangles[i].material)];
+    color[3] = 255;
+    for (SurfaceCorner& corner : surface.colors[i]) {
+      if (!is_colored(corner.color)) corner.color = color;
+    }
+  }
+}
+
 Baked Baker::finish(double error) {
+  fill_colors();
   baked_.error = error + moved_ * lattice_.step;
   baked_.surface.drop_empty_normals();
   return std::move(baked_);

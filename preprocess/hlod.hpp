@@ -56,9 +56,9 @@ class Baker {
 
  private:
   uint32_t place(const glm::ivec3& point, const LeafSpan& span);
-  void add_triangle(const Triangle& triangle, const CornerColors* colors, const CornerNormals& normals,
+  void add_triangle(const Triangle& triangle, const SurfaceCorners* colors, const CornerNormals& normals,
                     std::span<const SourceObjectId> objects, size_t index);
-  CornerColors colors_of(const Triangle& triangle) const;
+  void fill_colors();
 
   const Lattice& lattice_;
   std::span<const VertexColor> palette_;

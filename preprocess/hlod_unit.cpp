@@ -30,11 +30,11 @@ void write_key(ContentKeyWriter& key, std::span<const HlodSource> sources, doubl
       key.write(source.transform);
     }
     colored = colored || !source.surface.colors.empty();
-    transparent = transparent || has_transparent(source.surface, where.palette);
+    transparent = transparent || is_seen_through(source.surface, where.palette);
     placed = placed || source.lattice;
   }
-  if (colored) key.write_all(where.palette);
-  if (transparent) key.write_all(std::span<const uint32_t>(transparent_colors(where.palette)));
+  if (colored) key.write_all(where.palette.colors);
+  if (transparent) key.write_all(std::span<const uint32_t>(seen_through_colors(where.palette)));
   if (placed) key.write(where.lattice.origin);
   key.write(where.lattice.step);
   key.write(error);
@@ -59,7 +59,7 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   constexpr double small = 1.0 / 64;
   const double early = std::max(children.error, small * diagonal(lattice.box(children.surface.box())));
   if (where.options.holds_contacts() && where.options.keeps_order() &&
-      !has_transparent(children.surface, where.palette))
+      !is_seen_through(children.surface, where.palette))
     mark_inner_faces(children.surface, early / lattice.step);
   children.error = std::max(children.error, lattice.step * leave_out_covered(children, early / lattice.step));
   const TriangleObjects objects(children);
@@ -90,7 +90,7 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
 }  // namespace
 
 Baked bake(std::span<const HlodSource> sources, double error, const HlodPlace& where) {
-  Baker baker(where.lattice, where.palette, where.options.rules);
+  Baker baker(where.lattice, where.palette.colors, where.options.rules);
   for (const HlodSource& source : sources) {
     if (source.lattice) {
       baker.add(source.surface, *source.lattice, source.transform, source.spans, source.objects);

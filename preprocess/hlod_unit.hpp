@@ -38,9 +38,9 @@ inline constexpr auto record_members<HlodFigures> = std::tuple(&HlodFigures::err
 struct HlodPlace {
   const BuildOptions& options;
   const Lattice& lattice;
-  std::span<const VertexColor> palette;  ///< Parts::palette
-  uint32_t lattice_number = 0;           ///< index into Parts::lattices
-  bool has_objects = false;              ///< Parts::has_objects
+  Palette palette;              ///< Parts::palette_view()
+  uint32_t lattice_number = 0;  ///< index into Parts::lattices
+  bool has_objects = false;     ///< Parts::has_objects
 };
 
 /// The sources as one surface. error: the largest bound of one.

@@ -143,7 +143,7 @@ void write_levels_key(ContentKeyWriter& key, std::span<const std::byte> part, co
   key.write(info.covered_step);
   key.write(info.variant_of == no_id);
   key.write(info.transparent);
-  if (info.transparent) key.write_all(std::span<const uint32_t>(transparent_colors(palette)));
+  if (info.transparent) key.write_all(std::span<const uint32_t>(seen_through_colors(palette)));
   for (const PartRun& run : info.runs) key.write(run.triangles);
   write_record(key, info.contacts);
   write_record(key, info.layers);
@@ -240,10 +240,11 @@ std::vector<PartLevels> make_part_levels(const Parts& parts, const BuildOptions&
     const Lattice& lattice = parts.lattices[info.lattice];
     const std::vector<std::byte> bytes = work.parts().read(info.place);
     ContentKeyWriter key;
-    if (options.cache) write_levels_key(key, bytes, info, lattice, parts.palette, options, kept_triangles);
+    if (options.cache)
+      write_levels_key(key, bytes, info, lattice, parts.palette_view(), options, kept_triangles);
     return record_bytes(cached_unit(options.cache, "levels of parts", key, info.lattice, [&] {
-      return make_levels(record_of<Part>(bytes, work.parts().path().string()), info, lattice, parts.palette,
-                         options, kept_triangles);
+      return make_levels(record_of<Part>(bytes, work.parts().path().string()), info, lattice,
+                         parts.palette_view(), options, kept_triangles);
     }));
   };
   std::vector<uint32_t> all(parts.parts.size());

@@ -207,7 +207,7 @@ class NodeDrawables {
   }
 
   HlodPlace hlod_place() const {
-    return {options_, lattice_, parts_.palette, placed_.lattice, parts_.has_objects};
+    return {options_, lattice_, parts_.palette_view(), placed_.lattice, parts_.has_objects};
   }
 
   double error_of_children(uint32_t node) const {

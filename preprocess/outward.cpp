@@ -97,7 +97,7 @@ bool is_outward(std::span<const ExactTriangle> triangles) {
 }  // namespace
 
 std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::span<const uint32_t> indices,
-                                    const std::vector<bool>& transparent) {
+                                    const std::vector<bool>& seen_through) {
   const std::vector<uint32_t> places = first_at_place(points);
   std::vector<Corners> triangles;
   std::vector<uint32_t> numbers;  // of those that have three corners
@@ -109,7 +109,7 @@ std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::spa
   }
   std::vector<bool> outward(indices.size() / 3);
   std::vector<ExactTriangle> group;
-  const auto shows_inside = [&](uint32_t i) { return !transparent.empty() && transparent[numbers[i]]; };
+  const auto shows_inside = [&](uint32_t i) { return !seen_through.empty() && seen_through[numbers[i]]; };
   ClosedGroups(points, triangles).visit([&](std::span<const uint32_t> members) {
     if (std::ranges::any_of(members, shows_inside)) return;
     group.clear();

@@ -13,9 +13,9 @@ namespace triptych {
 /// with one place are one. Solids that touch, in corners, edges or faces, are each for itself; of a
 /// hollow one it is the outer surface. The proof is exact, but does not find every such surface: it is given
 /// up where too many boxes of triangles overlap. points: within ±2^29. indices: three a triangle.
-/// transparent: of each triangle, or empty: through such a one the backs of the others are seen, so that its
+/// seen_through: of each triangle, or empty: through such a one the backs of the others are seen, so that its
 /// surface is not outward.
 std::vector<bool> outward_triangles(std::span<const glm::ivec3> points, std::span<const uint32_t> indices,
-                                    const std::vector<bool>& transparent = {});
+                                    const std::vector<bool>& seen_through = {});
 
 }  // namespace triptych

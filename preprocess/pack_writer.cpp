@@ -88,7 +88,7 @@ void PackWriter::adopt(std::span<const ChunkInfo> chunks, std::span<const uint8_
 }
 
 void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> objects,
-                        const PackOptions& options) {
+                        const PackOptions& options, const SpoolFile* texels) {
   skeleton.surrounding.chunks = std::move(chunks_);
   auto& effects = skeleton.surrounding.effects;
   if (normals_.of_files) effects.push_back(effect_name_in_pack(Effect::smooth_normals));
@@ -96,10 +96,12 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
   const ClosedSurfaces& closed = skeleton.surrounding.closed;
   const bool colored =
       std::count(effects.begin(), effects.end(), effect_name_in_pack(Effect::vertex_colors)) > 0;
-  const uint32_t version = normals_.of_files || normals_.of_levels ? shaded_geometry_version
-                           : has_layers(effects)                   ? layered_geometry_version
-                           : colored                               ? colored_geometry_version
-                                                                   : geometry_version;
+  const std::vector<std::byte> materials = encode_materials(skeleton.surrounding);
+  const uint32_t version = !materials.empty()                        ? textured_geometry_version
+                           : normals_.of_files || normals_.of_levels ? shaded_geometry_version
+                           : has_layers(effects)                     ? layered_geometry_version
+                           : colored                                 ? colored_geometry_version
+                                                                     : geometry_version;
   std::vector<PackSection> table = {{.type = geometry_type,
                                      .version = version,
                                      .offset = sizeof(PackHeader),
@@ -139,6 +141,15 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
   if (!closed.empty()) {
     add_section(closed_surfaces_type, [&](const auto& write) { write(encode_closed_surfaces(closed)); });
     table.back().version = closed_surfaces_version;
+  }
+  if (!materials.empty()) {
+    add_section(materials_type, [&](const auto& write) { write(materials); });
+    table.back().version = materials_version;
+  }
+  if (!skeleton.surrounding.textures.empty()) {
+    add_section(texels_type, [&](const auto& write) { texels->read_all(write); });
+    table.back().version = texels_version;
+    table.back().checksum = texels_checksum(skeleton.surrounding.textures);
   }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,

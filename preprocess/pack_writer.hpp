@@ -77,9 +77,9 @@ class PackWriter {
   /// effects) and puts the file in place. Without
   /// instances the pack has the format version without sub-hierarchies. `objects`: the section OBJS
   /// (preprocess/encode_objects.hpp); `options`: what the section OPTS says. The pack has neither if they are
-  /// empty.
+  /// empty. `texels`: of the skeleton's textures, if it has any.
   void finish(StoredSkeleton skeleton, std::span<const std::byte> objects = {},
-              const PackOptions& options = {});
+              const PackOptions& options = {}, const SpoolFile* texels = nullptr);
   void finish(Skeleton skeleton) { finish(StoredSkeleton{std::move(skeleton), {}, {}}); }
 
  private:

@@ -201,9 +201,9 @@ class PartMaker {
                             .bodies = division.bodies,
                             .rest = {},
                             .parts = {}};
-    // Of a bucket nobody knows, and through what is transparent backs are seen.
+    // Of a bucket nobody knows, and through what is transparent or cut out backs are seen.
     const bool has_outside =
-        shared.empty() && options_.keeps_order() && !has_transparent(welded.surface, plan_.palette);
+        shared.empty() && options_.keeps_order() && !is_seen_through(welded.surface, plan_.palette_view());
     const Outside outside = has_outside ? outside_of(welded.surface) : Outside::none;
     UnitResult result;
     for (const Part& part : division.parts) {
@@ -211,7 +211,7 @@ class PartMaker {
           figures.parts.emplace_back(PartFigures{static_cast<uint32_t>(part.surface.triangles.size()),
                                                  static_cast<uint32_t>(part.borders.size()),
                                                  color_of(part.surface),
-                                                 has_transparent(part.surface, plan_.palette),
+                                                 is_seen_through(part.surface, plan_.palette_view()),
                                                  outside,
                                                  {},
                                                  division.runs[figures.parts.size()],
@@ -389,6 +389,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   parts.parts = std::move(maker.infos);
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);
+  parts.materials = std::move(plan.materials);
   parts.bodies = maker.bodies;
   parts.has_objects = !plan.objects.empty();
   return parts;

@@ -43,7 +43,7 @@ struct PartInfo {
   std::vector<uint32_t> contacts = {};
   /// The palette index of all of its triangles; no_id where they have several, or colours of vertices.
   uint32_t color = no_id;
-  /// Whether any of its triangles is.
+  /// Whether backs are seen through any of its triangles.
   bool transparent = false;
   /// Triangles in whose planes others lie, ascending.
   std::vector<LayeredTriangle> layers = {};
@@ -100,8 +100,11 @@ struct Parts {
   std::vector<PlacedParts> hierarchies;
   std::vector<Lattice> lattices;  ///< 0: the model's
   std::vector<std::array<uint8_t, 4>> palette;
-  uint32_t bodies = 0;       ///< closed surfaces that are divided among parts
-  bool has_objects = false;  ///< whether the model has source objects
+  std::vector<SurfaceMaterial> materials;  ///< Skeleton::materials
+  uint32_t bodies = 0;                     ///< closed surfaces that are divided among parts
+  bool has_objects = false;                ///< whether the model has source objects
+
+  Palette palette_view() const { return {palette, materials}; }
 };
 
 /// Divides all meshes: a mesh, or a bucket of one, is a unit. What is dropped is added to the report. Error

@@ -4,6 +4,7 @@
 #include "base/hashing.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
+#include "model/import/display_color.hpp"
 #include "model/read_mesh.hpp"
 #include "preprocess/federation.hpp"
 #include "preprocess/placements.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <fmt/ranges.h>
 #include <glm/glm.hpp>
 #include <map>
@@ -31,12 +33,61 @@ bool finite(const Box& box) {
   return std::max({furthest.x, furthest.y, furthest.z}) < max_coordinate;
 }
 
+/// A colour of the palette, and what else it has.
+struct PaletteEntry {
+  DisplayColor color;
+  SurfaceMaterial material = {};
+
+  bool is_plain() const { return material == SurfaceMaterial(); }
+  std::array<uint8_t, sizeof(color) + sizeof(material)> bytes() const {
+    std::array<uint8_t, sizeof(color) + sizeof(material)> all;
+    std::memcpy(all.data(), color.data(), sizeof(color));
+    std::memcpy(all.data() + sizeof(color), &material, sizeof(material));
+    return all;
+  }
+  bool operator<(const PaletteEntry& other) const { return bytes() < other.bytes(); }
+};
+
+PaletteEntry palette_entry(const Material& material, const Textures& textures) {
+  PaletteEntry entry{display_color(material)};
+  const auto texture_of = [&](uint32_t image) {
+    return image < textures.of_images.size() ? textures.of_images[image] : ImageTexture();
+  };
+  SurfaceMaterial& own = entry.material;
+  own.emission = {display_byte(material.emission.r), display_byte(material.emission.g),
+                  display_byte(material.emission.b)};
+  const ImageTexture base = texture_of(material.texture);
+  own.texture = base.texture;
+  own.emission_texture = texture_of(material.emission_texture).texture;
+  if (!own.is_textured()) return entry;
+  own.sampler = material.sampler;
+  if (base.texture == no_id) return entry;
+  const auto cutoff = static_cast<uint8_t>(std::clamp(std::ceil(material.cutoff * 255), 0.0f, 255.0f));
+  if (base.least_alpha < cutoff) own.cutoff = cutoff;
+  if (!material.blends) return entry;
+  // Below 1 colours are transparent (scene/transparency.hpp): the texture says where they are not.
+  constexpr uint8_t nearly_opaque = 254;
+  own.alpha = entry.color[3];
+  if (base.least_alpha < 255) entry.color[3] = std::min(entry.color[3], nearly_opaque);
+  return entry;
+}
+
+/// Of each material of the model.
+std::vector<PaletteEntry> palette_entries(const Model& model, const Textures& textures) {
+  std::vector<PaletteEntry> entries;
+  for (const Material& material : model.materials) entries.push_back(palette_entry(material, textures));
+  return entries;
+}
+
 /// The box of the positions that triangles use, transformed, and which colours are those of whole triangles.
-void measure(const Mesh& mesh, PlannedMesh& planned, std::optional<FlatColorSearch>& flat) {
+/// A flat colour has neither a texture nor light of its own: none is where materials, of these entries, do.
+void measure(const Mesh& mesh, std::span<const PaletteEntry> materials, PlannedMesh& planned,
+             std::optional<FlatColorSearch>& flat) {
   read_mesh(mesh, [&](std::span<const CornerTriangle> batch) {
     for (const CornerTriangle& triangle : batch) {
       for (const glm::dvec3& corner : triangle.corners)
         planned.box.extend(planned.transform * glm::dvec4(corner, 1));
+      if (flat && !materials[triangle.material].is_plain()) flat.reset();
       if (flat) flat->add(triangle.colors, triangle.material);
     }
   });
@@ -45,32 +96,40 @@ void measure(const Mesh& mesh, PlannedMesh& planned, std::optional<FlatColorSear
 /// Colours in the order of the materials, and then the flat ones. Of a model of several files, whose later
 /// ones would be renumbered with each new colour of an earlier one, each has the place that its hash says, or
 /// the next that is free, in a table with room to spare, which is as large for all models but those of very
-/// many colours.
-void make_palette(const Model& model, BuildPlan& plan) {
-  std::map<DisplayColor, uint32_t> indices;
-  for (const Material& material : model.materials) indices[display_color(material)] = no_id;
-  for (const auto& [color, index] : plan.flat_colors) indices[color] = no_id;
+/// many colours. of_materials: their entries.
+void make_palette(const Model& model, std::span<const PaletteEntry> of_materials, BuildPlan& plan) {
+  std::map<PaletteEntry, uint32_t> indices;
+  for (const PaletteEntry& entry : of_materials) indices[entry] = no_id;
+  for (const auto& [color, index] : plan.flat_colors) indices[PaletteEntry{color}] = no_id;
   if (indices.size() > max_colors) fail("build", "the model has more than {} colours", max_colors);
+  const bool plain = std::ranges::all_of(of_materials, &PaletteEntry::is_plain);
   constexpr size_t room = 8, usual_places = 4096;
   const size_t places = std::max(std::bit_ceil(room * indices.size()), usual_places);
   const bool by_hash = file_objects(model.source_objects).size() > 1 && places <= max_colors;
+  const auto hash_of = [](const PaletteEntry& entry) {
+    return entry.is_plain() ? hash_values(std::span<const uint8_t>(entry.color))
+                            : hash_values(std::span<const uint8_t>(entry.bytes()));
+  };
   if (by_hash) plan.palette.resize(places);
+  if (by_hash && !plain) plan.materials.resize(places);
   std::vector<uint8_t> taken(plan.palette.size(), 0);
-  const auto index_of = [&](const DisplayColor& color) {
-    uint32_t& index = indices[color];
+  const auto index_of = [&](const PaletteEntry& entry) {
+    uint32_t& index = indices[entry];
     if (index == no_id && by_hash) {
-      index = static_cast<uint32_t>(hash_values(std::span<const uint8_t>(color)) % places);
+      index = static_cast<uint32_t>(hash_of(entry) % places);
       while (taken[index]) index = static_cast<uint32_t>((index + 1) % places);
       taken[index] = 1;
-      plan.palette[index] = color;
+      plan.palette[index] = entry.color;
+      if (!plain) plan.materials[index] = entry.material;
     } else if (index == no_id) {
       index = static_cast<uint32_t>(plan.palette.size());
-      plan.palette.push_back(color);
+      plan.palette.push_back(entry.color);
+      if (!plain) plan.materials.push_back(entry.material);
     }
     return index;
   };
-  for (const Material& material : model.materials) plan.colors.push_back(index_of(display_color(material)));
-  for (auto& [color, index] : plan.flat_colors) index = index_of(color);
+  for (const PaletteEntry& entry : of_materials) plan.colors.push_back(index_of(entry));
+  for (auto& [color, index] : plan.flat_colors) index = index_of(PaletteEntry{color});
 }
 
 bool is_shareable(const Affine& transform, const BuildOptions& options) {
@@ -157,7 +216,7 @@ class Planner {
 };
 
 /// Reads all that is placed: their boxes, and their flat colours.
-void measure_meshes(const Model& model, BuildPlan& plan) {
+void measure_meshes(const Model& model, std::span<const PaletteEntry> of_materials, BuildPlan& plan) {
   std::vector<std::optional<FlatColorSearch>> searches(plan.meshes.size());
   Progress progress("measuring meshes", plan.meshes.size());
   parallel_for(plan.meshes.size(), [&](size_t i) {
@@ -165,7 +224,7 @@ void measure_meshes(const Model& model, BuildPlan& plan) {
     const Mesh& source = model.meshes[mesh.mesh];
     mesh.has_colors = source.has_colors();
     if (mesh.has_colors) searches[i].emplace(plan.tint);
-    measure(source, mesh, searches[i]);
+    measure(source, of_materials, mesh, searches[i]);
     mesh.flat_colors = searches[i] && searches[i]->colors();
     progress.advance();
   });
@@ -218,19 +277,20 @@ void make_lattices(BuildPlan& plan) {
 }  // namespace
 
 MeshColors BuildPlan::colors_of(const PlannedMesh& mesh) const {
-  return {colors, mesh.has_colors ? &tint : nullptr, mesh.flat_colors ? &flat_colors : nullptr};
+  return {colors, mesh.has_colors ? &tint : nullptr, mesh.flat_colors ? &flat_colors : nullptr, materials};
 }
 
 bool BuildPlan::has_vertex_colors() const {
   return std::ranges::any_of(meshes, [&](const PlannedMesh& mesh) { return colors_of(mesh).of_corners(); });
 }
 
-BuildPlan make_plan(const Model& model, const BuildOptions& options) {
+BuildPlan make_plan(const Model& model, const BuildOptions& options, const Textures& textures) {
   BuildPlan plan;
   plan.tint = VertexTint(model.materials);
   Planner(model, options, plan).run();
-  measure_meshes(model, plan);
-  make_palette(model, plan);
+  const std::vector<PaletteEntry> of_materials = palette_entries(model, textures);
+  measure_meshes(model, of_materials, plan);
+  make_palette(model, of_materials, plan);
   for (const Mesh& mesh : model.meshes) {
     if (!mesh.stream) continue;
     const std::vector<std::string> warnings = mesh.stream->warnings();

@@ -5,6 +5,7 @@
 #include "model/model.hpp"
 #include "preprocess/build.hpp"
 #include "preprocess/flat_colors.hpp"
+#include "preprocess/textures/make_textures.hpp"
 #include "scene/lattice.hpp"
 
 #include <array>
@@ -62,13 +63,15 @@ struct BuildPlan {
   std::vector<PlannedHierarchy> hierarchies;  ///< sub-hierarchies, and last the model's own
   std::vector<Lattice> lattices;              ///< 0: the model's
   std::vector<DisplayColor> palette;
-  std::vector<uint32_t> colors;  ///< for each material its palette index
+  std::vector<SurfaceMaterial> materials;  ///< Skeleton::materials
+  std::vector<uint32_t> colors;            ///< for each material its palette index
   VertexTint tint;
   FlatColors flat_colors;
   uint64_t dropped_triangles = 0;     ///< of meshes that have no valid triangle
   std::vector<std::string> warnings;  ///< what streams found when they were read
   uint64_t left_out = 0;              ///< placements whose transform is not usable
 
+  Palette palette_view() const { return {palette, materials}; }
   const Box& box() const { return hierarchies.back().box; }  ///< of the model
   /// Valid as long as the plan.
   MeshColors colors_of(const PlannedMesh& mesh) const;
@@ -77,6 +80,7 @@ struct BuildPlan {
 };
 
 /// Reads every mesh that is placed once, for its box. Error for a model of which nothing can be placed.
-BuildPlan make_plan(const Model& model, const BuildOptions& options);
+/// textures: of the model's images; without them materials have none.
+BuildPlan make_plan(const Model& model, const BuildOptions& options, const Textures& textures = {});
 
 }  // namespace triptych

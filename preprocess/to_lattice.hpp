@@ -17,17 +17,18 @@ namespace triptych {
 struct LatticeTriangle {
   std::array<glm::ivec3, 3> corners;
   uint32_t color;
-  CornerColors corner_colors = {};    ///< as they are drawn; unused where the mesh has none
-  CornerNormals corner_normals = {};  ///< on the lattice; all of the corners' or none
+  CornerColors corner_colors = {};     ///< as they are drawn; unused where the mesh has none
+  CornerNormals corner_normals = {};   ///< on the lattice; all of the corners' or none
+  CornerCoordinates coordinates = {};  ///< none where the colour has no texture
   bool operator==(const LatticeTriangle&) const = default;
 };
 
 /// What corners have, which need not be kept where they have none.
 struct CornerStreams {
-  bool colors = false, normals = false;
+  bool colors = false, normals = false, coordinates = false;
 };
 inline CornerStreams corner_streams(const Mesh& mesh, const MeshColors& colors) {
-  return {colors.of_corners(), mesh.has_normals()};
+  return {colors.of_corners(), mesh.has_normals(), mesh.has_coordinates() && !colors.surfaces.empty()};
 }
 
 /// What takes normals along under a transform: its cofactors, so that they keep looking to the same side of

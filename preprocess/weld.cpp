@@ -29,7 +29,8 @@ class Welder {
       corners[i] = found->second;
     }
     surface.triangles.push_back({corners, triangle.color});
-    if (streams_.colors) surface.colors.push_back(triangle.corner_colors);
+    if (streams_.colors || streams_.coordinates)
+      surface.colors.push_back({triangle.corner_colors, triangle.coordinates});
     if (streams_.normals) surface.normals.push_back(triangle.corner_normals);
   }
   bool has(const glm::ivec3& point) const { return places_.contains(point); }
@@ -102,12 +103,13 @@ Welded weld(std::span<const LatticeTriangle> triangles, const CornerStreams& str
   }
   const std::vector<uint8_t> repeated = repeated_triangles(welder.surface);
   std::vector<Triangle>& kept = welder.surface.triangles;
-  std::vector<CornerColors>& kept_colors = welder.surface.colors;
+  std::vector<SurfaceCorners>& kept_colors = welder.surface.colors;
   std::vector<CornerNormals>& kept_normals = welder.surface.normals;
+  const bool colored = streams.colors || streams.coordinates;
   size_t next = 0;
   for (size_t i = 0; i < kept.size(); ++i) {
     if (!repeated[i]) {
-      if (streams.colors) kept_colors[next] = kept_colors[i];
+      if (colored) kept_colors[next] = kept_colors[i];
       if (streams.normals) kept_normals[next] = kept_normals[i];
       kept[next++] = kept[i];
     } else if (i < with_area_before) {
@@ -115,7 +117,7 @@ Welded weld(std::span<const LatticeTriangle> triangles, const CornerStreams& str
     }
   }
   kept.resize(next);
-  if (streams.colors) kept_colors.resize(next);
+  if (colored) kept_colors.resize(next);
   if (streams.normals) kept_normals.resize(next);
   welder.surface.file_normals = streams.normals;
   welded.surface = std::move(welder.surface);

@@ -22,7 +22,8 @@ struct Welded {
 /// if its corners belong to other triangles, and otherwise enlarged: two of its corners are moved by at most
 /// a step (with_area()). So no triangle is further than that from what is left of it. Deterministic. Welded
 /// vertices are not counted here: corners are not the file's vertices. Where two colours meet at one point it
-/// stays one point, and the corners keep their colours and normals, if they have such streams.
+/// stays one point, and the corners keep their colours, normals and places on textures, if they have such
+/// streams.
 Welded weld(std::span<const LatticeTriangle> triangles, const CornerStreams& streams);
 
 /// A whole mesh, transformed and rounded to the lattice.

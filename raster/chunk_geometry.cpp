@@ -22,7 +22,9 @@ RasterChunk::RasterChunk(const Chunk& chunk, Palette palette)
     : vertex_color(chunk.colors),
       vertex_normal(chunk.normals),
       normals_from(chunk.normals_from),
-      transparent(transparent_runs(chunk, palette)) {
+      coordinates(chunk.coordinates),
+      transparent(transparent_runs(chunk, palette)),
+      cut_out(chunk.coordinates.empty() ? std::vector<uint32_t>() : cut_out_runs(chunk, palette)) {
   const size_t vertices = chunk.vertices.size(), triangles = chunk.triangle_count();
   for (auto* const values : {&x, &y, &z}) values->reserve(vertices + spare_vertices);
   for (auto& values : corner) values.reserve(triangles + spare_vertices);
@@ -70,14 +72,15 @@ RasterChunk::VertexRange RasterChunk::vertices(uint32_t first_triangle, uint32_t
 uint64_t RasterChunk::bytes() const {
   uint64_t sum = sizeof *this + capacity_of(x) + capacity_of(y) + capacity_of(z) + capacity_of(piece) +
                  capacity_of(color) + capacity_of(outward) + capacity_of(ranges_) + capacity_of(layers) +
-                 capacity_of(vertex_color) + capacity_of(vertex_normal) + capacity_of(transparent);
+                 capacity_of(vertex_color) + capacity_of(vertex_normal) + capacity_of(coordinates) +
+                 capacity_of(transparent) + capacity_of(cut_out);
   for (const auto& values : corner) sum += capacity_of(values);
   return sum;
 }
 
-uint64_t RasterChunk::bytes_of(const ChunkInfo& info) {
-  const uint64_t a_vertex =
-      3 * sizeof(int32_t) + sizeof(uint8_t) + sizeof(VertexColor) + sizeof(VertexNormal);
+uint64_t RasterChunk::bytes_of(const ChunkInfo& info, bool textured) {
+  const uint64_t a_vertex = 3 * sizeof(int32_t) + sizeof(uint8_t) + sizeof(VertexColor) +
+                            sizeof(VertexNormal) + (textured ? sizeof(TextureCoordinates) : 0);
   const uint64_t a_triangle = 4 * sizeof(uint32_t) + sizeof(uint8_t);
   const uint64_t spare = 6 * spare_vertices * sizeof(uint32_t) + 2 * sizeof(uint32_t);
   return sizeof(RasterChunk) + info.vertex_count * a_vertex + info.triangle_count * a_triangle + spare +
@@ -101,14 +104,14 @@ void ChunkGeometry::make_room(uint64_t bytes) {
 void ChunkGeometry::load(uint32_t chunk) {
   const Stopwatch stopwatch;
   try {
-    make_room(RasterChunk::bytes_of(skeleton_.chunks[chunk]));
+    make_room(RasterChunk::bytes_of(skeleton_.chunks[chunk], !skeleton_.textures.empty()));
   } catch (const NoRoom&) {
     if (missing_.refuse) throw;
     return cache_.leave_out(true);
   }
   const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
   if (!taken) return cache_.leave_out(false);
-  auto read = std::make_unique<const RasterChunk>(*taken, skeleton_.palette);
+  auto read = std::make_unique<const RasterChunk>(*taken, skeleton_);
   cache_.add(chunk, read->bytes(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
   chunks_[chunk] = std::move(read);
 }

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "raster/corner_normals.hpp"
-#include "raster/geometry_stage.hpp"
+#include "raster/perspective_weights.hpp"
+#include "raster/slots.hpp"
 
 #include <cstdint>
 
@@ -10,23 +11,19 @@ namespace triptych {
 
 /// Plain, so that arrays of it cost nothing before they are used.
 struct InterpolatedColors {
-  /// Products with (x, y, 1), in pixels, are in the proportions of the weights of the corners at a pixel
-  /// (Olano and Greer, Triangle scan conversion using 2D homogeneous coordinates, 1997).
-  double weights[3][3];
+  PerspectiveWeights weights;
   float corners[3][3];  ///< red, green, blue of each, 0 to 1, times `lit`
-  float lit;            ///< the light on the triangle; 1 where normals say it pixel by pixel
+  float lit;            ///< the light on the triangle, or 1 where it comes later
   bool bends;
   glm::vec3 normals[3];  ///< of corners, eye space, unit length, if it bends
 
-  /// Channels at the centre of a pixel, 0 to 1. Weights stay within the triangle. light: direction, eye
-  /// space.
-  void at(int32_t x, int32_t y, const glm::vec3& light, float (&color)[3]) const;
+  /// Channels at the centre of a pixel, 0 to 1. Weights stay within the triangle. Returns the light there if
+  /// it bends, which is to be multiplied with them; otherwise 1. light: direction, eye space.
+  float at(int32_t x, int32_t y, const glm::vec3& light, float (&color)[3]) const;
   /// The same without light.
   void base_at(int32_t x, int32_t y, float (&color)[3]) const;
 
  private:
-  /// The sum of the weights, which are left out of the division where it is 0.
-  double weights_at(int32_t x, int32_t y, double (&own)[3]) const;
   void color_at(const double (&own)[3], double sum, float (&color)[3]) const;
 };
 

@@ -39,19 +39,37 @@ RowSpan row_span(const FillTriangle& triangle, int32_t row) {
   return span;
 }
 
+namespace {
+
+/// Of the triangle with this slot.
+void write_fragment(const FillTarget& target, uint32_t own_slot, int32_t x, int32_t y, float depth) {
+  if (!(depth > 0)) return;
+  const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(target.stride) + static_cast<size_t>(x);
+  uint32_t& there = target.depths[pixel];
+  const auto bits = std::bit_cast<uint32_t>(depth);
+  if (bits < there) return;
+  if (target.slots != nullptr) {
+    uint32_t& slot = target.slots[pixel];
+    if (bits == there && !target.precedes(target.order, own_slot, slot)) return;
+    slot = own_slot;
+  }
+  there = bits;
+}
+
+}  // namespace
+
 void fill(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target) {
   for_each_pixel(triangle, first_row, last_row, [&](int32_t x, int32_t y, float depth) {
-    if (!(depth > 0)) return;
+    write_fragment(target, triangle.slot, x, y, depth);
+  });
+}
+
+void fill_cut_out(const CutOutTriangle& triangle, int32_t first_row, int32_t last_row,
+                  const FillTarget& target) {
+  for_each_pixel(triangle.window, first_row, last_row, [&](int32_t x, int32_t y, float depth) {
     const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(target.stride) + static_cast<size_t>(x);
-    uint32_t& there = target.depths[pixel];
-    const auto bits = std::bit_cast<uint32_t>(depth);
-    if (bits < there) return;
-    if (target.slots != nullptr) {
-      uint32_t& slot = target.slots[pixel];
-      if (bits == there && !target.precedes(target.order, triangle.slot, slot)) return;
-      slot = triangle.slot;
-    }
-    there = bits;
+    const bool is_hidden = std::bit_cast<uint32_t>(depth) < target.depths[pixel];
+    if (!is_hidden && triangle.is_solid(x, y)) write_fragment(target, triangle.window.slot, x, y, depth);
   });
 }
 

@@ -1,7 +1,7 @@
 // Fills triangles pixel by pixel: what the kernels of all instruction sets are held to.
 #pragma once
 
-#include "raster/triangle.hpp"
+#include "raster/cut_out.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -37,5 +37,9 @@ void for_each_pixel(const FillTriangle& triangle, int32_t first_row, int32_t las
 
 /// Leaves `tiles` as they are, and marks nothing.
 void fill(const FillTriangle& triangle, int32_t first_row, int32_t last_row, const FillTarget& target);
+
+/// The same, where the triangle has no holes.
+void fill_cut_out(const CutOutTriangle& triangle, int32_t first_row, int32_t last_row,
+                  const FillTarget& target);
 
 }  // namespace triptych

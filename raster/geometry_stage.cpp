@@ -44,18 +44,24 @@ void add_rows(int32_t bottom, int32_t top, StretchTriangles& result) {
   result.top = first ? top : std::max(result.top, top);
 }
 
-void add(const WindowTriangle& triangle, StretchTriangles& result) {
-  add_rows(triangle.bottom, triangle.top, result);
-  (triangle.right - triangle.left < large_width ? result.small : result.large).push_back(triangle);
-}
-
 /// What a triangle has besides its corners.
 struct Drawn {
   uint32_t slot;
   uint32_t layer;
   uint32_t cut;
-  ExactPlane plane = {};  ///< where layer > 0
+  const SurfaceTexture* texture = nullptr;  ///< where it has holes
+  ExactPlane plane = {};                    ///< where layer > 0
 };
+
+void add(const GeometryTerms& terms, const WindowTriangle& triangle, const SurfaceTexture* texture,
+         StretchTriangles& result) {
+  add_rows(triangle.bottom, triangle.top, result);
+  if (texture != nullptr) {
+    result.cut_out.push_back({triangle, *texture, terms.textures, terms.sample});
+    return;
+  }
+  (triangle.right - triangle.left < large_width ? result.small : result.large).push_back(triangle);
+}
 
 void add_window(const GeometryTerms& terms, std::array<WindowVertex, 3> window, const Drawn& drawn,
                 const DepthLimit& limit, StretchTriangles& result) {
@@ -74,7 +80,7 @@ void add_window(const GeometryTerms& terms, std::array<WindowVertex, 3> window, 
   if (drawn.layer > 1) put_below(drawn.layer - 1, terms.layers, triangle);
   hold_to(limit, std::min({slack(limit, window[0]), slack(limit, window[1]), slack(limit, window[2])}),
           triangle);
-  add(triangle, result);
+  add(terms, triangle, drawn.texture, result);
 }
 
 void add_clipped(const GeometryTerms& terms, const std::array<ClipCorner, 3>& corners, const Drawn& drawn,
@@ -203,7 +209,7 @@ size_t find_candidates(const GeometryTerms& terms, const DrawnRange& range, cons
 size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, Stage& stage, size_t found,
                          StretchTriangles& result) {
   const RasterKernels* const kernels = raster_kernels(instruction_set());
-  if (kernels == nullptr || range.cut != 0 || range.transparent || found == 0) return found;
+  if (kernels == nullptr || range.cut != 0 || range.transparent || range.cut_out || found == 0) return found;
   const RasterChunk& chunk = *range.chunk;
   const auto corners = [&](size_t k) { return chunk.corner[k].data() + range.first_triangle; };
   const TransformTerms transform = terms.transform_terms(range.placed);
@@ -235,6 +241,7 @@ size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, St
   result.kernel.clear();
   result.small.clear();
   result.large.clear();
+  result.cut_out.clear();
   result.limits.clear();
   result.bottom = 0;
   result.top = -1;
@@ -254,6 +261,12 @@ size_t make_with_kernels(const GeometryTerms& terms, const DrawnRange& range, St
                                              chunk.corner[2][triangle]};
     const DepthLimit& limit = result.limits[chunk.piece[corners[0]]];
     Drawn own{range.first_slot + i, chunk.layer(triangle), range.cut};
+    SurfaceTexture texture;
+    if (range.cut_out) {
+      texture = surface_texture(terms, terms.limits.width, terms.limits.height, range.placed, chunk, triangle,
+                                terms.materials[chunk.color[triangle]]);
+      own.texture = &texture;
+    }
     if (own.layer > 0) {
       const auto exact = [&](size_t k) { return terms.to_clip<glm::dvec4>(range.placed, chunk, corners[k]); };
       own.plane = ExactPlane({exact(0), exact(1), exact(2)}, terms.window);

@@ -1,6 +1,7 @@
 // From a stretch of a chunk to triangles that can be filled.
 #pragma once
 
+#include "raster/cut_out.hpp"
 #include "raster/kernel_triangles.hpp"
 #include "raster/simd/kernels.hpp"
 #include "raster/slots.hpp"
@@ -16,20 +17,9 @@ namespace triptych {
 struct StretchTriangles {
   KernelTriangles kernel;
   std::vector<WindowTriangle> small, large;  ///< the others, with their slots
+  std::vector<CutOutTriangle> cut_out;       ///< and those that have holes
   std::vector<DepthLimit> limits;            ///< of the chunk's pieces; triangles point to them
   int32_t bottom = 0, top = -1;              ///< rows that any of them has pixels in
-};
-
-/// From vertices of chunks to clip space, under one view.
-struct VertexStage {
-  explicit VertexStage(const FrameView& view);
-
-  ClipTerms clip;
-  bool orthographic;
-
-  /// A vertex in clip space, computed in floats (glm::vec4) or, from the same terms, in doubles (glm::dvec4).
-  template <typename Position>
-  Position to_clip(const PlacedLattice& placed, const RasterChunk& chunk, size_t vertex) const;
 };
 
 /// What is the same for all that is drawn into one picture, or into one sample of each of its pixels.
@@ -41,7 +31,9 @@ struct GeometryTerms : VertexStage {
   SamplePlace sample;
   WindowTransform window;
   PictureLimits limits;
-  SectionSidesOver sides;  ///< of the section, if there is one
+  SectionSidesOver sides;                      ///< of the section, if there is one
+  const TextureLevels* textures = nullptr;     ///< where something is cut out
+  std::span<const SurfaceMaterial> materials;  ///< Skeleton::materials
 
   /// For the kernels of an instruction set.
   TransformTerms transform_terms(const PlacedLattice& placed) const;

@@ -12,6 +12,7 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
     : skeleton_(skeleton),
       representation_(representation),
       geometry_(skeleton, residency),
+      textures_(skeleton, residency),
       placer_(skeleton),
       cut_bodies_(skeleton),
       everywhere_(max_chunk_pieces,
@@ -23,12 +24,16 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
   if (same && !std::exchange(cap_changed_, false)) return;
   view_ = view;
   geometry_.begin_view();
+  textures_.begin_view();
   representation_.begin(view);
   placer_.begin(view);
   projector_.emplace(view, steady_margins);
   terms_.clear();
-  for (const SamplePlace& place : sample_places(view.state.samples))
+  for (const SamplePlace& place : sample_places(view.state.samples)) {
     terms_.emplace_back(*view_, *projector_, place);
+    terms_.back().textures = &textures_;
+    terms_.back().materials = skeleton_.materials;
+  }
 }
 
 uint64_t RasterScene::place(std::span<const DrawableId> drawables) {
@@ -44,7 +49,8 @@ uint64_t RasterScene::place(std::span<const DrawableId> drawables) {
   stretches_.clear();
   transparent_stretches_.clear();
   names_.clear();
-  const bool transparency = view_->state.effects.has(Effect::transparency);
+  const bool transparency = view_->state.effects.has(Effect::transparency),
+             textures = view_->state.effects.has(Effect::textures);
   uint64_t triangles = 0;
   auto rank = ranks_.begin();
   for (const DrawItem& item : items_) {
@@ -67,15 +73,26 @@ uint64_t RasterScene::place(std::span<const DrawableId> drawables) {
     if (stretch.chunk->has_outward)
       stretch.front = outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
     triangles += stretch.triangle_count;
-    if (!transparency || chunk->transparent.empty()) {
-      stretches_.push_back(stretch);
-      continue;
-    }
     const uint32_t first = stretch.first_triangle, end = first + stretch.triangle_count;
-    for_each_run(chunk->transparent, first, end, [&](uint32_t from, uint32_t to, bool transparent) {
+    const auto add = [&](uint32_t from, uint32_t to, std::vector<PlacedStretch>& stretches) {
       stretch.first_triangle = from;
       stretch.triangle_count = to - from;
-      (transparent ? transparent_stretches_ : stretches_).push_back(stretch);
+      stretches.push_back(stretch);
+    };
+    const auto add_opaque = [&](uint32_t from, uint32_t to) {
+      if (!textures || chunk->cut_out.empty()) return add(from, to, stretches_);
+      for_each_run(chunk->cut_out, from, to, [&](uint32_t begin, uint32_t last, bool cut_out) {
+        stretch.cut_out = cut_out;
+        add(begin, last, stretches_);
+      });
+      stretch.cut_out = false;
+    };
+    if (!transparency || chunk->transparent.empty()) {
+      add_opaque(first, end);
+      continue;
+    }
+    for_each_run(chunk->transparent, first, end, [&](uint32_t from, uint32_t to, bool transparent) {
+      transparent ? add(from, to, transparent_stretches_) : add_opaque(from, to);
     });
   }
   return triangles;

@@ -5,6 +5,7 @@
 #include "raster/caps.hpp"
 #include "raster/chunk_geometry.hpp"
 #include "raster/sample_planes.hpp"
+#include "raster/texture_levels.hpp"
 #include "raster/transparent_layers.hpp"
 #include "visibility/cut_bodies.hpp"
 
@@ -29,16 +30,25 @@ class RasterScene {
                                                     const SamplePlanes& planes, size_t max_fragments);
 
   const Skeleton& skeleton() const { return skeleton_; }
+  const TextureLevels& textures() const { return textures_; }
+  /// Of a pack with textures a share of it is theirs.
   void set_geometry_cap(uint64_t bytes) {
-    geometry_.set_cap(bytes);
+    const bool shared = !skeleton_.textures.empty() && bytes != no_cap;
+    if (shared) textures_.set_cap(bytes / texture_share);
+    geometry_.set_cap(shared ? bytes - bytes / texture_share : bytes);
     cap_changed_ = true;
   }
-  void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
+  void set_missing(const MissingChunks& missing) {
+    geometry_.set_missing(missing);
+    textures_.set_missing(missing);
+  }
   const GeometryUse& geometry_use() const { return geometry_.use(); }
   bool has_chunk(uint32_t chunk) const { return geometry_.has(chunk); }
   bool is_damaged(uint32_t chunk) const { return geometry_.is_damaged(chunk); }
 
  private:
+  /// Textures may stay beside geometry up to this share of its cap, unless a view asks for more.
+  static constexpr uint64_t texture_share = 4;
   /// Of a draw item: its drawable, and which of that's items it is.
   struct Name {
     DrawRank rank = {};
@@ -56,6 +66,7 @@ class RasterScene {
   const Skeleton& skeleton_;
   Representation& representation_;
   ChunkGeometry geometry_;
+  TextureLevels textures_;
   LatticePlacer placer_;
   std::optional<FrameView> view_;
   bool cap_changed_ = false;  ///< since the view began

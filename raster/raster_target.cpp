@@ -119,9 +119,9 @@ void RasterTarget::make_picture() const {
     const double set_up = stopwatch.milliseconds();
     ShadingCounts counts;
     if (planes_.size() == 1 && !view_->state.edges) {
-      shade(planes_.front(), *view_, layers, picture_, counts);
+      shade(planes_.front(), *view_, scene_.textures(), layers, picture_, counts);
     } else {
-      resolve(planes_, *view_, layers, picture_, counts);
+      resolve(planes_, *view_, scene_.textures(), layers, picture_, counts);
     }
     count_effects(counts, set_up);
   }
@@ -130,22 +130,25 @@ void RasterTarget::make_picture() const {
 
 void RasterTarget::count_effects(const ShadingCounts& counts, double set_up_ms) const {
   effects_.clear();
-  // Each with its share of the time, by pixels.
-  const auto ms_of = [&](uint64_t pixels) {
-    return pixels == 0
-               ? 0
-               : counts.varying_ms * static_cast<double>(pixels) / static_cast<double>(counts.varying_pixels);
+  const auto ms_of = [&](ShadeKind kind) -> double { return counts.varying_ms[static_cast<size_t>(kind)]; };
+  const auto add = [&](Effect effect, double ms, uint64_t pixels) {
+    effects_.push_back({.effect = effect, .ms = ms, .fragments = pixels});
   };
-  if (counts.colored_pixels > 0) {
-    effects_.push_back({.effect = Effect::vertex_colors,
-                        .ms = ms_of(counts.colored_pixels),
-                        .fragments = counts.colored_pixels});
-  }
+  const uint64_t textured_pixels = counts.varying_pixels[static_cast<size_t>(ShadeKind::textured)];
+  if (counts.colored_pixels > 0) add(Effect::vertex_colors, ms_of(ShadeKind::colored), counts.colored_pixels);
   if (counts.smooth_triangles > 0) {
-    effects_.push_back({.effect = Effect::smooth_normals,
-                        .ms = ms_of(counts.smooth_pixels),
-                        .fragments = counts.smooth_pixels});
+    uint64_t pixels = 0;
+    double ms = 0;  // the share of each kind's time, by pixels
+    for (size_t kind = 0; kind < counts.smooth_pixels.size(); ++kind) {
+      const uint64_t smooth = counts.smooth_pixels[kind], all = counts.varying_pixels[kind];
+      pixels += smooth;
+      if (smooth > 0)
+        ms += counts.varying_ms[kind] * (static_cast<double>(smooth) / static_cast<double>(all));
+    }
+    add(Effect::smooth_normals, ms, pixels);
   }
+  if (textured_pixels > 0) add(Effect::textures, ms_of(ShadeKind::textured), textured_pixels);
+  if (counts.emissive_pixels > 0) add(Effect::emission, ms_of(ShadeKind::emissive), counts.emissive_pixels);
   if (!transparent_.empty()) {
     effects_.push_back({.effect = Effect::transparency,
                         .ms = set_up_ms + counts.blending_ms,

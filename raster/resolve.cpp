@@ -35,12 +35,12 @@ class BandResolver {
   }
 
   [[gnu::noinline]] void make(int32_t y, Rgba* picture_row) {
-    bool varies = false;
+    uint32_t kinds = 0;
     for (size_t i = 0; i < planes_.size(); ++i) {
       shade_row(planes_[i].depths(y), planes_[i].slots(y), recent(i), row(i));
-      varies |= recent(i).any_varies();
+      kinds |= recent(i).varying_kinds();
     }
-    if (varies) shade_varying(y);
+    for_each_kind(kinds, [&](ShadeKind kind) { shade_varying(y, kind); });
     for (size_t i = 0; i < edges_.size(); ++i) edges_[i].draw(y, row(i));
     for (size_t i = 0; i < planes_.size(); ++i) over_.blend(i, y, row(i));
     average(picture_row);
@@ -51,19 +51,17 @@ class BandResolver {
   Rgba* row(size_t plane) { return rows_.data() + plane * width_; }
 
   /// Once a pixel and triangle.
-  void shade_varying(int32_t y) {
-    const TimedShading timed(counts_.varying_ms);
-    VaryingPixels pixels;
+  void shade_varying(int32_t y, ShadeKind kind) {
+    VaryingPixels tally(counts_, kind);
     for (size_t x = 0; x < width_; ++x) {
       for (size_t i = 0; i < planes_.size(); ++i) {
         const uint32_t slot = planes_[i].slots(y)[x];
-        if (planes_[i].depths(y)[x] == 0 || !recent(i).varies(slot)) continue;
+        if (planes_[i].depths(y)[x] == 0 || !recent(i).varies(slot, kind)) continue;
         const Rgba* const known = shared_ ? shaded_before(x, y, i, slot) : nullptr;
         row(i)[x] = known != nullptr ? *known : recent(i).of(slot, static_cast<int32_t>(x), y);
-        pixels.add(recent(i).kind(slot));
+        tally.add(recent(i).kinds(slot));
       }
     }
-    pixels.add_to(counts_);
   }
   const Rgba* shaded_before(size_t x, int32_t y, size_t plane, uint32_t slot) {
     for (size_t i = plane; i > 0; --i) {
@@ -100,9 +98,9 @@ class BandResolver {
 }  // namespace
 
 [[gnu::noinline]] void resolve(const SamplePlanes& planes, const FrameView& view,
-                               std::span<const TransparentLayers> layers, std::span<Rgba> picture,
-                               ShadingCounts& counts) {
-  const TriangleShader shader(view);
+                               const TextureLevels& textures, std::span<const TransparentLayers> layers,
+                               std::span<Rgba> picture, ShadingCounts& counts) {
+  const TriangleShader shader(view, textures);
   planes.front().for_each_band(true, [&](int32_t first, int32_t last) {
     BandResolver band(planes, view, layers, shader, last, counts);
     for (int32_t y = first; y <= last; ++y)

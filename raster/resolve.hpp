@@ -13,7 +13,7 @@ namespace triptych {
 /// all of them, at the pixel's centre where its colours vary. Where the frame state has edges, each sample
 /// that the rule names is drawn as one, beside the same sample of its neighbours; what is transparent comes
 /// over it. layers: of each plane those, or none. Rows from bottom to top.
-void resolve(const SamplePlanes& planes, const FrameView& view, std::span<const TransparentLayers> layers,
-             std::span<Rgba> picture, ShadingCounts& counts);
+void resolve(const SamplePlanes& planes, const FrameView& view, const TextureLevels& textures,
+             std::span<const TransparentLayers> layers, std::span<Rgba> picture, ShadingCounts& counts);
 
 }  // namespace triptych

@@ -4,32 +4,33 @@ namespace triptych {
 
 namespace {
 
-/// The pixels of a row whose colours vary over their triangle.
+/// The pixels of a row whose colours vary over their triangle, of one kind.
 [[gnu::noinline]] void shade_varying(std::span<const uint32_t> depths, std::span<const uint32_t> slots,
-                                     int32_t y, KeptShades& recent, Rgba* row, ShadingCounts& counts) {
-  const TimedShading timed(counts.varying_ms);
-  VaryingPixels pixels;
+                                     int32_t y, ShadeKind kind, KeptShades& recent, Rgba* row,
+                                     ShadingCounts& counts) {
+  VaryingPixels tally(counts, kind);
   for (size_t x = 0; x < depths.size(); ++x) {
-    if (depths[x] == 0 || !recent.varies(slots[x])) continue;
+    if (depths[x] == 0 || !recent.varies(slots[x], kind)) continue;
     row[x] = recent.of(slots[x], static_cast<int32_t>(x), y);
-    pixels.add(recent.kind(slots[x]));
+    tally.add(recent.kinds(slots[x]));
   }
-  pixels.add_to(counts);
 }
 
 }  // namespace
 
 [[gnu::noinline]] void shade(const VisibilityBuffer& buffer, const FrameView& view,
-                             std::span<const TransparentLayers> layers, std::span<Rgba> picture,
-                             ShadingCounts& counts) {
-  const TriangleShader shader(view);
+                             const TextureLevels& textures, std::span<const TransparentLayers> layers,
+                             std::span<Rgba> picture, ShadingCounts& counts) {
+  const TriangleShader shader(view, textures);
   buffer.for_each_band(true, [&](int32_t first, int32_t last) {
     KeptShades colors(buffer.table(), shader);
     BandBlenders over(layers, shader, last, counts);
     for (int32_t y = first; y <= last; ++y) {
       Rgba* const row = picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width());
       shade_row(buffer.depths(y), buffer.slots(y), colors, row);
-      if (colors.any_varies()) shade_varying(buffer.depths(y), buffer.slots(y), y, colors, row, counts);
+      for_each_kind(colors.varying_kinds(), [&](ShadeKind kind) {
+        shade_varying(buffer.depths(y), buffer.slots(y), y, kind, colors, row, counts);
+      });
       over.blend(0, y, row);
     }
     counts.smooth_triangles += colors.smooth_triangles();

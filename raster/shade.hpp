@@ -10,10 +10,10 @@
 namespace triptych {
 
 /// The picture of what the buffer holds under the view, rows from bottom to top: flat faces, or the colours
-/// of corners over them, in the light that visibility/shading.hpp has, over the background. layers: what is
-/// transparent over the buffer, or none.
-void shade(const VisibilityBuffer& buffer, const FrameView& view, std::span<const TransparentLayers> layers,
-           std::span<Rgba> picture, ShadingCounts& counts);
+/// of corners or textures over them, in the light that visibility/shading.hpp has, over the background.
+/// layers: what is transparent over the buffer, or none.
+void shade(const VisibilityBuffer& buffer, const FrameView& view, const TextureLevels& textures,
+           std::span<const TransparentLayers> layers, std::span<Rgba> picture, ShadingCounts& counts);
 
 /// The drawable that shows at each pixel, plus 1; 0 where none does.
 void name_items(const VisibilityBuffer& buffer, std::span<uint32_t> items);

@@ -3,19 +3,22 @@
 
 #include "base/clock.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
 namespace triptych {
 
 struct ShadingCounts {
-  std::atomic<uint64_t> varying_pixels = 0;             ///< whose colours vary over their triangle
-  std::atomic<uint64_t> colored_pixels = 0;             ///< of those: with the colours of corners
-  std::atomic<uint64_t> smooth_pixels = 0;              ///< of those: with normals of the model's files
-  std::atomic<uint64_t> smooth_triangles = 0;           ///< with such normals, again in each band
-  std::atomic<uint64_t> blended_fragments = 0;          ///< of transparent triangles
-  std::atomic<uint64_t> splits = 0;                     ///< EffectUse::splits
-  std::atomic<double> varying_ms = 0, blending_ms = 0;  ///< of all threads together
+  /// Pixels whose colours vary, by ShadeKind; and of those the ones that have normals of the model's files.
+  std::array<std::atomic<uint64_t>, 5> varying_pixels = {}, smooth_pixels = {};
+  std::array<std::atomic<double>, 5> varying_ms = {};  ///< of all threads together, as blending_ms
+  /// Those that have colours of vertices, below a texture, too, or light of their own.
+  std::atomic<uint64_t> colored_pixels = 0, emissive_pixels = 0;
+  std::atomic<uint64_t> smooth_triangles = 0;   ///< with such normals, again in each band
+  std::atomic<uint64_t> blended_fragments = 0;  ///< of transparent triangles
+  std::atomic<uint64_t> splits = 0;             ///< EffectUse::splits
+  std::atomic<double> blending_ms = 0;
 };
 
 /// Adds to one of them how long it lived.

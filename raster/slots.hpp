@@ -23,6 +23,7 @@ struct DrawnRange {
   uint32_t cut = 0;          ///< SectionPlace::cut
   bool caps = false;         ///< what shows are the caps of its triangles
   bool transparent = false;  ///< each of its triangles is set up by itself
+  bool cut_out = false;      ///< its triangles have holes where their texture says so
   const RasterChunk* chunk = nullptr;
   PlacedLattice placed = {};
 };

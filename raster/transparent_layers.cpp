@@ -151,7 +151,9 @@ void TransparentBlender::compose(int32_t y, Rgba* row) {
     float color[3] = {pixel[0] / 255.0f, pixel[1] / 255.0f, pixel[2] / 255.0f};
     for (const auto& [depth, slot] : fragments) {
       const Rgba over = shades_.varies(slot) ? shades_.of(slot, x, y) : shades_.of(slot);
-      const float covered = alpha(slot);
+      const bool textured = shades_.kinds(slot).textured;
+      textured_ += textured;
+      const float covered = textured ? static_cast<float>(over[3]) / 255.0f : alpha(slot);
       for (size_t k = 0; k < 3; ++k) color[k] += covered * (static_cast<float>(over[k]) / 255.0f - color[k]);
     }
     for (size_t k = 0; k < 3; ++k) pixel[k] = static_cast<uint8_t>(std::rint(color[k] * 255.0f));
@@ -176,6 +178,7 @@ BandBlenders::~BandBlenders() {
     counts_.blended_fragments += blender.fragments();
     counts_.splits += blender.splits();
     counts_.smooth_triangles += blender.smooth_triangles();
+    counts_.varying_pixels[static_cast<size_t>(ShadeKind::textured)] += blender.textured();
   }
 }
 

@@ -87,6 +87,8 @@ class TransparentBlender {
   uint64_t fragments() const { return blended_; }
   uint64_t splits() const { return splits_; }
   uint64_t smooth_triangles() const { return shades_.smooth_triangles(); }
+  /// How many of the fragments had a texture.
+  uint64_t textured() const { return textured_; }
 
  private:
   void blend_area(const PixelBox& area, Rgba* row);
@@ -103,7 +105,7 @@ class TransparentBlender {
     float alpha;
   };
   std::vector<KeptAlpha> alphas_;  ///< of slots that were asked for a short while ago
-  uint64_t blended_ = 0, splits_ = 0;
+  uint64_t blended_ = 0, splits_ = 0, textured_ = 0;
 };
 
 /// Of each sample's layers, if there are any.

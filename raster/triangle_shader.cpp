@@ -45,8 +45,10 @@ float to_unit(const glm::vec3& normal) {
 
 }  // namespace
 
-TriangleShader::TriangleShader(const FrameView& view)
+TriangleShader::TriangleShader(const FrameView& view, const TextureLevels& textures)
     : palette_(view.skeleton->palette),
+      materials_(view.skeleton->materials),
+      textures_(textures),
       light_(light_direction(view)),
       stage_(view),
       caps_(view),
@@ -54,7 +56,9 @@ TriangleShader::TriangleShader(const FrameView& view)
       width_(view.view().width),
       height_(view.view().height),
       vertex_colors_(view.state.effects.has(Effect::vertex_colors)),
-      smooth_normals_(view.state.effects.has(Effect::smooth_normals)) {}
+      smooth_normals_(view.state.effects.has(Effect::smooth_normals)),
+      shows_textures_(view.state.effects.has(Effect::textures)),
+      shows_emission_(view.state.effects.has(Effect::emission)) {}
 
 Rgba TriangleShader::to_bytes(const glm::vec3& color) {
   return {to_byte(color.x), to_byte(color.y), to_byte(color.z), 255};
@@ -78,12 +82,6 @@ Rgba TriangleShader::cap(const InterpolatedColors& varying, uint32_t side, int32
   return cap(glm::vec3(color[0], color[1], color[2]), side, x, y);
 }
 
-Rgba TriangleShader::color(const InterpolatedColors& varying, int32_t x, int32_t y) const {
-  float color[3];
-  varying.at(x, y, light_, color);
-  return {to_byte(color[0]), to_byte(color[1]), to_byte(color[2]), 255};
-}
-
 ChunkNormals TriangleShader::normals_shown(const SlotTable::Triangle& shown) const {
   const RasterChunk& chunk = *shown.range->chunk;
   if (chunk.vertex_normal.empty() || !has_normal(chunk.vertex_normal[chunk.corner[0][shown.triangle]]))
@@ -93,22 +91,47 @@ ChunkNormals TriangleShader::normals_shown(const SlotTable::Triangle& shown) con
 }
 
 TriangleShader::Look TriangleShader::look(const SlotTable::Triangle& shown) const {
+  const RasterChunk& chunk = *shown.range->chunk;
   Look look;
-  look.colors = vertex_colors_ && !shown.range->chunk->vertex_color.empty();
-  look.normals = normals_shown(shown);
-  if (look.normals != ChunkNormals::none) {
+  const ChunkNormals normals = normals_shown(shown);
+  if (normals != ChunkNormals::none) {
     look.lights = corner_normals(shown, light_);
   } else {
     look.lights.light = facet_light(shown);
   }
+  look.kinds.colored = vertex_colors_ && !chunk.vertex_color.empty();
+  look.kinds.bends = look.lights.bends;
+  look.kinds.smooth = normals == ChunkNormals::of_files;
+  if (materials_.empty()) return look;
+  const SurfaceMaterial& material = materials_[chunk.color[shown.triangle]];
+  look.kinds.emissive = shows_emission_ && material.is_emissive();
+  look.kinds.textured = shows_textures_ && !chunk.coordinates.empty() &&
+                        (material.texture != SurfaceMaterial::no_texture ||
+                         (look.kinds.emissive && material.emission_texture != SurfaceMaterial::no_texture));
   return look;
 }
 
-InterpolatedColors TriangleShader::varying(const SlotTable::Triangle& shown, const Look& look) const {
-  const CornerBase of_corners{look.colors, look.colors ? glm::vec3(0) : base(shown)};
-  return interpolate_colors(stage_, width_, height_, shown, of_corners,
-                            look.lights.bends ? 1 : look.lights.light,
-                            look.lights.bends ? &look.lights : nullptr);
+VaryingSurface TriangleShader::varying(const SlotTable::Triangle& shown, const Look& look) const {
+  const RasterChunk& chunk = *shown.range->chunk;
+  const bool bends = look.lights.bends;
+  const glm::vec3 own = base(shown);
+  VaryingSurface surface;
+  surface.kinds = look.kinds;
+  surface.lit = look.lights.light;
+  if (surface.kinds.colored || bends) {
+    const CornerBase of_corners{look.kinds.colored, look.kinds.colored ? glm::vec3(0) : own};
+    surface.colors = interpolate_colors(stage_, width_, height_, shown, of_corners,
+                                        bends || surface.kinds.textured ? 1.0f : surface.lit,
+                                        bends ? &look.lights : nullptr);
+  }
+  for (int k = 0; k < 3; ++k) surface.base[k] = own[k];
+  surface.transparent = shown.range->transparent;
+  surface.material = materials_.empty() ? nullptr : &materials_[chunk.color[shown.triangle]];
+  if (surface.kinds.textured) {
+    surface.texture = surface_texture(stage_, width_, height_, shown.range->placed, chunk, shown.triangle,
+                                      *surface.material);
+  }
+  return surface;
 }
 
 glm::vec3 TriangleShader::normal(const SlotTable::Triangle& shown) {
@@ -132,15 +155,16 @@ KeptShades::KeptShades(const SlotTable& table, const TriangleShader& shader)
 Rgba KeptShades::of(uint32_t slot, int32_t x, int32_t y) {
   const uint32_t place = place_of(slot);
   const auto cap = capped_[place] ? shader_.caps().entry(x, y) : std::nullopt;
-  if (!varies_[place])
-    return cap ? shader_.cap(table_.find(slot), cap->side, x, y) : std::bit_cast<Rgba>(colors_[place]);
+  const SurfaceKinds& kinds = kinds_[place];
+  if (cap && !kinds.colored) return shader_.cap(table_.find(slot), cap->side, x, y);
+  if (!kinds.any()) return std::bit_cast<Rgba>(colors_[place]);
   Varying& varying = varying_[slot % varying_count];
   if (!varying_is_set_[slot % varying_count] || varying.slot != slot) {
     varying_is_set_[slot % varying_count] = true;
     const SlotTable::Triangle shown = table_.find(slot);
     varying = {slot, shader_.varying(shown, shader_.look(shown))};
   }
-  return cap ? shader_.cap(varying.colors, cap->side, x, y) : shader_.color(varying.colors, x, y);
+  return cap ? shader_.cap(varying.surface.colors, cap->side, x, y) : shader_.color(varying.surface, x, y);
 }
 
 uint32_t KeptShades::place_of(uint32_t slot) {
@@ -148,15 +172,14 @@ uint32_t KeptShades::place_of(uint32_t slot) {
   if (slots_[place] != slot) {
     const SlotTable::Triangle shown = table_.find(slot, range_);
     const TriangleShader::Look look = shader_.look(shown);
-    varies_[place] = look.varies();
+    kinds_[place] = look.kinds;
     capped_[place] = Caps::show(shown);
-    colors_[place] = varies_[place] ? 0 : std::bit_cast<uint32_t>(shader_.color(shown, look));
-    kinds_[place] = {look.colors, look.normals};
-    smooth_triangles_ += look.normals == ChunkNormals::of_files;
+    colors_[place] = look.varies() ? 0 : std::bit_cast<uint32_t>(shader_.color(shown, look));
+    smooth_triangles_ += look.kinds.smooth;
     slots_[place] = slot;
-    even_slots_[place] = varies_[place] || capped_[place] ? no_slot(place) : slot;
+    even_slots_[place] = kinds_[place].any() || capped_[place] ? no_slot(place) : slot;
   }
-  any_varies_ |= is_changing(place);
+  if (is_changing(place)) varying_kinds_ |= 1u << static_cast<uint32_t>(kind_at(place));
   return place;
 }
 

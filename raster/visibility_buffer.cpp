@@ -118,6 +118,7 @@ DrawnRange& VisibilityBuffer::number(const PlacedStretch& stretch, uint32_t firs
                    .front = stretch.front,
                    .cut = stretch.cut,
                    .caps = caps,
+                   .cut_out = stretch.cut_out,
                    .chunk = stretch.chunk,
                    .placed = stretch.placed};
   if (!depth_alone_) range.first_slot = table_.add(range);
@@ -230,6 +231,13 @@ DepthSource VisibilityBuffer::source() const {
     const StretchTriangles& stretch = triangles_[i];
     if (stretch.bottom > last || stretch.top < first) continue;
     for (const WindowTriangle& triangle : stretch.small) fill_one(triangle);
+    for (const CutOutTriangle& triangle : stretch.cut_out) {
+      const int32_t bottom = std::max(triangle.window.bottom, first),
+                    top = std::min(triangle.window.top, last);
+      if (bottom > top) continue;
+      tiles_.mark(triangle.window.left, triangle.window.right, bottom, top);
+      fill_cut_out(triangle, bottom, top, into);
+    }
     for (const NarrowTriangles& narrow : stretch.kernel.narrow()) {
       if (narrow.lowest_row <= last && narrow.highest_row >= first)
         kernels->fill_narrow(narrow, first, last, into);

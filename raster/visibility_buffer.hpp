@@ -22,8 +22,9 @@ struct PlacedStretch {
   const RasterChunk* chunk = nullptr;
   uint32_t first_triangle = 0, triangle_count = 0;
   PlacedLattice placed = {};
-  int32_t front = 0;  ///< DrawnRange::front
-  uint32_t cut = 0;   ///< DrawnRange::cut
+  int32_t front = 0;     ///< DrawnRange::front
+  uint32_t cut = 0;      ///< DrawnRange::cut
+  bool cut_out = false;  ///< DrawnRange::cut_out
   std::span<const LatticeBox> pieces;
 };
 

@@ -39,7 +39,7 @@ void DrawListBuilder::add_command(const ChunkRange& range, const DrawGroup& grou
                            .base_vertex = static_cast<int32_t>(range.base_vertex),
                            .base_instance = static_cast<uint32_t>(list.records.size() - 1)});
   const bool fits = !list.groups.empty() && list.groups.back().caps == DrawGroup::Caps::none &&
-                    list.groups.back().front == group.front && !differ_in_vertices(list.groups.back(), group);
+                    list.groups.back().front == group.front && list.groups.back().is_alike(group);
   if (!fits) list.groups.push_back(group);
   ++list.groups.back().count;
 }
@@ -49,14 +49,18 @@ void DrawListBuilder::add_caps(std::span<const ChunkRange> ranges, std::span<con
                                const CutBody& body, std::span<const CutRun> runs, uint32_t first,
                                uint32_t last, DrawList& list) {
   const Affine& transform = skeleton_.transforms[body.transform];
-  const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0, colored = ranges[runs[0].chunk].colored;
+  const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0, colored = ranges[runs[0].chunk].colored,
+             textured = ranges[runs[0].chunk].textured;
   // A surface of which a part is still to be read has no winding numbers; and all chunks of a mesh have
   // colours, or none.
   const auto differs = [&](const CutRun& run) {
-    return !ranges[run.chunk].loaded() || ranges[run.chunk].colored != colored;
+    const ChunkRange& range = ranges[run.chunk];
+    return !range.loaded() || range.colored != colored || range.textured != textured;
   };
   if (std::ranges::any_of(runs, differs)) return;
-  DrawGroup group{.colored = colored, .caps = mirrored ? DrawGroup::Caps::mirrored : DrawGroup::Caps::plain};
+  DrawGroup group{.colored = colored,
+                  .textured = textured,
+                  .caps = mirrored ? DrawGroup::Caps::mirrored : DrawGroup::Caps::plain};
   shown_.clear();
   for (const CutRun& run : runs) {
     const bool drawn = run.item != no_id;
@@ -136,7 +140,12 @@ void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item
   uint32_t begin = item.first_index / 3;
   const uint32_t end = begin + item.index_count / 3;
   const auto add = [&](int32_t shown_front, uint32_t first, uint32_t last) {
-    const DrawGroup group{.front = shown_front, .colored = range.colored, .normals = range.normals};
+    const DrawGroup group{.front = shown_front,
+                          .colored = range.colored,
+                          .textured = range.textured,
+                          .emissive = range.emissive,
+                          .cut_out = range.cut_out,
+                          .normals = range.normals};
     if (part == DrawPart::all || range.transparent.empty())
       return add_command(range, group, first, last, list);
     for_each_run(range.transparent, first, last, [&](uint32_t from, uint32_t to, bool transparent) {

@@ -23,6 +23,10 @@ struct ChunkRange {
   bool colored = false;                     ///< whether vertices have colours
   ChunkNormals normals = ChunkNormals::none;
   std::vector<uint32_t> transparent = {};  ///< transparent_runs()
+  bool textured = false;                   ///< whether vertices have places on textures
+  bool emissive = false;                   ///< whether any of its surfaces has light of its own
+  bool cut_out = false;                    ///< whether any of them has holes
+  std::vector<uint32_t> textures = {};     ///< that they have
   bool loaded() const { return index_count > 0; }
 };
 
@@ -44,23 +48,22 @@ struct DrawCommand {
   uint32_t base_instance;
 };
 
-/// Commands that follow each other, show the same sides of triangles, are all of coloured chunks or none, and
-/// of chunks with the same kind of normals; or those of one closed surface that a section may cut, for its
-/// cut surfaces.
+/// Commands that follow each other, show the same sides of triangles, and are of chunks that have the same of
+/// what ChunkRange names; or those of one closed surface that a section may cut, for its cut surfaces.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
-  bool colored = false;
+  bool colored = false, textured = false, emissive = false, cut_out = false;
   ChunkNormals normals = ChunkNormals::none;  ///< of cut surfaces none
+  bool is_alike(const DrawGroup& other) const {
+    return colored == other.colored && textured == other.textured && emissive == other.emissive &&
+           cut_out == other.cut_out && normals == other.normals;
+  }
   enum class Caps : uint8_t { none, plain, mirrored } caps = Caps::none;
   uint32_t count = 0;
   /// Of cut surfaces: so many commands behind those `count`, which draw the whole surface, draw what of it
   /// shows them.
   uint32_t shown = 0;
 };
-
-inline bool differ_in_vertices(const DrawGroup& a, const DrawGroup& b) {
-  return a.colored != b.colored || a.normals != b.normals;
-}
 
 /// Which triangles of drawables a list draws.
 enum class DrawPart : uint8_t { all, opaque, transparent };

@@ -14,6 +14,9 @@ class LoadOnDemand final : public Residency {
   void expect(uint32_t, float) override {}
   Chunk take(uint32_t chunk) override { return pack_.read_chunk(chunk); }
   std::optional<Chunk> take_if_ready(uint32_t chunk) override { return take(chunk); }
+  std::vector<Texel> read_texels(uint32_t texture, uint32_t level) override {
+    return pack_.read_texels(texture, level);
+  }
 
  private:
   const Pack& pack_;

@@ -92,6 +92,10 @@ std::optional<Chunk> ReadAhead::take_if_ready(uint32_t chunk) {
   return std::nullopt;
 }
 
+std::vector<Texel> ReadAhead::read_texels(uint32_t texture, uint32_t level) {
+  return pack_.read_texels(texture, level);
+}
+
 Chunk ReadAhead::remove(uint32_t chunk) {
   Entry& entry = entries_.at(chunk);
   use_.bytes -= entry.bytes;

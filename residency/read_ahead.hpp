@@ -46,6 +46,7 @@ class ReadAhead final : public Residency {
   /// it in the pack, where the pack's source likes that (ByteSource::Habits).
   Chunk take(uint32_t chunk) override;
   std::optional<Chunk> take_if_ready(uint32_t chunk) override;
+  std::vector<Texel> read_texels(uint32_t texture, uint32_t level) override;
   /// What was expected and is not being read yet is expected no longer: the camera may go elsewhere. What was
   /// read and was not expected in the last frame goes.
   void next_frame();

@@ -24,6 +24,8 @@ class Residency {
   virtual Chunk take(uint32_t chunk) = 0;
   /// The same without waiting: nullopt, and it is expected urgently, where it was not read ahead.
   virtual std::optional<Chunk> take_if_ready(uint32_t chunk) = 0;
+  /// A level of a texture, read now. Any thread may ask. Error (pack, texture) for damage.
+  virtual std::vector<Texel> read_texels(uint32_t texture, uint32_t level) = 0;
 };
 
 }  // namespace triptych

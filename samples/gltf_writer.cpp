@@ -39,20 +39,41 @@ size_t GltfWriter::add_accessor(std::span<const std::byte> bytes, size_t count, 
   return gltf_["accessors"].size() - 1;
 }
 
-size_t GltfWriter::material(const glm::dvec4& colour) {
-  // Four digits are more than an eight-bit picture can show, and equal colours become one material.
-  std::array<uint32_t, 4> key{};
-  for (int i = 0; i < 4; ++i)
-    key[static_cast<size_t>(i)] = static_cast<uint32_t>(std::lround(colour[i] * 10000));
-  const auto [found, added] = materials_.try_emplace(key, materials_.size());
+size_t GltfWriter::texture(const std::string& image) {
+  const auto [found, added] = textures_.try_emplace(image, textures_.size());
   if (added) {
-    Json material = {
-        {"pbrMetallicRoughness",
-         {{"baseColorFactor", {key[0] / 10000.0, key[1] / 10000.0, key[2] / 10000.0, key[3] / 10000.0}},
-          {"metallicFactor", 0.0}}}};
-    if (colour.a < 1) material["alphaMode"] = "BLEND";
-    gltf_["materials"].push_back(std::move(material));
+    gltf_["images"].push_back({{"uri", image}});
+    gltf_["textures"].push_back({{"source", found->second}});
   }
+  return found->second;
+}
+
+size_t GltfWriter::material(const MeshPart& part) {
+  // Four digits are more than an eight-bit picture can show, and equal colours become one material.
+  std::array<uint32_t, 8> key{};
+  const auto digits = [](double value) { return static_cast<uint32_t>(std::lround(value * 10000)); };
+  for (int i = 0; i < 3; ++i) {
+    key[static_cast<size_t>(i)] = digits(part.colour[i]);
+    key[static_cast<size_t>(4 + i)] = digits(part.emission[i]);
+  }
+  key[3] = digits(part.alpha);
+  key[7] = part.cut_out;
+  const auto [found, added] =
+      materials_.try_emplace(Key(key, {part.texture, part.emission_texture}), materials_.size());
+  if (!added) return found->second;
+  Json material = {
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor", {key[0] / 10000.0, key[1] / 10000.0, key[2] / 10000.0, key[3] / 10000.0}},
+        {"metallicFactor", 0.0}}}};
+  if (!part.texture.empty())
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture(part.texture)}};
+  if (part.emission != glm::dvec3(0))
+    material["emissiveFactor"] = {key[4] / 10000.0, key[5] / 10000.0, key[6] / 10000.0};
+  if (!part.emission_texture.empty())
+    material["emissiveTexture"] = {{"index", texture(part.emission_texture)}};
+  if (part.alpha < 1) material["alphaMode"] = "BLEND";
+  if (part.cut_out) material["alphaMode"] = "MASK";
+  gltf_["materials"].push_back(std::move(material));
   return found->second;
 }
 
@@ -68,9 +89,8 @@ Json GltfWriter::add_primitive(const MeshPart& part) {
   gltf_["accessors"].back()["max"] = {high.x, high.y, high.z};
   const size_t indices =
       add_accessor(std::as_bytes(std::span<const uint32_t>(part.indices)), part.indices.size(), true);
-  Json primitive = {{"attributes", {{"POSITION", positions}}},
-                    {"indices", indices},
-                    {"material", material(glm::dvec4(part.colour, part.alpha))}};
+  Json primitive = {
+      {"attributes", {{"POSITION", positions}}}, {"indices", indices}, {"material", material(part)}};
   if (!part.vertex_colours.empty()) {
     const size_t colours =
         add_accessor(std::as_bytes(std::span(part.vertex_colours)), part.vertex_colours.size(), false);
@@ -83,6 +103,12 @@ Json GltfWriter::add_primitive(const MeshPart& part) {
   if (!part.normals.empty()) {
     primitive["attributes"]["NORMAL"] =
         add_accessor(std::as_bytes(std::span<const glm::vec3>(part.normals)), part.normals.size(), false);
+  }
+  if (!part.texture_places.empty()) {
+    const size_t places =
+        add_accessor(std::as_bytes(std::span(part.texture_places)), part.texture_places.size(), false);
+    gltf_["accessors"].back()["type"] = "VEC2";
+    primitive["attributes"]["TEXCOORD_0"] = places;
   }
   return primitive;
 }

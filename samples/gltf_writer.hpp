@@ -40,13 +40,16 @@ class GltfWriter {
  private:
   size_t add_accessor(std::span<const std::byte> bytes, size_t count, bool indices);
   nlohmann::ordered_json add_primitive(const MeshPart& part);
-  size_t material(const glm::dvec4& colour);
+  size_t material(const MeshPart& part);
+  size_t texture(const std::string& image);
 
   std::filesystem::path folder_;
   std::string name_;
   AtomicFile buffer_;
   nlohmann::ordered_json gltf_;
-  std::map<std::array<uint32_t, 4>, size_t> materials_;
+  using Key = std::pair<std::array<uint32_t, 8>, std::array<std::string, 2>>;
+  std::map<Key, size_t> materials_;
+  std::map<std::string, size_t> textures_;
 };
 
 }  // namespace triptych

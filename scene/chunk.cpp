@@ -65,13 +65,15 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
               .indices = {},
               .outward_runs = std::move(outward_runs)};
   auto rest = reader.read_all<uint8_t>(reader.left());
-  for (uint8_t before = 0; !rest.empty() && rest.front() < first_index_byte;) {
+  uint8_t before = 0;
+  while (!rest.empty() && rest.front() < first_index_byte) {
     const uint8_t kind = rest.front();
     if (kind <= before) fail(place, "has a stream of the kind {} behind one of the kind {}", kind, before);
-    before = kind;
     ByteReader attributes(std::as_bytes(std::span(rest).subspan(1)), place);
     if (kind == chunk_colors_stream) {
       chunk.colors = read_vertex_stream<VertexColor>(attributes, vertex_count, place);
+    } else if (kind == chunk_coordinates_stream) {
+      chunk.coordinates = read_vertex_stream<TextureCoordinates>(attributes, vertex_count, place);
     } else if (kind == chunk_level_normals_stream || kind == chunk_file_normals_stream) {
       if (!chunk.normals.empty()) fail(place, "has two streams of normals");
       chunk.normals = read_vertex_stream<VertexNormal>(attributes, vertex_count, place);
@@ -81,6 +83,7 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
       fail(place, "has a stream of the unknown kind {}", kind);
     }
     rest = attributes.read_all<uint8_t>(attributes.left());
+    before = kind;
   }
   chunk.indices.resize(size_t{triangle_count} * 3);
   if (meshopt_decodeIndexBuffer(chunk.indices.data(), chunk.indices.size(), rest.data(), rest.size()) != 0)

@@ -10,21 +10,15 @@
 namespace triptych {
 
 /// That can be switched off from frame to frame.
-enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals };
+enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals, textures, emission };
 inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency,
-                                           Effect::smooth_normals};
+                                           Effect::smooth_normals, Effect::textures, Effect::emission};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
-  switch (effect) {
-    case Effect::vertex_colors:
-      return "vertex-colours";
-    case Effect::transparency:
-      return "transparency";
-    case Effect::smooth_normals:
-      break;
-  }
-  return "smooth-normals";
+  constexpr std::array<std::string_view, all_effects.size()> names = {
+      "vertex-colours", "transparency", "smooth-normals", "textures", "emission"};
+  return names[static_cast<size_t>(effect)];
 }
 
 /// What Skeleton::effects calls it.

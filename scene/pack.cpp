@@ -93,6 +93,16 @@ void Pack::read_drawn_sections() {
     skeleton_.closed = decode_closed_surfaces(bytes, skeleton_.chunks, place);
     skeleton_.closed.find_reach(skeleton_);
   });
+  read(materials_, "MATL", materials_version, [&](const auto& bytes, const auto& place) {
+    decode_materials(bytes, texels_ ? texels_->size : 0, place, skeleton_);
+    if (!texels_) return;
+    const std::string texels_place = name() + ": section TEXL";
+    check_version(*texels_, texels_version, texels_place);
+    if (texels_->offset > size() || texels_->size > size() - texels_->offset)
+      fail(texels_place, "leaves the file");
+    if (texels_checksum(skeleton_.textures) != texels_->checksum)
+      fail(texels_place, "its checksum does not match the textures of section MATL: build the pack again");
+  });
 }
 
 std::vector<PackSection> Pack::read_table() {
@@ -133,12 +143,14 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
     take_once(options_type, section, options_);
     take_once(seen_from_outside_type, section, seen_from_outside_);
     take_once(closed_surfaces_type, section, closed_surfaces_);
+    take_once(materials_type, section, materials_);
+    take_once(texels_type, section, texels_);
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));
       const bool is_geometry = section.type == geometry_type;
       const uint32_t oldest = is_geometry ? geometry_version : 1;
-      const uint32_t newest = is_geometry ? shaded_geometry_version : 1;
+      const uint32_t newest = is_geometry ? textured_geometry_version : 1;
       if (section.version > newest) fail(place, "holds a section {} of a newer version", name_of(type));
       if (section.version < oldest) {
         fail(place, "holds a section {} of an earlier version: build the pack again", name_of(type));
@@ -191,6 +203,18 @@ Chunk Pack::read_chunk(uint32_t chunk) const {
   return decode_chunk_in(read_chunk_bytes(chunk, chunk), chunk, chunk);
 }
 
+std::vector<Texel> Pack::read_texels(uint32_t texture, uint32_t level) const {
+  const Texture& of = skeleton_.textures.at(texture);
+  const TextureLevel& stored = of.levels.at(level);
+  const std::string place = fmt::format("{}: section TEXL: texture {} level {}", name(), texture, level);
+  const std::vector<std::byte> bytes = read_bytes(texels_->offset + stored.offset, stored.size, place);
+  if (hash_bytes(bytes) != stored.checksum) {
+    fail(place, "byte {}: the checksum does not match: the pack is damaged, build it again",
+         texels_->offset + stored.offset);
+  }
+  return decode_texels(bytes, side_at_level(of.width, level), side_at_level(of.height, level), place);
+}
+
 std::vector<std::byte> Pack::read_chunk_bytes(uint32_t first, uint32_t last) const {
   const ChunkInfo &from = skeleton_.chunks.at(first), &to = skeleton_.chunks.at(last);
   const std::string place = first == last
@@ -213,6 +237,8 @@ Chunk Pack::decode_chunk_in(std::span<const std::byte> all, uint32_t first, uint
       std::ranges::any_of(decoded.vertices, [](const ChunkVertex& vertex) { return vertex.layer > 0; });
   if (in_layers && !has_layers(skeleton_.effects))
     fail(place, "has layers, which the effects of section SKEL do not name");
+  if (!decoded.coordinates.empty() && skeleton_.materials.empty())
+    fail(place, "has texture coordinates, where the pack has no section MATL");
   return decoded;
 }
 

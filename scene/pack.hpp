@@ -38,6 +38,8 @@ class Pack {
   std::vector<std::byte> read_chunk_bytes(uint32_t first, uint32_t last) const;
   /// Verifies and decodes the chunk, out of bytes that begin with the first one. Error as read_chunk().
   Chunk decode_chunk_in(std::span<const std::byte> bytes, uint32_t first, uint32_t chunk) const;
+  /// Reads, verifies and decodes a level of a texture. Error (file, texture) for damage.
+  std::vector<Texel> read_texels(uint32_t texture, uint32_t level) const;
   /// Reads and verifies what the model's files say of the objects in it, which opening a pack does not touch.
   /// Error (file, section, byte) for damage, or for a section of another version. Without objects: an empty
   /// one. The pack must outlive it. scene/pack_objects.hpp has what it returns.
@@ -67,7 +69,7 @@ class Pack {
   uint32_t format_version_ = 0;
   uint64_t geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
-  std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_;
+  std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_, materials_, texels_;
 };
 
 }  // namespace triptych

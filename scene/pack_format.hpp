@@ -27,6 +27,8 @@ inline constexpr uint32_t layered_geometry_version = 4;
 /// Of that section where chunks may have shading normals (Skeleton::effects names them, and the others if
 /// there are any).
 inline constexpr uint32_t shaded_geometry_version = 5;
+/// Of that section where chunks may have texture coordinates, and what the versions before may have.
+inline constexpr uint32_t textured_geometry_version = 6;
 inline constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
 inline constexpr std::array<char, 4> sub_hierarchies_type = {'S', 'U', 'B', 'H'};
 /// Only in packs of models with names. It is not read when a pack is opened.
@@ -41,6 +43,14 @@ inline constexpr uint32_t seen_from_outside_version = 1;
 /// Only in packs with closed surfaces.
 inline constexpr std::array<char, 4> closed_surfaces_type = {'B', 'O', 'D', 'Y'};
 inline constexpr uint32_t closed_surfaces_version = 1;
+
+/// Only in packs with textures, or with surfaces that have light of their own.
+inline constexpr std::array<char, 4> materials_type = {'M', 'A', 'T', 'L'};
+inline constexpr uint32_t materials_version = 1;
+/// Only in packs with textures. It is not read when a pack is opened; its checksum is that of the checksums
+/// of the textures' levels in order.
+inline constexpr std::array<char, 4> texels_type = {'T', 'E', 'X', 'L'};
+inline constexpr uint32_t texels_version = 1;
 
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;
@@ -62,6 +72,9 @@ static_assert(sizeof(PackSection) == 32);
 /// The geometry section is too large to be read at once: its checksum is that of its chunks' checksums in
 /// order.
 uint64_t geometry_checksum(std::span<const ChunkInfo> chunks);
+
+/// The same of the section of texels.
+uint64_t texels_checksum(std::span<const Texture> textures);
 
 /// The content hash of a pack with both sections.
 uint64_t instanced_content_hash(uint64_t skeleton_checksum, uint64_t sub_hierarchies_checksum);

@@ -6,6 +6,7 @@
 #include "scene/closed_surfaces.hpp"
 #include "scene/import_report.hpp"
 #include "scene/lattice.hpp"
+#include "scene/surface_material.hpp"
 
 #include <array>
 #include <cstdint>
@@ -89,8 +90,10 @@ struct Skeleton {
   std::vector<ChunkInfo> chunks;
   std::vector<LatticeBox> pieces;  ///< of chunks in several pieces: boxes of their vertices, piece by piece
   std::vector<std::array<uint8_t, 4>> palette;  ///< base colours, sRGB bytes, that vertices name by index
-  std::vector<ExpandedInstance> instances;      ///< where sub-hierarchies were put, in the order of their ids
-  uint32_t sub_hierarchies = 0;                 ///< how many of them the pack holds
+  std::vector<SurfaceMaterial> materials;   ///< of each of them, or empty where none has more than its colour
+  std::vector<Texture> textures;            ///< that materials name by index
+  std::vector<ExpandedInstance> instances;  ///< where sub-hierarchies were put, in the order of their ids
+  uint32_t sub_hierarchies = 0;             ///< how many of them the pack holds
   /// For each chunk whether it is made to be seen from outside (scene/seen_from_outside.hpp); empty if none
   /// is.
   std::vector<bool> seen_from_outside;

@@ -262,13 +262,14 @@ bool Collapser::map_open(const Star::Fan& fan, uint32_t target) {
 
 /// Adds what a change of colours in the fan counts to the errors of its triangles before the collapse.
 void Collapser::add_color_change(const Star::Fan& fan, uint32_t target) {
-  const double change = colors_.change(fan, target, from_, to_, way_, collapse_.errors);
+  const auto [color, texture] = colors_.change(fan, target, from_, to_, way_, collapse_.errors);
+  const double change = std::max(length_ * color, texture);
   if (!(change > 0)) return;
   double before = 0;
   for (size_t i = fan.begin; i < fan.end; ++i) before = std::max(before, before_[i]);
   for (size_t i = fan.begin; i < fan.end; ++i) {
     if (collapse_.errors[i] >= 0)
-      collapse_.errors[i] = std::max(collapse_.errors[i], (before + length_ * change) * slack);
+      collapse_.errors[i] = std::max(collapse_.errors[i], (before + change) * slack);
   }
 }
 

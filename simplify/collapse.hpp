@@ -32,8 +32,9 @@ struct Collapse {
 /// collapsed edge. All three hold for materials, borders and non-manifold edges as well.
 ///
 /// Where corners have colours, a change of them counts as far as the point moves, if it is distinct, and in
-/// proportion if it is less: features narrower than the bound, or fainter, may vanish. Seams stay, as lines
-/// between materials do.
+/// proportion if it is less: features narrower than the bound, or fainter, may vanish. Where they have places
+/// on a texture, it counts how far that moves over the surface. Seams of either stay, as lines between
+/// materials do.
 ///
 /// A point that leaves a layered plane, or lays a triangle into one, counts as far as what lies there is
 /// large.

@@ -13,12 +13,12 @@ namespace {
 struct Side {
   uint64_t key;  ///< its points, the lower one first
   uint32_t triangle;
-  VertexColor low, high;  ///< of its ends
+  SurfaceCorner low, high;  ///< of its ends
 };
 
 bool continues(const Side& a, const Side& b) {
-  return color_difference(a.low, b.low) < distinct_colors &&
-         color_difference(a.high, b.high) < distinct_colors;
+  return color_difference(a.low.color, b.low.color) < distinct_colors &&
+         color_difference(a.high.color, b.high.color) < distinct_colors;
 }
 
 std::vector<Side> sides_of(const Surface& surface) {
@@ -26,7 +26,7 @@ std::vector<Side> sides_of(const Surface& surface) {
   sides.reserve(3 * surface.triangles.size());
   for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& vertices = surface.triangles[t].vertices;
-    const CornerColors& colors = surface.colors[t];
+    const SurfaceCorners& colors = surface.colors[t];
     for (size_t k = 0; k < 3; ++k) {
       size_t low = k, high = (k + 1) % 3;
       if (vertices[low] > vertices[high]) std::swap(low, high);

@@ -59,7 +59,16 @@ void ShrinkingMesh::star(uint32_t point, std::vector<Spoke>& spokes) {
   }
 }
 
-void ShrinkingMesh::set_color(uint32_t triangle, uint32_t point, const VertexColor& color) {
+bool ShrinkingMesh::is_textured_across(uint32_t triangle, uint32_t other, uint32_t point,
+                                       uint32_t end) const {
+  const auto at = [&](uint32_t face, uint32_t corner) {
+    const auto& corners = faces_[face].corners;
+    return colors_[face][corners[0] == corner ? 0 : corners[1] == corner ? 1 : 2].coordinates;
+  };
+  return at(triangle, point) == at(other, point) && at(triangle, end) == at(other, end);
+}
+
+void ShrinkingMesh::set_color(uint32_t triangle, uint32_t point, const SurfaceCorner& color) {
   const auto& corners = faces_[triangle].corners;
   colors_[triangle][corners[0] == point ? 0 : corners[1] == point ? 1 : 2] = color;
 }

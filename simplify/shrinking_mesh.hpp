@@ -33,11 +33,13 @@ class ShrinkingMesh {
   size_t face_count() const { return faces_.size(); }
   Face& face(uint32_t index) { return faces_[index]; }
   const Face& face(uint32_t index) const { return faces_[index]; }
-  /// Whether corners have colours, and those of a triangle.
+  /// Whether corners have colours or places on textures, and those of a triangle.
   bool has_colors() const { return !colors_.empty(); }
-  const CornerColors& colors(uint32_t triangle) const { return colors_[triangle]; }
+  const SurfaceCorners& colors(uint32_t triangle) const { return colors_[triangle]; }
+  /// Whether two triangles that share the edge between the points have the same places on a texture there.
+  bool is_textured_across(uint32_t triangle, uint32_t other, uint32_t point, uint32_t end) const;
   /// Of the corner that is at the point.
-  void set_color(uint32_t triangle, uint32_t point, const VertexColor& color);
+  void set_color(uint32_t triangle, uint32_t point, const SurfaceCorner& color);
 
   /// How many triangles hold the point.
   size_t degree(uint32_t point) const { return slots_[point].alive; }
@@ -64,7 +66,7 @@ class ShrinkingMesh {
 
   std::vector<glm::ivec3> points_;
   std::vector<Face> faces_;
-  std::vector<CornerColors> colors_;       ///< for each face; empty if the surface has none
+  std::vector<SurfaceCorners> colors_;     ///< for each face; empty if the surface has none
   std::vector<uint32_t> chart_materials_;  ///< for each chart its material
   /// For each point its triangles in places_, the first `count`, gone ones among them.
   std::vector<Slot> slots_;

@@ -11,7 +11,31 @@ bool Star::read(ShrinkingMesh& mesh, uint32_t point) {
   if (mesh.degree(point) == 0 || mesh.degree(point) > max_spokes) return false;
   mesh.star(point, spokes_);
   if (!order_single()) order_fans(mesh, point);
+  if (mesh.has_colors()) split_at_seams(mesh, point);
   return true;
+}
+
+void Star::split_at_seams(const ShrinkingMesh& mesh, uint32_t point) {
+  const auto is_seam = [&](size_t before, size_t after) {
+    return !mesh.is_textured_across(spokes_[before].triangle, spokes_[after].triangle, point,
+                                    spokes_[before].to);
+  };
+  whole_.swap(fans_);
+  fans_.clear();
+  for (const auto& [begin, end, closed] : whole_) {
+    size_t first = begin;  // behind a seam, in a closed fan that has one
+    while (closed && first < end && !is_seam(first == begin ? end - 1 : first - 1, first)) ++first;
+    const bool stays_closed = closed && first == end;
+    const auto at = [&](size_t spoke) { return spokes_.begin() + static_cast<std::ptrdiff_t>(spoke); };
+    if (!stays_closed) std::rotate(at(begin), at(first), at(end));
+    size_t from = begin;
+    for (size_t next = begin + 1; next < end; ++next) {
+      if (stays_closed || !is_seam(next - 1, next)) continue;
+      fans_.push_back({from, next, false});
+      from = next;
+    }
+    fans_.push_back({from, end, stays_closed});
+  }
 }
 
 /// A fast path for the usual case: chains the spokes in place; false, with the spokes in any order, if they

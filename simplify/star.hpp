@@ -11,7 +11,7 @@ namespace triptych {
 
 /// The star of a point, divided into fans: triangles of one material that are connected by shared edges,
 /// whichever way they are turned. Where more than two meet at an edge, the flattest pairs are connected; two
-/// that cover each other (the sides of a sheet) never are.
+/// that cover each other (the sides of a sheet) never are. Where a texture has a seam, a fan ends.
 class Star {
  public:
   /// Points with more triangles are not collapsed until they have fewer: ordering takes time with the square
@@ -50,10 +50,11 @@ class Star {
   void join_ends(const ShrinkingMesh& mesh, uint32_t point);
   void join_flattest(const ShrinkingMesh& mesh, uint32_t point, std::span<const End> ends);
   void follow(End end, bool closed);
+  void split_at_seams(const ShrinkingMesh& mesh, uint32_t point);
   uint32_t corner(End end) const { return end & 1 ? spokes_[end / 2].to : spokes_[end / 2].from; }
 
   std::vector<Spoke> spokes_, ordered_;
-  std::vector<Fan> fans_;
+  std::vector<Fan> fans_, whole_;
   std::vector<KeyedEnd> keyed_;
   std::vector<End> mates_, ends_;
   std::vector<uint8_t> done_;

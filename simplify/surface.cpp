@@ -23,7 +23,7 @@ void Surface::drop_empty_normals() {
 }
 
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles,
-              std::span<const CornerColors> colors) {
+              std::span<const SurfaceCorners> colors) {
   Piece piece;
   piece.surface.colors.assign(colors.begin(), colors.end());
   tsl::robin_map<uint32_t, uint32_t, KeyHash> local;
@@ -63,9 +63,9 @@ Piece without_lone_points(const Surface& surface) {
   return extract(surface, all);
 }
 
-bool has_transparent(const Surface& surface, Palette palette) {
+bool is_seen_through(const Surface& surface, Palette palette) {
   return std::ranges::any_of(surface.triangles, [&](const Triangle& triangle) {
-    return is_transparent(palette[palette_index(triangle.material)]);
+    return is_seen_through(palette, palette_index(triangle.material));
   });
 }
 
@@ -86,13 +86,20 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   // A point has a vertex for each of its colours and pieces; most have only one, and the map is for the
   // others.
   std::vector<uint32_t> first(surface.points.size(), none);
-  using Key = std::array<uint32_t, 5>;
+  using Key = std::array<uint32_t, 7>;
   tsl::robin_map<Key, uint32_t, KeyHash, KeyEqual> further;
-  const bool colored = !surface.colors.empty(), shaded = !surface.normals.empty();
+  const auto any = [&](const auto& has) {
+    return std::ranges::any_of(
+        surface.colors, [&](const SurfaceCorners& corners) { return std::ranges::any_of(corners, has); });
+  };
+  const bool colored = any([](const SurfaceCorner& corner) { return is_colored(corner.color); });
+  const bool textured = any([](const SurfaceCorner& corner) { return is_on_texture(corner.coordinates); });
+  const bool shaded = !surface.normals.empty();
   if (shaded) chunk.normals_from = surface.file_normals ? ChunkNormals::of_files : ChunkNormals::of_levels;
-  const auto differs = [&](uint32_t index, const ChunkVertex& vertex, const VertexColor& color,
+  const auto differs = [&](uint32_t index, const ChunkVertex& vertex, const SurfaceCorner& own,
                            const VertexNormal& normal) {
-    return chunk.vertices[index] != vertex || (colored && chunk.colors[index] != color) ||
+    return chunk.vertices[index] != vertex || (colored && chunk.colors[index] != own.color) ||
+           (textured && chunk.coordinates[index] != own.coordinates) ||
            (shaded && chunk.normals[index] != normal);
   };
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
@@ -100,7 +107,7 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
     const uint8_t piece = pieces.empty() ? 0 : pieces[i];
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t point = surface.triangles[i].vertices[k];
-      const VertexColor own = colored ? surface.colors[i][k] : VertexColor{};
+      const SurfaceCorner own = surface.colors.empty() ? SurfaceCorner() : surface.colors[i][k];
       const VertexNormal normal = shaded ? surface.normals[i][k] : VertexNormal{};
       ChunkVertex vertex{surface.points[point], 0, 0, piece};
       vertex.color = palette_index(material) & (max_colors - 1);
@@ -109,12 +116,19 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
       if (first[point] == none) first[point] = next;
       uint32_t index = first[point];
       if (index != next && differs(index, vertex, own, normal)) {
-        const Key key{point, material, std::bit_cast<uint32_t>(own), std::bit_cast<uint32_t>(normal), piece};
+        const Key key{point,
+                      material,
+                      std::bit_cast<uint32_t>(own.color),
+                      std::bit_cast<uint32_t>(normal),
+                      piece,
+                      static_cast<uint32_t>(own.coordinates.u),
+                      static_cast<uint32_t>(own.coordinates.v)};
         index = further.try_emplace(key, next).first->second;
       }
       if (index == next) {
         chunk.vertices.push_back(vertex);
-        if (colored) chunk.colors.push_back(own);
+        if (colored) chunk.colors.push_back(own.color);
+        if (textured) chunk.coordinates.push_back(own.coordinates);
         if (shaded) chunk.normals.push_back(normal);
       }
       chunk.indices.push_back(index);

@@ -23,14 +23,31 @@ inline uint32_t material_in_layer(uint32_t material, uint32_t layer) { return ma
 inline uint32_t material_seen(uint32_t material) { return material & 0xffffffu; }
 inline uint32_t material_covered(uint32_t material, uint32_t of_class) { return material | of_class << 24; }
 
+/// What a corner of a triangle has besides its point.
+struct SurfaceCorner {
+  SurfaceCorner() = default;
+  SurfaceCorner(const VertexColor& own_color, const TextureCoordinates& place = {})
+      : color(own_color), coordinates(place) {}
+  VertexColor color = {};               ///< as it is drawn; none where it is the material's
+  TextureCoordinates coordinates = {};  ///< none where its material has no texture
+  bool operator==(const SurfaceCorner&) const = default;
+};
+
+struct SurfaceCorners : std::array<SurfaceCorner, 3> {
+  SurfaceCorners() = default;
+  SurfaceCorners(const CornerColors& colors, const CornerCoordinates& coordinates = {}) {
+    for (size_t k = 0; k < 3; ++k) (*this)[k] = {colors[k], coordinates[k]};
+  }
+};
+
 /// Different points of a lattice, and triangles that share them. No triangle is degenerate, and every point
 /// belongs to one.
 struct Surface {
   std::vector<glm::ivec3> points;
   std::vector<Triangle> triangles;
-  /// Of the corners of each triangle, as they are drawn; empty if the surface has none. Corners at one point
-  /// may differ: a seam runs there.
-  std::vector<CornerColors> colors = {};
+  /// What colours the corners of each triangle; empty if the materials alone do. Corners at one point may
+  /// differ: a seam runs there.
+  std::vector<SurfaceCorners> colors = {};
   /// The shading normals of the corners of each triangle; none where it shows its own. Empty if the surface
   /// has none.
   std::vector<CornerNormals> normals = {};
@@ -50,21 +67,21 @@ struct Piece {
 /// The given triangles of the surface as a piece of its own, points in the order of their first use. colors:
 /// of the triangles, or empty.
 Piece extract(const std::vector<glm::ivec3>& points, std::span<const Triangle> triangles,
-              std::span<const CornerColors> colors = {});
+              std::span<const SurfaceCorners> colors = {});
 /// Of its triangles those of these numbers, with all that their corners have.
 Piece extract(const Surface& surface, std::span<const uint32_t> chosen);
 /// All of them: without points that no triangle has.
 Piece without_lone_points(const Surface& surface);
 
-/// Whether any of its triangles is.
-bool has_transparent(const Surface& surface, Palette palette);
+/// Whether backs are seen through any of its triangles.
+bool is_seen_through(const Surface& surface, Palette palette);
 
 /// The surface's points in the sets that its triangles connect.
 DisjointSets connected_points(const Surface& surface);
 
-/// The surface as it is drawn: a vertex for each point, colour (of palette and corner), normal and piece
-/// that meet.
-/// `pieces`: for each triangle ChunkVertex::piece; empty if all of it is one piece.
+/// The surface as it is drawn: a vertex for each point, colour (of palette and corner), place on a texture,
+/// normal and piece that meet. `pieces`: for each triangle ChunkVertex::piece; empty if all of it is one
+/// piece.
 Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
 
 /// True if the corners lie on one line; exact.

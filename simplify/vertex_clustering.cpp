@@ -201,20 +201,21 @@ class Clustering {
     return true;
   }
 
-  /// Corners keep their colours; where that of the point that they moved to is not distinct, they get it, so
-  /// that they meet there in one colour.
-  std::vector<CornerColors> colors_of_kept() const {
-    std::vector<CornerColors> colors;
+  /// Corners keep their places on textures, which so move as far as they do, and their colours; where that of
+  /// the point that they moved to is not distinct, they get it, so that they meet there in one colour.
+  std::vector<SurfaceCorners> colors_of_kept() const {
+    std::vector<SurfaceCorners> colors;
     if (surface_.colors.empty()) return colors;
     std::vector<VertexColor> of_points(surface_.points.size());
     for (size_t t = surface_.triangles.size(); t-- > 0;) {
-      for (size_t k = 0; k < 3; ++k) of_points[surface_.triangles[t].vertices[k]] = surface_.colors[t][k];
+      for (size_t k = 0; k < 3; ++k)
+        of_points[surface_.triangles[t].vertices[k]] = surface_.colors[t][k].color;
     }
     for (size_t i = 0; i < kept_.size(); ++i) {
-      CornerColors& own = colors.emplace_back(surface_.colors[sources_[i]]);
+      SurfaceCorners& own = colors.emplace_back(surface_.colors[sources_[i]]);
       for (size_t k = 0; k < 3; ++k) {
         const VertexColor& there = of_points[kept_[i].vertices[k]];
-        if (color_difference(own[k], there) < distinct_colors) own[k] = there;
+        if (color_difference(own[k].color, there) < distinct_colors) own[k].color = there;
       }
     }
     return colors;

@@ -14,7 +14,7 @@ struct EffectUse {
   uint64_t draws = 0;         ///< draw commands, or stretches of triangles, that only it asks for
   uint64_t binds = 0;         ///< of programs, buffers and textures
   uint64_t upload_bytes = 0;  ///< to device memory
-  uint64_t fragments = 0;     ///< that it has blended
+  uint64_t fragments = 0;     ///< that it has blended, or pixels that it has shaded
   uint64_t variants = 0;      ///< of shaders
   uint64_t splits = 0;        ///< how often lists of fragments were made in parts, to stay within their cap
 };

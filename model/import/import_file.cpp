@@ -37,10 +37,14 @@ uint64_t drop_unusable(Mesh& mesh) {
     if (!is_usable(mesh.positions[i])) continue;
     mesh.positions[kept] = mesh.positions[i];
     if (!mesh.colors.empty()) mesh.colors[kept] = mesh.colors[i];
+    if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[i];
+    if (!mesh.coordinates.empty()) mesh.coordinates[kept] = mesh.coordinates[i];
     renamed[i] = kept++;
   }
   mesh.positions.resize(kept);
   if (!mesh.colors.empty()) mesh.colors.resize(kept);
+  if (!mesh.normals.empty()) mesh.normals.resize(kept);
+  if (!mesh.coordinates.empty()) mesh.coordinates.resize(kept);
   for (Triangle& triangle : mesh.triangles) {
     for (uint32_t& vertex : triangle.vertices) vertex = renamed[vertex];
   }
@@ -124,6 +128,11 @@ void FileImport::take_warnings(const MeshStream& stream) {
 uint32_t FileImport::add_material(const Material& material) {
   model_.materials.push_back(material);
   return static_cast<uint32_t>(model_.materials.size() - 1);
+}
+
+uint32_t FileImport::add_image(ModelImage image) {
+  model_.images.push_back(std::move(image));
+  return static_cast<uint32_t>(model_.images.size() - 1);
 }
 
 void FileImport::set_material(uint32_t index, const Material& material) {

@@ -63,6 +63,7 @@ class FileImport {
   void take_warnings(const MeshStream& stream);
 
   uint32_t add_material(const Material& material);
+  uint32_t add_image(ModelImage image);
   /// Of one that add_material returned.
   void set_material(uint32_t index, const Material& material);
   /// Whether a mesh of so many triangles should stay in its file.

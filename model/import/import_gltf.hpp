@@ -25,9 +25,16 @@ struct GltfBuffer {
   std::string missing = {};  ///< why there is no source
 };
 
+struct GltfImage {
+  std::string name;
+  std::shared_ptr<const std::string> uri;  ///< null where it is in a view
+  int64_t view = -1;
+};
+
 struct GltfFile {
   GltfDocument model;  ///< without its buffers and images
   std::vector<GltfBuffer> buffers;
+  std::vector<GltfImage> images;
   ImportOptions options;
   /// Views that were compressed, once they were needed.
   mutable std::map<size_t, GltfBuffer> unpacked_views;
@@ -44,17 +51,22 @@ struct GltfDracoMesh {
   PositionTable positions;
   std::optional<ColorTable> colors = std::nullopt;
   std::optional<PositionTable> normals = std::nullopt;
+  std::optional<PositionTable> coordinates = std::nullopt;
 };
-/// Error (place) if they cannot be unpacked.
-GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& draco, const std::string& place);
+/// set: which of the texture coordinates; none if it is negative. Error (place) if they cannot be unpacked.
+GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& draco, int64_t set,
+                           const std::string& place);
 
 /// Parses a .gltf or .glb file. Error (file) for one that does not parse, lacks a buffer, or requires an
 /// extension that is not known.
 GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>& source);
 
-/// Takes the values of the top-level member "images" and "buffers" out of the JSON text, and returns the
-/// latter; empty if there is none. Error (place, byte) for JSON nested too deeply for a parser.
-std::string take_buffers(std::string& json, const std::string& place);
+/// The values of two top-level members of the JSON text; empty if there is none.
+struct GltfTaken {
+  std::string buffers, images;
+};
+/// Takes them out of the text. Error (place, byte) for JSON nested too deeply for a parser.
+GltfTaken take_buffers(std::string& json, const std::string& place);
 /// The files that buffers and images of the JSON text name; invalid values are ignored.
 std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place);
 /// Finds what the JSON value "buffers" names. Files are looked for beside the target, and a buffer without an
@@ -62,6 +74,43 @@ std::vector<std::string> names_in_gltf(const std::string& text, const std::strin
 /// that is none.
 std::optional<std::vector<GltfBuffer>> find_buffers(const std::string& json, FileImport& target,
                                                     const std::optional<GltfBuffer>& binary);
+
+bool is_data_uri(std::string_view uri);
+/// Of a data URI of any media type (RFC 2397). Error (place) if it has none.
+std::vector<std::byte> bytes_of_data_uri(const std::string& uri, const std::string& place);
+/// The file that an URI names. Error (place) if it is not there, or has less than `size` bytes.
+GltfBuffer gltf_file_beside(FileImport& target, const std::string& uri, uint64_t size,
+                            const std::string& place);
+/// What the JSON value "images" names; entries that are no objects have neither URI nor view.
+std::vector<GltfImage> find_gltf_images(const std::string& json);
+
+/// Adds images of the file to the model when they are asked for, each once. Those that are not there are
+/// counted in a warning.
+class GltfImages {
+ public:
+  GltfImages(const GltfFile& gltf, FileImport& target)
+      : gltf_(gltf), target_(target), known_(gltf.images.size()) {}
+  /// Its number in the model; no_id where it is not there.
+  uint32_t image(int64_t index);
+
+ private:
+  ModelImage open(size_t index);
+  void skip(const std::string& what);
+
+  const GltfFile& gltf_;
+  FileImport& target_;
+  std::vector<std::optional<uint32_t>> known_;
+  std::string first_missing_;
+};
+
+/// A material of the file, as the model's have them, and where its textures find their coordinates.
+struct GltfSurface {
+  Material material;
+  int64_t coordinates = -1;  ///< of the attributes TEXCOORD_n; −1: it has no texture
+  GltfTextureTransform transform = {};
+};
+GltfSurface read_gltf_material(const GltfFile& gltf, const GltfMaterial& material, GltfImages& images,
+                               FileImport& target);
 
 /// The elements of one accessor, sparse ones included. Construction checks every range (Error, place), so
 /// that element 0 … count() − 1 never leaves the buffer.
@@ -75,8 +124,9 @@ class GltfAccessor {
 
   /// Whether all elements can be read directly from the file, so that they can stay there.
   bool can_stream() const { return !sparse_ && stride_ <= PositionTable::max_stride; }
-  PositionTable positions() const;  ///< of three components
-  ColorTable colors() const;        ///< of three components, and perhaps one more
+  PositionTable positions() const;    ///< of three components
+  ColorTable colors() const;          ///< of three components, and perhaps one more
+  PositionTable coordinates() const;  ///< of two components, which come as x and y
   IndexTable indices() const;
 
   /// Reads all elements; needed before component().
@@ -115,6 +165,7 @@ class GltfMeshes {
     std::optional<PositionTable> unpacked;  ///< in place of the accessor
     std::optional<ColorTable> colors;
     std::optional<PositionTable> normals;
+    std::optional<CoordinateTable> coordinates;
     const GltfPrimitive* primitive = nullptr;
     bool can_stream = false;
   };
@@ -133,23 +184,24 @@ class GltfMeshes {
   void read_colors(const GltfPrimitive& primitive, const std::string& place, Part& part);
   void read_normals(const GltfPrimitive& primitive, const std::string& place, Part& part);
   static void hold_in_memory(GltfAccessor& accessor, const std::string& place, PositionTable& values);
+  void read_coordinates(const GltfPrimitive& primitive, const std::string& place, Part& part);
   bool read_draco(const GltfPrimitive& primitive, const std::string& place, Part& part);
   void read_triangles(const Part& part, const Move& move, Mesh& mesh);
   static VertexNormal moved_normal(const Move& move, uint32_t vertex, const glm::dvec3& position,
                                    const VertexNormal& normal);
   Move skinning(const Part& part, const std::vector<Affine>& joints);
   Positions& positions(int64_t accessor, const std::string& place);
-  void read_material(const GltfMaterial& material);
-
   const GltfFile& gltf_;
   FileImport& target_;
   std::vector<uint32_t> materials_;              ///< the file's to the model's
+  std::vector<GltfSurface> surfaces_;            ///< of each of the file's materials
   std::vector<bool> known_;                      ///< whether the mesh was requested
   std::vector<std::optional<uint32_t>> meshes_;  ///< the file's to the model's
   std::vector<uint32_t> renamed_;  ///< an accessor's vertex to the mesh's, while a primitive is read
   std::map<std::pair<int64_t, int64_t>, std::optional<uint32_t>> skinned_;  ///< by mesh and skin
   std::string first_damage_;                          ///< the warning of primitives that cannot be read
   std::string first_bad_colors_, first_bad_normals_;  ///< and of those whose colours or normals cannot
+  std::string first_bad_coordinates_;                 ///< and of those whose texture coordinates cannot
   int64_t last_accessor_ = -1;
   std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor
 };

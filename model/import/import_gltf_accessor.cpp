@@ -148,6 +148,13 @@ ColorTable GltfAccessor::colors() const {
   return table;
 }
 
+PositionTable GltfAccessor::coordinates() const {
+  PositionTable table = positions();
+  table.fields[2] = table.fields[1];  // two components are all that there are
+  table.normalized = component_type_ < gltf_float;
+  return table;
+}
+
 IndexTable GltfAccessor::indices() const {
   return {data_.source, data_.offset, count_, stride_, scalar_type_of(component_type_)};
 }

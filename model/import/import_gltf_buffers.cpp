@@ -66,10 +66,6 @@ std::string without_percents(const std::string& uri) {
   return text;
 }
 
-bool is_data_uri(std::string_view uri) {
-  return uri.size() >= 5 && equal_but_for_case(uri.substr(0, 5), "data:");
-}
-
 /// Base64 with blanks in it, of either alphabet, with or without its padding; nothing where it holds other
 /// letters.
 std::optional<std::vector<std::byte>> from_base64(std::string_view text) {
@@ -101,8 +97,13 @@ std::optional<std::vector<std::byte>> from_base64(std::string_view text) {
   return bytes;
 }
 
-/// A data URI of any media type (RFC 2397).
-GltfBuffer from_data_uri(const std::string& uri, uint64_t size, const std::string& place) {
+}  // namespace
+
+bool is_data_uri(std::string_view uri) {
+  return uri.size() >= 5 && equal_but_for_case(uri.substr(0, 5), "data:");
+}
+
+std::vector<std::byte> bytes_of_data_uri(const std::string& uri, const std::string& place) {
   const size_t comma = uri.find(',');
   if (comma == std::string::npos) fail(place, "its data URI has no comma, and so no data");
   const bool base64 = uri.substr(0, comma).ends_with(";base64");
@@ -115,11 +116,11 @@ GltfBuffer from_data_uri(const std::string& uri, uint64_t size, const std::strin
     data.emplace(bytes.begin(), bytes.end());
   }
   if (!data) fail(place, "its data URI is not base64");
-  if (data->size() < size) fail(place, "its data URI holds {} bytes of {}", data->size(), size);
-  return {std::make_shared<StreamSource>(place, std::move(*data)), 0, size};
+  return std::move(*data);
 }
 
-GltfBuffer beside(FileImport& target, const std::string& uri, uint64_t size, const std::string& place) {
+GltfBuffer gltf_file_beside(FileImport& target, const std::string& uri, uint64_t size,
+                            const std::string& place) {
   const std::string name = without_percents(uri);
   if (name.empty() || name.find('\0') != std::string::npos) fail(place, "names no file");
   std::shared_ptr<const StreamSource> source = target.beside(name);
@@ -128,6 +129,14 @@ GltfBuffer beside(FileImport& target, const std::string& uri, uint64_t size, con
   if (source->size() < size)
     fail(place, "{} holds {} bytes of {}", one_line(name.substr(0, 80)), source->size(), size);
   return {source, 0, size};
+}
+
+namespace {
+
+GltfBuffer from_data_uri(const std::string& uri, uint64_t size, const std::string& place) {
+  std::vector<std::byte> data = bytes_of_data_uri(uri, place);
+  if (data.size() < size) fail(place, "its data URI holds {} bytes of {}", data.size(), size);
+  return {std::make_shared<StreamSource>(place, std::move(data)), 0, size};
 }
 
 /// Whether a buffer is only there for readers without meshoptimizer's extension.
@@ -139,17 +148,19 @@ bool is_fallback(const nlohmann::json& buffer) {
 
 }  // namespace
 
-std::string take_buffers(std::string& json, const std::string& place) {
-  std::string buffers, kept;
+GltfTaken take_buffers(std::string& json, const std::string& place) {
+  GltfTaken taken;
+  std::string kept;
   size_t copied = 0;
   for (const Member& member : outermost_members(json, place)) {
     if (member.name != "buffers" && member.name != "images") continue;
-    if (member.name == "buffers") buffers = json.substr(member.begin, member.end - member.begin);
+    (member.name == "buffers" ? taken.buffers : taken.images) =
+        json.substr(member.begin, member.end - member.begin);
     kept.append(json, copied, member.begin - copied).append("[]");
     copied = member.end;
   }
   json = kept.append(json, copied);
-  return buffers;
+  return taken;
 }
 
 std::vector<std::string> names_in_gltf(const std::string& text, const std::string& place) {
@@ -188,7 +199,7 @@ std::optional<std::vector<GltfBuffer>> find_buffers(const std::string& json, Fil
       const std::string what = fmt::format("buffer {}", buffers.size());
       try {  // what is in other buffers can be read all the same
         buffers.push_back(is_data_uri(text) ? from_data_uri(text, size, what)
-                                            : beside(target, text, size, what));
+                                            : gltf_file_beside(target, text, size, what));
       } catch (const Error& error) {
         buffers.push_back({nullptr, 0, 0, error.what()});
       }

@@ -119,6 +119,8 @@ class DocumentParser {
     for (const Json& entry : members_.list(json, "bufferViews")) document_.views.push_back(view(entry));
     for (const Json& entry : members_.list(json, "accessors")) document_.accessors.push_back(accessor(entry));
     for (const Json& entry : members_.list(json, "materials")) document_.materials.push_back(material(entry));
+    for (const Json& entry : members_.list(json, "textures")) document_.textures.push_back(texture(entry));
+    for (const Json& entry : members_.list(json, "samplers")) document_.samplers.push_back(sampler(entry));
     for (const Json& entry : members_.list(json, "meshes")) document_.meshes.push_back(mesh(entry));
     for (const Json& entry : members_.list(json, "nodes")) document_.nodes.push_back(node(entry));
     for (const Json& entry : members_.list(json, "skins"))
@@ -175,13 +177,41 @@ class DocumentParser {
     return accessor;
   }
 
+  GltfTextureUse texture_use(const Json& entry) {
+    GltfTextureUse use{members_.integer(entry, "index", -1), members_.integer(entry, "texCoord", 0), {}};
+    const Json* transform = MemberReader::extension(entry, "KHR_texture_transform");
+    if (!transform) return use;
+    const auto pair = [&](const char* name, std::array<double, 2>& values) {
+      const std::vector<double> numbers = members_.numbers(*transform, name);
+      for (size_t i = 0; i < std::min(numbers.size(), values.size()); ++i) values[i] = numbers[i];
+    };
+    pair("offset", use.transform.offset);
+    pair("scale", use.transform.scale);
+    use.transform.rotation = members_.number(*transform, "rotation", 0);
+    use.coordinates = members_.integer(*transform, "texCoord", use.coordinates);
+    return use;
+  }
+
+  GltfTexture texture(const Json& entry) {
+    GltfTexture texture{members_.integer(entry, "source", -1), members_.integer(entry, "sampler", -1)};
+    if (const Json* webp = MemberReader::extension(entry, "EXT_texture_webp"))
+      texture.image = members_.integer(*webp, "source", texture.image);
+    return texture;
+  }
+
+  GltfSampler sampler(const Json& entry) {
+    const GltfSampler usual;
+    return {members_.integer(entry, "wrapS", usual.wrap_u), members_.integer(entry, "wrapT", usual.wrap_v),
+            members_.integer(entry, "magFilter", usual.magnify)};
+  }
+
   GltfMaterial material(const Json& entry) {
     GltfMaterial material;
     const auto take_color = [&](const Json& from, const char* factor, const char* texture) {
       const std::vector<double> color = members_.numbers(from, factor);
       for (size_t i = 0; i < std::min<size_t>(color.size(), 4); ++i)
         material.base_color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0, 1.0) : 1.0;
-      material.textured = material.textured || MemberReader::find(from, texture) != nullptr;
+      if (const Json* use = MemberReader::find(from, texture)) material.base = texture_use(*use);
     };
     if (const Json* rough = MemberReader::find(entry, "pbrMetallicRoughness"))
       take_color(*rough, "baseColorFactor", "baseColorTexture");
@@ -189,14 +219,17 @@ class DocumentParser {
       material.base_color = {1, 1, 1, 1};
       take_color(*glossy, "diffuseFactor", "diffuseTexture");
     }
-    // Without one materials are opaque, whatever their colours say; masked ones are there or not.
+    double strength = 1;
+    if (const Json* strong = MemberReader::extension(entry, "KHR_materials_emissive_strength"))
+      strength = members_.number(*strong, "emissiveStrength", 1);
+    const std::vector<double> emission = members_.numbers(entry, "emissiveFactor");
+    for (size_t i = 0; i < std::min<size_t>(emission.size(), 3); ++i)
+      material.emission[i] = std::isfinite(emission[i] * strength) ? emission[i] * strength : 0.0;
+    if (const Json* use = MemberReader::find(entry, "emissiveTexture")) material.emissive = texture_use(*use);
     const std::string alpha = members_.text(entry, "alphaMode");
-    if (alpha == "MASK") {
-      const double cutoff = members_.number(entry, "alphaCutoff", 0.5);
-      material.base_color[3] = material.base_color[3] >= cutoff ? 1 : 0;
-    } else if (alpha != "BLEND") {
-      material.base_color[3] = 1;
-    }
+    if (alpha == "MASK") material.alpha = GltfAlpha::mask;
+    if (alpha == "BLEND") material.alpha = GltfAlpha::blend;
+    material.cutoff = members_.number(entry, "alphaCutoff", 0.5);
     return material;
   }
 
@@ -216,7 +249,7 @@ class DocumentParser {
           return found == attributes.end() ? -1 : found->second;
         };
         primitive.draco = {members_.integer(*draco, "bufferView", -1), id_of("POSITION"), id_of("COLOR_0"),
-                           id_of("NORMAL")};
+                           id_of("NORMAL"), attributes};
       }
       mesh.primitives.push_back(std::move(primitive));
     }

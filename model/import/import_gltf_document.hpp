@@ -1,5 +1,5 @@
-// The JSON of a glTF file as values. Only what is drawn is read: skins' weights, animations, cameras,
-// textures and unknown extensions can be of any form. Numbers are as the file gives them, references are not
+// The JSON of a glTF file as values. Only what is drawn is read: skins' weights, animations, cameras
+// and unknown extensions can be of any form. Numbers are as the file gives them, references are not
 // checked.
 #pragma once
 
@@ -57,9 +57,10 @@ struct GltfAccessorEntry {
 /// KHR_draco_mesh_compression of a primitive.
 struct GltfDraco {
   int64_t view = -1;
-  int64_t positions = -1;  ///< the id of Draco's attribute
-  int64_t colors = -1;     ///< the same of COLOR_0
-  int64_t normals = -1;    ///< the same of NORMAL
+  int64_t positions = -1;                          ///< the id of Draco's attribute
+  int64_t colors = -1;                             ///< the same of COLOR_0
+  int64_t normals = -1;                            ///< the same of NORMAL
+  std::map<std::string, int64_t> attributes = {};  ///< of all
 };
 
 struct GltfPrimitive {
@@ -91,9 +92,36 @@ struct GltfSkin {
   int64_t inverse_bind_matrices = -1;
 };
 
+/// KHR_texture_transform: what texture coordinates are multiplied by, turned by, and moved by.
+struct GltfTextureTransform {
+  std::array<double, 2> offset = {0, 0}, scale = {1, 1};
+  double rotation = 0;
+  bool operator==(const GltfTextureTransform&) const = default;
+};
+
+/// A material's use of a texture.
+struct GltfTextureUse {
+  int64_t texture = -1;  ///< none
+  int64_t coordinates = 0;
+  GltfTextureTransform transform;
+};
+
+struct GltfTexture {
+  int64_t image = -1, sampler = -1;
+};
+
+struct GltfSampler {
+  int64_t wrap_u = 10497, wrap_v = 10497, magnify = 9729;
+};
+
+enum class GltfAlpha : uint8_t { opaque, mask, blend };
+
 struct GltfMaterial {
   std::array<double, 4> base_color = {1, 1, 1, 1};  ///< diffuse of specular-glossiness
-  bool textured = false;
+  std::array<double, 3> emission = {0, 0, 0};       ///< of a strength beyond 1, too
+  GltfTextureUse base, emissive;
+  GltfAlpha alpha = GltfAlpha::opaque;
+  double cutoff = 0.5;
 };
 
 struct GltfDocument {
@@ -101,6 +129,8 @@ struct GltfDocument {
   std::vector<GltfView> views;
   std::vector<GltfAccessorEntry> accessors;
   std::vector<GltfMaterial> materials;
+  std::vector<GltfTexture> textures;
+  std::vector<GltfSampler> samplers;
   std::vector<GltfMesh> meshes;
   std::vector<GltfNode> nodes;
   std::vector<GltfSkin> skins;

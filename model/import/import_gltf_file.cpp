@@ -77,7 +77,8 @@ Container open_container(const std::shared_ptr<const StreamSource>& source, cons
 bool may_be_ignored(const std::string& name) {
   for (const char* known :
        {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility",
-        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
+        "KHR_texture_transform", "EXT_texture_webp", "KHR_materials_emissive_strength"}) {
     if (name == known) return true;
   }
   return false;
@@ -121,7 +122,7 @@ std::vector<std::filesystem::path> files_beside_gltf(const std::filesystem::path
 GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>& source) {
   const std::string place = target.place();
   auto [json, binary] = open_container(source, place, &target);
-  const std::string buffers = take_buffers(json, place);
+  const auto [buffers, images] = take_buffers(json, place);
   GltfFile gltf;
   gltf.options = target.options();
   auto document = parse_gltf(json, place);
@@ -131,6 +132,7 @@ GltfFile load_gltf(FileImport& target, const std::shared_ptr<const StreamSource>
   if (!found) fail(place, "{}", gltf_fault(open_container(source, place, nullptr).json));
   gltf.model = std::move(*document);
   gltf.buffers = std::move(*found);
+  gltf.images = find_gltf_images(images);
   if (const std::string& version = gltf.model.version; !version.starts_with("2"))
     fail(place, "is glTF of version {}; only 2 is known", one_line(version.substr(0, 20)));
   check_extensions(gltf.model, target);

@@ -2,6 +2,7 @@
 #include "model/import/import_gltf.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 
@@ -19,15 +20,11 @@ void warn_of_attributes(const GltfPrimitive& primitive, FileImport& target) {
 
 GltfMeshes::GltfMeshes(const GltfFile& gltf, FileImport& target)
     : gltf_(gltf), target_(target), known_(gltf.model.meshes.size()), meshes_(gltf.model.meshes.size()) {
-  for (const auto& material : gltf.model.materials) read_material(material);
-}
-
-void GltfMeshes::read_material(const GltfMaterial& material) {
-  Material result;
-  for (int i = 0; i < 4; ++i)
-    result.base_color[i] = static_cast<float>(material.base_color[static_cast<size_t>(i)]);
-  if (material.textured) target_.warn("textures are not drawn yet");
-  materials_.push_back(target_.add_material(result));
+  GltfImages images(gltf, target);
+  for (const auto& material : gltf.model.materials) {
+    surfaces_.push_back(read_gltf_material(gltf, material, images, target));
+    materials_.push_back(target_.add_material(surfaces_.back().material));
+  }
 }
 
 std::optional<uint32_t> GltfMeshes::mesh(int64_t index, const std::string& place) {
@@ -90,8 +87,8 @@ std::optional<uint32_t> GltfMeshes::read_mesh(size_t index) {
       PositionTable positions = part.unpacked
                                     ? *part.unpacked
                                     : GltfAccessor(gltf_, part.positions, part.triangles.place).positions();
-      streamed.push_back(
-          {std::move(part.triangles), std::move(positions), std::move(part.colors), std::move(part.normals)});
+      streamed.push_back({std::move(part.triangles), std::move(positions), std::move(part.colors),
+                          std::move(part.normals), std::move(part.coordinates)});
     }
     return target_.add_stream(source.name, std::make_shared<IndexedStream>(std::move(streamed)));
   }
@@ -147,6 +144,7 @@ std::optional<GltfMeshes::Part> GltfMeshes::read_primitive(const GltfPrimitive& 
   part.can_stream = positions.can_stream();
   read_colors(primitive, place, part);
   read_normals(primitive, place, part);
+  read_coordinates(primitive, place, part);
   read_indices(primitive, place, part);
   if (part.triangles.mode == TriangleMode::list)
     target_.warn("indices are left over after the last triangle", part.triangles.index_count() % 3);
@@ -203,17 +201,58 @@ void GltfMeshes::read_normals(const GltfPrimitive& primitive, const std::string&
   }
 }
 
+/// Where the primitive is on the texture of its material; where that cannot be read it is counted, and the
+/// primitive is drawn without.
+void GltfMeshes::read_coordinates(const GltfPrimitive& primitive, const std::string& place, Part& part) {
+  if (primitive.material < 0) return;
+  const GltfSurface& surface = surfaces_[static_cast<size_t>(primitive.material)];
+  if (surface.coordinates < 0) return;
+  try {
+    if (!part.unpacked) {
+      const std::string name = fmt::format("TEXCOORD_{}", surface.coordinates);
+      const auto attribute = primitive.attributes.find(name);
+      if (attribute == primitive.attributes.end()) fail(place, "has no {}", name);
+      GltfAccessor accessor(gltf_, attribute->second, place);
+      if (accessor.components() != 2)
+        fail(place, "texture coordinates of {} components", accessor.components());
+      if (accessor.count() < part.triangles.vertex_count)
+        fail(place, "{} texture coordinates of {} vertices", accessor.count(), part.triangles.vertex_count);
+      part.coordinates.emplace(CoordinateTable{accessor.coordinates()});
+      PositionTable& values = part.coordinates->values;
+      if (!accessor.can_stream() || !values.source) hold_in_memory(accessor, place, values);
+    } else if (!part.coordinates) {
+      fail(place, "its compressed data hold no texture coordinates");
+    }
+  } catch (const Error& error) {
+    part.coordinates.reset();
+    if (first_bad_coordinates_.empty())
+      first_bad_coordinates_ = fmt::format(
+          "primitives whose texture coordinates cannot be read are drawn without textures, the first: {}",
+          error.what());
+    return target_.warn(first_bad_coordinates_);
+  }
+  // Turned counter-clockwise in the picture, in which v goes down.
+  const GltfTextureTransform& transform = surface.transform;
+  const double cosine = std::cos(transform.rotation), sine = std::sin(transform.rotation);
+  part.coordinates->to = {cosine * transform.scale[0], sine * transform.scale[1],   transform.offset[0],
+                          -sine * transform.scale[0],  cosine * transform.scale[1], transform.offset[1]};
+}
+
 /// False where the data cannot be unpacked, but the file holds them uncompressed too.
 bool GltfMeshes::read_draco(const GltfPrimitive& primitive, const std::string& place, Part& part) {
   try {
-    GltfDracoMesh mesh = unpack_draco(gltf_, *primitive.draco, place);
+    const int64_t set =
+        primitive.material < 0 ? -1 : surfaces_[static_cast<size_t>(primitive.material)].coordinates;
+    GltfDracoMesh mesh = unpack_draco(gltf_, *primitive.draco, set, place);
     part.triangles.vertex_count = mesh.positions.count;
     part.triangles.indices = std::move(mesh.indices);
     part.triangles.mode = TriangleMode::list;
     part.unpacked = std::move(mesh.positions);
     part.colors = std::move(mesh.colors);
     part.normals = std::move(mesh.normals);
+    if (mesh.coordinates) part.coordinates.emplace(CoordinateTable{std::move(*mesh.coordinates)});
     part.can_stream = true;
+    read_coordinates(primitive, place, part);
     return true;
   } catch (const Error&) {
     const auto& accessors = gltf_.model.accessors;
@@ -282,6 +321,11 @@ void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) 
     normals.emplace(*part.normals);
     mesh.normals.resize(mesh.positions.size());
   }
+  std::optional<CoordinateCache> coordinates;
+  if (part.coordinates) {
+    coordinates.emplace(*part.coordinates);
+    mesh.coordinates.resize(mesh.positions.size());
+  }
   std::vector<std::array<uint32_t, 3>> triangles;
   uint32_t lowest = unnamed, highest = 0;
   IndexedTriangles reader(part.triangles);
@@ -311,6 +355,8 @@ void GltfMeshes::read_triangles(const Part& part, const Move& move, Mesh& mesh) 
         if (normals || !mesh.normals.empty())
           mesh.normals.push_back(normals ? moved_normal(move, corners[k], position, normals->at(corners[k]))
                                          : VertexNormal{});
+        if (coordinates || !mesh.coordinates.empty())
+          mesh.coordinates.push_back(coordinates ? coordinates->at(corners[k]) : TextureCoordinates{});
       }
       triangle.vertices[k] = name;
     }

@@ -81,7 +81,8 @@ GltfBuffer gltf_view_bytes(const GltfFile& gltf, int64_t index, const std::strin
 
 namespace {
 
-/// Three components of each point. Error (place) where they cannot be read; what: what they are.
+/// Three components of each point, or as many as there are. Error (place) where they cannot be read; what:
+/// what they are.
 std::vector<glm::dvec3> values_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute,
                                   const std::string& place, const char* what) {
   std::vector<glm::dvec3> values;
@@ -105,7 +106,8 @@ double largest_channel(const draco::PointAttribute& attribute) {
 
 }  // namespace
 
-GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& packed, const std::string& file_place) {
+GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& packed, int64_t set,
+                           const std::string& file_place) {
   const std::string place = file_place + ": KHR_draco_mesh_compression";
   const std::vector<std::byte> bytes = read_gltf_bytes(gltf_view_bytes(gltf, packed.view, place));
   draco::DecoderBuffer buffer;
@@ -150,6 +152,12 @@ GltfDracoMesh unpack_draco(const GltfFile& gltf, const GltfDraco& packed, const 
       packed.normals >= 0 ? mesh->GetAttributeByUniqueId(static_cast<uint32_t>(packed.normals)) : nullptr;
   if (normals && normals->num_components() == 3)
     result.normals = table_of(values_of(*mesh, *normals, place, "normals"));
+  const auto id = set < 0 ? packed.attributes.end() : packed.attributes.find(fmt::format("TEXCOORD_{}", set));
+  const draco::PointAttribute* places = id == packed.attributes.end() || id->second < 0
+                                            ? nullptr
+                                            : mesh->GetAttributeByUniqueId(static_cast<uint32_t>(id->second));
+  if (places && places->num_components() == 2)
+    result.coordinates = table_of(values_of(*mesh, *places, place, "texture coordinates"));
   return result;
 }
 

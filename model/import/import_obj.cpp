@@ -277,7 +277,12 @@ class ObjImport {
         has_dissolve = false;
         name = std::string(trimmed(without_comment(line, true)));
       } else if (word == "Kd") {
-        read_color(line, material);
+        if (const auto color = read_color(line)) {
+          const float alpha = material.base_color.a;
+          material.base_color = {glm::vec3(*color), alpha};
+        }
+      } else if (word == "Ke") {
+        if (const auto color = read_color(line)) material.emission = glm::vec3(*color);
       } else if (word == "d" || word == "Tr") {
         const auto number = to_number(take_word(line));  // "d -halo 0.5" has a word first
         // Beside a "d" programs do not agree on which way round "Tr" counts.
@@ -292,20 +297,23 @@ class ObjImport {
     finish();
   }
 
-  void read_color(std::string_view line, Material& material) {
+  /// In linear light; nothing where it is not understood, which is said.
+  std::optional<glm::vec4> read_color(std::string_view line) {
     std::array<double, 3> color;
     for (size_t i = 0; i < 3; ++i) {
       const std::string_view word = take_word(line);
-      if (i == 0 && (word == "xyz" || word == "spectral"))
-        return target_.warn("colours in a space other than RGB are not drawn");
+      if (i == 0 && (word == "xyz" || word == "spectral")) {
+        target_.warn("colours in a space other than RGB are not drawn");
+        return std::nullopt;
+      }
       const auto number = to_number(word);
       // One number stands for all three.
       color[i] = i > 0 && word.empty() ? color[0] : number.value_or(std::numeric_limits<double>::quiet_NaN());
-      if (!std::isfinite(color[i])) return target_.warn("colours without three numbers are not drawn");
+      if (std::isfinite(color[i])) continue;
+      target_.warn("colours without three numbers are not drawn");
+      return std::nullopt;
     }
-    const float alpha = material.base_color.a;
-    material.base_color = from_display_color(color[0], color[1], color[2]);
-    material.base_color.a = alpha;
+    return from_display_color(color[0], color[1], color[2]);
   }
 
   FileImport& target_;

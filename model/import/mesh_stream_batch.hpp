@@ -28,12 +28,13 @@ class TriangleBatch {
   explicit TriangleBatch(const TakeTriangles& take) : take_(take) { batch_.reserve(batch_triangles); }
 
   void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, uint32_t material,
-           const CornerColors& colors = {}, const CornerNormals& normals = {}) {
+           const CornerColors& colors = {}, const CornerNormals& normals = {},
+           const CornerCoordinates& coordinates = {}) {
     if (!is_usable(a) || !is_usable(b) || !is_usable(c)) {
       ++dropped_;
       return;
     }
-    batch_.push_back({{a, b, c}, material, colors, normals});
+    batch_.push_back({{a, b, c}, material, colors, normals, coordinates});
     if (batch_.size() == batch_triangles) flush();
   }
 

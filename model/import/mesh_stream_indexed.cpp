@@ -102,6 +102,11 @@ bool IndexedStream::has_normals() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.normals.has_value(); });
 }
 
+bool IndexedStream::has_coordinates() const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [](const Part& part) { return part.coordinates.has_value(); });
+}
+
 uint64_t IndexedStream::read(const TakeTriangles& take) const {
   TriangleBatch batch(take);
   for (const Part& part : parts_) {
@@ -110,13 +115,18 @@ uint64_t IndexedStream::read(const TakeTriangles& take) const {
     if (part.colors) colors.emplace(*part.colors);
     std::optional<NormalCache> normals;
     if (part.normals) normals.emplace(*part.normals);
+    std::optional<CoordinateCache> coordinates;
+    if (part.coordinates) coordinates.emplace(*part.coordinates);
     IndexedTriangles triangles(part.triangles);
     for (std::array<uint32_t, 3> corners; triangles.next(corners);) {
       batch.add(positions.at(corners[0]), positions.at(corners[1]), positions.at(corners[2]),
                 part.triangles.material,
                 colors ? CornerColors{colors->at(corners[0]), colors->at(corners[1]), colors->at(corners[2])}
                        : CornerColors{},
-                corner_normals_of(normals, corners));
+                corner_normals_of(normals, corners),
+                coordinates ? CornerCoordinates{coordinates->at(corners[0]), coordinates->at(corners[1]),
+                                                coordinates->at(corners[2])}
+                            : CornerCoordinates{});
     }
   }
   return dropped_ = batch.finish();

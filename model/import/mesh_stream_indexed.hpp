@@ -61,14 +61,16 @@ class IndexedStream : public MeshStream {
   struct Part {
     IndexedPart triangles;
     PositionTable positions;
-    std::optional<ColorTable> colors = std::nullopt;      ///< of the same vertices
-    std::optional<PositionTable> normals = std::nullopt;  ///< the same
+    std::optional<ColorTable> colors = std::nullopt;            ///< of the same vertices
+    std::optional<PositionTable> normals = std::nullopt;        ///< of the same vertices
+    std::optional<CoordinateTable> coordinates = std::nullopt;  ///< of the same vertices
   };
   explicit IndexedStream(std::vector<Part> parts) : parts_(std::move(parts)) {}
 
   uint64_t triangle_count() const override;
   bool has_colors() const override;
   bool has_normals() const override;
+  bool has_coordinates() const override;
   uint64_t read(const TakeTriangles& take) const override;
   std::vector<std::string> warnings() const override;
 

@@ -163,4 +163,10 @@ VertexColor ColorCache::at(uint64_t index) {
   return linear_ ? vertex_color_of_linear(color) : vertex_color(color);
 }
 
+TextureCoordinates CoordinateCache::at(uint64_t index) {
+  const glm::dvec3 own = values_.at(index);
+  return texture_coordinates(to_[0] * own.x + to_[1] * own.y + to_[2],
+                             to_[3] * own.x + to_[4] * own.y + to_[5]);
+}
+
 }  // namespace triptych

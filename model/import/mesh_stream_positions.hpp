@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/import/mesh_stream_source.hpp"
+#include "scene/texture.hpp"
 #include "scene/vertex_color.hpp"
 #include "scene/vertex_normal.hpp"
 
@@ -134,5 +135,23 @@ CornerNormals corner_normals_of(Cache& normals, const std::array<uint32_t, 3>& c
   if (!normals) return {};
   return {normals->at(corners[0]), normals->at(corners[1]), normals->at(corners[2])};
 }
+
+/// Texture coordinates of vertices in a file: in place of x and y.
+struct CoordinateTable {
+  PositionTable values;
+  /// What they are multiplied by: u = to[0] · x + to[1] · y + to[2], and so on.
+  std::array<double, 6> to = {1, 0, 0, 0, 1, 0};
+};
+
+/// Reads them by their number, as PositionCache does positions.
+class CoordinateCache {
+ public:
+  explicit CoordinateCache(const CoordinateTable& table) : values_(table.values), to_(table.to) {}
+  TextureCoordinates at(uint64_t index);
+
+ private:
+  PositionCache values_;
+  std::array<double, 6> to_;
+};
 
 }  // namespace triptych

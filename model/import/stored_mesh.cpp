@@ -9,12 +9,14 @@ StoredMesh::StoredMesh(std::shared_ptr<SpoolFile> file, const Mesh& mesh)
     : vertices_(mesh.positions.size()),
       triangles_(mesh.triangles.size()),
       has_colors_(mesh.has_colors()),
-      has_normals_(mesh.has_normals()) {
+      has_normals_(mesh.has_normals()),
+      has_coordinates_(mesh.has_coordinates()) {
   ByteWriter writer;
   writer.write_all(std::span<const glm::dvec3>(mesh.positions));
   writer.write_all(std::span<const Triangle>(mesh.triangles));
   writer.write_all(std::span<const VertexColor>(mesh.colors));
   writer.write_all(std::span<const VertexNormal>(mesh.normals));
+  writer.write_all(std::span<const TextureCoordinates>(mesh.coordinates));
   place_ = file->append(writer.bytes());
   file_ = std::move(file);
 }
@@ -27,6 +29,7 @@ std::shared_ptr<const Mesh> StoredMesh::load() const {
   mesh->triangles = reader.read_all<Triangle>(triangles_);
   if (has_colors_) mesh->colors = reader.read_all<VertexColor>(vertices_);
   if (has_normals_) mesh->normals = reader.read_all<VertexNormal>(vertices_);
+  if (has_coordinates_) mesh->coordinates = reader.read_all<TextureCoordinates>(vertices_);
   return mesh;
 }
 
@@ -39,7 +42,8 @@ uint64_t held_triangles(const Mesh& mesh) {
 
 uint64_t held_bytes(const Mesh& mesh) {
   return mesh.positions.capacity() * sizeof(glm::dvec3) + mesh.triangles.capacity() * sizeof(Triangle) +
-         mesh.colors.capacity() * sizeof(VertexColor) + mesh.normals.capacity() * sizeof(VertexNormal);
+         mesh.colors.capacity() * sizeof(VertexColor) + mesh.normals.capacity() * sizeof(VertexNormal) +
+         mesh.coordinates.capacity() * sizeof(TextureCoordinates);
 }
 
 }  // namespace triptych

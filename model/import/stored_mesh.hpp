@@ -17,14 +17,15 @@ class StoredMesh : public MeshStream {
   uint64_t triangle_count() const override { return triangles_; }
   bool has_colors() const override { return has_colors_; }
   bool has_normals() const override { return has_normals_; }
+  bool has_coordinates() const override { return has_coordinates_; }
   uint64_t read(const TakeTriangles& take) const override;
   std::shared_ptr<const Mesh> load() const override;
 
  private:
   std::shared_ptr<const SpoolFile> file_;
   uint64_t vertices_, triangles_;
-  bool has_colors_, has_normals_;
-  SpoolPlace place_;  ///< positions, triangles, and colours and normals if there are any
+  bool has_colors_, has_normals_, has_coordinates_;
+  SpoolPlace place_;  ///< positions, triangles, and colours, normals and texture coordinates if there are any
 };
 
 /// Triangles of a mesh that is held in memory, or stored; 0 for those that stay in the model's file.

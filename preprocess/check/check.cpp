@@ -98,7 +98,7 @@ class Checking {
     parallel_for(users.size(), [&](size_t i) {
       try {
         const Chunk chunk = pack_.read_chunk(static_cast<uint32_t>(i));
-        turned[i] = !is_outward_as_said(chunk, skeleton_.palette);
+        turned[i] = !is_outward_as_said(chunk, skeleton_);
         said.add(static_cast<uint32_t>(i), chunk);
         for (const auto& [id, transform] : users[i]) {
           if (leaves_box(chunk, skeleton_.lattices[skeleton_.chunks[i].lattice], id, transform))
@@ -150,17 +150,21 @@ class Checking {
     };
     check([&] { pack_.read_objects(); });
     check([&] { pack_.read_options(); });
+    for (uint32_t texture = 0; texture < skeleton_.textures.size(); ++texture) {
+      for (uint32_t level = 0; level < skeleton_.textures[texture].levels.size(); ++level)
+        check([&] { pack_.read_texels(texture, level); });
+    }
   }
 
   static bool is_outward_as_said(const Chunk& chunk, Palette palette) {
     if (chunk.outward_runs.empty()) return true;
     std::vector<glm::ivec3> points;
     for (const ChunkVertex& vertex : chunk.vertices) points.push_back(vertex.point);
-    std::vector<bool> transparent;
+    std::vector<bool> seen_through;
     for (size_t i = 0; i < chunk.triangle_count(); ++i)
-      transparent.push_back(is_transparent(chunk, i, palette));
+      seen_through.push_back(is_seen_through(palette, palette_index(chunk, i)));
     const std::vector<bool> claimed = chunk.outward(),
-                            proven = outward_triangles(points, chunk.indices, transparent);
+                            proven = outward_triangles(points, chunk.indices, seen_through);
     return std::equal(claimed.begin(), claimed.end(), proven.begin(), proven.end(),
                       [](bool said, bool is) { return is || !said; });
   }

@@ -21,7 +21,8 @@ struct Verified {
   std::string place;
 };
 
-/// The sections other than GEOM, and the chunks in it, in the order of the file.
+/// The sections other than GEOM and TEXL, the chunks in the one, and the levels of textures in the other, in
+/// the order of the file.
 std::vector<Verified> verified_bytes(const Pack& pack, int file) {
   const std::string& name = pack.name();
   std::vector<std::byte> bytes(sizeof(PackHeader));
@@ -33,6 +34,13 @@ std::vector<Verified> verified_bytes(const Pack& pack, int file) {
   for (const PackSection& section : ByteReader(bytes, name).read_all<PackSection>(header.section_count)) {
     const std::string place =
         fmt::format("{}: section {}", name, std::string_view(section.type.data(), section.type.size()));
+    if (section.type == texels_type) {
+      for (const Texture& texture : pack.skeleton().textures) {
+        for (const TextureLevel& level : texture.levels)
+          verified.push_back({section.offset + level.offset, level.size, level.checksum, place});
+      }
+      continue;
+    }
     if (section.type != geometry_type) {
       verified.push_back({section.offset, section.size, section.checksum, place});
       continue;

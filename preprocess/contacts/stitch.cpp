@@ -31,17 +31,22 @@ struct Divider {
 /// A triangle that is being divided, and the dividers of its edges, each from corner k to corner k + 1.
 struct Divided {
   Triangle triangle;
-  CornerColors colors;
+  SurfaceCorners colors;
   CornerNormals normals;
   std::array<std::vector<Divider>, 3>
       dividers;  ///< in the order of their shares, which are of the whole edge
 };
 
-VertexColor mixed(const VertexColor& a, const VertexColor& b, double share) {
-  VertexColor color;
-  for (size_t i = 0; i < color.size(); ++i)
-    color[i] = static_cast<uint8_t>(std::lround(a[i] + (b[i] - a[i]) * share));
-  return color;
+SurfaceCorner mixed(const SurfaceCorner& a, const SurfaceCorner& b, double share) {
+  SurfaceCorner corner;
+  for (size_t i = 0; i < corner.color.size(); ++i)
+    corner.color[i] = static_cast<uint8_t>(std::lround(a.color[i] + (b.color[i] - a.color[i]) * share));
+  if (!is_on_texture(a.coordinates) || !is_on_texture(b.coordinates)) return corner;
+  const auto between = [&](double from, double to) {
+    return static_cast<int32_t>(std::lround(from + (to - from) * share));
+  };
+  corner.coordinates = {between(a.coordinates.u, b.coordinates.u), between(a.coordinates.v, b.coordinates.v)};
+  return corner;
 }
 
 VertexNormal mixed(const VertexNormal& a, const VertexNormal& b, double share) {
@@ -166,7 +171,7 @@ class Stitcher {
 
   void divide_edges() {
     std::vector<Triangle> triangles;
-    std::vector<CornerColors> colors;
+    std::vector<SurfaceCorners> colors;
     std::vector<CornerNormals> normals;
     std::vector<SourceObjectId> objects;
     for (size_t i = 0; i < surface_.triangles.size(); ++i) {

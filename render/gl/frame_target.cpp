@@ -116,7 +116,8 @@ VisibleSet GlFrameTarget::transparent_owners() const {
 
 void GlFrameTarget::finish() {
   if (effects_.empty() && planes_->has_colors()) {
-    for (const Effect effect : {Effect::vertex_colors, Effect::smooth_normals}) {
+    for (const Effect effect :
+         {Effect::vertex_colors, Effect::smooth_normals, Effect::textures, Effect::emission}) {
       EffectUse use = passes_.renderer.effect_use(effect);
       use.effect = effect;
       if (use.draws > 0) effects_.push_back(use);

@@ -13,10 +13,10 @@ namespace triptych {
 namespace {
 
 /// At most what all chunks of a pack take.
-uint64_t bytes_of_all(const Skeleton& skeleton, const VertexLayout& largest) {
+uint64_t bytes_of_all(const Skeleton& skeleton, const VertexStreams& most) {
   uint64_t bytes = 0;
   for (const ChunkInfo& chunk : skeleton.chunks) {
-    bytes += (uint64_t{chunk.vertex_count} + 2) * largest.stride() +
+    bytes += (uint64_t{chunk.vertex_count} + 2) * most.stride() +
              uint64_t{chunk.triangle_count} * 3 * sizeof(uint32_t);
   }
   return bytes;
@@ -30,6 +30,7 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
       ranges_(skeleton.chunks.size()),
       places_(skeleton.chunks.size()),
       cache_(skeleton.chunks.size()),
+      textures_(skeleton, residency),
       normals_(has_normals(skeleton.effects)) {
   const auto& palette = skeleton_.palette;
   // Colours as floats: 16 bytes an entry, read by the vertex stage.
@@ -38,16 +39,24 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
     for (const uint8_t channel : color) colors.push_back(static_cast<float>(channel) / 255);
   }
   glNamedBufferStorage(palette_, static_cast<GLsizeiptr>(colors.size() * sizeof(float)), colors.data(), 0);
-  describe_vertices(vertex_array_, layout(false));
-  describe_vertices(colored_vertex_array_, layout(true));
+  if (!skeleton.materials.empty()) {
+    glNamedBufferStorage(materials_,
+                         static_cast<GLsizeiptr>(skeleton.materials.size() * sizeof(SurfaceMaterial)),
+                         skeleton.materials.data(), 0);
+  }
+  for (const bool colored : {false, true}) {
+    for (const bool textured : {false, true})
+      describe_vertices(vertex_arrays_[colored ? 1 : 0][textured ? 1 : 0], streams(colored, textured));
+  }
 }
 
 void Geometry::begin_view() {
   cache_.begin_view();
+  textures_.begin_view();
   if (cap_ == cache_.use().cap) return;
   cache_.set_cap(cap_);
   if (cap_ == no_cap) return;
-  const uint64_t size = std::min(cap_, bytes_of_all(skeleton_, layout(true)));
+  const uint64_t size = std::min(cap_, bytes_of_all(skeleton_, streams(true, !skeleton_.textures.empty())));
   if (size < space_.size()) {  // smaller than what is there: it begins anew
     while (cache_.least_recently_used() != ChunkCache::none) drop(cache_.least_recently_used());
     space_ = {};
@@ -63,12 +72,14 @@ void Geometry::make_buffer(uint64_t bytes) {
     glCopyNamedBufferSubData(buffer_, other, 0, 0, static_cast<GLsizeiptr>(space_.size()));
   std::swap(buffer_, other);
   space_.grow(bytes);
-  glVertexArrayVertexBuffer(vertex_array_, vertices_stream, buffer_, 0,
-                            static_cast<GLsizei>(layout(false).stride()));
-  glVertexArrayElementBuffer(vertex_array_, buffer_);
-  glVertexArrayVertexBuffer(colored_vertex_array_, vertices_stream, buffer_, 0,
-                            static_cast<GLsizei>(layout(true).stride()));
-  glVertexArrayElementBuffer(colored_vertex_array_, buffer_);
+  for (const bool colored : {false, true}) {
+    for (const bool textured : {false, true}) {
+      const GLuint vertex_array = vertex_arrays_[colored ? 1 : 0][textured ? 1 : 0];
+      glVertexArrayVertexBuffer(vertex_array, vertices_stream, buffer_, 0,
+                                static_cast<GLsizei>(streams(colored, textured).stride()));
+      glVertexArrayElementBuffer(vertex_array, buffer_);
+    }
+  }
 }
 
 bool Geometry::try_place(Place& place, uint64_t stride) {
@@ -118,7 +129,7 @@ void Geometry::write(uint64_t offset, std::span<const std::byte> bytes) {
 void Geometry::load(uint32_t chunk) {
   const Stopwatch stopwatch;
   const ChunkInfo& info = skeleton_.chunks[chunk];
-  const uint64_t at_least = uint64_t{info.vertex_count} * layout(false).stride() +
+  const uint64_t at_least = uint64_t{info.vertex_count} * streams(false, false).stride() +
                             uint64_t{info.triangle_count} * 3 * sizeof(uint32_t);
   try {
     cache_.next_to_go(at_least);  // what has no room is not read
@@ -129,12 +140,12 @@ void Geometry::load(uint32_t chunk) {
   const std::optional<Chunk> taken = take(residency_, chunk, missing_, cache_);
   if (!taken) return cache_.leave_out(false);
   const Chunk& geometry = *taken;
-  const VertexLayout layout = this->layout(!geometry.colors.empty());
-  const bool plain = layout.stride() == sizeof(ChunkVertex);
-  const std::vector<std::byte> laid_out = plain ? std::vector<std::byte>() : layout.bytes_of(geometry);
+  const VertexStreams streams = this->streams(!geometry.colors.empty(), !geometry.coordinates.empty());
+  const bool plain = streams.stride() == sizeof(ChunkVertex);
+  const std::vector<std::byte> laid_out = plain ? std::vector<std::byte>() : interleaved(geometry, streams);
   const auto vertices = plain ? std::as_bytes(std::span(geometry.vertices)) : std::span(laid_out);
   const auto indices = std::as_bytes(std::span(geometry.indices));
-  const uint64_t stride = layout.stride();
+  const uint64_t stride = streams.stride();
   Place where;
   try {
     where = place(vertices.size(), stride, indices.size());
@@ -151,10 +162,36 @@ void Geometry::load(uint32_t chunk) {
                     static_cast<uint32_t>(geometry.indices.size()),
                     static_cast<uint32_t>(where.vertices / stride),
                     geometry.outward_runs,
-                    layout.colors,
+                    streams.colored,
                     geometry.normals_from,
-                    transparent_runs(geometry, skeleton_.palette)};
+                    transparent_runs(geometry, skeleton_)};
+  find_materials(geometry, ranges_[chunk]);
   cache_.add(chunk, vertices.size() + indices.size(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
+}
+
+/// What the chunk calls for beyond its colours.
+void Geometry::find_materials(const Chunk& chunk, ChunkRange& range) const {
+  if (skeleton_.materials.empty()) return;
+  range.textured = !chunk.coordinates.empty();
+  std::vector<uint32_t> colors;
+  for (const ChunkVertex& vertex : chunk.vertices) colors.push_back(vertex.color);
+  std::ranges::sort(colors);
+  colors.erase(std::unique(colors.begin(), colors.end()), colors.end());
+  for (const uint32_t color : colors) {
+    const SurfaceMaterial& material = skeleton_.materials[color];
+    range.emissive |= material.is_emissive();
+    range.cut_out |= range.textured && material.cutoff > 0;
+    for (const uint32_t texture : {material.texture, material.emission_texture})
+      if (range.textured && texture != SurfaceMaterial::no_texture) range.textures.push_back(texture);
+  }
+}
+
+uint64_t Geometry::require_textures(std::span<const DrawItem> items) {
+  uint64_t bytes = 0;
+  for (const DrawItem& item : items) {
+    for (const uint32_t texture : ranges_[item.chunk].textures) bytes += textures_.require(texture);
+  }
+  return bytes;
 }
 
 void Geometry::require(std::span<const DrawItem> items) {
@@ -174,11 +211,14 @@ void Geometry::require(uint32_t chunk) {
   }
 }
 
-void Geometry::bind(GLuint records, bool colored) const {
-  const GLuint vertex_array = colored ? colored_vertex_array_ : vertex_array_;
+void Geometry::bind(GLuint records, const DrawGroup& group) const {
+  const GLuint vertex_array = vertex_arrays_[group.colored ? 1 : 0][group.textured ? 1 : 0];
   glVertexArrayVertexBuffer(vertex_array, records_stream, records, 0, sizeof(DrawRecord));
   glBindVertexArray(vertex_array);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_binding, palette_);
+  if (!group.textured && !group.emissive) return;
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, materials_binding, materials_);
+  if (group.textured) textures_.bind();
 }
 
 }  // namespace triptych

@@ -4,6 +4,7 @@
 #include "render/draw_list.hpp"
 #include "render/gl/device_space.hpp"
 #include "render/gl/objects.hpp"
+#include "render/gl/texture_buffer.hpp"
 #include "render/gl/vertex_layout.hpp"
 #include "residency/chunk_cache.hpp"
 #include "residency/residency.hpp"
@@ -28,24 +29,36 @@ class Geometry {
   void require(uint32_t chunk);
   std::span<const ChunkRange> ranges() const { return ranges_; }
 
-  /// From the next view on.
-  void set_cap(uint64_t bytes) { cap_ = bytes; }
+  /// From the next view on. Of a pack with textures a share of it is theirs.
+  void set_cap(uint64_t bytes) {
+    const bool shared = !skeleton_.textures.empty() && bytes != no_cap;
+    if (shared) textures_.set_cap(bytes / texture_share);
+    cap_ = shared ? bytes - bytes / texture_share : bytes;
+  }
   bool cap_changed() const { return cap_ != cache_.use().cap; }
-  void set_missing(const MissingChunks& missing) { missing_ = missing; }
+  void set_missing(const MissingChunks& missing) {
+    missing_ = missing;
+    textures_.set_missing(missing);
+  }
   const GeometryUse& use() const { return cache_.use(); }
   bool has(uint32_t chunk) const { return cache_.has(chunk); }
   bool is_damaged(uint32_t chunk) const { return cache_.is_damaged(chunk); }
-  /// Binds vertex array and palette for drawing, of chunks whose vertices have colours or of the others; with
-  /// their normals, if the pack has any.
-  /// records: a buffer with a DrawRecord for each base instance.
-  void bind(GLuint records, bool colored) const;
+  /// Uploads the textures of the chunks that are there; how many bytes.
+  uint64_t require_textures(std::span<const DrawItem> items);
+  /// Binds vertex array and palette for drawing, of chunks as the group says; with their normals, if the pack
+  /// has any, and with materials and textures if they have places on some, or glow. records: a buffer with a
+  /// DrawRecord for each base instance.
+  void bind(GLuint records, const DrawGroup& group) const;
 
  private:
+  /// Of what geometry and textures may take together.
+  static constexpr uint64_t texture_share = 4;
   struct Place {
     uint64_t vertices = 0, vertex_bytes = 0, indices = 0, index_bytes = 0;
   };
   void load(uint32_t chunk);
   void drop(uint32_t chunk);
+  void find_materials(const Chunk& chunk, ChunkRange& range) const;
   Place place(uint64_t vertex_bytes, uint64_t stride, uint64_t index_bytes);
   bool try_place(Place& place, uint64_t stride);
   void make_buffer(uint64_t bytes);
@@ -60,11 +73,12 @@ class Geometry {
   uint64_t cap_ = no_cap;
   DeviceSpace space_;
   GlBuffer buffer_;
-  GlBuffer palette_;
-  GlVertexArray vertex_array_, colored_vertex_array_;
-  bool normals_;  ///< whether the pack has any
+  GlBuffer palette_, materials_;
+  TextureBuffer textures_;
+  GlVertexArray vertex_arrays_[2][2];  ///< by whether vertices have colours, and places on textures
+  bool normals_;                       ///< whether the pack has any
 
-  VertexLayout layout(bool colored) const { return {colored, normals_}; }
+  VertexStreams streams(bool colored, bool textured) const { return {colored, normals_, textured}; }
 };
 
 }  // namespace triptych

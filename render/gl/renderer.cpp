@@ -8,6 +8,7 @@ namespace triptych {
 namespace {
 GlProgram make_pass(TargetKind kind, Projection projection, const ShaderVariant& variant) {
   const std::string vertex = geometry_vertex_shader(projection, variant);
+  if (variant.transparent) return make_program("transparent", vertex, transparent_fragment_shader(variant));
   switch (kind) {
     case TargetKind::color:
       return make_program("colour", vertex, color_fragment_shader(variant));
@@ -19,6 +20,15 @@ GlProgram make_pass(TargetKind kind, Projection projection, const ShaderVariant&
       break;
   }
   return make_program("colour and item", vertex, color_and_item_fragment_shader(variant));
+}
+
+uint32_t pass_key(TargetKind kind, Projection projection, const ShaderVariant& variant) {
+  uint32_t key = 0;
+  for (const bool bit :
+       {variant.sections, variant.caps, variant.normals, variant.transparent, variant.textured,
+        variant.emissive, variant.smooth, variant.colors == BaseColors::vertices})
+    key = key << 1 | (bit ? 1u : 0u);
+  return key << 8 | static_cast<uint32_t>(projection) << 4 | static_cast<uint32_t>(kind);
 }
 
 /// Of triangles whose fronts go round so; 0: both.
@@ -48,20 +58,14 @@ Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Res
 
 Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
   const Projection projection = view_->view().camera.projection;
-  std::optional<Pass>& pass = passes_[variant.sections ? 1 : 0][variant.caps ? 1 : 0][variant.normals ? 1 : 0]
-                                     [variant.smooth ? 1 : 0][static_cast<size_t>(variant.colors)]
-                                     [static_cast<size_t>(projection)][static_cast<size_t>(kind)];
-  if (pass) return *pass;
-  pass.emplace(make_pass(kind, projection, variant));
+  const uint32_t key = pass_key(kind, projection, variant);
+  if (const auto found = passes_.find(key); found != passes_.end()) return found->second;
   if (variant.colors == BaseColors::vertices) ++use(Effect::vertex_colors).variants;
   if (variant.smooth) ++use(Effect::smooth_normals).variants;
-  return *pass;
-}
-
-void Renderer::count(const DrawGroup& group, uint64_t EffectUse::*what, uint64_t added) {
-  if (shows_colors(group)) use(Effect::vertex_colors).*what += added;
-  if (group.normals == ChunkNormals::of_files && shows_normals(group))
-    use(Effect::smooth_normals).*what += added;
+  if (variant.textured) ++use(Effect::textures).variants;
+  if (variant.emissive) ++use(Effect::emission).variants;
+  if (variant.transparent) ++use(Effect::transparency).variants;
+  return passes_.emplace(key, make_pass(kind, projection, variant)).first->second;
 }
 
 Renderer::Pass& Renderer::winding_pass() {
@@ -76,22 +80,32 @@ Renderer::Pass& Renderer::winding_pass() {
 }
 
 Renderer::Pass& Renderer::transparent_pass(const DrawGroup& group) {
-  const bool colored = shows_colors(group), smooth = shows_normals(group);
-  const Projection projection = view_->view().camera.projection;
-  const bool sections = !view_->section_space.keeps_all();
-  std::optional<Pass>& pass =
-      transparent_passes_[sections ? 1 : 0][colored ? 1 : 0][smooth ? 1 : 0][static_cast<size_t>(projection)];
-  if (!pass) {
-    const ShaderVariant variant{.colors = colored ? BaseColors::vertices : BaseColors::palette,
-                                .smooth = smooth,
-                                .layers = layers_,
-                                .sections = sections,
-                                .transparent = true};
-    pass.emplace(make_program("transparent", geometry_vertex_shader(projection, variant),
-                              transparent_fragment_shader(variant)));
-    ++use(Effect::transparency).variants;
-  }
-  return *pass;
+  ShaderVariant variant = variant_for(group, true);
+  variant.transparent = true;
+  return pass(TargetKind::color, variant);
+}
+
+ShaderVariant Renderer::variant_for(const DrawGroup& group, bool has_colors) {
+  const bool colored = group.colored && has_colors && shows(Effect::vertex_colors);
+  return {.colors = colored ? BaseColors::vertices : BaseColors::palette,
+          .smooth = has_colors && shows_normals(group),
+          .layers = layers_,
+          .sections = !view_->section_space.keeps_all(),
+          .textured = group.textured && (has_colors || group.cut_out) && shows(Effect::textures),
+          .emissive = group.emissive && has_colors && shows(Effect::emission)};
+}
+
+void Renderer::count_uses(const DrawGroup& group, const ShaderVariant& variant, uint64_t draws,
+                          uint64_t binds) {
+  const auto count = [&](bool takes_part, Effect effect) {
+    if (!takes_part) return;
+    use(effect).draws += draws;
+    use(effect).binds += binds;
+  };
+  count(variant.colors == BaseColors::vertices, Effect::vertex_colors);
+  count(variant.smooth && group.normals == ChunkNormals::of_files, Effect::smooth_normals);
+  count(variant.textured, Effect::textures);
+  count(variant.emissive, Effect::emission);
 }
 
 void Renderer::set_view(const FrameView& view) {
@@ -109,6 +123,7 @@ bool Renderer::make_list(std::span<const DrawableId> drawables, DrawPart part) {
   items_.clear();
   for (const DrawableId id : drawables) representation_.append(id, items_);
   geometry_.require(items_);
+  if (shows(Effect::textures)) use(Effect::textures).upload_bytes += geometry_.require_textures(items_);
   list_.clear();
   if (part != DrawPart::transparent) {
     cut_bodies_.find(*view_, items_);
@@ -145,27 +160,24 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     used.uniforms.set(*view_, place);
     return &used;
   };
+  ShaderVariant variant;
   const auto prepare = [&](const DrawGroup& group) {
-    const bool shades = framebuffer.has_colors();
-    if (shades) count(group, &EffectUse::binds, 1);
-    ShaderVariant variant{
-        .colors = shades && shows_colors(group) ? BaseColors::vertices : BaseColors::palette,
-        .smooth = shades && shows_normals(group),
-        .layers = layers_,
-        .sections = !view_->section_space.keeps_all(),
-        .normals = framebuffer.has_colors() && framebuffer.layout().normals};
+    variant = variant_for(group, framebuffer.has_colors());
+    count_uses(group, variant, 0, 1);
+    variant.normals = framebuffer.has_colors() && framebuffer.layout().normals;
     if (variant.sections) {
-      variant.caps = true;
+      ShaderVariant of_caps = variant;
+      of_caps.caps = true;
+      of_caps.smooth = of_caps.textured = of_caps.emissive = false;
       bind_nearest_backs(framebuffer.width(), framebuffer.height());
       winding = prepared(winding_pass());
-      caps = prepared(pass(kind, variant));
-      variant.caps = false;
+      caps = prepared(pass(kind, of_caps));
     }
     surfaces = prepared(pass(kind, variant));
-    geometry_.bind(records_, group.colored);
+    geometry_.bind(records_, group);
   };
-  const DrawGroup* prepared_for = &list_.groups.front();
-  prepare(*prepared_for);
+  const DrawGroup* bound = &list_.groups.front();
+  prepare(*bound);
   framebuffer.bind(plane);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, bounds_binding, bounds_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_);
@@ -173,9 +185,9 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
   glDepthFunc(GL_GREATER);  // reversed depth; strict, so that the lower draw rank wins where depths are equal
   uintptr_t offset = 0;
   for (const DrawGroup& group : list_.groups) {
-    if (differ_in_vertices(group, *prepared_for)) prepare(group);
-    prepared_for = &group;
-    if (framebuffer.has_colors()) count(group, &EffectUse::draws, group.count);
+    if (!group.is_alike(*bound)) prepare(group);
+    bound = &group;
+    count_uses(group, variant, group.count, 0);
     show_sides(group.front);
     if (group.caps == DrawGroup::Caps::none) {
       draw_commands(offset, group.count);
@@ -208,15 +220,15 @@ void Renderer::draw_transparent(std::span<const DrawableId> drawables, const Fra
       uintptr_t offset = 0;
       const DrawGroup* bound = nullptr;
       for (const DrawGroup& group : list_.groups) {
-        if (!bound || differ_in_vertices(*bound, group)) {
+        if (bound == nullptr || !group.is_alike(*bound)) {
           const Pass& pass = transparent_pass(group);
           glUseProgram(pass.program);
           pass.uniforms.set(*view_, places[plane]);
           glUniform1i(glGetUniformLocation(pass.program, "plane"), static_cast<GLint>(plane));
-          geometry_.bind(records_, group.colored);
-          bound = &group;
+          geometry_.bind(records_, group);
           ++counts.binds;
         }
+        bound = &group;
         draw_commands(offset, group.count);
         offset += group.count * sizeof(DrawCommand);
         counts.draws += group.count;

@@ -9,6 +9,7 @@
 #include "render/gl/view_uniforms.hpp"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -31,8 +32,7 @@ class Renderer {
   /// veils of `lists`. Drawables come in draw rank order. owners: as FragmentLists::make().
   void draw_transparent(std::span<const DrawableId> drawables, const Framebuffer& framebuffer,
                         FragmentLists& lists, VisibleSet* owners);
-  /// Of draw_transparent() and, where chunks have colours or normals, of draw() since set_view() made a view
-  /// anew.
+  /// Of draw_transparent() and, where chunks call for it, of draw() since set_view() made a view anew.
   const EffectUse& effect_use(Effect effect) const { return uses_[static_cast<size_t>(effect)]; }
   void set_geometry_cap(uint64_t bytes) { geometry_.set_cap(bytes); }
   void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
@@ -49,14 +49,15 @@ class Renderer {
   Pass& pass(TargetKind kind, const ShaderVariant& variant);
   Pass& winding_pass();
   Pass& transparent_pass(const DrawGroup& group);
-  /// What of its vertices' colours and normals the view shows.
-  bool shows_colors(const DrawGroup& group) const { return group.colored && shows(Effect::vertex_colors); }
+  /// Whether the view shows normals of its vertices.
   bool shows_normals(const DrawGroup& group) const {
     return group.normals == ChunkNormals::of_levels ||
            (group.normals == ChunkNormals::of_files && shows(Effect::smooth_normals));
   }
-  /// Where the group shows them: counts commands, and programs that were bound or made.
-  void count(const DrawGroup& group, uint64_t EffectUse::*what, uint64_t added);
+  /// What a pass over a group's surfaces has of what its chunks call for.
+  ShaderVariant variant_for(const DrawGroup& group, bool has_colors);
+  /// Of a group that is drawn by a pass with the variant.
+  void count_uses(const DrawGroup& group, const ShaderVariant& variant, uint64_t draws, uint64_t binds);
   /// Makes the list of the drawables' part, and uploads it; false where it is empty.
   bool make_list(std::span<const DrawableId> drawables, DrawPart part);
   EffectUse& use(Effect effect) { return uses_[static_cast<size_t>(effect)]; }
@@ -68,10 +69,9 @@ class Renderer {
 
   bool layers_;
   Geometry geometry_;
-  /// By sections, caps, normals, smooth, base colours, projection and kind; made when first used.
-  std::optional<Pass> passes_[2][2][2][2][2][2][4];
-  std::optional<Pass> winding_passes_[2];               ///< by projection
-  std::optional<Pass> transparent_passes_[2][2][2][2];  ///< by sections, base colours, smooth, projection
+  /// By variant, projection and kind (pass_key()); made when first used.
+  std::map<uint32_t, Pass> passes_;
+  std::optional<Pass> winding_passes_[2];  ///< by projection
   /// Of a picture: the bits of depths of the nearest backs of what draw_caps() counts, 0 between its uses.
   struct NearestBacks {
     int width, height;

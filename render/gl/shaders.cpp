@@ -199,12 +199,14 @@ const std::string in_eye_space = "in vec3 eye_position;\n";
 
 /// What all passes do with a fragment.
 std::string kept(const ShaderVariant& variant) {
-  if (variant.caps) return in_eye_space + cut_away + capped;
+  if (variant.caps) return in_eye_space + cut_away + capped + material_shader_source({});
   return in_eye_space + bounded + (variant.layers ? layered : not_layered) +
-         (variant.sections ? cut_away : not_cut) + R"(
+         (variant.sections ? cut_away : not_cut) + material_shader_source(variant) + R"(
 void keep_fragment() {
+  look_up();
   gl_FragDepth = place_fragment();
   cut_fragment();
+  if (is_hole()) discard;
 }
 )";
 }
@@ -235,6 +237,8 @@ std::string geometry_vertex_shader(Projection projection, const ShaderVariant& v
          (palette ? "" : "layout(location = 9) in vec4 vertex_color;\n") +
          (variant.smooth ? eye_normal_source() : std::string()) +
          (variant.transparent ? "flat out float alpha;\nflat out uint record;\n" : "") +
+         (variant.textured || variant.emissive ? "flat out uint surface_index;\n" : "") +
+         (variant.textured ? "layout(location = 11) in ivec2 coordinates;\nout vec2 texture_place;\n" : "") +
          R"(
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
@@ -265,6 +269,8 @@ void main() {
 )" +
          (variant.transparent ? "  alpha = palette[color_and_piece & 0xfffffu].a;\n  record = first_bound;\n"
                               : "") +
+         (variant.textured || variant.emissive ? "  surface_index = color_and_piece & 0xfffffu;\n" : "") +
+         (variant.textured ? "  texture_place = vec2(coordinates) / 65536.0;\n" : "") +
          (variant.layers ? "  layer = color_and_piece >> 20 & 15u;\n" : "") +
          (variant.sections ? "  cut = cut_of_record;\n}\n" : "}\n");
 }
@@ -336,7 +342,7 @@ void main() {
   uint index = atomicAdd(count, 1u);
   if (index >= capacity) return;
   uint next = imageAtomicExchange(heads, pixel, index + 1u);
-  fragments[index] = Fragment(next, floatBitsToUint(z), packUnorm4x8(vec4(color.rgb, alpha)), item, record,
+  fragments[index] = Fragment(next, floatBitsToUint(z), packUnorm4x8(vec4(color.rgb, covered(alpha))), item, record,
                               uint(gl_PrimitiveID));
 }
 )";
@@ -359,8 +365,8 @@ void main() {
 }
 
 std::string flat_model_fragment_shader(bool sections) {
-  return version + in_eye_space + (sections ? cut_whole : not_cut) + shaded(BaseColors::palette, false) +
-         "void main() { cut_fragment(); shade_fragment(); }\n";
+  return version + in_eye_space + (sections ? cut_whole : not_cut) + material_shader_source({}) +
+         shaded(BaseColors::palette, false) + "void main() { cut_fragment(); shade_fragment(); }\n";
 }
 
 }  // namespace triptych

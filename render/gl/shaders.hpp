@@ -17,6 +17,9 @@ inline constexpr GLuint rectangles_binding = 2;  ///< storage: rectangles under 
 inline constexpr GLuint answers_binding = 3;     ///< storage: one word a rectangle
 inline constexpr GLuint bounds_binding = 4;      ///< storage: one PixelDepthBound a piece
 inline constexpr GLuint fragments_binding = 5;   ///< storage: fragments of what is transparent
+inline constexpr GLuint materials_binding = 6;   ///< storage: one SurfaceMaterial a colour of the palette
+inline constexpr GLuint textures_binding = 7;    ///< storage: where textures lie
+inline constexpr GLuint texels_binding = 8;      ///< storage: texels
 inline constexpr GLuint heads_image = 1;         ///< 32-bit integers, one a pixel: where its list begins
 inline constexpr GLuint opaque_depths_unit = 3;  ///< textures: depth, of each plane a layer
 
@@ -35,7 +38,13 @@ struct ShaderVariant {
   /// it is the cut surface, in sixteenths, or 1.
   bool normals = false;
   bool transparent = false;  ///< not into a framebuffer, but into lists of fragments
+  bool textured = false;     ///< vertices have places on textures, which may have holes
+  bool emissive = false;     ///< surfaces have light of their own
 };
+
+/// What surfaces have besides their colours: look_up(), to be called before any fragment is dropped; then
+/// is_hole(), base_shown(base colour), covered(alpha) and with_glow(lit colour).
+std::string material_shader_source(const ShaderVariant& variant);
 
 /// For perspective views, or for orthographic ones, whose w is 1 and whose depth is linear.
 std::string geometry_vertex_shader(Projection projection, const ShaderVariant& variant);

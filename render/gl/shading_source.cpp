@@ -30,7 +30,7 @@ void shade_fragment() {
          (smooth ? "  if (side < 0 && shading_normal != vec3(0.0)) normal = normalize(shading_normal);\n"
                  : "") +
          R"(  float lit = ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z);
-  color = vec4(side < 0 ? base_color.rgb * lit : cap_color(base_color.rgb, lit, side), 1.0);
+  color = vec4(side < 0 ? with_glow(base_shown(base_color.rgb) * lit) : cap_color(base_color.rgb, lit, side), 1.0);
 }
 )";
 }

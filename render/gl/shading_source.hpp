@@ -12,8 +12,9 @@ namespace triptych {
 std::string flatness(BaseColors colors);
 
 /// The shaded colour of a fragment, the same source text for every pass that draws colours: shade_fragment().
-/// It wants eye_position, and cap_color() and what belongs to that. smooth: vertices have shading normals
-/// (eye_normal_source()). normal_location: for edges, where the normal of the face goes.
+/// It wants eye_position, cap_color() and what belongs to that, and material_shader_source(). smooth:
+/// vertices have shading normals (eye_normal_source()). normal_location: for edges, where the normal of the
+/// face goes.
 std::string shaded(BaseColors colors, bool smooth, std::optional<int> normal_location = std::nullopt);
 
 /// The shading normal of a vertex (VertexNormal) in eye space, by the cofactors of its placement; 0 where it

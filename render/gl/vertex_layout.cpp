@@ -9,22 +9,26 @@
 namespace triptych {
 
 namespace {
-constexpr GLuint normals_attribute = 10;
+constexpr GLuint normals_attribute = 10, coordinates_attribute = 11;
 }
 
-std::vector<std::byte> VertexLayout::bytes_of(const Chunk& chunk) const {
-  std::vector<std::byte> bytes(chunk.vertices.size() * stride());
+std::vector<std::byte> interleaved(const Chunk& chunk, const VertexStreams& streams) {
+  std::vector<std::byte> bytes(chunk.vertices.size() * streams.stride());
   std::byte* to = bytes.data();
-  for (size_t i = 0; i < chunk.vertices.size(); ++i, to += stride()) {
-    std::memcpy(to, &chunk.vertices[i], sizeof(ChunkVertex));
-    if (colors) std::memcpy(to + colors_at(), &chunk.colors[i], sizeof(VertexColor));
-    if (normals && !chunk.normals.empty())
-      std::memcpy(to + normals_at(), &chunk.normals[i], sizeof(VertexNormal));
+  const auto add = [&](const auto& value) {
+    std::memcpy(to, &value, sizeof(value));
+    to += sizeof(value);
+  };
+  for (size_t i = 0; i < chunk.vertices.size(); ++i) {
+    add(chunk.vertices[i]);
+    if (streams.colored) add(chunk.colors[i]);
+    if (streams.normals) add(chunk.normals.empty() ? VertexNormal{} : chunk.normals[i]);
+    if (streams.textured) add(chunk.coordinates[i]);
   }
   return bytes;
 }
 
-void describe_vertices(GLuint vertex_array, const VertexLayout& layout) {
+void describe_vertices(GLuint vertex_array, const VertexStreams& streams) {
   GLuint attribute = 0;
   const auto add = [&](GLuint stream) {
     glVertexArrayAttribBinding(vertex_array, attribute, stream);
@@ -47,13 +51,20 @@ void describe_vertices(GLuint vertex_array, const VertexLayout& layout) {
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, item));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, first_bound));
   add_integers(records_stream, 1, GL_UNSIGNED_INT, offsetof(DrawRecord, cut));
-  if (layout.colors) {
+  size_t offset = sizeof(ChunkVertex);
+  if (streams.colored) {
     glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE,
-                              static_cast<GLuint>(layout.colors_at()));
+                              static_cast<GLuint>(offset));
     add(vertices_stream);
+    offset += sizeof(VertexColor);
   }
   attribute = normals_attribute;
-  if (layout.normals) add_integers(vertices_stream, 2, GL_UNSIGNED_SHORT, layout.normals_at());
+  if (streams.normals) {
+    add_integers(vertices_stream, 2, GL_UNSIGNED_SHORT, offset);
+    offset += sizeof(VertexNormal);
+  }
+  attribute = coordinates_attribute;
+  if (streams.textured) add_integers(vertices_stream, 2, GL_INT, offset);
   glVertexArrayBindingDivisor(vertex_array, records_stream, 1);
 }
 

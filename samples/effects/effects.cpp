@@ -1,5 +1,6 @@
 #include "samples/effects/effects.hpp"
 
+#include "samples/effects/textured.hpp"
 #include "samples/gltf_writer.hpp"
 #include "samples/orbits.hpp"
 #include "samples/shape.hpp"
@@ -17,10 +18,11 @@ namespace {
 
 /// Which effects a file calls for.
 struct Called {
-  bool transparency, vertex_colours, smooth_normals;
+  bool transparency = false, vertex_colours = false, smooth_normals = false, textures = false,
+       emission = false;
 };
 
-constexpr int cases = 4, screens = 5;
+constexpr int cases = 4, screens = 5, lamps = 3;
 /// Metres, from the middle: half of the floor's sides, and how high things are.
 constexpr double half_width = 5, half_depth = 3.5, height = 2.6;
 
@@ -122,6 +124,11 @@ class Exhibition {
     for (int i = 0; i < screens; ++i)
       add(fmt::format("screen {}", i + 1), screen(i, called_),
           at(-4 + 1.3 * i, 1 + 0.35 * i, std::numbers::pi / 12 * i));
+    add("carpet", {carpet(called_.textures)}, at(0, 0.4, 0));
+    add("fence", {fence(called_.textures)}, at(-2, 2.6, 0));
+    for (int i = 0; i < lamps; ++i)
+      add(fmt::format("lamp {}", i + 1), lamp(called_.textures, called_.emission),
+          at(-3 + 3.0 * i, -half_depth + 0.6, 0));
     writer_.finish();
   }
 
@@ -146,12 +153,16 @@ class Exhibition {
 
 EffectsReport make_effects(const std::filesystem::path& folder) {
   EffectsReport report;
+  make_folder(folder);
+  write_effect_images(folder);
   for (const auto& [name, effects, called] :
-       {std::tuple{"scene", "all", Called{true, true, true}},
-        {"plain", "none", Called{false, false, false}},
-        {"transparency", "transparency", Called{true, false, false}},
-        {"vertex-colours", "vertex-colours", Called{false, true, false}},
-        {"smooth-normals", "smooth-normals", Called{false, false, true}}}) {
+       {std::tuple{"scene", "all", Called{true, true, true, true, true}},
+        {"plain", "none", Called{}},
+        {"transparency", "transparency", Called{.transparency = true}},
+        {"vertex-colours", "vertex-colours", Called{.vertex_colours = true}},
+        {"smooth-normals", "smooth-normals", Called{.smooth_normals = true}},
+        {"textures", "textures", Called{.textures = true}},
+        {"emission", "emission", Called{.emission = true}}}) {
     const Exhibition exhibition(folder, name, called);
     report.files.push_back({std::string(name) + ".gltf", effects});
     report.objects = exhibition.objects;

@@ -23,7 +23,8 @@ struct EffectsReport {
 /// Writes `scene.gltf` with all effects, `plain.gltf` with none, and a file named after each effect with that
 /// one alone, their buffers, and the paths `walk.json`, `fly.json`, `spin.json` and `jump.json`. All files
 /// have the same triangles: coloured glass stands in rows, in cases around figures, and before a relief whose
-/// corners have colours; figures and relief are round by the normals of their corners.
+/// corners have colours; figures and relief are round by the normals of their corners; a carpet has a
+/// texture, a fence one with holes, and lamps glow. The images stand beside the scenes.
 EffectsReport make_effects(const std::filesystem::path& folder);
 
 }  // namespace triptych

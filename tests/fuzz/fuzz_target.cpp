@@ -46,6 +46,11 @@ std::optional<std::vector<CornerTriangle>> triangles_of(const std::filesystem::p
             expect(mesh.normals.size() == mesh.positions.size(), "normals are not those of the vertices");
             corners.normals[k] = mesh.normals[triangle.vertices[k]];
           }
+          if (!mesh.coordinates.empty()) {
+            expect(mesh.coordinates.size() == mesh.positions.size(),
+                   "coordinates are not those of the vertices");
+            corners.coordinates[k] = mesh.coordinates[triangle.vertices[k]];
+          }
           if (mesh.colors.empty()) continue;
           expect(mesh.colors.size() == mesh.positions.size(), "colours are not those of the vertices");
           corners.colors[k] = mesh.colors[triangle.vertices[k]];

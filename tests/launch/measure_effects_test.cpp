@@ -31,15 +31,18 @@ class MeasureEffects : public testing::Test {
 
 TEST_F(MeasureEffects, adds_one_after_the_other_of_those_that_the_model_calls_for) {
   const nlohmann::json all = measured("scene");
-  ASSERT_EQ(all["rows"].size(), 3u);
+  ASSERT_EQ(all["rows"].size(), 6u);
   EXPECT_EQ(all["rows"][0]["effect"], "none");
   EXPECT_EQ(all["rows"][1]["effect"], "vertex-colours");
   EXPECT_EQ(all["rows"][2]["effect"], "transparency");
+  EXPECT_EQ(all["rows"][3]["effect"], "smooth-normals");
+  EXPECT_EQ(all["rows"][4]["effect"], "textures");
+  EXPECT_EQ(all["rows"][5]["effect"], "emission");
   for (const nlohmann::json& row : all["rows"]) {
     const bool used = row["effect"] != "none";
     EXPECT_EQ(row["frames"], used ? 3 : 0) << row;
     EXPECT_EQ(row["fragments"].get<double>() > 0,
-              used && !(row["effect"] == "vertex-colours" && all["device"] == "gl"))
+              used && !(row["effect"] != "transparency" && all["device"] == "gl"))
         << row;
     for (const char* key : {"frame_ms", "draws", "binds", "upload_bytes", "variants", "simulation_steps"})
       EXPECT_TRUE(row.contains(key)) << key;
@@ -69,6 +72,9 @@ TEST_F(MeasureEffects, switched_off_leave_the_picture_of_the_model_without_alpha
     return text_of(pictures + "/000001.png");
   };
   EXPECT_EQ(picture("transparency", "none"), picture("plain", "all"));
+  EXPECT_EQ(picture("emission", "none"), picture("plain", "all"));
+  EXPECT_NE(picture("textures", "all"), picture("textures", "none"));
+  EXPECT_NE(picture("emission", "all"), picture("emission", "none"));
   EXPECT_NE(picture("transparency", "all"), picture("transparency", "none"));
   EXPECT_EQ(picture("transparency", "all"), picture("transparency", "transparency"));
 }
@@ -84,6 +90,11 @@ TEST_F(MeasureEffects, are_named_by_each_run_that_draws_them_and_by_no_other) {
   ASSERT_EQ(glass.size(), 1u);
   EXPECT_EQ(glass["transparency"]["frames"], 3);
   EXPECT_GT(glass["transparency"]["fragments"]["mean"], 0);
+  for (const char* effect : {"smooth-normals", "textures", "emission"}) {
+    const nlohmann::json of_effect = drawn(effect);
+    ASSERT_EQ(of_effect.size(), 1u) << of_effect;
+    EXPECT_EQ(of_effect[effect]["frames"], 3) << of_effect;
+  }
   EXPECT_EQ(drawn("plain"), nlohmann::json::object());
 }
 

@@ -110,10 +110,12 @@ TEST(Buckets, keep_the_colours_and_normals_of_corners_where_there_are_any_and_wr
   for (size_t i = 0; i < triangles.size(); ++i) {
     triangles[i].corner_colors.fill({static_cast<uint8_t>(i), static_cast<uint8_t>(i >> 8), 9, 255});
     triangles[i].corner_normals.fill({static_cast<uint16_t>(i + 1), 7});
+    triangles[i].coordinates.fill({static_cast<int32_t>(i), 7});
   }
   std::vector<uint64_t> sizes;
   for (const CornerStreams& streams :
-       {CornerStreams{}, CornerStreams{.colors = true}, CornerStreams{.colors = true, .normals = true}}) {
+       {CornerStreams{}, CornerStreams{.colors = true}, CornerStreams{.colors = true, .normals = true},
+        CornerStreams{.colors = true, .normals = true, .coordinates = true}}) {
     SpoolFile spool(spool_path());
     const Buckets buckets(reading(triangles), triangles.size(), 100, streams, spool);
     sizes.push_back(spool.size());
@@ -128,13 +130,14 @@ TEST(Buckets, keep_the_colours_and_normals_of_corners_where_there_are_any_and_wr
         ASSERT_LT(index, triangles.size());
         LatticeTriangle wanted = triangles[index];
         if (!streams.normals) wanted.corner_normals = {};
+        if (!streams.coordinates) wanted.coordinates = {};
         EXPECT_EQ(triangle, wanted);
       }
     }
     std::filesystem::remove(spool_path());
   }
-  EXPECT_EQ(sizes,
-            (std::vector<uint64_t>{40 * triangles.size(), 52 * triangles.size(), 64 * triangles.size()}));
+  EXPECT_EQ(sizes, (std::vector<uint64_t>{40 * triangles.size(), 52 * triangles.size(), 64 * triangles.size(),
+                                          88 * triangles.size()}));
 }
 
 }  // namespace

@@ -109,7 +109,8 @@ TEST(Weld, where_two_colours_meet_is_one_point_and_the_corners_keep_theirs) {
   mesh.colors = {red, red, red, blue, blue, blue};
   const Surface surface = weld(mesh, Affine(1), lattice, of_corners).surface;
   EXPECT_EQ(surface.points.size(), 4u);
-  EXPECT_EQ(surface.colors, (std::vector<CornerColors>{{red, red, red}, {blue, blue, blue}}));
+  EXPECT_EQ(surface.colors,
+            (std::vector<SurfaceCorners>{CornerColors{red, red, red}, CornerColors{blue, blue, blue}}));
 }
 
 TEST(Weld, colours_stay_with_their_corners_where_triangles_are_mirrored_or_dropped) {

@@ -3,9 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace triptych::test {
 
-inline constexpr std::array<std::array<uint8_t, 4>, 1> opaque_palette = {{{0, 0, 0, 255}}};
+inline const std::vector<std::array<uint8_t, 4>> opaque_palette = {{0, 0, 0, 255}};
 
 }  // namespace triptych::test

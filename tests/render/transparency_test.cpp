@@ -256,7 +256,7 @@ TEST(TransparentSurfaces, are_not_outward_nor_is_what_is_seen_through_them) {
   for (const Triangle& triangle : box.triangles)
     chunk.indices.insert(chunk.indices.end(), triangle.vertices.begin(), triangle.vertices.end());
   const auto count = static_cast<uint32_t>(chunk.vertices.size());
-  const std::array<std::array<uint8_t, 4>, 2> palette = {{{9, 9, 9, 255}, {9, 9, 9, 80}}};
+  const std::vector<std::array<uint8_t, 4>> palette = {{9, 9, 9, 255}, {9, 9, 9, 80}};
   const auto decoded = [&] {
     std::vector<LatticeBox> whole = {chunk.box()};
     ChunkInfo info;

@@ -230,6 +230,46 @@ TEST(Chunk, colours_of_vertices_come_back_with_their_vertices) {
   }
 }
 
+/// A place on a texture for each vertex that says which one it is.
+Chunk textured(Chunk chunk) {
+  for (size_t i = 0; i < chunk.vertices.size(); ++i)
+    chunk.coordinates.push_back({static_cast<int32_t>(i), -static_cast<int32_t>(70000 * i)});
+  return chunk;
+}
+
+TEST(Chunk, places_on_textures_come_back_with_their_vertices_beside_colours_or_alone) {
+  for (const bool with_colors : {false, true}) {
+    Chunk chunk = textured(random_chunk(5, 700, 900));
+    if (with_colors) chunk = colored(chunk);
+    const Chunk again = decoded(chunk, encode_chunk(chunk), info_of(chunk), 7);
+    ASSERT_EQ(again.coordinates.size(), again.vertices.size());
+    EXPECT_EQ(again.colors.size(), with_colors ? again.vertices.size() : 0);
+    for (size_t i = 0; i < again.vertices.size(); ++i) {
+      const auto before = static_cast<size_t>(again.coordinates[i].u);
+      EXPECT_EQ(again.vertices[i], chunk.vertices[before]);
+      EXPECT_EQ(again.coordinates[i], chunk.coordinates[before]);
+      if (with_colors) {
+        EXPECT_EQ(again.colors[i], chunk.colors[before]);
+      }
+    }
+  }
+}
+
+TEST(Chunk, streams_in_another_order_or_twice_are_refused) {
+  const Chunk chunk = textured(test::grid_chunk({0, 0, 0}, 4, 3));
+  auto bytes = encode_chunk(chunk);
+  uint32_t runs = 0, positions = 0, coordinates = 0;
+  std::memcpy(&runs, bytes.data() + 8, sizeof(runs));
+  std::memcpy(&positions, bytes.data() + 12 + 4 * size_t{runs}, sizeof(positions));
+  const size_t kind = 16 + 4 * size_t{runs} + positions;
+  ASSERT_EQ(std::to_integer<int>(bytes[kind]), chunk_coordinates_stream);
+  std::memcpy(&coordinates, bytes.data() + kind + 1, sizeof(coordinates));
+  const auto at = [&](size_t byte) { return bytes.begin() + static_cast<std::ptrdiff_t>(byte); };
+  const std::vector<std::byte> stream(at(kind), at(kind + 5 + coordinates));
+  bytes.insert(at(kind), stream.begin(), stream.end());
+  EXPECT_THROW(decoded(chunk, bytes, info_of(chunk), 7), Error);
+}
+
 TEST(Chunk, without_colours_the_bytes_hold_none) {
   const Chunk chunk = random_chunk(5, 700, 900);
   EXPECT_TRUE(decoded(chunk, encode_chunk(chunk), info_of(chunk), 7).colors.empty());
@@ -292,12 +332,32 @@ TEST(MakeChunk, a_point_with_two_colours_becomes_two_vertices) {
   Surface surface{.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}},
                   .triangles = {{{0, 1, 2}, 0}, {{2, 1, 3}, 0}}};
   constexpr VertexColor red{255, 0, 0, 255}, blue{0, 0, 255, 255};
-  surface.colors = {{red, red, red}, {red, blue, blue}};
+  surface.colors = {CornerColors{red, red, red}, CornerColors{red, blue, blue}};
   const Chunk chunk = make_chunk(surface);
   EXPECT_EQ(chunk.vertices.size(), 5u);
   ASSERT_EQ(chunk.colors.size(), 5u);
   for (size_t t = 0; t < 2; ++t) {
-    for (size_t k = 0; k < 3; ++k) EXPECT_EQ(chunk.colors[chunk.indices[3 * t + k]], surface.colors[t][k]);
+    for (size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(chunk.colors[chunk.indices[3 * t + k]], surface.colors[t][k].color);
+  }
+}
+
+TEST(MakeChunk, a_point_with_two_places_on_textures_becomes_two_vertices) {
+  Surface surface{.points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {8, 8, 0}},
+                  .triangles = {{{0, 1, 2}, 0}, {{2, 1, 3}, 0}}};
+  surface.colors.resize(2);
+  for (size_t t = 0; t < 2; ++t)
+    for (size_t k = 0; k < 3; ++k)
+      surface.colors[t][k].coordinates = {
+          static_cast<int32_t>(surface.triangles[t].vertices[k]),
+          surface.triangles[t].vertices[k] == 1 ? static_cast<int32_t>(t) : 0};
+  const Chunk chunk = make_chunk(surface);
+  EXPECT_EQ(chunk.vertices.size(), 5u);
+  EXPECT_TRUE(chunk.colors.empty());
+  ASSERT_EQ(chunk.coordinates.size(), 5u);
+  for (size_t t = 0; t < 2; ++t) {
+    for (size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(chunk.coordinates[chunk.indices[3 * t + k]], surface.colors[t][k].coordinates);
   }
 }
 

@@ -25,7 +25,7 @@ Surface painted(const Color& color) {
     glm::dvec3 middle(0);
     for (const uint32_t vertex : triangle.vertices)
       middle += glm::dvec3(surface.points[vertex]) / (3 * 1024.0);
-    CornerColors& colors = surface.colors.emplace_back();
+    SurfaceCorners& colors = surface.colors.emplace_back();
     for (size_t k = 0; k < 3; ++k)
       colors[k] = color(middle, glm::dvec3(surface.points[triangle.vertices[k]]) / 1024.0);
   }
@@ -53,6 +53,8 @@ Surface gradient() {
   });
 }
 
+glm::dvec3 channels(const VertexColor& color) { return {color[0], color[1], color[2]}; }
+
 /// What the plate shows at a place in cells; nullopt where it has a hole.
 std::optional<glm::dvec3> shown(const Surface& surface, const glm::dvec2& cell) {
   const glm::dvec2 at = cell * 1024.0;
@@ -66,9 +68,7 @@ std::optional<glm::dvec3> shown(const Surface& surface, const glm::dvec2& cell) 
       weights[k] = cross(corners[(k + 1) % 3] - at, corners[(k + 2) % 3] - at) / area;
     if (*std::min_element(weights.begin(), weights.end()) < 0) continue;
     glm::dvec3 color(0);
-    for (size_t k = 0; k < 3; ++k)
-      color +=
-          weights[k] * glm::dvec3(surface.colors[t][k][0], surface.colors[t][k][1], surface.colors[t][k][2]);
+    for (size_t k = 0; k < 3; ++k) color += weights[k] * channels(surface.colors[t][k].color);
     return color;
   }
   return std::nullopt;
@@ -149,11 +149,12 @@ TEST(ColoredCollapse, what_is_painted_on_a_plate_stays_while_the_bound_is_below_
 TEST(ColoredCollapse, no_colour_appears_that_was_not_there) {
   for (const Surface& surface : {checkers(), soft_checkers(), gradient()}) {
     std::set<VertexColor> known;
-    for (const CornerColors& colors : surface.colors) known.insert(colors.begin(), colors.end());
+    for (const SurfaceCorners& colors : surface.colors)
+      for (const SurfaceCorner& corner : colors) known.insert(corner.color);
     for (const Level& level : levels(surface, 1e300)) {
       ASSERT_EQ(level.piece.surface.colors.size(), level.piece.surface.triangles.size());
-      for (const CornerColors& colors : level.piece.surface.colors) {
-        for (const VertexColor& color : colors) EXPECT_TRUE(known.contains(color));
+      for (const SurfaceCorners& colors : level.piece.surface.colors) {
+        for (const SurfaceCorner& corner : colors) EXPECT_TRUE(known.contains(corner.color));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "tests/support/object_sets.hpp"
 #include "tests/support/painted_meshes.hpp"
 #include "tests/support/smoothed.hpp"
+#include "tests/support/textured_scene.hpp"
 
 #include <array>
 #include <cmath>
@@ -327,6 +328,7 @@ const std::vector<Entry>& entries() {
                                          {"painted", painted},
                                          {"glass", glass},
                                          {"smooth", smooth},
+                                         {"textured", textured},
                                          {"triangle", triangle}};
   return all;
 }

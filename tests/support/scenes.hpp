@@ -44,6 +44,8 @@ class Random {
 ///   painted    meshes with vertex colours, smooth ones and ones with seams, among others without
 ///   glass      transparent panes, cases and spheres among opaque boxes, some of them flush with those
 ///   smooth     things that are round by the normals of their vertices, among faceted ones
+///   textured   surfaces with textures, fences and leaves with holes before other things, textured glass, and
+///              what glows (tests/support/textured_scene.hpp)
 ///   triangle   nothing but one triangle
 const std::vector<std::string>& names();
 Model make(const std::string& name);

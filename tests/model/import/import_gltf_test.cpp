@@ -270,9 +270,10 @@ TEST(ImportGltf, what_is_not_drawn_or_not_placed_is_said) {
   document["meshes"].push_back(document["meshes"][0]);
   document["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  document["textures"] = {{{"source", 0}}};
   document["images"] = {{{"uri", "missing.png"}}};
   const Model model = import_json(document);
-  for (const char* warning : {"1 meshes are placed nowhere", "morph targets", "textures"}) {
+  for (const char* warning : {"1 meshes are placed nowhere", "morph targets", "missing.png"}) {
     EXPECT_TRUE(warns(model, warning)) << warning;
   }
 }

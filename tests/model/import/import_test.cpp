@@ -95,7 +95,8 @@ TEST(ImportObj, a_damaged_face_or_vertex_is_named_with_its_line_and_costs_only_i
 }
 
 TEST(ImportObj, materials_come_from_the_library_beside_the_file) {
-  write_model("my colours.mtl", "newmtl red\nKd 1 0 0.25\nd 0.5\nnewmtl grey\nKd 0.5\nmap_Kd wood.png\n");
+  write_model("my colours.mtl",
+              "newmtl red\nKd 1 0 0.25\nd 0.5\nnewmtl grey\nKd 0.5\nKe 1 0 0\nmap_Kd wood.png\n");
   const Model model = import_text(
       "a.obj", "mtllib my colours.mtl\n" + square_obj + "usemtl red\nf 1 2 3\nusemtl grey\nf 1 2 3\n");
   const auto color_of = [&](size_t triangle) {
@@ -107,6 +108,7 @@ TEST(ImportObj, materials_come_from_the_library_beside_the_file) {
   EXPECT_TRUE(is_near(color_of(2), {1, 0, 0.0508761f, 0.5}));
   EXPECT_TRUE(is_near(color_of(3), {0.2140411f, 0.2140411f, 0.2140411f, 1}));
   EXPECT_TRUE(warns(model, "1 textures"));
+  EXPECT_EQ(model.materials[model.meshes[0].triangles[3].material].emission, glm::vec3(1, 0, 0));
 }
 
 TEST(ImportObj, materials_let_light_through_as_d_says_or_else_tr) {
