@@ -59,6 +59,9 @@ class DevicesAgree : public testing::TestWithParam<std::string> {
 TEST_P(DevicesAgree, in_coverage_to_a_few_pixels_and_in_colours_but_where_planes_coincide) {
   const Box box = pack.skeleton().lattice().box(pack.skeleton().scene_nodes[0].box);
   const glm::dvec3 middle = (box.lo + box.hi) * 0.5;
+  // How far neighbouring pixels look on a texture is a difference on OpenGL, and a slope of the plane here:
+  // at edges of holes, and where that changes fast, they mix other levels.
+  const bool textured = !pack.skeleton().textures.empty();
   Differences sum;
   size_t frames = 0;
   // Around the model and through it, as a person would look at it.
@@ -73,7 +76,7 @@ TEST_P(DevicesAgree, in_coverage_to_a_few_pixels_and_in_colours_but_where_planes
         .height = height};
     set_field_of_view(view.camera, 60, 1);
     const Differences found = compare(FrameView(pack.skeleton(), {view, 1}));
-    EXPECT_LE(found.coverage, 20u) << "frame " << frames;
+    EXPECT_LE(found.coverage, textured ? 200u : 20u) << "frame " << frames;
     sum.coverage += found.coverage;
     sum.owner += found.owner;
     sum.color += found.color;
@@ -83,7 +86,7 @@ TEST_P(DevicesAgree, in_coverage_to_a_few_pixels_and_in_colours_but_where_planes
   RecordProperty("color", std::to_string(sum.color));
   const size_t pixels = frames * width * height;
   EXPECT_LE(sum.owner, pixels / 1000);
-  EXPECT_LE(sum.color, pixels / 2000);
+  EXPECT_LE(sum.color, pixels / (textured ? 30 : 2000));
 }
 
 TEST_P(DevicesAgree, in_edges_of_one_sample_and_of_several_but_for_a_few_pixels) {
@@ -129,7 +132,7 @@ TEST_P(DevicesAgree, in_edges_of_one_sample_and_of_several_but_for_a_few_pixels)
 // drawable. Coplanar faces are what differs there.
 INSTANTIATE_TEST_SUITE_P(Scenes, DevicesAgree,
                          testing::Values("room", "flat", "world", "instances", "far", "storeys", "painted",
-                                         "smooth", "triangle"),
+                                         "smooth", "textured", "triangle"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace
