@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a rebuild costs after one of the files of a model has changed: tests/rebuild_cost.py [--help]
+"""What a rebuild costs after one of the files of a model has changed: tests/launch/rebuild_cost.py [--help]
 
 A house of several storeys, each of which is two files: the building itself with its furniture, and its services. Each
 row is one build with a cache that holds the first revision, in seconds of processor time, and its share of a build of
