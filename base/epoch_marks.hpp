@@ -8,15 +8,15 @@
 
 namespace triptych {
 
-/// One mark for each of `count` things. clear() does not touch them, so that the cost of a frame depends on
-/// what it marks, not on how many there are.
+/// One mark for each of `count` things, of two bytes. clear() hardly ever touches them, so that the cost of a
+/// frame depends on what it marks, not on how many there are.
 class EpochMarks {
  public:
   explicit EpochMarks(size_t count) : stamps_(count, 0) {}
 
   void clear() {
     if (++epoch_ != 0) return;
-    std::fill(stamps_.begin(), stamps_.end(), 0);  // once in 2³² calls
+    std::fill(stamps_.begin(), stamps_.end(), 0);  // once in 2¹⁶ calls
     epoch_ = 1;
   }
   void mark(size_t i) { stamps_[i] = epoch_; }
@@ -29,8 +29,8 @@ class EpochMarks {
   }
 
  private:
-  std::vector<uint32_t> stamps_;
-  uint32_t epoch_ = 1;
+  std::vector<uint16_t> stamps_;
+  uint16_t epoch_ = 1;
 };
 
 }  // namespace triptych

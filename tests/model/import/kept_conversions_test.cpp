@@ -26,7 +26,7 @@ class Conversions : public testing::Test {
       return Converted{
           std::make_shared<StreamSource>("output", std::move(bytes)), {"one", "two\tthree"}, reads};
     });
-    EXPECT_EQ(cache.found() + cache.made(), 1u);
+    EXPECT_EQ(cache.count().found + cache.count().made, 1u);
     cache.commit();
     std::vector<std::byte> output(converted.output->size());
     SourceReader(converted.output).read(0, output);
@@ -96,7 +96,7 @@ TEST_F(Conversions, of_ifc_give_the_same_model) {
     ImportOptions options;
     options.kept_conversions = &conversions;
     const Model model = import_model({ifc}, options);
-    EXPECT_EQ(cache.found(), found);
+    EXPECT_EQ(cache.count().found, found);
     EXPECT_EQ(model.placed_triangles(), plain.placed_triangles());
     EXPECT_EQ(test::triangles_of(model.meshes.at(0)).size(), test::triangles_of(plain.meshes.at(0)).size());
     EXPECT_EQ(model.report.warnings, plain.report.warnings);

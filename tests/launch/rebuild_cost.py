@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""What a rebuild costs after one of the files of a model has changed: tests/rebuild_cost.py [--help]
+"""What a rebuild costs after one of the files of a model has changed: tests/launch/rebuild_cost.py [--help]
 
 A house of several storeys, each of which is two files: the building itself with its furniture, and its services. Each
-row is one build with a cache that holds the first revision, in seconds of processor time, beside a build of the same
-files from nothing; their packs must be equal."""
+row is one build with a cache that holds the first revision, in seconds of processor time, and its share of a build of
+the same files from nothing; the packs of both must be equal. The share of a file that is replaced is what a build from
+nothing takes less without it."""
 import argparse
 import filecmp
 import json
-import os
 import pathlib
 import resource
 import shutil
@@ -20,7 +20,7 @@ STOREY = 4.5  # metres
 class House:
     def __init__(self, options):
         self.program, self.work = options.program, options.work
-        self.furniture, self.rooms = options.furniture, options.rooms
+        self.furniture = options.furniture
         self.work.mkdir(parents=True, exist_ok=True)
 
     def run(self, words):
@@ -48,6 +48,7 @@ class House:
         return scene
 
     def build(self, files, pack, cache=None):
+        """Seconds, and what --json says."""
         words = ["build", *files, "-o", self.work / pack, "--json", self.work / "build.json"]
         if cache:
             words += ["--cache", self.work / cache]
@@ -86,7 +87,6 @@ def main():
     parser.add_argument("--json", type=pathlib.Path)
     parser.add_argument("--stages", action="store_true", help="print each build's stages")
     options = parser.parse_args()
-    options.rooms = 0
     house = House(options)
     kinds = ("building", "services")
     first = [house.file(kind, storey, 1 + storey) for storey in range(options.storeys) for kind in kinds]
@@ -112,28 +112,37 @@ def main():
     }
     if options.rows:
         revisions = {name: revisions[name] for name in options.rows.split(",")}
+    of_file = {"a storey's building replaced": first[middle], "a storey's services replaced": first[middle + 1]}
     whole, report = house.build(first, "whole.tpk")
-    rows = [("without a cache", whole, report, None)]
-    if not (house.work / "cache").exists() or True:
-        seconds, report = house.build(first, "first.tpk", "cache")
-        rows.append(("with it, for the first time", seconds, report, None))
-        shutil.copyfile(house.work / "cache", house.work / "cache.first")
+    print(f"{len(first)} files, {report['source_triangles']} triangles, {report['placed_triangles']} placed")
+    print(f"{'':36}{'seconds':>9}{'of a whole build':>18}{'the file':>10}{'made':>9}{'of':>9}")
+    rows = []
+
+    def add(name, seconds, report, plain, share=None):
+        count = report.get("cache", {"made": 0, "found": 0})
+        total = count["made"] + count["found"]
+        of_whole, part = f"{100 * seconds / plain:.0f} %", "" if share is None else f"{100 * share:.0f} %"
+        print(f"{name:36}{seconds:9.2f}{of_whole:>18}{part:>10}{count['made']:9}{total:9}", flush=True)
+        if options.stages:
+            print("   ", ", ".join(f"{stage['name']} {stage['seconds']:.2f}" for stage in report["stages"]))
+        rows.append({"row": name, "seconds": seconds, "whole": plain, "share": share, "cache": count})
+
+    add("without a cache", whole, report, whole)
+    seconds, report = house.build(first, "first.tpk", "cache")
+    add("with it, for the first time", seconds, report, whole)
+    (house.work / "cache").rename(house.work / "cache.first")
     for name, files in revisions.items():
         shutil.copyfile(house.work / "cache.first", house.work / "cache")
         seconds, report = house.build(files, "again.tpk", "cache")
         plain, _ = house.build(files, "plain.tpk")
         if not filecmp.cmp(house.work / "again.tpk", house.work / "plain.tpk", shallow=False):
             sys.exit(f"{name}: the pack is not that of a whole build")
-        rows.append((name, seconds, report, plain))
-    print(f"{len(first)} files, {report['source_triangles']} triangles, {report['placed_triangles']} placed")
-    print(f"{'':36}{'seconds':>9}{'of a whole build':>18}{'made':>9}{'of':>9}")
-    for name, seconds, report, plain in rows:
-        made = report.get("cache", {"made": 0, "found": 0})
-        print(f"{name:36}{seconds:9.2f}{100 * seconds / (plain or whole):17.0f}%{made['made']:9}{made['made'] + made['found']:9}")
-        if options.stages:
-            print("   ", ", ".join(f"{stage['name']} {stage['seconds']:.2f}" for stage in report["stages"]))
+        share = None
+        if name in of_file:
+            without, _ = house.build([file for file in first if file != of_file[name]], "plain.tpk")
+            share = 1 - without / whole
+        add(name, seconds, report, plain, share)
     if options.json:
-        rows = [{"row": name, "seconds": seconds, "whole": plain or whole, **report.get("cache", {})} for name, seconds, report, plain in rows]
         options.json.write_text(json.dumps({"rows": rows}))
 
 
