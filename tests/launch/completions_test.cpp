@@ -64,7 +64,7 @@ TEST_F(Completions, of_bash_are_the_words_that_may_follow) {
   EXPECT_EQ(completed("triptych render --device g"), "gl\n");
   EXPECT_EQ(completed("triptych build --keep touching,pl"), "touching,planes\n");
   EXPECT_EQ(completed("triptych build --keep touching,planes,"),
-            "touching,planes,cover touching,planes,order touching,planes,none\n");
+            "touching,planes,cover touching,planes,order touching,planes,shade touching,planes,none\n");
   EXPECT_EQ(completed("triptych render --effects vertex-colours,tr"), "vertex-colours,transparency\n");
 }
 

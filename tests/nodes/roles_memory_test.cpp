@@ -57,7 +57,7 @@ TEST_F(RolesWithinCaps, draw_the_same_pictures_where_there_is_room) {
 
 TEST_F(RolesWithinCaps, raise_the_pixel_error_where_there_is_none_and_say_so) {
   caps = {.device_memory = plenty};
-  const uint64_t cap = largest_view() / 2;
+  const uint64_t cap = largest_view() * 2 / 5;
   pictures.on_show = [&](LocalPipeline& stages) { stages.device().set_geometry_cap(cap); };
   const RenderNodeSummary summary = run_all(48);
   ASSERT_EQ(pictures.records.size(), 48u);

@@ -94,7 +94,7 @@ class RayScene {
   /// Whether the pixel's centre lies so near to an edge, of what it hit or of something before it, that a
   /// rasterizer's snapping may decide otherwise.
   bool on_an_edge(const glm::dvec2& pixel, const Hit& hit) const {
-    constexpr double snapping = 1.0 / 128;
+    constexpr double snapping = 1.0 / 96;  // two corners, each by up to 1/256 along both axes
     if (hit.edge_pixels < snapping) return true;
     for (const glm::dvec2& step :
          {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}}) {
@@ -200,7 +200,7 @@ class RayScene {
 
 struct Verdict {
   uint64_t rays = 0, hits = 0;
-  uint64_t on_edges = 0;  ///< of drawables that are not in the visible set, within 1/128 pixel of an edge
+  uint64_t on_edges = 0;  ///< of drawables that are not in the visible set, within 1/96 pixel of an edge
   uint64_t culled = 0;    ///< of drawables that are not in the visible set although they show
   uint64_t caps = 0;      ///< rays that may show a cut surface, which are not judged
   uint64_t empty = 0;     ///< rays that hit something where nothing is drawn, or the other way round
@@ -282,7 +282,7 @@ class EmbreeJudge : public testing::TestWithParam<std::string> {};
 
 TEST_P(EmbreeJudge, finds_everything_that_rays_hit_in_the_visible_set) {
   const Verdict verdict = judge(GetParam());
-  fmt::print("{}: {} rays, {} hits; not in the visible set: {} within 1/128 pixel of an edge, {} others\n",
+  fmt::print("{}: {} rays, {} hits; not in the visible set: {} within 1/96 pixel of an edge, {} others\n",
              GetParam(), verdict.rays, verdict.hits, verdict.on_edges, verdict.culled);
   EXPECT_EQ(verdict.culled, 0u) << verdict.first;
   EXPECT_GT(verdict.hits, 1000u);
@@ -294,7 +294,7 @@ TEST_P(EmbreeJudge, finds_what_a_section_keeps_and_nothing_else) {
     GTEST_SKIP() << "of faces that coincide rays meet one, and of slivers few";
   const Verdict verdict = judge(GetParam(), true);
   fmt::print(
-      "{}: {} rays, {} hits; not in the visible set: {} within 1/128 pixel of an edge, {} others; {} wrong\n",
+      "{}: {} rays, {} hits; not in the visible set: {} within 1/96 pixel of an edge, {} others; {} wrong\n",
       GetParam(), verdict.rays, verdict.hits, verdict.on_edges, verdict.culled, verdict.empty);
   EXPECT_EQ(verdict.culled, 0u) << verdict.first;
   // Rays through edges miss a face now and then, and take a solid for an open one.
