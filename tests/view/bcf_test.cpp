@@ -345,5 +345,15 @@ TEST(LastPlace, is_read_as_it_was_written_and_refused_where_it_is_damaged) {
   std::filesystem::remove(file);
 }
 
+TEST(Bcf, a_box_is_found_among_planes_along_the_axes) {
+  Section section;
+  section.set_box({{0, 0, 0}, {1, 2, 3}}, "a test");
+  section.add_plane({{1, 0, 0}, 5}, "a test");  // beyond the box: nothing is left
+  section.add_plane({{0, -1, 0}, -0.5}, "a test");
+  Viewpoint viewpoint;
+  viewpoint.planes = planes_of(section);
+  EXPECT_EQ(section_of(viewpoint, "a test"), section);
+}
+
 }  // namespace
 }  // namespace triptych

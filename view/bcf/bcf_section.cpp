@@ -16,11 +16,12 @@ std::optional<Box> take_box(std::vector<SectionPlane>& planes) {
   for (int side = 0; side < 6; ++side) {
     glm::dvec3 normal(0);
     normal[side / 2] = side % 2 == 0 ? 1 : -1;
-    const auto found = std::find_if(planes.begin(), planes.end(), [&](const SectionPlane& plane) {
+    // From the end, where planes_of() has those of a box: others may lie along an axis, too.
+    const auto found = std::find_if(planes.rbegin(), planes.rend(), [&](const SectionPlane& plane) {
       return glm::distance(plane.normal, normal) < along_axis;
     });
-    if (found == planes.end()) return std::nullopt;
-    sides.push_back(static_cast<size_t>(found - planes.begin()));
+    if (found == planes.rend()) return std::nullopt;
+    sides.push_back(static_cast<size_t>(planes.rend() - found) - 1);
     if (side % 2 == 0) {
       box.lo[side / 2] = found->offset;
     } else {
