@@ -23,13 +23,14 @@ struct ConvexComponent {
 };
 
 /// The components of a surface that are closed, convex but for rounding and of one colour, that have at least
-/// 12 and at most 512 triangles, and of which all that is held lies in the plane of one face, on which they
+/// 8 and at most 512 triangles, and of which all that is held lies in the plane of one face, on which they
 /// stand: locked points, and triangles that lie in layers or are covered. In the order of their first
 /// triangles. Stand-ins are four-sided prisms and antiprisms, on the component's plane if it stands on one,
 /// with 92 % of its area (which decides how much something convex covers: Cauchy), and of rods that stand on
 /// nothing three-sided prisms and tetrahedra, with all of it; along the component's axes, where they are
-/// nearer than `max_bound`. locked: for each point; empty: none. Nothing where corners have colours, nor
-/// where such components have fewer triangles altogether than `least`: then no stand-in is made.
+/// nearer than `max_bound` and have fewer triangles. locked: for each point; empty: none. Nothing where
+/// corners have colours, nor where such components have fewer triangles altogether than `least`: then no
+/// stand-in is made.
 std::vector<ConvexComponent> convex_components(const Surface& surface, std::span<const uint8_t> locked,
                                                double max_bound, size_t least = 0);
 

@@ -24,7 +24,9 @@ class SunkPoints {
   }
 
   std::vector<uint8_t> find() {
-    find_bodies();
+    const bool is_one =
+        std::ranges::all_of(component_, [&](uint32_t root) { return root == component_.front(); });
+    if (!is_one) find_bodies();  // otherwise there is nothing that could be sunk in another
     if (!bodies_.empty()) look_along_edges();
     for (const Triangle& triangle : surface_.triangles) {
       if (covered_class(triangle.material) == 0) continue;
@@ -62,13 +64,10 @@ class SunkPoints {
       const glm::dvec3 origin = place(component_[a]);
       volumes[component_[a]] += volume_of(origin, place(a), place(b), place(c));
     }
-    size_t others = 0;
     for (uint32_t i = 0; i < surface_.triangles.size(); ++i) {
       const uint32_t component = component_[surface_.triangles[i].vertices[0]];
-      others += component != component_[surface_.triangles[0].vertices[0]];
       if (!open[component] && volumes[component] > 0) bodies_.push_back(i);
     }
-    if (others == 0) bodies_.clear();  // there is nothing else that could be sunk
   }
 
   void look_along_edges() {
