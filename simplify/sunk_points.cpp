@@ -79,9 +79,11 @@ class SunkPoints {
     }
     const BoxTree tree(std::move(boxes));
     tsl::robin_set<uint64_t, KeyHash> seen;
+    const std::vector<uint8_t> meets = components_that_meet_bodies();
     for (const Triangle& triangle : surface_.triangles) {
       for (size_t k = 0; k < 3; ++k) {
         const uint32_t from = triangle.vertices[k], to = triangle.vertices[(k + 1) % 3];
+        if (!meets[component_[from]]) continue;
         if (!seen.insert(uint64_t{std::min(from, to)} << 32 | std::max(from, to)).second) continue;
         Box box;
         box.extend(place(from));
@@ -89,6 +91,26 @@ class SunkPoints {
         tree.visit(box, [&](uint32_t index) { look_through(surface_.triangles[bodies_[index]], from, to); });
       }
     }
+  }
+
+  /// By root: those whose box overlaps that of a body that is another component.
+  std::vector<uint8_t> components_that_meet_bodies() const {
+    std::vector<Box> boxes(surface_.points.size()), of_bodies;
+    for (uint32_t i = 0; i < surface_.points.size(); ++i) boxes[component_[i]].extend(place(i));
+    std::vector<uint8_t> is_body(boxes.size(), 0), meets(boxes.size(), 0);
+    for (const uint32_t triangle : bodies_) is_body[component_[surface_.triangles[triangle].vertices[0]]] = 1;
+    std::vector<uint32_t> roots;
+    for (uint32_t root = 0; root < boxes.size(); ++root) {
+      if (!is_body[root]) continue;
+      roots.push_back(root);
+      of_bodies.push_back(boxes[root]);
+    }
+    const BoxTree tree(std::move(of_bodies));
+    for (uint32_t root = 0; root < boxes.size(); ++root) {
+      if (component_[root] == root)
+        tree.visit(boxes[root], [&](uint32_t body) { meets[root] |= roots[body] != root; });
+    }
+    return meets;
   }
 
   /// Marks the ends of an edge that passes through a triangle of another component.
