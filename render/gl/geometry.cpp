@@ -165,6 +165,8 @@ void Geometry::load(uint32_t chunk) {
                     streams.colored,
                     geometry.normals_from,
                     transparent_runs(geometry, skeleton_)};
+  ranges_[chunk].layered =
+      std::ranges::any_of(geometry.vertices, [](const ChunkVertex& vertex) { return vertex.layer > 0; });
   find_materials(geometry, ranges_[chunk]);
   cache_.add(chunk, vertices.size() + indices.size(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
 }

@@ -1,7 +1,6 @@
 #include "render/gl/renderer.hpp"
 
 #include "render/gl/shaders.hpp"
-#include "scene/layers.hpp"
 
 namespace triptych {
 
@@ -25,8 +24,8 @@ GlProgram make_pass(TargetKind kind, Projection projection, const ShaderVariant&
 uint32_t pass_key(TargetKind kind, Projection projection, const ShaderVariant& variant) {
   uint32_t key = 0;
   for (const bool bit :
-       {variant.sections, variant.caps, variant.normals, variant.transparent, variant.textured,
-        variant.emissive, variant.smooth, variant.colors == BaseColors::vertices})
+       {variant.sections, variant.caps, variant.layers, variant.normals, variant.transparent,
+        variant.textured, variant.emissive, variant.smooth, variant.colors == BaseColors::vertices})
     key = key << 1 | (bit ? 1u : 0u);
   return key << 8 | static_cast<uint32_t>(projection) << 4 | static_cast<uint32_t>(kind);
 }
@@ -50,8 +49,7 @@ void draw_commands(uintptr_t offset, uint32_t count) {
 }  // namespace
 
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
-    : layers_(has_layers(skeleton.effects)),
-      geometry_(skeleton, residency),
+    : geometry_(skeleton, residency),
       representation_(representation),
       builder_(skeleton),
       cut_bodies_(skeleton) {}
@@ -72,7 +70,7 @@ Renderer::Pass& Renderer::winding_pass() {
   const Projection projection = view_->view().camera.projection;
   std::optional<Pass>& pass = winding_passes_[static_cast<size_t>(projection)];
   if (!pass) {
-    const ShaderVariant variant{.layers = layers_, .sections = true};
+    const ShaderVariant variant{.sections = true};
     pass.emplace(
         make_program("winding", geometry_vertex_shader(projection, variant), winding_fragment_shader()));
   }
@@ -89,7 +87,7 @@ ShaderVariant Renderer::variant_for(const DrawGroup& group, bool has_colors) {
   const bool colored = group.colored && has_colors && shows(Effect::vertex_colors);
   return {.colors = colored ? BaseColors::vertices : BaseColors::palette,
           .smooth = has_colors && shows_normals(group),
-          .layers = layers_,
+          .layers = group.layered,
           .sections = !view_->section_space.keeps_all(),
           .textured = group.textured && (has_colors || group.cut_out) && shows(Effect::textures),
           .emissive = group.emissive && has_colors && shows(Effect::emission)};
