@@ -1,6 +1,7 @@
 #include "preprocess/hlod_unit.hpp"
 
 #include "preprocess/cached_unit.hpp"
+#include "preprocess/contacts/grow_joints.hpp"
 #include "preprocess/contacts/inner_faces.hpp"
 #include "preprocess/contacts/stitch.hpp"
 #include "preprocess/covered/leave_out.hpp"
@@ -8,6 +9,7 @@
 #include "preprocess/triangle_objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace triptych {
 
@@ -47,6 +49,23 @@ void write_key(ContentKeyWriter& key, std::span<const HlodSource> sources, doubl
 /// it: of the children each is drawn only where it may be seen, and at its own distance.
 constexpr double worth_it = 0.75;
 
+/// Faces that stand against rods are grown into those; points that meet by that become one. Returns how far
+/// any moved, model units.
+double grow_joints(Baked& children, uint32_t leaves, double most, const HlodPlace& where) {
+  constexpr uint32_t first = Relocation::own_first_place;
+  std::vector<uint8_t> fixed;  // where a surface goes on elsewhere; where others touch it, it may grow
+  for (const LeafSpan& span : children.spans)
+    fixed.push_back(std::isinf(span.reach) && (span.first < first || span.last >= first + leaves));
+  const double moved = grow_joints(children, fixed, most / where.lattice.step);
+  if (moved == 0) return 0;
+  Baker baker(where.lattice, where.palette.colors, where.options.rules);
+  baker.add(children.surface, children.spans, children.objects);
+  Baked grown = baker.finish(children.error + moved * where.lattice.step);
+  grown.seen_from_outside = children.seen_from_outside;
+  children = std::move(grown);
+  return moved * where.lattice.step;
+}
+
 /// sources: of a subtree of so many leaves, in its own numbers.
 UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32_t leaves,
                        const std::vector<ErrorGap>& gaps, const HlodPlace& where) {
@@ -54,13 +73,17 @@ UnitResult make_levels(std::span<const HlodSource> sources, double error, uint32
   Baked children = bake(sources, error, where);
   const auto share = static_cast<size_t>(worth_it * static_cast<double>(children.surface.triangles.size()));
   const size_t most = std::max<size_t>(share, where.options.hlod_triangles);
-  if (where.options.holds_contacts()) children.error += stitch(children) * lattice.step;
-  const size_t all = children.surface.triangles.size();
   constexpr double small = 1.0 / 64;
   const double early = std::max(children.error, small * diagonal(lattice.box(children.surface.box())));
-  if (where.options.holds_contacts() && where.options.keeps_order() &&
-      !is_seen_through(children.surface, where.palette))
-    mark_inner_faces(children.surface, early / lattice.step);
+  const bool is_opaque = !is_seen_through(children.surface, where.palette);
+  double grown = 0;
+  if (where.options.holds_contacts()) {
+    if (is_opaque) grown = grow_joints(children, leaves, early, where);
+    children.error += stitch(children) * lattice.step;
+  }
+  const size_t all = children.surface.triangles.size();
+  if (where.options.holds_contacts() && where.options.keeps_order() && is_opaque)
+    mark_inner_faces(children.surface, early / lattice.step, grown / lattice.step);
   children.error = std::max(children.error, lattice.step * leave_out_covered(children, early / lattice.step));
   const TriangleObjects objects(children);
   const HlodLimits limits{.triangles = where.options.hlod_triangles,

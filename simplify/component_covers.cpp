@@ -12,6 +12,8 @@ namespace {
 constexpr double long_from = 6;
 /// A wire's is more than so many times what is across.
 constexpr double wire_from = 30;
+/// And rods.
+constexpr double rod_from = 8;
 /// Normals of what is closed cancel to less than this share of the area.
 constexpr double closed_flatness = 0.1;
 
@@ -19,10 +21,11 @@ constexpr double closed_flatness = 0.1;
 
 bool Cover::is_long() const { return radius > long_from * thickness * (1 + flatness); }
 
-bool Cover::is_wire() const {
-  const double across = area / (4 * std::numbers::pi * radius);  // a panel's is not its thickness
-  return radius > wire_from * across;
-}
+double Cover::across() const { return area / (4 * std::numbers::pi * radius); }
+
+bool Cover::is_rod() const { return radius > rod_from * across(); }
+
+bool Cover::is_wire() const { return radius > wire_from * across(); }
 
 double mean_cover(double area, const glm::dvec3& normals) {
   return (area + std::min(area, glm::length(normals))) / 4;

@@ -22,6 +22,10 @@ struct Cover {
   uint32_t material = 0;          ///< palette_index() of its largest triangle
   /// Whether it is much longer than thick, as a wire is: then what is across is looked for place by place.
   bool is_long() const;
+  /// The radius of a round rod of this length and area; of a panel about its width.
+  double across() const;
+  /// Whether it is much longer than that, as no panel is.
+  bool is_rod() const;
   /// Whether it is so much longer that it is thinner than a pixel where its length still shows.
   bool is_wire() const;
 };

@@ -5,6 +5,7 @@
 #include "preprocess/larger_boxes.hpp"
 #include "preprocess/part_cache.hpp"
 #include "preprocess/part_space.hpp"
+#include "simplify/triangle_tree.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -40,6 +41,21 @@ struct Touching {
   Box places;                                 ///< of those that lie on a rim of the other
 };
 
+/// Whether the point lies on a side of something thin, whose corners it adds then.
+bool touch_side(const Placed& thin, const glm::dvec3& at, const glm::dvec3& local, double tolerance,
+                std::vector<uint32_t>& corners) {
+  bool touches = false;
+  thin.rims->side_tree.visit(grown({local, local}, tolerance * thin.shrink), [&](uint32_t index) {
+    const auto& side = thin.rims->sides[index];
+    const Corners triangle = {thin.out(thin.rims->points[side[0]]), thin.out(thin.rims->points[side[1]]),
+                              thin.out(thin.rims->points[side[2]])};
+    if (glm::distance(closest_point(at, triangle), at) > tolerance) return;
+    touches = true;
+    corners.insert(corners.end(), side.begin(), side.end());
+  });
+  return touches;
+}
+
 /// Adds contacts of a's points with b's rims.
 void touch(const Placed& a, const Placed& b, const Box& both, double tolerance, std::vector<uint32_t>& of_a,
            std::vector<uint32_t>& of_b, Box& places) {
@@ -57,6 +73,7 @@ void touch(const Placed& a, const Placed& b, const Box& both, double tolerance, 
         if (here[end] || !here[1 - end]) of_b.push_back(edge[end]);
       }
     });
+    if (!touches && !a.rims->of_thin[point]) touches = touch_side(b, at, local, tolerance, of_b);
     if (!touches) return;
     places.extend(at);
     of_a.push_back(point);

@@ -229,10 +229,10 @@ class InnerFaces {
 
 std::vector<double> find_inner_faces(const Surface& surface) { return InnerFaces(surface).find(); }
 
-void mark_inner_faces(Surface& surface, double most) {
+void mark_inner_faces(Surface& surface, double most, double moved) {
   const std::vector<double> reaches = find_inner_faces(surface);
   for (size_t i = 0; i < reaches.size(); ++i) {
-    const uint32_t of_class = class_of_distance(reaches[i]);
+    const uint32_t of_class = class_of_distance(reaches[i] + moved);
     if (reaches[i] < 0 || distance_of_class(of_class) > most) continue;
     uint32_t& material = surface.triangles[i].material;
     material = material_covered(material_seen(material), of_class);

@@ -15,7 +15,8 @@ namespace triptych {
 /// two bodies is closed again, and inner faces lie within it.
 std::vector<double> find_inner_faces(const Surface& surface);
 
-/// Those that are no further than `most` lattice steps become covered ones of their distance's class.
-void mark_inner_faces(Surface& surface, double most);
+/// Those that are no further than `most` lattice steps become covered ones of their distance's class. moved:
+/// how far the surface was moved just before, which counts besides.
+void mark_inner_faces(Surface& surface, double most, double moved = 0);
 
 }  // namespace triptych

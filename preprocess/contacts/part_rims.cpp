@@ -1,6 +1,7 @@
 #include "preprocess/contacts/part_rims.hpp"
 
 #include "preprocess/triangle_neighbors.hpp"
+#include "simplify/component_covers.hpp"
 #include "simplify/key_hash.hpp"
 
 #include <algorithm>
@@ -23,11 +24,14 @@ BoxTree tree_of(const std::vector<glm::dvec3>& points) {
   return BoxTree(std::move(boxes));
 }
 
-BoxTree tree_of(const std::vector<glm::dvec3>& points, const std::vector<std::array<uint32_t, 2>>& edges) {
+/// Of edges or triangles.
+template <size_t corners>
+BoxTree tree_of(const std::vector<glm::dvec3>& points,
+                const std::vector<std::array<uint32_t, corners>>& elements) {
   std::vector<Box> boxes;
-  for (const auto& edge : edges) {
+  for (const auto& element : elements) {
     Box& box = boxes.emplace_back();
-    for (const uint32_t end : edge) box.extend(points[end]);
+    for (const uint32_t corner : element) box.extend(points[corner]);
   }
   return BoxTree(std::move(boxes));
 }
@@ -75,12 +79,30 @@ std::vector<std::array<uint32_t, 2>> rims(const Part& part) {
   return edges;
 }
 
+std::vector<uint8_t> points_of_thin(const Surface& surface) {
+  const ComponentCovers covers(surface);
+  std::vector<uint8_t> thin;
+  for (const uint32_t component : covers.component_of) thin.push_back(covers.covers[component].is_rod());
+  return thin;
+}
+
+std::vector<std::array<uint32_t, 3>> sides_of(const Surface& surface, const std::vector<uint8_t>& thin) {
+  std::vector<std::array<uint32_t, 3>> sides;
+  for (const Triangle& triangle : surface.triangles) {
+    if (thin[triangle.vertices[0]]) sides.push_back(triangle.vertices);
+  }
+  return sides;
+}
+
 }  // namespace
 
 PartRims::PartRims(const Part& part, const Lattice& lattice)
     : points(positions(part.surface, lattice)),
       point_tree(tree_of(points)),
       edges(rims(part)),
-      edge_tree(tree_of(points, edges)) {}
+      edge_tree(tree_of(points, edges)),
+      of_thin(points_of_thin(part.surface)),
+      sides(sides_of(part.surface, of_thin)),
+      side_tree(tree_of(points, sides)) {}
 
 }  // namespace triptych

@@ -21,9 +21,14 @@ struct PartRims {
   /// by more than 30 degrees; not where the mesh was cut into parts.
   std::vector<std::array<uint32_t, 2>> edges;
   BoxTree edge_tree;
+  /// Triangles of components that are long and thin (Cover::is_long): what stands against one is left alone
+  /// where a level gives it up.
+  std::vector<uint8_t> of_thin;  ///< for each point, whether it belongs to one of those
+  std::vector<std::array<uint32_t, 3>> sides;
+  BoxTree side_tree;
 
   /// Of all of this in memory, roughly; bytes.
-  size_t size() const { return points.size() * 120 + edges.size() * 130; }
+  size_t size() const { return points.size() * 120 + (edges.size() + sides.size()) * 130; }
 };
 
 }  // namespace triptych

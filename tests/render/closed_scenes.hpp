@@ -11,10 +11,17 @@
 
 namespace triptych::test {
 
-inline std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier = Simplifier::collapse,
-                                     Kept keep = {}) {
+inline std::unique_ptr<Pack> built(const Model& model, const BuildOptions& options) {
   const auto file =
       std::filesystem::path(testing::TempDir()) / ("triptych_closed_" + std::to_string(::getpid()) + ".tpk");
+  build_pack(model, options, file);
+  auto pack = std::make_unique<Pack>(file);
+  std::filesystem::remove(file);
+  return pack;
+}
+
+inline std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier = Simplifier::collapse,
+                                     Kept keep = {}) {
   BuildOptions options;
   options.part_triangles = 600;
   options.leaf_triangles = 1000;
@@ -22,10 +29,7 @@ inline std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier =
   options.bucket_triangles = 9000;  // borders between buckets and borders within them
   options.simplify.simplifier = simplifier;
   options.keep = keep;
-  build_pack(model, options, file);
-  auto pack = std::make_unique<Pack>(file);
-  std::filesystem::remove(file);
-  return pack;
+  return built(model, options);
 }
 
 /// A drawable for every part of the model, at random: any depth, any level, whatever its neighbours are.

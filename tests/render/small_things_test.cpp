@@ -2,6 +2,7 @@
 // vertices.
 #include "tests/render/closed_scenes.hpp"
 #include "tests/support/awkward_meshes.hpp"
+#include "visibility/shading.hpp"
 
 namespace triptych {
 namespace {
@@ -48,15 +49,30 @@ Model bars() {
   return model;
 }
 
+/// Panes between mullions of 6 cm, 40 by 20, and a slab behind them.
+Model curtain_wall() {
+  Model model = awkward::model_of({awkward::box({-0.03, 0, -0.06}, {0.03, 3.5, 0.06}, 1),
+                                   awkward::box({0, -0.03, -0.05}, {1.5, 0.03, 0.05}, 1),
+                                   awkward::box({0.03, 0.03, -0.012}, {1.47, 3.47, 0.012}, 0)});
+  model.instances.clear();
+  for (uint32_t mesh = 0; mesh < 3; ++mesh) {
+    for (int i = 0; i < 800; ++i)
+      model.instances.push_back({mesh, awkward::translation({1.5 * (i % 40) - 30, 3.5 * (i / 40) - 35, 0})});
+  }
+  paint(model);
+  return model;
+}
+
 struct Drawn {
   double red = 0;
+  std::vector<uint8_t> colors = {};
   uint64_t triangles = 0;
 };
 
 class FromAfar {
  public:
-  FromAfar(const Model& model, const Kept& keep)
-      : pack_(pack_of(model, Simplifier::collapse, keep)),
+  explicit FromAfar(std::unique_ptr<Pack> pack)
+      : pack_(std::move(pack)),
         pipeline_(*pack_, {.width = size, .height = size, .device = test::device()}) {}
 
   Drawn draw(const Camera& camera, double pixel_error) {
@@ -64,14 +80,16 @@ class FromAfar {
     set_field_of_view(view.camera, 60, 1);
     const FrameRecord& record = pipeline_.draw({frame_++, {view, pixel_error}});
     Drawn drawn{.triangles = record.drawn_triangles};
-    const std::vector<uint8_t> colors = pipeline_.target().read_colors();
+    drawn.colors = pipeline_.target().read_colors();
+    const std::vector<uint8_t>& colors = drawn.colors;
     for (size_t k = 0; k < colors.size(); k += 4)
       drawn.red += colors[k] > 0 && colors[k + 1] == 0 && colors[k + 2] == 0;
     return drawn;
   }
 
- private:
   static constexpr int size = 256;
+
+ private:
   std::unique_ptr<Pack> pack_;
   LocalPipeline pipeline_;
   uint32_t frame_ = 0;
@@ -80,7 +98,7 @@ class FromAfar {
 /// The least share of red pixels that is kept, from places further and further away.
 double least_kept(const Model& model, const Kept& keep, const glm::dvec3& way, double nearest, int places,
                   uint64_t* triangles = nullptr) {
-  FromAfar afar(model, keep);
+  FromAfar afar(pack_of(model, Simplifier::collapse, keep));
   double least = 1;
   for (int i = 0; i < places; ++i) {
     const double far = nearest * std::pow(1.15, i);
@@ -90,6 +108,38 @@ double least_kept(const Model& model, const Kept& keep, const glm::dvec3& way, d
     if (whole.red > 200) least = std::min(least, kept.red / whole.red);
   }
   return least;
+}
+
+/// Pixels that show the background within what has surfaces all around in the whole picture, a million of
+/// those that have.
+double holes(const Model& model, const Kept& keep, double nearest, int places) {
+  BuildOptions options;
+  options.keep = keep;
+  FromAfar afar(test::built(model, options));
+  constexpr size_t row = FromAfar::size;
+  double within = 0, open = 0;
+  for (int i = 0; i < places; ++i) {
+    const Camera camera{.eye = {3.0 * i, -10, nearest * std::pow(1.15, i)}, .up = {0, 1, 0}, .near = 0.05};
+    const Drawn whole = afar.draw(camera, 0), kept = afar.draw(camera, 1);
+    const auto is_empty = [](const Drawn& drawn, size_t pixel) {
+      return std::equal(background_bytes.begin(), background_bytes.end(), &drawn.colors[4 * pixel]);
+    };
+    for (size_t pixel = row + 1; pixel + row + 1 < row * row; ++pixel) {
+      bool inside = true;
+      for (const size_t first : {pixel - row - 1, pixel - 1, pixel + row - 1})
+        for (size_t k = first; k < first + 3; ++k) inside = inside && !is_empty(whole, k);
+      within += inside;
+      open += inside && is_empty(kept, pixel);
+    }
+  }
+  return open / within * 1e6;
+}
+
+TEST(SmallThings, panes_between_mullions_thinner_than_a_pixel_let_little_sky_through) {
+  const double kept = holes(curtain_wall(), {}, 30, 10),
+               loose = holes(curtain_wall(), {.touching = false}, 30, 10);
+  EXPECT_LT(kept, 200);
+  EXPECT_LT(20 * kept, loose);
 }
 
 TEST(SmallThings, windows_in_walls_stay_before_them) {
