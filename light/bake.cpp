@@ -1,0 +1,181 @@
+#include "light/bake.hpp"
+
+#include "base/progress.hpp"
+#include "base/threads.hpp"
+#include "light/refine.hpp"
+#include "light/sampling.hpp"
+#include "model/flatten.hpp"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <optional>
+
+namespace triptych {
+
+namespace {
+
+constexpr uint32_t floats_a_side = 5;  // red, green, blue, openness, share of backs
+
+/// Which sides of points are worth a look.
+struct Sides {
+  std::vector<uint8_t> front, back;
+};
+
+/// The insides of closed surfaces are not, unless a light is in there: rays from them meet backs alone.
+Sides sides_of(std::span<const LightPoint> points, const std::vector<float>& direct) {
+  constexpr float mostly = 0.9f;
+  Sides sides;
+  uint32_t instances = 0;
+  for (const LightPoint& point : points) instances = std::max(instances, point.instance + 1);
+  std::vector<uint8_t> lit_inside(instances, 0);
+  const auto value = [&](size_t i, size_t side, size_t k) {
+    return direct[(2 * i + side) * floats_a_side + k];
+  };
+  const auto is_inside = [&](size_t i, size_t side) {
+    return value(i, side, 4) > mostly && value(i, 1 - side, 4) <= mostly;
+  };
+  for (size_t i = 0; i < points.size(); ++i) {
+    for (const size_t side : {size_t{0}, size_t{1}}) {
+      if (is_inside(i, side) && value(i, side, 0) + value(i, side, 1) + value(i, side, 2) > 0)
+        lit_inside[points[i].instance] = 1;
+    }
+  }
+  for (size_t i = 0; i < points.size(); ++i) {
+    const bool all = lit_inside[points[i].instance] != 0;
+    sides.front.push_back(all || !is_inside(i, 0));
+    sides.back.push_back(all || !is_inside(i, 1));
+  }
+  return sides;
+}
+
+}  // namespace
+
+std::vector<float> run_points(const std::string& what, uint32_t count, const PointValues& of_item) {
+  constexpr uint32_t block = 256;
+  Progress progress(what, count);
+  std::vector<std::vector<float>> blocks((count + block - 1) / block);
+  parallel_for(blocks.size(), [&](size_t b) {
+    const auto first = static_cast<uint32_t>(b) * block, end = std::min(count, first + block);
+    for (uint32_t i = first; i < end; ++i) of_item(i, blocks[b]);
+    progress.advance(end - first);
+  });
+  std::vector<float> values;
+  for (const std::vector<float>& own : blocks) values.insert(values.end(), own.begin(), own.end());
+  return values;
+}
+
+std::vector<LitSurface> lit_surfaces(const Model& model, const std::vector<glm::vec3>& reflectances) {
+  std::vector<LitSurface> surfaces;
+  for (size_t i = 0; i < model.materials.size(); ++i) {
+    const Material& material = model.materials[i];
+    const glm::vec3 texture = i < reflectances.size() ? reflectances[i] : glm::vec3(1);
+    surfaces.push_back({glm::dvec3(glm::vec3(material.base_color) * texture),
+                        glm::dvec3(material.emission) * emission_luminance,
+                        static_cast<double>(material.base_color.a)});
+  }
+  return surfaces;
+}
+
+PointLight gather_points(const LitScene& scene, const LitScene& light_scene, const Emitters& emitters,
+                         std::span<const LightPoint> points, const LightOptions& options,
+                         const RunPoints& run) {
+  const Gatherer gatherer(scene, light_scene, emitters, options);
+  const double clearance = scene.clearance();
+  const auto count = static_cast<uint32_t>(points.size());
+  const auto place = [&](uint32_t i, bool back, uint32_t pass) {
+    return gather_place(points[i], back, clearance,
+                        mixed_bits(uint64_t{i} << 16 | uint64_t{pass} << 1 | (back ? 1u : 0u)));
+  };
+  const std::vector<float> direct = run("direct light", count, [&](uint32_t i, std::vector<float>& values) {
+    for (const bool back : {false, true}) {
+      const DirectLight own = gatherer.direct(place(i, back, 0), options.samples, true);
+      for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(own.irradiance[k]));
+      values.push_back(static_cast<float>(own.openness));
+      values.push_back(static_cast<float>(own.backs));
+    }
+  });
+  const Sides sides = sides_of(points, direct);
+  PointLight light;
+  const auto of_side = [&](uint32_t i, bool back) {
+    const float* const own = &direct[(2 * size_t{i} + (back ? 1 : 0)) * floats_a_side];
+    return glm::vec4(own[0], own[1], own[2], own[3]);
+  };
+  const auto brightness = [](const glm::vec4& own) { return luminance(glm::dvec3(own.x, own.y, own.z)); };
+  for (uint32_t i = 0; i < count; ++i) {
+    const glm::vec4 front = of_side(i, false), back = of_side(i, true);
+    const double gain = brightness(back) - brightness(front);
+    const bool shows_back = sides.back[i] && (!sides.front[i] || gain > 0 || (gain == 0 && back.w > front.w));
+    const glm::vec4 own = shows_back ? back : front;
+    light.irradiance.emplace_back(own);
+    light.openness.push_back(own.w);
+  }
+  for (uint32_t bounce = 1; options.bake && bounce <= options.bounces; ++bounce) {
+    const std::vector<float> values =
+        run(fmt::format("bounce {} of {}", bounce, options.bounces), count,
+            [&](uint32_t i, std::vector<float>& added) {
+              glm::vec4 best(0, 0, 0, -1);
+              for (const bool back : {false, true}) {
+                if (!(back ? sides.back : sides.front)[i]) continue;
+                const glm::vec4 own =
+                    of_side(i, back) +
+                    glm::vec4(gatherer.bounced(place(i, back, bounce), options.samples, light.irradiance), 0);
+                const double gain = brightness(own) - brightness(best);
+                if (best.w < 0 || gain > 0 || (gain == 0 && own.w > best.w)) best = own;
+              }
+              for (int k = 0; k < 4; ++k) added.push_back(best[k]);
+            });
+    for (uint32_t i = 0; i < count; ++i) {
+      light.irradiance[i] = {values[4 * i], values[4 * i + 1], values[4 * i + 2]};
+      light.openness[i] = std::max(values[4 * i + 3], 0.0f);
+    }
+  }
+  return light;
+}
+
+Model bake_light(Model model, const LightOptions& wanted, const std::vector<glm::vec3>& reflectances,
+                 const RunPoints& run, LightReport& report) {
+  LightOptions options = wanted;
+  report = {};
+  if (!options.any()) return model;
+  Model flat = flattened(model);
+  const std::vector<LitSurface> surfaces = lit_surfaces(flat, reflectances);
+  LitModel lit = place_all(flat, options.memory / 4);
+  if (lit.triangles.empty() || !(lit.diagonal > 0)) return model;
+  const LitModel before = lit;
+  std::optional<LitScene> scene(std::in_place, before, surfaces);
+  const Emitters emitters = find_emitters(flat, *scene);
+  report.lights = emitters.lights.size();
+  report.emissive_triangles = emitters.emissive_triangles;
+  report.luminaires = emitters.luminaire_count;
+  options.bake = options.bake && emitters.any();
+  report.baked = options.bake;
+  report.ambient = options.ambient;
+  if (!options.any()) return model;
+  model = {};
+  report.triangles = lit.triangles.size();
+  double white = 0;
+  refine(lit, *scene, emitters, options, white, run, report);
+  report.refined_triangles = lit.triangles.size();
+  report.unshared_triangles = report.triangles - std::min(report.triangles, flat.source_triangles());
+  const std::vector<LightPoint> points = make_points(lit, scene->clearance());
+  const LitScene refined(lit, surfaces);
+  const PointLight light = gather_points(refined, *scene, emitters, points, options, run);
+  report.points = points.size();
+  white = options.bake ? white_irradiance(lit, light.irradiance) : 0;
+  report.white_lux = white;
+  std::vector<VertexLight> stored;
+  for (size_t i = 0; i < points.size(); ++i) {
+    VertexLight& own = stored.emplace_back();
+    bool clipped = false;
+    for (int k = 0; k < 3 && white > 0; ++k) {
+      const auto relative = static_cast<float>(light.irradiance[i][k] / white);
+      clipped = clipped || relative > most_irradiance;
+      own[static_cast<size_t>(k)] = irradiance_byte(relative);
+    }
+    report.clipped_points += clipped;
+    own[3] = openness_byte(light.openness[i]);
+  }
+  return with_light(std::move(flat), lit, stored);
+}
+
+}  // namespace triptych

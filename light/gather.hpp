@@ -1,0 +1,63 @@
+// The light that comes to a point of a surface.
+#pragma once
+
+#include "light/emitters.hpp"
+#include "light/light_points.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace triptych {
+
+/// A point on one side of a surface.
+struct GatherPlace {
+  glm::dvec3 position;  ///< where rays start
+  glm::dvec3 normal;    ///< of unit length, to the side
+  uint64_t seed = 0;    ///< of the rays' directions
+};
+
+/// In front of the point, or behind it.
+GatherPlace gather_place(const LightPoint& point, bool back, double clearance, uint64_t seed);
+
+/// What comes without any bounce.
+struct DirectLight {
+  glm::dvec3 irradiance{0};  ///< lux
+  double openness = 1;       ///< the cosine-weighted share of directions in which nothing is near
+  double backs = 0;          ///< the share of rays that met the backs of triangles
+};
+
+class Gatherer {
+ public:
+  /// All must outlive it. lights: of the emitters' own scene, which may be coarser than `scene`.
+  Gatherer(const LitScene& scene, const LitScene& light_scene, const Emitters& emitters,
+           const LightOptions& options)
+      : scene_(scene), light_scene_(light_scene), emitters_(emitters), options_(options) {}
+
+  /// samples: rays over the hemisphere, and a quarter of them to emitters that are surfaces, by multiple
+  /// importance sampling with the balance heuristic (Veach and Guibas, Optimally combining sampling
+  /// techniques, 1995). Lights that are points each get a ray of their own up to so many.
+  /// looks_around: also where there is no surface to find, for openness and backs.
+  DirectLight direct(const GatherPlace& place, uint32_t samples, bool looks_around) const;
+  /// What surfaces reflect that have this irradiance at their points: final gathering over the hemisphere.
+  glm::dvec3 bounced(const GatherPlace& place, uint32_t samples, std::span<const glm::vec3> points) const;
+
+ private:
+  glm::dvec3 from_lights(const GatherPlace& place, uint32_t samples) const;
+  /// The irradiance that the light would give without anything between, and the way to it.
+  glm::dvec3 unshadowed(const GatherPlace& place, const ModelLight& light) const;
+  double passes(const GatherPlace& place, const ModelLight& light) const;
+  /// For each body how likely it is chosen from here; empty if none reaches the place.
+  std::vector<double> chances(const GatherPlace& place) const;
+
+  const LitScene& scene_;
+  const LitScene& light_scene_;
+  const Emitters& emitters_;
+  const LightOptions& options_;
+};
+
+/// Of a triangle with the colours of its corners, if it has any: linear, at most 0.9 since nothing reflects
+/// all.
+glm::dvec3 reflectance_of(const LitScene& scene, uint32_t triangle);
+
+}  // namespace triptych
