@@ -68,9 +68,10 @@ std::vector<LitSurface> lit_surfaces(const Model& model, const std::vector<glm::
   std::vector<LitSurface> surfaces;
   for (size_t i = 0; i < model.materials.size(); ++i) {
     const Material& material = model.materials[i];
+    const bool gives_more = material.emitted != glm::vec3(0);
     const glm::vec3 texture = i < reflectances.size() ? reflectances[i] : glm::vec3(1);
     surfaces.push_back({glm::dvec3(glm::vec3(material.base_color) * texture),
-                        glm::dvec3(material.emission) * emission_luminance,
+                        glm::dvec3(gives_more ? material.emitted : material.emission) * emission_luminance,
                         static_cast<double>(material.base_color.a)});
   }
   return surfaces;

@@ -34,6 +34,7 @@ struct Material {
   uint32_t emission_texture = no_id;  ///< multiplies the emission, at the same coordinates
   TextureSampler sampler = {};
   glm::vec3 emission{0};  ///< light of its own, a linear factor
+  glm::vec3 emitted{0};   ///< that it gives others, where that is more than it shows; 0: as much
   float cutoff = 0;       ///< where the texture's alpha is less, there is a hole; 0: nowhere
   bool blends = false;    ///< the texture's alpha lets through what lies behind
   bool operator==(const Material&) const = default;

@@ -27,6 +27,7 @@ struct ChunkRange {
   bool emissive = false;                   ///< whether any of its surfaces has light of its own
   bool cut_out = false;                    ///< whether any of them has holes
   std::vector<uint32_t> textures = {};     ///< that they have
+  bool lit = false;                        ///< whether vertices have baked light
   bool loaded() const { return index_count > 0; }
 };
 
@@ -52,11 +53,11 @@ struct DrawCommand {
 /// what ChunkRange names; or those of one closed surface that a section may cut, for its cut surfaces.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
-  bool colored = false, textured = false, emissive = false, cut_out = false;
+  bool colored = false, textured = false, emissive = false, cut_out = false, lit = false;
   ChunkNormals normals = ChunkNormals::none;  ///< of cut surfaces none
   bool is_alike(const DrawGroup& other) const {
     return colored == other.colored && textured == other.textured && emissive == other.emissive &&
-           cut_out == other.cut_out && normals == other.normals;
+           cut_out == other.cut_out && lit == other.lit && normals == other.normals;
   }
   enum class Caps : uint8_t { none, plain, mirrored } caps = Caps::none;
   uint32_t count = 0;

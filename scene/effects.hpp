@@ -41,6 +41,12 @@ inline constexpr const char* level_normals_effect = "normals of levels";
 /// Whether any chunk of a pack with these Skeleton::effects has shading normals.
 bool has_normals(const std::vector<std::string>& effects_in_pack);
 
+/// Whether a pack with these Skeleton::effects calls for the effect.
+bool calls_for(const std::vector<std::string>& effects_in_pack, Effect effect);
+
+/// Whether chunks of a pack with these Skeleton::effects have baked light: irradiance, openness, or both.
+bool has_baked_light(const std::vector<std::string>& effects_in_pack);
+
 /// A set of them.
 class Effects {
  public:
