@@ -48,22 +48,7 @@ Sides sides_of(std::span<const LightPoint> points, const std::vector<float>& dir
   return sides;
 }
 
-}  // namespace
-
-std::vector<float> run_points(const std::string& what, uint32_t count, const PointValues& of_item) {
-  constexpr uint32_t block = 256;
-  Progress progress(what, count);
-  std::vector<std::vector<float>> blocks((count + block - 1) / block);
-  parallel_for(blocks.size(), [&](size_t b) {
-    const auto first = static_cast<uint32_t>(b) * block, end = std::min(count, first + block);
-    for (uint32_t i = first; i < end; ++i) of_item(i, blocks[b]);
-    progress.advance(end - first);
-  });
-  std::vector<float> values;
-  for (const std::vector<float>& own : blocks) values.insert(values.end(), own.begin(), own.end());
-  return values;
-}
-
+/// LitSurface for each material.
 std::vector<LitSurface> lit_surfaces(const Model& model, const std::vector<glm::vec3>& reflectances) {
   std::vector<LitSurface> surfaces;
   for (size_t i = 0; i < model.materials.size(); ++i) {
@@ -77,6 +62,7 @@ std::vector<LitSurface> lit_surfaces(const Model& model, const std::vector<glm::
   return surfaces;
 }
 
+/// Of a model that is refined already.
 PointLight gather_points(const LitScene& scene, const LitScene& light_scene, const Emitters& emitters,
                          std::span<const LightPoint> points, const LightOptions& options,
                          const RunPoints& run) {
@@ -84,8 +70,9 @@ PointLight gather_points(const LitScene& scene, const LitScene& light_scene, con
   const double clearance = scene.clearance();
   const auto count = static_cast<uint32_t>(points.size());
   const auto place = [&](uint32_t i, bool back, uint32_t pass) {
-    return gather_place(points[i], back, clearance,
-                        mixed_bits(uint64_t{i} << 16 | uint64_t{pass} << 1 | (back ? 1u : 0u)));
+    return gather_place(
+        points[i], back, clearance,
+        options.seed ^ mixed_bits(uint64_t{i} << 16 | uint64_t{pass} << 1 | (back ? 1u : 0u)));
   };
   const std::vector<float> direct = run("direct light", count, [&](uint32_t i, std::vector<float>& values) {
     for (const bool back : {false, true}) {
@@ -133,39 +120,58 @@ PointLight gather_points(const LitScene& scene, const LitScene& light_scene, con
   return light;
 }
 
-Model bake_light(Model model, const LightOptions& wanted, const std::vector<glm::vec3>& reflectances,
-                 const RunPoints& run, LightReport& report) {
-  LightOptions options = wanted;
-  report = {};
-  if (!options.any()) return model;
-  Model flat = flattened(model);
-  const std::vector<LitSurface> surfaces = lit_surfaces(flat, reflectances);
-  LitModel lit = place_all(flat, options.memory / 4);
-  if (lit.triangles.empty() || !(lit.diagonal > 0)) return model;
-  const LitModel before = lit;
-  std::optional<LitScene> scene(std::in_place, before, surfaces);
-  const Emitters emitters = find_emitters(flat, *scene);
-  report.lights = emitters.lights.size();
-  report.emissive_triangles = emitters.emissive_triangles;
-  report.luminaires = emitters.luminaire_count;
-  options.bake = options.bake && emitters.any();
-  report.baked = options.bake;
-  report.ambient = options.ambient;
-  if (!options.any()) return model;
-  model = {};
-  report.triangles = lit.triangles.size();
-  double white = 0;
-  refine(lit, *scene, emitters, options, white, run, report);
-  report.refined_triangles = lit.triangles.size();
-  report.unshared_triangles = report.triangles - std::min(report.triangles, flat.source_triangles());
-  const std::vector<LightPoint> points = make_points(lit, scene->clearance());
-  const LitScene refined(lit, surfaces);
-  const PointLight light = gather_points(refined, *scene, emitters, points, options, run);
-  report.points = points.size();
-  white = options.bake ? white_irradiance(lit, light.irradiance) : 0;
-  report.white_lux = white;
+}  // namespace
+
+std::vector<float> run_points(const std::string& what, uint32_t count, const PointValues& of_item) {
+  constexpr uint32_t block = 256;
+  Progress progress(what, count);
+  std::vector<std::vector<float>> blocks((count + block - 1) / block);
+  parallel_for(blocks.size(), [&](size_t b) {
+    const auto first = static_cast<uint32_t>(b) * block, end = std::min(count, first + block);
+    for (uint32_t i = first; i < end; ++i) of_item(i, blocks[b]);
+    progress.advance(end - first);
+  });
+  std::vector<float> values;
+  for (const std::vector<float>& own : blocks) values.insert(values.end(), own.begin(), own.end());
+  return values;
+}
+
+LightBake::LightBake(const Model& flat, const LightOptions& options,
+                     const std::vector<glm::vec3>& reflectances, const RunPoints& run)
+    : options_(options), surfaces_(lit_surfaces(flat, reflectances)) {
+  source_ = place_all(flat, options.memory / 8);
+  if (source_.triangles.empty() || !(source_.diagonal > 0)) options_.bake = options_.ambient = false;
+  if (!options_.any()) return;
+  source_scene_.emplace(source_, surfaces_);
+  emitters_ = find_emitters(flat, *source_scene_);
+  report_.lights = emitters_.lights.size();
+  report_.emissive_triangles = emitters_.emissive_triangles;
+  report_.luminaires = emitters_.luminaire_count;
+  options_.bake = options_.bake && emitters_.any();
+  report_.baked = options_.bake;
+  report_.ambient = options_.ambient;
+  if (!options_.any()) return;
+  report_.triangles = source_.triangles.size();
+  report_.unshared_triangles = report_.triangles - std::min(report_.triangles, flat.source_triangles());
+  model_ = source_;
+  refine(model_, *source_scene_, emitters_, options_, run, report_);
+  report_.refined_triangles = model_.triangles.size();
+  points_ = make_points(model_, source_scene_->clearance());
+  report_.points = points_.size();
+  scene_.emplace(model_, surfaces_);
+}
+
+PointLight LightBake::gather(uint32_t samples, uint64_t seed, const RunPoints& run) const {
+  LightOptions options = options_;
+  options.samples = samples;
+  options.seed = seed;
+  return gather_points(*scene_, *source_scene_, emitters_, points_, options, run);
+}
+
+std::vector<VertexLight> encoded(const PointLight& light, double white, uint64_t& clipped_points) {
   std::vector<VertexLight> stored;
-  for (size_t i = 0; i < points.size(); ++i) {
+  clipped_points = 0;
+  for (size_t i = 0; i < light.irradiance.size(); ++i) {
     VertexLight& own = stored.emplace_back();
     bool clipped = false;
     for (int k = 0; k < 3 && white > 0; ++k) {
@@ -173,10 +179,25 @@ Model bake_light(Model model, const LightOptions& wanted, const std::vector<glm:
       clipped = clipped || relative > most_irradiance;
       own[static_cast<size_t>(k)] = irradiance_byte(relative);
     }
-    report.clipped_points += clipped;
+    clipped_points += clipped;
     own[3] = openness_byte(light.openness[i]);
   }
-  return with_light(std::move(flat), lit, stored);
+  return stored;
+}
+
+Model bake_light(Model model, const LightOptions& options, const std::vector<glm::vec3>& reflectances,
+                 const RunPoints& run, LightReport& report) {
+  report = {};
+  if (!options.any()) return model;
+  Model flat = flattened(model);
+  const LightBake bake(flat, options, reflectances, run);
+  report = bake.report();
+  if (!bake.any()) return model;
+  model = {};
+  const PointLight light = bake.gather(options.samples, options.seed, run);
+  report.white_lux = report.baked ? white_irradiance(bake.model(), light.irradiance) : 0;
+  const std::vector<VertexLight> stored = encoded(light, report.white_lux, report.clipped_points);
+  return with_light(std::move(flat), bake.model(), stored);
 }
 
 }  // namespace triptych

@@ -5,6 +5,10 @@
 #include "light/light_options.hpp"
 #include "light/run_points.hpp"
 #include "model/model.hpp"
+#include "scene/vertex_light.hpp"
+
+#include <optional>
+#include <vector>
 
 namespace triptych {
 
@@ -18,17 +22,40 @@ namespace triptych {
 Model bake_light(Model model, const LightOptions& options, const std::vector<glm::vec3>& reflectances,
                  const RunPoints& run, LightReport& report);
 
-/// The irradiance (lux), and openness, of each point of a model that is refined already: what bake_light()
-/// stores, before it is rounded.
+/// The irradiance (lux), and openness, of each point: what bake_light() stores, before it is rounded.
 struct PointLight {
   std::vector<glm::vec3> irradiance;
   std::vector<float> openness;
 };
-PointLight gather_points(const LitScene& scene, const LitScene& light_scene, const Emitters& emitters,
-                         std::span<const LightPoint> points, const LightOptions& options,
-                         const RunPoints& run);
 
-/// LitSurface for each material.
-std::vector<LitSurface> lit_surfaces(const Model& model, const std::vector<glm::vec3>& reflectances);
+/// bake_light() step by step.
+class LightBake {
+ public:
+  /// Finds the emitters, and refines. flat: without groups.
+  LightBake(const Model& flat, const LightOptions& options, const std::vector<glm::vec3>& reflectances,
+            const RunPoints& run);
+  LightBake(const LightBake&) = delete;
+  LightBake& operator=(const LightBake&) = delete;
+
+  /// Whether there is anything to gather.
+  bool any() const { return options_.any(); }
+  const LitModel& model() const { return model_; }  ///< refined
+  const std::vector<LightPoint>& points() const { return points_; }
+  const LightReport& report() const { return report_; }
+  /// At the points of the model, with so many samples; seed: of their directions.
+  PointLight gather(uint32_t samples, uint64_t seed, const RunPoints& run) const;
+
+ private:
+  LightOptions options_;  ///< of what there is
+  std::vector<LitSurface> surfaces_;
+  LitModel source_, model_;
+  std::optional<LitScene> source_scene_, scene_;
+  Emitters emitters_;
+  std::vector<LightPoint> points_;
+  LightReport report_;
+};
+
+/// As vertices hold it; white: the irradiance under which a white surface shows as white, 0 without any.
+std::vector<VertexLight> encoded(const PointLight& light, double white, uint64_t& clipped_points);
 
 }  // namespace triptych

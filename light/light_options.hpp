@@ -19,7 +19,8 @@ struct LightOptions {
   double shortest_edge = 1.0 / 512, longest_edge = 1.0 / 24;
   /// How far surfaces shade each other as ambient occlusion; of the model's diagonal.
   double reach = 1.0 / 16;
-  /// Cosine-weighted refinement and gathers keep within about this, bytes.
+  uint64_t seed = 0;  ///< of the rays' directions
+  /// What the model and its refined copy may take about, bytes.
   uint64_t memory = uint64_t{1} << 30;
 
   bool any() const { return bake || ambient; }

@@ -41,12 +41,11 @@ struct SeenEdge {
 class Refiner {
  public:
   Refiner(LitModel& model, const LitScene& scene, const Emitters& emitters, const LightOptions& options,
-          double& white, const RunPoints& run)
+          const RunPoints& run)
       : model_(model),
         clearance_(scene.clearance()),
         gatherer_(scene, scene, emitters, options),
         options_(options),
-        white_(white),
         run_(run),
         samples_(std::min(options.samples, preview_samples)) {}
 
@@ -155,7 +154,7 @@ class Refiner {
   double clearance_;
   Gatherer gatherer_;
   const LightOptions& options_;
-  double& white_;
+  double white_ = 0;
   const RunPoints& run_;
   uint32_t samples_;
   bool has_white_ = false;
@@ -188,9 +187,8 @@ double white_irradiance(const LitModel& model, std::span<const glm::vec3> irradi
 }
 
 void refine(LitModel& model, const LitScene& scene, const Emitters& emitters, const LightOptions& options,
-            double& white, const RunPoints& run, LightReport& report) {
-  // The scene keeps its model: another one is refined.
-  Refiner refiner(model, scene, emitters, options, white, run);
+            const RunPoints& run, LightReport& report) {
+  Refiner refiner(model, scene, emitters, options, run);
   for (int i = 0; i < most_rounds; ++i) {
     if (model.triangles.size() * 4 * bytes_a_triangle > options.memory && i > 0) {
       report.warnings.push_back(

@@ -9,10 +9,9 @@ namespace triptych {
 /// Divides edges, in rounds, as LightOptions says, by direct light and openness: the light halfway along an
 /// edge is gathered, and compared with what is interpolated from its ends (adaptive subdivision: Cohen,
 /// Greenberg, Immel and Brock, An efficient radiosity approach for realistic image synthesis, 1986). scene:
-/// of the model before. white: the irradiance under which a white surface shows as white; 0 if nothing is
-/// lit. Stops, with a warning, where triangles would take more than the memory.
+/// of the model before. Stops, with a warning, where triangles would take more than the memory.
 void refine(LitModel& model, const LitScene& scene, const Emitters& emitters, const LightOptions& options,
-            double& white, const RunPoints& run, LightReport& report);
+            const RunPoints& run, LightReport& report);
 
 /// The irradiance under which a white surface shows as white, so that a typical model is well exposed: 5/3 of
 /// the median of what is lit, by area. 0 if nothing is.
