@@ -12,7 +12,7 @@
 namespace triptych::test {
 
 inline std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier = Simplifier::collapse,
-                                     Kept keep = {}) {
+                                     Kept keep = {}, const LightOptions& light = {}) {
   const auto file =
       std::filesystem::path(testing::TempDir()) / ("triptych_closed_" + std::to_string(::getpid()) + ".tpk");
   BuildOptions options;
@@ -22,6 +22,7 @@ inline std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier =
   options.bucket_triangles = 9000;  // borders between buckets and borders within them
   options.simplify.simplifier = simplifier;
   options.keep = keep;
+  options.light = light;
   build_pack(model, options, file);
   auto pack = std::make_unique<Pack>(file);
   std::filesystem::remove(file);
