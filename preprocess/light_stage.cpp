@@ -2,18 +2,14 @@
 
 #include "base/notice.hpp"
 #include "light/bake.hpp"
+#include "preprocess/light_units.hpp"
 #include "scene/linear_light.hpp"
 
 #include <algorithm>
-#include <fmt/core.h>
-#include <numeric>
 
 namespace triptych {
 
 namespace {
-
-/// Points of one unit, and units of one batch: what a killed build loses at most.
-constexpr uint32_t unit_points = 256, batch_units = 64;
 
 /// What materials' textures reflect on the whole, linear: their last level has one texel, their mean.
 std::vector<glm::vec3> mean_of_textures(const Model& model, const Textures& textures,
@@ -42,41 +38,6 @@ bool may_emit(const Model& model) {
            return is_luminaire_type(objects.texts[own.type]);
          });
 }
-
-/// Gathers in units, batch after batch.
-class LightUnits {
- public:
-  explicit LightUnits(BuildWork& work) : work_(work) {}
-
-  std::vector<float> run(const std::string& what, uint32_t count, const PointValues& of_item) {
-    const uint32_t units = (count + unit_points - 1) / unit_points;
-    Progress progress(what, units);
-    std::vector<float> values;
-    for (uint32_t first = 0; first < units; first += batch_units) {
-      std::vector<uint32_t> indices(std::min(batch_units, units - first));
-      std::iota(indices.begin(), indices.end(), before_ + first);
-      work_.run(
-          UnitKind::light, indices,
-          [&](uint32_t index) {
-            std::vector<float> own;
-            const uint32_t begin = (index - before_) * unit_points;
-            for (uint32_t i = begin; i < std::min(count, begin + unit_points); ++i) of_item(i, own);
-            return record_bytes(UnitResult{{}, {}, record_bytes(own)});
-          },
-          [&](uint32_t, const StoredUnit& stored) {
-            const auto own = stored.figures_as<std::vector<float>>();
-            values.insert(values.end(), own.begin(), own.end());
-          },
-          &progress);
-    }
-    before_ += units;
-    return values;
-  }
-
- private:
-  BuildWork& work_;
-  uint32_t before_ = 0;  ///< how many units came before, of other points
-};
 
 }  // namespace
 
