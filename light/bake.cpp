@@ -92,7 +92,7 @@ PointLight gather_points(const LitScene& scene, const LitScene& light_scene, con
   for (uint32_t i = 0; i < count; ++i) {
     const glm::vec4 front = of_side(i, false), back = of_side(i, true);
     const double gain = brightness(back) - brightness(front);
-    const bool shows_back = sides.back[i] && (!sides.front[i] || gain > 0 || (gain == 0 && back.w > front.w));
+    const bool shows_back = sides.back[i] && (!sides.front[i] || gain > 0);
     const glm::vec4 own = shows_back ? back : front;
     light.irradiance.emplace_back(own);
     light.openness.push_back(own.w);
@@ -108,7 +108,7 @@ PointLight gather_points(const LitScene& scene, const LitScene& light_scene, con
                     of_side(i, back) +
                     glm::vec4(gatherer.bounced(place(i, back, bounce), options.samples, light.irradiance), 0);
                 const double gain = brightness(own) - brightness(best);
-                if (best.w < 0 || gain > 0 || (gain == 0 && own.w > best.w)) best = own;
+                if (best.w < 0 || gain > 0) best = own;
               }
               for (int k = 0; k < 4; ++k) added.push_back(best[k]);
             });

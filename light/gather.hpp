@@ -27,6 +27,13 @@ struct DirectLight {
   double backs = 0;          ///< the share of rays that met the backs of triangles
 };
 
+/// Whether the first side is within a closed surface, and the other one is not: nearly all that it sees are
+/// backs.
+inline bool is_inside(const DirectLight& side, const DirectLight& other) {
+  constexpr double mostly = 0.9;
+  return side.backs > mostly && other.backs <= mostly;
+}
+
 class Gatherer {
  public:
   /// All must outlive it. lights: of the emitters' own scene, which may be coarser than `scene`.

@@ -84,14 +84,13 @@ class Refiner {
 
   std::vector<float> previews(const char* what, std::span<const LightPoint> points) const {
     return run_(what, static_cast<uint32_t>(points.size()), [&](uint32_t i, std::vector<float>& values) {
-      DirectLight best;
-      for (const bool back : {false, true}) {
-        // The same directions everywhere: then points differ by what they see alone.
-        const DirectLight own =
-            gatherer_.direct(gather_place(points[i], back, clearance_, 1), samples_, options_.ambient);
-        const double gain = luminance(own.irradiance) - luminance(best.irradiance);
-        if (!back || gain > 0 || (gain == 0 && own.openness > best.openness)) best = own;
-      }
+      // The same directions everywhere: then points differ by what they see alone.
+      const auto side = [&](bool back) {
+        return gatherer_.direct(gather_place(points[i], back, clearance_, 1), samples_, options_.ambient);
+      };
+      const DirectLight front = side(false), back = side(true);
+      const double gain = luminance(back.irradiance) - luminance(front.irradiance);
+      const DirectLight& best = gain > 0 || (gain == 0 && is_inside(front, back)) ? back : front;
       for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(best.irradiance[k]));
       values.push_back(static_cast<float>(best.openness));
     });
