@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr uint32_t most_single_lights = 32;
 
-uint32_t rays_to_bodies(uint32_t samples) { return std::max(samples / 4, 8u); }
+uint32_t rays_to_sources(uint32_t samples) { return std::max(samples / 4, 8u); }
 
 /// The first of ascending sums that is above the value.
 size_t first_above(std::span<const double> sums, double value) {
@@ -95,71 +95,45 @@ glm::dvec3 Gatherer::from_lights(const GatherPlace& place, uint32_t samples) con
   return sum;
 }
 
-std::vector<double> Gatherer::chances(const GatherPlace& place) const {
-  std::vector<double> chances;
-  double all = 0;
-  for (const EmissiveBody& body : emitters_.bodies) {
-    const glm::dvec3 way = body.middle - place.position;
-    const double squared = glm::dot(way, way);
-    // None of it is above the horizon.
-    const bool below = body.triangles.empty() || glm::dot(way, place.normal) < -body.radius;
-    const double own = below ? 0 : body.power / std::max(squared, body.radius * body.radius);
-    chances.push_back(own);
-    all += own;
-  }
-  if (!(all > 0)) return {};
-  for (double& chance : chances) chance /= all;
-  return chances;
-}
-
-DirectLight Gatherer::direct(const GatherPlace& place, uint32_t samples, bool looks_around) const {
+DirectLight Gatherer::from_surfaces(const GatherPlace& place, uint32_t samples, const AreaSources& sources,
+                                    const LitScene& scene_of_sources, const SentBy& sent) const {
   DirectLight light;
-  const uint32_t to_bodies = rays_to_bodies(samples);
-  if (options_.bake) light.irradiance = from_lights(place, to_bodies);
   const std::vector<double> chances =
-      options_.bake && !emitters_.bodies.empty() ? this->chances(place) : std::vector<double>();
-  // Both kinds of rays find emissive surfaces; each counts by how likely it was to.
-  const auto density = [&](const EmissiveBody& body, double chance, double squared, double cosine_there) {
-    return cosine_there > 0 ? chance * squared / (body.area() * cosine_there) : 0;
+      sources.empty() ? std::vector<double>() : sources.chances(place.position, place.normal);
+  const uint32_t to_sources = chances.empty() ? 0 : rays_to_sources(samples);
+  // Both kinds of rays find the sources; each counts by how likely it was to. Of a direction:
+  const auto likely = [&](const LitScene& scene, uint32_t triangle, double luminance, double squared,
+                          const glm::dvec3& direction) {
+    if (to_sources == 0) return 0.0;
+    const LitTriangle& own = scene.model().triangles[triangle];
+    const double density = sources.density(chances, own.instance, luminance);
+    if (!(density > 0)) return 0.0;
+    const double cosine = std::abs(glm::dot(direction, glm::normalize(scene.model().normal(own))));
+    return cosine > 0 ? to_sources * density * squared / cosine : 0.0;
   };
-  if (!chances.empty()) {
-    std::vector<double> sums;
-    double all = 0;
-    for (const double chance : chances) sums.push_back(all += chance);
-    const SamplePoints points(place.seed ^ 0xb0d1e5u), choices(place.seed ^ 0xc401ceu);
-    const LitModel& model = light_scene_.model();
-    for (uint32_t i = 0; i < to_bodies; ++i) {
-      const glm::dvec2 choice = choices[i];
-      const size_t chosen = first_above(sums, (i + choice.x) / to_bodies * all);
-      const EmissiveBody& body = emitters_.bodies[chosen];
-      if (!(chances[chosen] > 0)) continue;
-      const uint32_t triangle = body.triangles[first_above(body.areas, choice.y * body.area())];
-      const LitTriangle& own = model.triangles[triangle];
-      const glm::dvec2 u = points[i];
-      const double root = std::sqrt(u.x);
-      const glm::dvec3 at = model.at(own.corners[0]) * (1 - root) +
-                            model.at(own.corners[1]) * (root * (1 - u.y)) +
-                            model.at(own.corners[2]) * (root * u.y);
-      const glm::dvec3 way = at - place.position;
-      const double squared = glm::dot(way, way), length = std::sqrt(squared);
-      if (!(length > 0)) continue;
-      const double cosine = glm::dot(way, place.normal) / length;
-      const double cosine_there = std::abs(glm::dot(way, glm::normalize(model.normal(own)))) / length;
-      if (!(cosine > 0) || !(cosine_there > 0)) continue;
-      const double by_body = density(body, chances[chosen], squared, cosine_there), by_cosine = cosine / pi;
-      const double passed = scene_.passes(place.position, at);
-      if (passed > 0)
-        light.irradiance += emitters_.radiance(light_scene_, triangle) *
-                            (passed * cosine / (to_bodies * by_body + samples * by_cosine));
-    }
+  const SamplePoints places(place.seed ^ 0xb0d1e5u), choices(place.seed ^ 0xc401ceu);
+  for (uint32_t i = 0; i < to_sources; ++i) {
+    const glm::dvec2 choice = choices[i];
+    const AreaSources::Sample at =
+        sources.sample(chances, {(i + choice.x) / to_sources, choice.y}, places[i]);
+    const glm::dvec3 way = at.position - place.position;
+    const double squared = glm::dot(way, way), length = std::sqrt(squared);
+    if (!(length > 0)) continue;
+    const double cosine = glm::dot(way, place.normal) / length;
+    if (!(cosine > 0)) continue;
+    const Sent own = sent(scene_of_sources, at.triangle, at.u, at.v);
+    const double by_source = likely(scene_of_sources, at.triangle, own.luminance, squared, way / length);
+    if (!(by_source > 0)) continue;
+    const double passed = scene_.passes(place.position, at.position);
+    if (passed > 0)
+      light.irradiance += own.radiance * (passed * cosine / (by_source + samples * cosine / pi));
   }
-  if (chances.empty() && !looks_around) return light;
   const Frame3 frame(place.normal);
-  const SamplePoints points(place.seed);
+  const SamplePoints directions(place.seed);
   const double reach = options_.reach * scene_.model().diagonal;
   uint32_t near = 0, backs = 0;
   for (uint32_t i = 0; i < samples; ++i) {
-    const glm::dvec3 direction = cosine_direction(frame, points[i]);
+    const glm::dvec3 direction = cosine_direction(frame, directions[i]);
     const double cosine = glm::dot(direction, place.normal);
     bool first = true;
     scene_.trace(place.position, direction, [&](const LitScene::Hit& hit) {
@@ -168,18 +142,11 @@ DirectLight Gatherer::direct(const GatherPlace& place, uint32_t samples, bool lo
         backs += hit.back ? 1 : 0;
         first = false;
       }
-      if (!options_.bake || emitters_.bodies.empty()) return;
-      const glm::dvec3 radiance = emitters_.radiance(scene_, hit.triangle);
-      if (radiance == glm::dvec3(0)) return;
-      const LitTriangle& own = scene_.model().triangles[hit.triangle];
-      const uint32_t body = emitters_.body_of[own.instance];
-      const double cosine_there = std::abs(glm::dot(direction, glm::normalize(scene_.model().normal(own))));
-      const double by_body =
-          body == no_id || chances.empty()
-              ? 0
-              : density(emitters_.bodies[body], chances[body], hit.distance * hit.distance, cosine_there);
-      const double by_cosine = cosine / pi;
-      light.irradiance += radiance * (hit.share * cosine / (to_bodies * by_body + samples * by_cosine));
+      const Sent own = sent(scene_, hit.triangle, hit.u, hit.v);
+      if (own.radiance == glm::dvec3(0) || !(cosine > 0)) return;
+      const double by_source =
+          likely(scene_, hit.triangle, own.luminance, hit.distance * hit.distance, direction);
+      light.irradiance += own.radiance * (hit.share * cosine / (by_source + samples * cosine / pi));
     });
   }
   light.openness = 1 - static_cast<double>(near) / samples;
@@ -187,21 +154,63 @@ DirectLight Gatherer::direct(const GatherPlace& place, uint32_t samples, bool lo
   return light;
 }
 
-glm::dvec3 Gatherer::bounced(const GatherPlace& place, uint32_t samples,
-                             std::span<const glm::vec3> points) const {
-  const Frame3 frame(place.normal);
-  const SamplePoints directions(place.seed);
-  glm::dvec3 sum(0);
-  for (uint32_t i = 0; i < samples; ++i) {
-    scene_.trace(place.position, cosine_direction(frame, directions[i]), [&](const LitScene::Hit& hit) {
-      const auto& corners = scene_.model().triangles[hit.triangle].corners;
-      const glm::dvec3 irradiance = glm::dvec3(points[corners[0].point]) * (1 - hit.u - hit.v) +
-                                    glm::dvec3(points[corners[1].point]) * hit.u +
-                                    glm::dvec3(points[corners[2].point]) * hit.v;
-      sum += reflectance_of(scene_, hit.triangle) * irradiance * hit.share;
-    });
+DirectLight Gatherer::direct(const GatherPlace& place, uint32_t samples, bool looks_around) const {
+  DirectLight light;
+  const bool finds_surfaces = options_.bake && !emitters_.surfaces.empty();
+  if (finds_surfaces || looks_around) {
+    light = from_surfaces(place, samples, options_.bake ? emitters_.surfaces : AreaSources(), light_scene_,
+                          [&](const LitScene& scene, uint32_t triangle, double, double) -> Sent {
+                            if (!finds_surfaces) return {glm::dvec3(0), 0};
+                            const glm::dvec3 own = emitters_.radiance(scene, triangle);
+                            return {own, luminance(own)};
+                          });
   }
-  return sum / static_cast<double>(samples);
+  if (options_.bake) light.irradiance += from_lights(place, rays_to_sources(samples));
+  return light;
+}
+
+namespace {
+
+glm::dvec3 irradiance_at(const LitTriangle& triangle, std::span<const glm::vec3> points, double u, double v) {
+  const auto& corners = triangle.corners;
+  return glm::dvec3(points[corners[0].point]) * (1 - u - v) + glm::dvec3(points[corners[1].point]) * u +
+         glm::dvec3(points[corners[2].point]) * v;
+}
+
+/// Of the whole triangle.
+double reflected_luminance(const LitScene& scene, uint32_t triangle, std::span<const glm::vec3> points) {
+  const glm::dvec3 mean = irradiance_at(scene.model().triangles[triangle], points, 1.0 / 3, 1.0 / 3);
+  return static_cast<double>(static_cast<float>(luminance(reflectance_of(scene, triangle) * mean) / pi));
+}
+
+}  // namespace
+
+glm::dvec3 Gatherer::bounced(const GatherPlace& place, uint32_t samples, std::span<const glm::vec3> points,
+                             const AreaSources& bright) const {
+  return from_surfaces(place, samples, bright, scene_,
+                       [&](const LitScene& scene, uint32_t triangle, double u, double v) -> Sent {
+                         const LitTriangle& own = scene.model().triangles[triangle];
+                         return {reflectance_of(scene, triangle) * irradiance_at(own, points, u, v) / pi,
+                                 bright.empty() ? 0 : reflected_luminance(scene, triangle, points)};
+                       })
+      .irradiance;
+}
+
+AreaSources bright_surfaces(const LitScene& scene, std::span<const glm::vec3> points) {
+  constexpr double brighter = 4;  // than the mean
+  const LitModel& model = scene.model();
+  std::vector<float> luminances;
+  double sum = 0, area = 0;
+  for (uint32_t t = 0; t < model.triangles.size(); ++t) {
+    luminances.push_back(static_cast<float>(reflected_luminance(scene, t, points)));
+    const double own = glm::length(model.normal(model.triangles[t])) / 2;
+    // What is in the dark, as the outsides of walls, says nothing of the rest.
+    if (!(luminances.back() > 0)) continue;
+    sum += static_cast<double>(luminances.back()) * own;
+    area += own;
+  }
+  if (!(area > 0)) return {};
+  return AreaSources(scene, std::move(luminances), brighter * sum / area);
 }
 
 }  // namespace triptych

@@ -5,6 +5,7 @@
 #include "light/light_points.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -41,27 +42,40 @@ class Gatherer {
            const LightOptions& options)
       : scene_(scene), light_scene_(light_scene), emitters_(emitters), options_(options) {}
 
-  /// samples: rays over the hemisphere, and a quarter of them to emitters that are surfaces, by multiple
-  /// importance sampling with the balance heuristic (Veach and Guibas, Optimally combining sampling
-  /// techniques, 1995). Lights that are points each get a ray of their own up to so many.
-  /// looks_around: also where there is no surface to find, for openness and backs.
+  /// samples: rays over the hemisphere, and a quarter of them to surfaces that emit, by multiple importance
+  /// sampling with the balance heuristic (Veach and Guibas, Optimally combining sampling techniques, 1995).
+  /// Lights that are points each get a ray of their own up to so many. looks_around: also where there is no
+  /// surface to find, for openness and backs.
   DirectLight direct(const GatherPlace& place, uint32_t samples, bool looks_around) const;
   /// What surfaces reflect that have this irradiance at their points: final gathering over the hemisphere.
-  glm::dvec3 bounced(const GatherPlace& place, uint32_t samples, std::span<const glm::vec3> points) const;
+  /// bright: those that reflect most, which get rays of their own, as emitters do.
+  glm::dvec3 bounced(const GatherPlace& place, uint32_t samples, std::span<const glm::vec3> points,
+                     const AreaSources& bright) const;
 
  private:
+  /// What a surface sends on at a place, and its luminance as AreaSources knows it.
+  struct Sent {
+    glm::dvec3 radiance;
+    double luminance;
+  };
+  using SentBy = std::function<Sent(const LitScene&, uint32_t triangle, double u, double v)>;
+  /// The irradiance of surfaces. sources: of this scene.
+  DirectLight from_surfaces(const GatherPlace& place, uint32_t samples, const AreaSources& sources,
+                            const LitScene& scene_of_sources, const SentBy& sent) const;
   glm::dvec3 from_lights(const GatherPlace& place, uint32_t samples) const;
   /// The irradiance that the light would give without anything between, and the way to it.
   glm::dvec3 unshadowed(const GatherPlace& place, const ModelLight& light) const;
   double passes(const GatherPlace& place, const ModelLight& light) const;
-  /// For each body how likely it is chosen from here; empty if none reaches the place.
-  std::vector<double> chances(const GatherPlace& place) const;
 
   const LitScene& scene_;
   const LitScene& light_scene_;
   const Emitters& emitters_;
   const LightOptions& options_;
 };
+
+/// The surfaces of the scene that reflect so much more than others that rays over the hemisphere, which
+/// seldom meet them, would make noise of them.
+AreaSources bright_surfaces(const LitScene& scene, std::span<const glm::vec3> points);
 
 /// Of a triangle with the colours of its corners, if it has any: linear, at most 0.9 since nothing reflects
 /// all.

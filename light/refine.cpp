@@ -1,5 +1,6 @@
 #include "light/refine.hpp"
 
+#include "light/sampling.hpp"
 #include "light/split_edges.hpp"
 #include "scene/vertex_light.hpp"
 
@@ -52,7 +53,7 @@ class Refiner {
   /// Whether there was something to divide.
   bool round() {
     points_ = make_points(model_, clearance_);
-    const std::vector<float> values = previews("light where corners are", points_);
+    const std::vector<float> values = previews(fmt::format("light at corners, round {}", ++rounds_), points_);
     if (options_.bake && !has_white_) {
       std::vector<glm::vec3> irradiance;
       for (size_t i = 0; i < points_.size(); ++i) irradiance.push_back(at(values, i).irradiance);
@@ -63,7 +64,7 @@ class Refiner {
     const std::vector<SeenEdge> seen = undecided_edges(divided);
     std::vector<LightPoint> middles;
     for (const SeenEdge& edge : seen) middles.push_back(middle_of(edge));
-    const std::vector<float> there = previews("light halfway along edges", middles);
+    const std::vector<float> there = previews(fmt::format("light along edges, round {}", rounds_), middles);
     for (size_t i = 0; i < seen.size(); ++i) {
       const Preview a = at(values, seen[i].from), b = at(values, seen[i].to);
       if (differs(at(there, i), {(a.irradiance + b.irradiance) * 0.5f, (a.openness + b.openness) * 0.5f}))
@@ -82,7 +83,7 @@ class Refiner {
     return {{values[4 * i], values[4 * i + 1], values[4 * i + 2]}, values[4 * i + 3]};
   }
 
-  std::vector<float> previews(const char* what, std::span<const LightPoint> points) const {
+  std::vector<float> previews(const std::string& what, std::span<const LightPoint> points) const {
     return run_(what, static_cast<uint32_t>(points.size()), [&](uint32_t i, std::vector<float>& values) {
       // The same directions everywhere: then points differ by what they see alone.
       const auto side = [&](bool back) {
@@ -157,8 +158,13 @@ class Refiner {
   const RunPoints& run_;
   uint32_t samples_;
   bool has_white_ = false;
+  int rounds_ = 0;
   std::vector<LightPoint> points_;
-  tsl::robin_set<uint64_t> settled_;
+  /// Keys that differ in few bits must not meet in the table.
+  struct MixedHash {
+    size_t operator()(uint64_t key) const { return static_cast<size_t>(mixed_bits(key)); }
+  };
+  tsl::robin_set<uint64_t, MixedHash> settled_;
 };
 
 }  // namespace

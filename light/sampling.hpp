@@ -1,6 +1,7 @@
 // Where rays go: low-discrepancy points that depend on nothing but their numbers.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
