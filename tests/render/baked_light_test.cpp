@@ -20,7 +20,7 @@ constexpr int side = 64;
 
 /// A floor of 8 units around the origin, z up, a board over it, and a light over that: what its irradiance on
 /// the floor is, is known.
-constexpr double board_half = 0.75, board_height = 1, light_height = 3;
+constexpr double board_half = 0.75, board_height = 2, light_height = 3;
 
 Model lit_floor() {
   Mesh floor = awkward::grid(1, 8);
