@@ -21,7 +21,8 @@ class StarColors {
 
   /// What becomes of a fan.
   struct Change {
-    double color = 0;    ///< how distinct colours and baked light are from before, where they differ most, 0 to 1
+    double color =
+        0;  ///< how distinct colours and baked light are from before, where they differ most, 0 to 1
     double texture = 0;  ///< how far on the surface a texture has moved, where that is most
   };
   /// Once the point is at the target; compared where the point was, and halfway to its neighbours. A texture
