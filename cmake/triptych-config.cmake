@@ -2,14 +2,15 @@
 # what those rooms need is looked for: find_package(triptych COMPONENTS visibility).
 include(CMakeFindDependencyMacro)
 
-set(triptych_rooms base scene model simplify preprocess lod visibility residency raster render protocol nodes measure report
+set(triptych_rooms base scene model simplify light preprocess lod visibility residency raster render protocol nodes measure report
     samples view session)
 # What each room brings in; a room needs that of those below it, too.
 set(triptych_below_base "")
 set(triptych_below_scene base)
 set(triptych_below_model scene)
 set(triptych_below_simplify model)
-set(triptych_below_preprocess simplify)
+set(triptych_below_light model)
+set(triptych_below_preprocess simplify light)
 set(triptych_below_lod scene)
 set(triptych_below_visibility lod)
 set(triptych_below_residency scene)
@@ -25,6 +26,7 @@ set(triptych_below_session measure view)
 set(triptych_packages_base Threads fmt TBB nlohmann_json)
 set(triptych_packages_scene glm nlohmann_json meshoptimizer)
 set(triptych_packages_simplify OpenMesh)
+set(triptych_packages_light embree)
 set(triptych_packages_preprocess embree PNG)
 set(triptych_packages_protocol OpenSSL CURL)
 set(triptych_packages_render PNG)

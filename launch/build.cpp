@@ -62,6 +62,15 @@ void print(const nlohmann::json& report, const std::filesystem::path& output) {
         "that touch nothing\n",
         count("contact_parts"), count("contacts"), count("contact_chains"));
   }
+  if (report.contains("light")) {
+    const nlohmann::json& light = report.at("light");
+    fmt::print(
+        "{} gathered at {} points: {} triangles became {}, since light changes over them{}\n",
+        light.at("baked").get<bool>() ? "light" : "ambient occlusion", light.at("points").get<uint64_t>(),
+        light.at("triangles").get<uint64_t>(), light.at("refined_triangles").get<uint64_t>(),
+        light.at("unshared_triangles").get<uint64_t>() > 0 ? "; placements of one mesh no longer share it"
+                                                           : "");
+  }
   if (count("crowded_parts") > 0) {
     fmt::print(
         "{} parts touch or overlap so many larger ones that not all places where they touch are held\n",
@@ -81,26 +90,41 @@ nlohmann::json report_json(const BuildReport& report, const BuildOptions& option
                            const std::vector<std::filesystem::path>& files) {
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.string());
-  return {{"source_triangles", report.source_triangles},
-          {"placed_triangles", report.placed_triangles},
-          {"drawables", report.drawables},
-          {"sub_hierarchies", report.sub_hierarchies},
-          {"instances", report.instances},
-          {"levels", report.levels},
-          {"pack_bytes", report.pack_bytes},
-          {"keep", name_of(options.keep)},
-          {"covered_triangles", report.covered.triangles},
-          {"covering_parts", report.covered.parts},
-          {"layered_facets", report.layers.facets},
-          {"layered_triangles", report.layers.triangles},
-          {"most_layers", report.layers.most},
-          {"crowded_planes", report.layers.crowded_parts},
-          {"contacts", report.contacts.contacts},
-          {"contact_parts", report.contacts.held_parts},
-          {"contact_chains", report.contacts.added_chains},
-          {"crowded_parts", report.contacts.crowded_parts},
-          {"files", names},
-          {"import", to_json(report.import)}};
+  nlohmann::json json = {{"source_triangles", report.source_triangles},
+                         {"placed_triangles", report.placed_triangles},
+                         {"drawables", report.drawables},
+                         {"sub_hierarchies", report.sub_hierarchies},
+                         {"instances", report.instances},
+                         {"levels", report.levels},
+                         {"pack_bytes", report.pack_bytes},
+                         {"keep", name_of(options.keep)},
+                         {"covered_triangles", report.covered.triangles},
+                         {"covering_parts", report.covered.parts},
+                         {"layered_facets", report.layers.facets},
+                         {"layered_triangles", report.layers.triangles},
+                         {"most_layers", report.layers.most},
+                         {"crowded_planes", report.layers.crowded_parts},
+                         {"contacts", report.contacts.contacts},
+                         {"contact_parts", report.contacts.held_parts},
+                         {"contact_chains", report.contacts.added_chains},
+                         {"crowded_parts", report.contacts.crowded_parts},
+                         {"files", names},
+                         {"import", to_json(report.import)}};
+  const LightReport& light = report.light;
+  if (light.baked || light.ambient) {
+    json["light"] = {{"baked", light.baked},
+                     {"ambient", light.ambient},
+                     {"lights", light.lights},
+                     {"emissive_triangles", light.emissive_triangles},
+                     {"luminaires", light.luminaires},
+                     {"triangles", light.triangles},
+                     {"refined_triangles", light.refined_triangles},
+                     {"unshared_triangles", light.unshared_triangles},
+                     {"points", light.points},
+                     {"clipped_points", light.clipped_points},
+                     {"white_lux", light.white_lux}};
+  }
+  return json;
 }
 
 /// Adds what this run took.

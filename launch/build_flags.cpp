@@ -83,6 +83,27 @@ void add_keep_flag(CLI::App& command, Kept& keep) {
       ->default_str(name_of(keep));
 }
 
+void add_light_flags(CLI::App& command, LightOptions& light) {
+  constexpr uint32_t most_samples = 1u << 16, most_bounces = 32;
+  command.add_flag(
+      "--bake-light", light.bake,
+      "Bake the light of the model's lights, emissive surfaces and luminaires into its vertices; "
+      "each placement then has a mesh of its own");
+  command.add_flag("--ambient", light.ambient,
+                   "Bake ambient occlusion into vertices: how open their surroundings are");
+  command
+      .add_option(
+          "--light-samples", light.samples,
+          "Of baked light and ambient occlusion: rays over the hemisphere of each vertex, for each bounce")
+      ->check(whole_number(1, most_samples))
+      ->capture_default_str();
+  command
+      .add_option("--light-bounces", light.bounces,
+                  "Of baked light: how often it is reflected between surfaces")
+      ->check(whole_number(0, most_bounces))
+      ->capture_default_str();
+}
+
 /// Path, size and time of change.
 std::string identity(const std::filesystem::path& file) {
   std::error_code error;
@@ -157,6 +178,7 @@ void add_build_flags(CLI::App& command, BuildFlags& flags) {
       ->check(whole_number(min_triangles, max_triangles))
       ->capture_default_str();
   add_keep_flag(command, flags.defaults.keep);
+  add_light_flags(command, flags.defaults.light);
   command
       .add_option("--hlod-triangles", flags.defaults.hlod_triangles,
                   "Triangles of an inner scene node's coarsest level, roughly")
@@ -231,6 +253,13 @@ PackOptions build_words(const BuildFlags& flags) {
                        {"simplifier", name_of(options.simplify.simplifier)}};
   const std::vector<std::string> import = import_arguments(flags.import);  // each a flag and its value
   for (size_t i = 0; i + 1 < import.size(); i += 2) words[import[i].substr(2)] = import[i + 1];
+  const LightOptions& light = options.light;  // a pack without says nothing of it
+  if (light.bake) words["bake-light"] = "yes";
+  if (light.ambient) words["ambient"] = "yes";
+  if (light.any()) {
+    words["light-samples"] = std::to_string(light.samples);
+    words["light-bounces"] = std::to_string(light.bounces);
+  }
   return words;
 }
 

@@ -25,7 +25,7 @@ struct BuildFlags {
 };
 
 /// The inputs, --up, --unit, --simplifier, --bound, --memory, --bake-instances, --flat, --part-triangles,
-/// --leaf-triangles, --hlod-triangles and --keep.
+/// --leaf-triangles, --hlod-triangles, --keep, --bake-light, --ambient, --light-samples and --light-bounces.
 void add_build_flags(CLI::App& command, BuildFlags& flags);
 /// --hierarchy.
 void add_hierarchy_flag(CLI::App& command, BuildFlags& flags);

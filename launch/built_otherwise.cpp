@@ -16,7 +16,9 @@ nlohmann::json json_of(const std::optional<std::string>& value) {
 }
 
 /// Whether it decides which triangles the finest level has, and what objects there are.
-bool changes_the_model(const std::string& option) { return option == "chord" || option == "flat"; }
+bool changes_the_model(const std::string& option) {
+  return option == "chord" || option == "flat" || option == "bake-light" || option == "ambient";
+}
 
 }  // namespace
 

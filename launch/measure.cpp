@@ -11,6 +11,7 @@ void add_measure(CLI::App& app, Action& action) {
   add_measure_yardstick(*measure, action);
   add_measure_hierarchy(*measure, action);
   add_measure_simplifiers(*measure, action);
+  add_measure_light(*measure, action);
   add_measure_frame(*measure, action);
   add_measure_effects(*measure, action);
   add_measure_hiding(*measure, action);

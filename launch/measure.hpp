@@ -12,6 +12,7 @@ void add_measure_yardstick(CLI::App& measure, Action& action);
 void add_measure_effects(CLI::App& measure, Action& action);
 void add_measure_hiding(CLI::App& measure, Action& action);
 void add_measure_hierarchy(CLI::App& measure, Action& action);
+void add_measure_light(CLI::App& measure, Action& action);
 void add_measure_simplifiers(CLI::App& measure, Action& action);
 void add_measure_frame(CLI::App& measure, Action& action);
 void add_measure_streaming(CLI::App& measure, Action& action);

@@ -57,11 +57,12 @@ int run_building(SampleCommand command) {
 int run_effects(const SampleCommand& command) {
   const EffectsReport report = make_effects(command.output);
   for (const EffectsFile& file : report.files)
-    fmt::print("{:<40}{}\n", (command.output / file.name).string(), file.effects);
+    fmt::print("{:<40}{}{}\n", (command.output / file.name).string(), file.effects,
+               file.build.empty() ? "" : fmt::format(", built with {}", file.build));
   fmt::print("{} objects, {} triangles in each\n", report.objects, report.triangles);
   nlohmann::json files = nlohmann::json::array();
   for (const EffectsFile& file : report.files)
-    files.push_back({{"file", file.name}, {"effects", file.effects}});
+    files.push_back({{"file", file.name}, {"effects", file.effects}, {"build", file.build}});
   write_json(command.json, {{"files", files}, {"objects", report.objects}, {"triangles", report.triangles}});
   return 0;
 }

@@ -4,6 +4,7 @@
 
 #include "scene/texture.hpp"
 #include "scene/vertex_color.hpp"
+#include "scene/vertex_light.hpp"
 #include "scene/vertex_normal.hpp"
 
 #include <array>
@@ -24,6 +25,7 @@ struct CornerTriangle {
   CornerColors colors = {};            ///< as Mesh::colors; of streams without colours all zero
   CornerNormals normals = {};          ///< as Mesh::normals; of streams without normals all zero
   CornerCoordinates coordinates = {};  ///< as Mesh::coordinates
+  CornerLight light = {};              ///< as Mesh::light; of streams all zero
   bool operator==(const CornerTriangle&) const = default;
 };
 

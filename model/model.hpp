@@ -34,9 +34,22 @@ struct Material {
   uint32_t emission_texture = no_id;  ///< multiplies the emission, at the same coordinates
   TextureSampler sampler = {};
   glm::vec3 emission{0};  ///< light of its own, a linear factor
+  glm::vec3 emitted{0};   ///< that it gives others, where that is more than it shows; 0: as much
   float cutoff = 0;       ///< where the texture's alpha is less, there is a hole; 0: nowhere
   bool blends = false;    ///< the texture's alpha lets through what lies behind
   bool operator==(const Material&) const = default;
+};
+
+/// A light that is a point, or so far away that its rays are parallel (KHR_lights_punctual of glTF).
+struct ModelLight {
+  enum class Kind : uint8_t { point, spot, directional };
+  Kind kind = Kind::point;
+  glm::dvec3 position{0};          ///< model space; unused if directional
+  glm::dvec3 direction{0, 0, -1};  ///< of its rays, model space, unit length; unused of a point
+  /// Linear red, green, blue: luminous intensity in candela, of a directional one illuminance in lux.
+  glm::dvec3 intensity{0};
+  double inner_cosine = 1, outer_cosine = 0;  ///< of a spot's cone: full light within, none beyond
+  double range = 0;                           ///< model units; 0: no end
 };
 
 /// A triangle of a mesh: three vertex indices and the index of its material.
@@ -60,6 +73,8 @@ struct Mesh {
   std::vector<VertexNormal> normals = {};
   /// Of each position its place on the texture of the material, where any has one; empty otherwise.
   std::vector<TextureCoordinates> coordinates = {};
+  /// Baked light of each position; empty unless the build made it (light/).
+  std::vector<VertexLight> light = {};
 
   /// Of a stream: as MeshStream::triangle_count.
   uint64_t triangle_count() const;
@@ -103,6 +118,7 @@ struct Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;  ///< at least one
   std::vector<ModelImage> images;
+  std::vector<ModelLight> lights;
   std::vector<Instance> instances;  ///< those that belong to no group
   /// What repeats, stored once; empty for most models, which are lists of instances. See model/flatten.hpp.
   std::vector<Group> groups;

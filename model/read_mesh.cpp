@@ -23,6 +23,9 @@ uint64_t read_mesh(const Mesh& mesh, const TakeTriangles& take) {
     if (!mesh.coordinates.empty()) {
       for (size_t i = 0; i < 3; ++i) triangles.back().coordinates[i] = mesh.coordinates[triangle.vertices[i]];
     }
+    if (!mesh.light.empty()) {
+      for (size_t i = 0; i < 3; ++i) triangles.back().light[i] = mesh.light[triangle.vertices[i]];
+    }
     if (triangles.size() == batch) {
       take(triangles);
       triangles.clear();

@@ -40,10 +40,11 @@ std::optional<uint32_t> number_in(std::span<const SharedPoint> shared, const glm
 
 Buckets::Buckets(const Read& read, uint64_t total, uint64_t limit, const CornerStreams& streams,
                  SpoolFile& spool)
-    : triangle_bytes_(streams.coordinates ? sizeof(LatticeTriangle)
-                      : streams.normals   ? offsetof(LatticeTriangle, coordinates)
-                      : streams.colors    ? offsetof(LatticeTriangle, corner_normals)
-                                          : offsetof(LatticeTriangle, corner_colors)),
+    : triangle_bytes_(streams.light         ? sizeof(LatticeTriangle)
+                      : streams.coordinates ? offsetof(LatticeTriangle, light)
+                      : streams.normals     ? offsetof(LatticeTriangle, coordinates)
+                      : streams.colors      ? offsetof(LatticeTriangle, corner_normals)
+                                            : offsetof(LatticeTriangle, corner_colors)),
       spool_(spool) {
   const uint64_t every = total / max_sample + 1;
   std::vector<glm::ivec3> sample;

@@ -12,6 +12,7 @@
 #include "preprocess/covered/make_room.hpp"
 #include "preprocess/encode_objects.hpp"
 #include "preprocess/layers/layer_facets.hpp"
+#include "preprocess/light_stage.hpp"
 #include "preprocess/node_drawables.hpp"
 #include "preprocess/objects.hpp"
 #include "preprocess/part_bodies.hpp"
@@ -22,6 +23,7 @@
 #include "scene/file_objects.hpp"
 
 #include <algorithm>
+#include <fmt/core.h>
 
 namespace triptych {
 
@@ -221,8 +223,15 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
   Hierarchies hierarchies;
   std::vector<PartLevels> levels;
   SpoolFile texels(work.file("textures"));
+  Textures textures;
+  if (options.light.any()) {
+    stage("light", [&] {
+      textures = make_textures(model, texels);
+      model = bake_light_in_build(std::move(model), options, textures, texels, work, report.light);
+    });
+  }
   stage("measure", [&] {
-    Textures textures = make_textures(model, texels);
+    if (!options.light.any()) textures = make_textures(model, texels);
     plan = make_plan(model, options, textures);
     skeleton.textures = std::move(textures.textures);
     skeleton.import.warnings.insert(skeleton.import.warnings.end(), textures.warnings.begin(),
@@ -239,6 +248,8 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     skeleton.effects.push_back(effect_name_in_pack(Effect::textures));
   if (std::ranges::any_of(plan.materials, &SurfaceMaterial::is_emissive))
     skeleton.effects.push_back(effect_name_in_pack(Effect::emission));
+  if (report.light.baked) skeleton.effects.push_back(effect_name_in_pack(Effect::baked_light));
+  if (report.light.ambient) skeleton.effects.push_back(effect_name_in_pack(Effect::ambient));
   auto& warnings = skeleton.import.warnings;
   const auto unseen = std::count_if(plan.colors.begin(), plan.colors.end(),
                                     [&](uint32_t color) { return plan.palette[color][3] == 0; });
@@ -246,6 +257,7 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     warnings.push_back(std::to_string(unseen) +
                        " materials are wholly transparent, and do not show (--effects none draws them)");
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
+  warnings.insert(warnings.end(), report.light.warnings.begin(), report.light.warnings.end());
   if (plan.left_out > 0) {
     skeleton.import.warnings.push_back(std::to_string(plan.left_out) +
                                        " placements left out: their transforms are beyond all bounds");
@@ -294,6 +306,8 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
                                       std::pair{"transparent-materials", transparent}}) {
       if (!said.empty() && count > 0) said[word] = std::to_string(count);
     }
+    if (!said.empty() && report.light.baked)
+      said["light-white-lux"] = fmt::format("{:.4g}", report.light.white_lux);
     work.pack().finish(std::move(stored), objects, said, &texels);
   });
   report.pack_bytes = std::filesystem::file_size(file);

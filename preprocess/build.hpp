@@ -1,6 +1,7 @@
 // From a model to a pack: weld, partition-cluster-partition, hierarchy, LODs, HLODs.
 #pragma once
 
+#include "light/light_options.hpp"
 #include "model/model.hpp"
 #include "preprocess/build_hierarchy.hpp"
 #include "preprocess/build_rules.hpp"
@@ -48,6 +49,8 @@ struct BuildOptions {
   /// Simplifier and kind of bound; the other limits are the build's own.
   SimplifyLimits simplify = {};
   Kept keep = {};
+  /// What light is baked into the vertices.
+  LightOptions light = {};
   /// Off: the geometry of a mesh is stored once for each placement.
   bool share_instances = true;
   /// The resident size to aim at, bytes: it determines how much geometry is processed at a time. What is kept
@@ -93,6 +96,7 @@ struct BuildReport {
   ContactReport contacts;
   LayerReport layers;
   CoveredReport covered;
+  LightReport light;
   uint64_t resumed_units = 0;  ///< batches of units that an earlier, killed build had completed
   ImportReport import;
 };

@@ -29,6 +29,7 @@ enum class UnitKind : uint32_t {
   part_levels,     ///< a part, index as in Parts::parts
   hlod,            ///< an inner scene node, index in its hierarchy; hierarchies come one after the other
   root_geometry,   ///< of a sub-hierarchy whose root has no HLODs; index 0
+  light,           ///< a block of points of baked light; those of all passes are counted together
 };
 
 /// A chunk that a unit adds to the pack.

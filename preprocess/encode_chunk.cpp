@@ -106,6 +106,7 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t
   const std::vector<VertexColor> colors = moved(chunk.colors, places, vertex_count);
   const std::vector<TextureCoordinates> coordinates = moved(chunk.coordinates, places, vertex_count);
   const std::vector<VertexNormal> normals = moved(chunk.normals, places, vertex_count);
+  const std::vector<VertexLight> light = moved(chunk.light, places, vertex_count);
   std::vector<uint8_t> index_bytes(meshopt_encodeIndexBufferBound(indices.size(), vertices.size()));
   index_bytes.resize(
       meshopt_encodeIndexBuffer(index_bytes.data(), index_bytes.size(), indices.data(), indices.size()));
@@ -135,6 +136,10 @@ std::vector<std::byte> encode_chunk(const Chunk& chunk, std::span<const uint32_t
     writer.write(chunk.normals_from == ChunkNormals::of_files ? chunk_file_normals_stream
                                                               : chunk_level_normals_stream);
     write_packed(normals, writer);
+  }
+  if (!light.empty()) {
+    writer.write(chunk_light_stream);
+    write_packed(light, writer);
   }
   writer.write_all(std::span<const uint8_t>(index_bytes));
   return std::move(writer.bytes());

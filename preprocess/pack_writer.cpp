@@ -97,7 +97,8 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
   const bool colored =
       std::count(effects.begin(), effects.end(), effect_name_in_pack(Effect::vertex_colors)) > 0;
   const std::vector<std::byte> materials = encode_materials(skeleton.surrounding);
-  const uint32_t version = !materials.empty()                        ? textured_geometry_version
+  const uint32_t version = has_baked_light(effects)                  ? lit_geometry_version
+                           : !materials.empty()                      ? textured_geometry_version
                            : normals_.of_files || normals_.of_levels ? shaded_geometry_version
                            : has_layers(effects)                     ? layered_geometry_version
                            : colored                                 ? colored_geometry_version

@@ -51,11 +51,13 @@ LatticeTriangle ToLattice::operator()(const CornerTriangle& triangle) const {
   result.corner_normals = placed_normals(triangle.normals, of_normals_);
   if (!colors_.surfaces.empty() && colors_.surfaces[colors_.materials[triangle.material]].is_textured())
     result.coordinates = triangle.coordinates;
+  result.light = triangle.light;
   if (mirrors_) {
     std::swap(result.corners[1], result.corners[2]);
     std::swap(result.corner_colors[1], result.corner_colors[2]);
     std::swap(result.corner_normals[1], result.corner_normals[2]);
     std::swap(result.coordinates[1], result.coordinates[2]);
+    std::swap(result.light[1], result.light[2]);
   }
   const auto& [a, b, c] = result.corners;
   result.color = degenerate(a, b, c) && !has_area(triangle, glm::dmat3(transform_))

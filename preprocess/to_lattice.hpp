@@ -21,15 +21,17 @@ struct LatticeTriangle {
   CornerColors corner_colors = {};     ///< as they are drawn; unused where the mesh has none
   CornerNormals corner_normals = {};   ///< on the lattice; all of the corners' or none
   CornerCoordinates coordinates = {};  ///< none where the colour has no texture
+  CornerLight light = {};              ///< baked; unused where the mesh has none
   bool operator==(const LatticeTriangle&) const = default;
 };
 
 /// What corners have, which need not be kept where they have none.
 struct CornerStreams {
-  bool colors = false, normals = false, coordinates = false;
+  bool colors = false, normals = false, coordinates = false, light = false;
 };
 inline CornerStreams corner_streams(const Mesh& mesh, const MeshColors& colors) {
-  return {colors.of_corners(), mesh.has_normals(), mesh.has_coordinates() && !colors.surfaces.empty()};
+  return {colors.of_corners(), mesh.has_normals(), mesh.has_coordinates() && !colors.surfaces.empty(),
+          !mesh.light.empty()};
 }
 
 /// What takes normals along under a transform: its cofactors, so that they keep looking to the same side of

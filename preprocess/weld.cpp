@@ -29,8 +29,8 @@ class Welder {
       corners[i] = found->second;
     }
     surface.triangles.push_back({corners, triangle.color});
-    if (streams_.colors || streams_.coordinates)
-      surface.colors.push_back({triangle.corner_colors, triangle.coordinates});
+    if (streams_.colors || streams_.coordinates || streams_.light)
+      surface.colors.push_back({triangle.corner_colors, triangle.coordinates, triangle.light});
     if (streams_.normals) surface.normals.push_back(triangle.corner_normals);
   }
   bool has(const glm::ivec3& point) const { return places_.contains(point); }
@@ -105,7 +105,7 @@ Welded weld(std::span<const LatticeTriangle> triangles, const CornerStreams& str
   std::vector<Triangle>& kept = welder.surface.triangles;
   std::vector<SurfaceCorners>& kept_colors = welder.surface.colors;
   std::vector<CornerNormals>& kept_normals = welder.surface.normals;
-  const bool colored = streams.colors || streams.coordinates;
+  const bool colored = streams.colors || streams.coordinates || streams.light;
   size_t next = 0;
   for (size_t i = 0; i < kept.size(); ++i) {
     if (!repeated[i]) {

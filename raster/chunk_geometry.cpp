@@ -23,6 +23,7 @@ RasterChunk::RasterChunk(const Chunk& chunk, Palette palette)
       vertex_normal(chunk.normals),
       normals_from(chunk.normals_from),
       coordinates(chunk.coordinates),
+      light(chunk.light),
       transparent(transparent_runs(chunk, palette)),
       cut_out(chunk.coordinates.empty() ? std::vector<uint32_t>() : cut_out_runs(chunk, palette)) {
   const size_t vertices = chunk.vertices.size(), triangles = chunk.triangle_count();
@@ -73,14 +74,15 @@ uint64_t RasterChunk::bytes() const {
   uint64_t sum = sizeof *this + capacity_of(x) + capacity_of(y) + capacity_of(z) + capacity_of(piece) +
                  capacity_of(color) + capacity_of(outward) + capacity_of(ranges_) + capacity_of(layers) +
                  capacity_of(vertex_color) + capacity_of(vertex_normal) + capacity_of(coordinates) +
-                 capacity_of(transparent) + capacity_of(cut_out);
+                 capacity_of(light) + capacity_of(transparent) + capacity_of(cut_out);
   for (const auto& values : corner) sum += capacity_of(values);
   return sum;
 }
 
-uint64_t RasterChunk::bytes_of(const ChunkInfo& info, bool textured) {
+uint64_t RasterChunk::bytes_of(const ChunkInfo& info, bool textured, bool lit) {
   const uint64_t a_vertex = 3 * sizeof(int32_t) + sizeof(uint8_t) + sizeof(VertexColor) +
-                            sizeof(VertexNormal) + (textured ? sizeof(TextureCoordinates) : 0);
+                            sizeof(VertexNormal) + (textured ? sizeof(TextureCoordinates) : 0) +
+                            (lit ? sizeof(VertexLight) : 0);
   const uint64_t a_triangle = 4 * sizeof(uint32_t) + sizeof(uint8_t);
   const uint64_t spare = 6 * spare_vertices * sizeof(uint32_t) + 2 * sizeof(uint32_t);
   return sizeof(RasterChunk) + info.vertex_count * a_vertex + info.triangle_count * a_triangle + spare +
@@ -104,7 +106,8 @@ void ChunkGeometry::make_room(uint64_t bytes) {
 void ChunkGeometry::load(uint32_t chunk) {
   const Stopwatch stopwatch;
   try {
-    make_room(RasterChunk::bytes_of(skeleton_.chunks[chunk], !skeleton_.textures.empty()));
+    make_room(RasterChunk::bytes_of(skeleton_.chunks[chunk], !skeleton_.textures.empty(),
+                                    has_baked_light(skeleton_.effects)));
   } catch (const NoRoom&) {
     if (missing_.refuse) throw;
     return cache_.leave_out(true);

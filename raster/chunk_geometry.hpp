@@ -27,8 +27,9 @@ class RasterChunk {
   };
   VertexRange vertices(uint32_t first_triangle, uint32_t triangle_count) const;
   uint64_t bytes() const;
-  /// About what it will take, more rather than less, before it is read; textured: it may have coordinates.
-  static uint64_t bytes_of(const ChunkInfo& info, bool textured);
+  /// About what it will take, more rather than less, before it is read; textured: it may have coordinates;
+  /// lit: baked light.
+  static uint64_t bytes_of(const ChunkInfo& info, bool textured, bool lit);
   /// Whether backs of the triangle cannot be seen from outside of the chunk's box (Chunk::outward).
   bool is_outward(size_t triangle) const { return outward[triangle / 32] >> triangle % 32 & 1; }
   uint32_t layer(size_t triangle) const { return layers.empty() ? 0 : layers[triangle]; }
@@ -44,7 +45,8 @@ class RasterChunk {
   ChunkNormals normals_from = ChunkNormals::none;
   /// Of each vertex, as Chunk::coordinates.
   std::vector<TextureCoordinates> coordinates;
-  std::vector<uint32_t> outward;  ///< of each triangle a bit, the lowest first; and spare ones
+  std::vector<VertexLight> light;  ///< of each vertex, as Chunk::light
+  std::vector<uint32_t> outward;   ///< of each triangle a bit, the lowest first; and spare ones
   bool has_outward = false;
   std::vector<uint32_t> transparent;  ///< transparent_runs()
   std::vector<uint32_t> cut_out;      ///< cut_out_runs(); empty where it has no coordinates

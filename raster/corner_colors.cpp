@@ -38,9 +38,19 @@ float InterpolatedColors::at(int32_t x, int32_t y, const glm::vec3& light, float
   const double sum = weights.clamped_at(x + 0.5, y + 0.5, own);
   color_at(own, sum, color);
   if (!bends) return 1;
+  return light_on(normal_by(own, sum), light);
+}
+
+glm::vec3 InterpolatedColors::normal_by(const double (&own)[3], double sum) const {
   const float w[3] = {static_cast<float>(own[0]), static_cast<float>(own[1]), static_cast<float>(own[2])};
   const glm::vec3 normal = (normals[0] * w[0] + normals[1] * w[1]) + normals[2] * w[2];
-  return light_on(unit_or_zero(sum > 0 ? normal : normals[0]), light);
+  return unit_or_zero(sum > 0 ? normal : normals[0]);
+}
+
+glm::vec3 InterpolatedColors::normal_at(int32_t x, int32_t y) const {
+  double own[3];
+  const double sum = weights.clamped_at(x + 0.5, y + 0.5, own);
+  return normal_by(own, sum);
 }
 
 void InterpolatedColors::base_at(int32_t x, int32_t y, float (&color)[3]) const {

@@ -20,10 +20,13 @@ struct InterpolatedColors {
   /// Channels at the centre of a pixel, 0 to 1. Weights stay within the triangle. Returns the light there if
   /// it bends, which is to be multiplied with them; otherwise 1. light: direction, eye space.
   float at(int32_t x, int32_t y, const glm::vec3& light, float (&color)[3]) const;
+  /// The normal there, if it bends: eye space, of unit length.
+  glm::vec3 normal_at(int32_t x, int32_t y) const;
   /// The same without light.
   void base_at(int32_t x, int32_t y, float (&color)[3]) const;
 
  private:
+  glm::vec3 normal_by(const double (&own)[3], double sum) const;
   void color_at(const double (&own)[3], double sum, float (&color)[3]) const;
 };
 

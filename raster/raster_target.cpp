@@ -148,6 +148,8 @@ void RasterTarget::count_effects(const ShadingCounts& counts, double set_up_ms) 
     add(Effect::smooth_normals, ms, pixels);
   }
   if (textured_pixels > 0) add(Effect::textures, ms_of(ShadeKind::textured), textured_pixels);
+  if (counts.baked_pixels > 0) add(Effect::baked_light, ms_of(ShadeKind::lit), counts.baked_pixels);
+  if (counts.occluded_pixels > 0) add(Effect::ambient, ms_of(ShadeKind::lit), counts.occluded_pixels);
   if (counts.emissive_pixels > 0) add(Effect::emission, ms_of(ShadeKind::emissive), counts.emissive_pixels);
   if (!transparent_.empty()) {
     effects_.push_back({.effect = Effect::transparency,

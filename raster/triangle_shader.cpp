@@ -58,7 +58,11 @@ TriangleShader::TriangleShader(const FrameView& view, const TextureLevels& textu
       vertex_colors_(view.state.effects.has(Effect::vertex_colors)),
       smooth_normals_(view.state.effects.has(Effect::smooth_normals)),
       shows_textures_(view.state.effects.has(Effect::textures)),
-      shows_emission_(view.state.effects.has(Effect::emission)) {}
+      shows_emission_(view.state.effects.has(Effect::emission)),
+      shows_baked_(view.state.effects.has(Effect::baked_light) &&
+                   calls_for(view.skeleton->effects, Effect::baked_light)),
+      shows_ambient_(view.state.effects.has(Effect::ambient) &&
+                     calls_for(view.skeleton->effects, Effect::ambient)) {}
 
 Rgba TriangleShader::to_bytes(const glm::vec3& color) {
   return {to_byte(color.x), to_byte(color.y), to_byte(color.z), 255};
@@ -102,6 +106,10 @@ TriangleShader::Look TriangleShader::look(const SlotTable::Triangle& shown) cons
   look.kinds.colored = vertex_colors_ && !chunk.vertex_color.empty();
   look.kinds.bends = look.lights.bends;
   look.kinds.smooth = normals == ChunkNormals::of_files;
+  if (!chunk.light.empty() && has_light(chunk.light[chunk.corner[0][shown.triangle]])) {
+    look.kinds.baked = shows_baked_;
+    look.kinds.occluded = shows_ambient_ && !shows_baked_;
+  }
   if (materials_.empty()) return look;
   const SurfaceMaterial& material = materials_[chunk.color[shown.triangle]];
   look.kinds.emissive = shows_emission_ && material.is_emissive();
@@ -118,12 +126,14 @@ VaryingSurface TriangleShader::varying(const SlotTable::Triangle& shown, const L
   VaryingSurface surface;
   surface.kinds = look.kinds;
   surface.lit = look.lights.light;
-  if (surface.kinds.colored || bends) {
+  const bool is_lit = surface.kinds.lit();
+  if (surface.kinds.colored || is_lit || bends) {
     const CornerBase of_corners{look.kinds.colored, look.kinds.colored ? glm::vec3(0) : own};
     surface.colors = interpolate_colors(stage_, width_, height_, shown, of_corners,
-                                        bends || surface.kinds.textured ? 1.0f : surface.lit,
+                                        bends || surface.kinds.textured || is_lit ? 1.0f : surface.lit,
                                         bends ? &look.lights : nullptr);
   }
+  if (is_lit) surface.baked = lighting(shown, look);
   for (int k = 0; k < 3; ++k) surface.base[k] = own[k];
   surface.transparent = shown.range->transparent;
   surface.material = materials_.empty() ? nullptr : &materials_[chunk.color[shown.triangle]];
@@ -132,6 +142,21 @@ VaryingSurface TriangleShader::varying(const SlotTable::Triangle& shown, const L
                                       *surface.material);
   }
   return surface;
+}
+
+CornerLighting TriangleShader::lighting(const SlotTable::Triangle& shown, const Look& look) const {
+  CornerLighting lighting = corner_lighting(shown);
+  if (!look.kinds.occluded || look.lights.bends) return lighting;
+  if (normals_shown(shown) == ChunkNormals::none) {
+    lighting.parts = parts_of_light(normal(shown), light_);
+    return lighting;
+  }
+  for (const glm::vec3& eye : look.lights.eye) {
+    const LightParts own = parts_of_light(eye, light_);
+    lighting.parts.directed += own.directed / 3.0f;
+    lighting.parts.ambient += own.ambient / 3.0f;
+  }
+  return lighting;
 }
 
 glm::vec3 TriangleShader::normal(const SlotTable::Triangle& shown) {

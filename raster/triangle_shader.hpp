@@ -56,6 +56,7 @@ class TriangleShader {
   glm::vec3 base(const SlotTable::Triangle& shown) const;
   Rgba cap(const glm::vec3& base, uint32_t side, int32_t x, int32_t y) const;
   float facet_light(const SlotTable::Triangle& shown) const;
+  CornerLighting lighting(const SlotTable::Triangle& shown, const Look& look) const;
   ChunkNormals normals_shown(const SlotTable::Triangle& shown) const;
 
   const std::vector<std::array<uint8_t, 4>>& palette_;
@@ -66,7 +67,7 @@ class TriangleShader {
   Caps caps_;
   CapHatching hatching_;
   int width_, height_;
-  bool vertex_colors_, smooth_normals_, shows_textures_, shows_emission_;
+  bool vertex_colors_, smooth_normals_, shows_textures_, shows_emission_, shows_baked_, shows_ambient_;
 };
 
 /// The colours of triangles that were shaded a short while ago: most show in the row above, too.
@@ -141,6 +142,8 @@ class VaryingPixels {
     counts_.smooth_pixels[kind_] += smooth_;
     counts_.colored_pixels += colored_;
     counts_.emissive_pixels += emissive_;
+    counts_.baked_pixels += baked_;
+    counts_.occluded_pixels += occluded_;
   }
   VaryingPixels(const VaryingPixels&) = delete;
   VaryingPixels& operator=(const VaryingPixels&) = delete;
@@ -149,13 +152,15 @@ class VaryingPixels {
     smooth_ += kinds.smooth;
     colored_ += kinds.colored;
     emissive_ += kinds.emissive;
+    baked_ += kinds.baked;
+    occluded_ += kinds.occluded;
   }
 
  private:
   ShadingCounts& counts_;
   size_t kind_;
   TimedShading timed_;
-  uint64_t all_ = 0, smooth_ = 0, colored_ = 0, emissive_ = 0;
+  uint64_t all_ = 0, smooth_ = 0, colored_ = 0, emissive_ = 0, baked_ = 0, occluded_ = 0;
 };
 
 /// The colours of a row's pixels, background where nothing is. Those whose colours vary get none: recent says

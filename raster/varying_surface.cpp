@@ -11,6 +11,13 @@ namespace {
 
 uint8_t to_byte(float channel) { return static_cast<uint8_t>(std::rint(channel * 255.0f)); }
 
+/// A colour as displayed, 0 to 1, under an irradiance of which 1 shows white as white.
+uint8_t under(const LinearLight& light, float displayed, float irradiance) {
+  const float linear = static_cast<float>(light.of(to_byte(displayed))) * irradiance;
+  return light.displayed(
+      static_cast<uint32_t>(std::rint(std::min(linear, static_cast<float>(LinearLight::most)))));
+}
+
 /// The product of a colour as displayed, 0 to 1, and one in linear light, as displayed.
 float product(const LinearLight& light, float displayed, uint32_t linear) {
   const uint64_t whole = uint64_t{light.of(to_byte(displayed))} * linear;
@@ -25,7 +32,7 @@ Rgba VaryingSurface::at(const TextureLevels& levels, const glm::vec3& light_from
   const LinearLight& light = LinearLight::table();
   float color[3] = {base[0], base[1], base[2]};
   float own_light = lit;
-  if (kinds.colored || kinds.bends) {
+  if (kinds.colored || kinds.lit() || kinds.bends) {
     const float bent_light = colors.at(x, y, light_from, color);
     if (kinds.bends) own_light = bent_light;
   }
@@ -48,9 +55,18 @@ Rgba VaryingSurface::at(const TextureLevels& levels, const glm::vec3& light_from
       for (size_t k = 0; k < 3; ++k) glow[k] = glow[k] * channels[k] / LinearLight::most;
     }
   }
-  const bool is_lit = kinds.colored && !kinds.textured && !kinds.bends;
+  CornerLighting::At there{};
+  if (kinds.lit()) {
+    there = baked.at(colors.weights, x, y);
+    if (kinds.occluded) {
+      const LightParts parts = kinds.bends ? parts_of_light(colors.normal_at(x, y), light_from) : baked.parts;
+      own_light = parts.directed + parts.ambient * there.openness;
+    }
+  }
+  const bool is_lit = kinds.colored && !kinds.textured && !kinds.bends && !kinds.lit();
   for (size_t k = 0; k < 3; ++k) {
-    shown[k] = to_byte(is_lit ? color[k] : color[k] * own_light);
+    shown[k] = kinds.baked ? under(light, color[k], there.irradiance[k])
+                           : to_byte(is_lit ? color[k] : color[k] * own_light);
     if (glow[k] > 0) shown[k] = light.displayed(std::min(LinearLight::most, light.of(shown[k]) + glow[k]));
   }
   return shown;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/corner_colors.hpp"
+#include "raster/corner_lighting.hpp"
 #include "raster/surface_texture.hpp"
 #include "scene/effects.hpp"
 
@@ -14,20 +15,24 @@ namespace triptych {
 using Rgba = std::array<uint8_t, 4>;
 
 /// What makes a pixel's colour more than one that its whole triangle has: the first of these that does.
-enum class ShadeKind : uint8_t { textured, emissive, colored, bent, capped };
+enum class ShadeKind : uint8_t { textured, emissive, colored, lit, bent, capped };
 inline constexpr std::array all_shade_kinds = {ShadeKind::textured, ShadeKind::emissive, ShadeKind::colored,
-                                               ShadeKind::bent, ShadeKind::capped};
+                                               ShadeKind::lit,      ShadeKind::bent,     ShadeKind::capped};
 
 /// Which of them a triangle has, but for caps.
 struct SurfaceKinds {
   bool colored = false, textured = false, emissive = false;
-  bool bends = false;   ///< CornerLights::bends
-  bool smooth = false;  ///< with normals of the model's files, bending or not: alone it makes no kind
-  bool any() const { return colored || textured || emissive || bends; }
+  bool baked = false;     ///< baked light in place of the fixed one
+  bool occluded = false;  ///< ambient occlusion of the fixed one
+  bool bends = false;     ///< CornerLights::bends
+  bool smooth = false;    ///< with normals of the model's files, bending or not: alone it makes no kind
+  bool lit() const { return baked || occluded; }
+  bool any() const { return colored || textured || emissive || lit() || bends; }
   ShadeKind first() const {
     return textured   ? ShadeKind::textured
            : emissive ? ShadeKind::emissive
            : colored  ? ShadeKind::colored
+           : lit()    ? ShadeKind::lit
                       : ShadeKind::bent;
   }
 };
@@ -35,7 +40,9 @@ struct SurfaceKinds {
 /// Plain, so that arrays of it cost nothing before they are used.
 struct VaryingSurface {
   SurfaceKinds kinds;
-  InterpolatedColors colors;        ///< where it is coloured or bends; lit, unless it bends or has a texture
+  InterpolatedColors
+      colors;  ///< where it is coloured, lit or bends; not times `lit`, if it bends, has a texture or is lit
+  CornerLighting baked;             ///< where it is lit
   SurfaceTexture texture;           ///< where it is textured
   float base[3];                    ///< where it is not coloured, 0 to 1
   float lit;                        ///< what colours are multiplied by where it does not bend

@@ -146,6 +146,7 @@ void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item
                           .emissive = range.emissive,
                           .cut_out = range.cut_out,
                           .layered = range.layered,
+                          .lit = range.lit,
                           .normals = range.normals};
     if (part == DrawPart::all || range.transparent.empty())
       return add_command(range, group, first, last, list);

@@ -28,6 +28,7 @@ struct ChunkRange {
   bool cut_out = false;                    ///< whether any of them has holes
   std::vector<uint32_t> textures = {};     ///< that they have
   bool layered = false;                    ///< whether any of its triangles is in a layer (scene/layers.hpp)
+  bool lit = false;                        ///< whether vertices have baked light
   bool loaded() const { return index_count > 0; }
 };
 
@@ -53,12 +54,13 @@ struct DrawCommand {
 /// what ChunkRange names; or those of one closed surface that a section may cut, for its cut surfaces.
 struct DrawGroup {
   int32_t front = 0;  ///< outward_front(); 0 draws both sides
-  bool colored = false, textured = false, emissive = false, cut_out = false;
+  bool colored = false, textured = false, emissive = false, cut_out = false, lit = false;
   bool layered = false;                       ///< of cut surfaces never
   ChunkNormals normals = ChunkNormals::none;  ///< of cut surfaces none
   bool is_alike(const DrawGroup& other) const {
     return colored == other.colored && textured == other.textured && emissive == other.emissive &&
-           cut_out == other.cut_out && layered == other.layered && normals == other.normals;
+           cut_out == other.cut_out && layered == other.layered && lit == other.lit &&
+           normals == other.normals;
   }
   enum class Caps : uint8_t { none, plain, mirrored } caps = Caps::none;
   uint32_t count = 0;

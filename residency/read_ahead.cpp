@@ -8,8 +8,9 @@ namespace triptych {
 namespace {
 uint64_t bytes_of(const Chunk& chunk) {
   return sizeof(Chunk) + chunk.vertices.capacity() * sizeof(ChunkVertex) +
-         chunk.colors.capacity() * sizeof(VertexColor) + chunk.normals.capacity() * sizeof(VertexNormal) +
-         chunk.indices.capacity() * sizeof(uint32_t) + chunk.outward_runs.capacity() * sizeof(uint32_t);
+         chunk.colors.capacity() * sizeof(VertexColor) + chunk.light.capacity() * sizeof(VertexLight) +
+         chunk.normals.capacity() * sizeof(VertexNormal) + chunk.indices.capacity() * sizeof(uint32_t) +
+         chunk.outward_runs.capacity() * sizeof(uint32_t);
 }
 }  // namespace
 

@@ -141,6 +141,23 @@ void GltfWriter::add_node(const std::string& name, size_t mesh, const glm::dmat4
   gltf_["nodes"].push_back(std::move(node));
 }
 
+void GltfWriter::add_light(const std::string& name, const glm::dvec3& position, const glm::dvec3& colour,
+                           double intensity) {
+  if (!gltf_.contains("extensions")) {
+    gltf_["extensionsUsed"] = Json::array({"KHR_lights_punctual"});
+    gltf_["extensions"]["KHR_lights_punctual"]["lights"] = Json::array();
+  }
+  Json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];
+  lights.push_back({{"name", name},
+                    {"type", "point"},
+                    {"color", {colour.x, colour.y, colour.z}},
+                    {"intensity", intensity}});
+  gltf_["scenes"][0]["nodes"].push_back(gltf_["nodes"].size());
+  gltf_["nodes"].push_back({{"name", name},
+                            {"translation", {position.x, position.y, position.z}},
+                            {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+}
+
 size_t GltfWriter::add_parent(const std::string& name, const glm::dvec3& translation) {
   const size_t number = gltf_["nodes"].size();
   gltf_["scenes"][0]["nodes"].push_back(number);

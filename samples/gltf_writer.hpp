@@ -31,6 +31,9 @@ class GltfWriter {
   /// Places a mesh: a node at the scene's top, or below another node.
   void add_node(const std::string& name, size_t mesh, const glm::dmat4& transform,
                 std::optional<size_t> parent = {});
+  /// A light that is a point: a node at the scene's top. intensity: candela.
+  void add_light(const std::string& name, const glm::dvec3& position, const glm::dvec3& colour,
+                 double intensity);
   /// A node at the scene's top that places nothing itself. Returns its number.
   size_t add_parent(const std::string& name, const glm::dvec3& translation);
   /// Goes into `asset`: `copyright` and `extras`.

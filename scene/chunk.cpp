@@ -79,6 +79,8 @@ Chunk decode_chunk(std::span<const std::byte> bytes, const ChunkInfo& info,
       chunk.normals = read_vertex_stream<VertexNormal>(attributes, vertex_count, place);
       chunk.normals_from =
           kind == chunk_file_normals_stream ? ChunkNormals::of_files : ChunkNormals::of_levels;
+    } else if (kind == chunk_light_stream) {
+      chunk.light = read_vertex_stream<VertexLight>(attributes, vertex_count, place);
     } else {
       fail(place, "has a stream of the unknown kind {}", kind);
     }

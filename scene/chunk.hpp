@@ -4,6 +4,7 @@
 #include "scene/layers.hpp"
 #include "scene/skeleton.hpp"
 #include "scene/vertex_color.hpp"
+#include "scene/vertex_light.hpp"
 #include "scene/vertex_normal.hpp"
 
 #include <array>
@@ -34,11 +35,11 @@ inline constexpr size_t max_chunk_pieces = 256;
 /// the surface that they stand for; or the model's files have them.
 enum class ChunkNormals : uint8_t { none, of_levels, of_files };
 
-/// The bytes that begin a chunk's streams of attributes (vertex colours, texture coordinates, normals), which
-/// come in this order. That of indices begins with 0xe0 or more.
+/// The bytes that begin a chunk's streams of attributes (vertex colours, texture coordinates, normals, baked
+/// light), which come in this order. That of indices begins with 0xe0 or more.
 inline constexpr uint8_t chunk_colors_stream = 1, chunk_coordinates_stream = 2,
                          chunk_level_normals_stream = 3, chunk_file_normals_stream = 4,
-                         first_index_byte = 0xe0;
+                         chunk_light_stream = 5, first_index_byte = 0xe0;
 
 struct Chunk {
   std::vector<ChunkVertex> vertices;
@@ -56,6 +57,8 @@ struct Chunk {
   ChunkNormals normals_from = ChunkNormals::none;
   /// Of each vertex, on the texture of its colour (SurfaceMaterial::texture); empty if the chunk has none.
   std::vector<TextureCoordinates> coordinates = {};
+  /// Of each vertex, interpolated over triangles; empty if the chunk has none.
+  std::vector<VertexLight> light = {};
 
   size_t triangle_count() const { return indices.size() / 3; }
   /// The runs, triangle by triangle.

@@ -34,6 +34,14 @@ bool has_normals(const std::vector<std::string>& effects_in_pack) {
   });
 }
 
+bool calls_for(const std::vector<std::string>& effects_in_pack, Effect effect) {
+  return std::ranges::find(effects_in_pack, effect_name_in_pack(effect)) != effects_in_pack.end();
+}
+
+bool has_baked_light(const std::vector<std::string>& effects_in_pack) {
+  return calls_for(effects_in_pack, Effect::baked_light) || calls_for(effects_in_pack, Effect::ambient);
+}
+
 std::string effects_text(Effects effects) {
   if (effects == Effects::all()) return "all";
   return effects == Effects::none() ? "none" : names_of(effects);

@@ -10,14 +10,24 @@
 namespace triptych {
 
 /// That can be switched off from frame to frame.
-enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals, textures, emission };
-inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency,
-                                           Effect::smooth_normals, Effect::textures, Effect::emission};
+enum class Effect : uint8_t {
+  vertex_colors,
+  transparency,
+  smooth_normals,
+  textures,
+  emission,
+  baked_light,
+  ambient
+};
+inline constexpr std::array all_effects = {
+    Effect::vertex_colors, Effect::transparency, Effect::smooth_normals, Effect::textures,
+    Effect::emission,      Effect::baked_light,  Effect::ambient};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
   constexpr std::array<std::string_view, all_effects.size()> names = {
-      "vertex-colours", "transparency", "smooth-normals", "textures", "emission"};
+      "vertex-colours", "transparency", "smooth-normals",   "textures",
+      "emission",       "baked-light",  "ambient-occlusion"};
   return names[static_cast<size_t>(effect)];
 }
 
@@ -30,6 +40,12 @@ inline constexpr const char* level_normals_effect = "normals of levels";
 
 /// Whether any chunk of a pack with these Skeleton::effects has shading normals.
 bool has_normals(const std::vector<std::string>& effects_in_pack);
+
+/// Whether a pack with these Skeleton::effects calls for the effect.
+bool calls_for(const std::vector<std::string>& effects_in_pack, Effect effect);
+
+/// Whether chunks of a pack with these Skeleton::effects have baked light: irradiance, openness, or both.
+bool has_baked_light(const std::vector<std::string>& effects_in_pack);
 
 /// A set of them.
 class Effects {

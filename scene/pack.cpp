@@ -150,7 +150,7 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
       if (found[type]) fail(place, "names two {} sections", name_of(type));
       const bool is_geometry = section.type == geometry_type;
       const uint32_t oldest = is_geometry ? geometry_version : 1;
-      const uint32_t newest = is_geometry ? textured_geometry_version : 1;
+      const uint32_t newest = is_geometry ? lit_geometry_version : 1;
       if (section.version > newest) fail(place, "holds a section {} of a newer version", name_of(type));
       if (section.version < oldest) {
         fail(place, "holds a section {} of an earlier version: build the pack again", name_of(type));

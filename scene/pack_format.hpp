@@ -29,6 +29,9 @@ inline constexpr uint32_t layered_geometry_version = 4;
 inline constexpr uint32_t shaded_geometry_version = 5;
 /// Of that section where chunks may have texture coordinates, and what the versions before may have.
 inline constexpr uint32_t textured_geometry_version = 6;
+/// Of that section where chunks may have baked light (Skeleton::effects names it, or ambient occlusion), and
+/// what the versions before may have.
+inline constexpr uint32_t lit_geometry_version = 7;
 inline constexpr std::array<char, 4> skeleton_type = {'S', 'K', 'E', 'L'};
 inline constexpr std::array<char, 4> sub_hierarchies_type = {'S', 'U', 'B', 'H'};
 /// Only in packs of models with names. It is not read when a pack is opened.

@@ -17,8 +17,8 @@ struct Side {
 };
 
 bool continues(const Side& a, const Side& b) {
-  return color_difference(a.low.color, b.low.color) < distinct_colors &&
-         color_difference(a.high.color, b.high.color) < distinct_colors;
+  return color_difference(a.low, b.low) < distinct_colors &&
+         color_difference(a.high, b.high) < distinct_colors;
 }
 
 std::vector<Side> sides_of(const Surface& surface) {
@@ -43,6 +43,15 @@ std::vector<Side> sides_of(const Surface& surface) {
 
 int color_difference(const VertexColor& a, const VertexColor& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+int light_difference(const VertexLight& a, const VertexLight& b) {
+  return std::max({2 * std::abs(a[0] - b[0]), 2 * std::abs(a[1] - b[1]), 2 * std::abs(a[2] - b[2]),
+                   std::abs(a[3] - b[3])});
+}
+
+int color_difference(const SurfaceCorner& a, const SurfaceCorner& b) {
+  return std::max(color_difference(a.color, b.color), light_difference(a.light, b.light));
 }
 
 ColorCharts color_charts(const Surface& surface) {

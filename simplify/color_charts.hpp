@@ -16,6 +16,10 @@ inline constexpr int equal_colors = 6;
 
 /// The largest difference of a channel.
 int color_difference(const VertexColor& a, const VertexColor& b);
+/// The same of baked light, in steps that are about as distinct: a byte of irradiance counts as two.
+int light_difference(const VertexLight& a, const VertexLight& b);
+/// The larger of both.
+int color_difference(const SurfaceCorner& a, const SurfaceCorner& b);
 
 /// Triangles of one material that are connected by edges at whose ends their colours are not distinct.
 struct ColorCharts {

@@ -16,6 +16,11 @@ glm::dvec3 channels(const SurfaceCorner& corner) {
   return {corner.color[0], corner.color[1], corner.color[2]};
 }
 
+/// In the steps of light_difference().
+glm::dvec4 lights(const SurfaceCorner& corner) {
+  return {2.0 * corner.light[0], 2.0 * corner.light[1], 2.0 * corner.light[2], corner.light[3]};
+}
+
 glm::dvec2 place_of(const SurfaceCorner& corner) { return {corner.coordinates.u, corner.coordinates.v}; }
 
 /// From 0 for colours that look the same to 1 for distinct ones.
@@ -66,9 +71,9 @@ double StarColors::difference(uint32_t neighbour) const {
   int most = 0;
   for (size_t i = 0; i < spokes_.size(); ++i) {
     if (spokes_[i].from == neighbour)
-      most = std::max(most, color_difference(corners_[i].point.color, corners_[i].from.color));
+      most = std::max(most, color_difference(corners_[i].point, corners_[i].from));
     if (spokes_[i].to == neighbour)
-      most = std::max(most, color_difference(corners_[i].point.color, corners_[i].to.color));
+      most = std::max(most, color_difference(corners_[i].point, corners_[i].to));
   }
   return distinct(most);
 }
@@ -80,7 +85,7 @@ SurfaceCorner StarColors::nearest_at(uint32_t target, const Star::Fan& fan, cons
   for (size_t i = fan.begin; i < fan.end; ++i) {
     if (spokes_[i].from != target && spokes_[i].to != target) continue;
     const SurfaceCorner& corner = spokes_[i].from == target ? corners_[i].from : corners_[i].to;
-    const double difference = color_difference(corner.color, own.color) +
+    const double difference = color_difference(corner, own) +
                               glm::distance(place_of(corner), place_of(own)) / TextureCoordinates::unit;
     if (difference >= least) continue;
     least = difference;
@@ -98,9 +103,11 @@ StarColors::Change StarColors::change(const Star::Fan& fan, uint32_t target, std
     moved_[i] = nearest_at(target, fan, corners.point);
     const auto add_halfway = [&](const glm::dvec3& place, const SurfaceCorner& end) {
       samples_.push_back({i, place * 0.5, (channels(corners.point) + channels(end)) * 0.5,
+                          (lights(corners.point) + lights(end)) * 0.5,
                           (place_of(corners.point) + place_of(end)) * 0.5});
     };
-    samples_.push_back({i, glm::dvec3(0), channels(corners.point), place_of(corners.point)});
+    samples_.push_back(
+        {i, glm::dvec3(0), channels(corners.point), lights(corners.point), place_of(corners.point)});
     add_halfway(from[i], corners.from);
     if (i + 1 == fan.end && !fan.closed) add_halfway(to[i], corners.to);
   }
@@ -130,7 +137,9 @@ StarColors::Change StarColors::change(const Star::Fan& fan, uint32_t target, std
     const Corners& corners = corners_[within];
     const glm::dvec3 color = mixed(channels(moved_[within]), channels(corners.from), channels(corners.to));
     const glm::dvec3 gap = glm::abs(color - sample.color);
-    most = std::max({most, gap.x, gap.y, gap.z});
+    const glm::dvec4 light = mixed(lights(moved_[within]), lights(corners.from), lights(corners.to));
+    const glm::dvec4 light_gap = glm::abs(light - sample.light);
+    most = std::max({most, gap.x, gap.y, gap.z, light_gap.x, light_gap.y, light_gap.z, light_gap.w});
     if (!textured) continue;
     const Corners& before = corners_[sample.spoke];
     const glm::dvec2 at = place_of(before.point),

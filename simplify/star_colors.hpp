@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,8 @@ class StarColors {
 
   /// What becomes of a fan.
   struct Change {
-    double color = 0;    ///< how distinct colours are from before, where they differ most, 0 to 1
+    double color =
+        0;  ///< how distinct colours and baked light are from before, where they differ most, 0 to 1
     double texture = 0;  ///< how far on the surface a texture has moved, where that is most
   };
   /// Once the point is at the target; compared where the point was, and halfway to its neighbours. A texture
@@ -41,6 +43,7 @@ class StarColors {
   struct Sample {
     size_t spoke;
     glm::dvec3 place, color;
+    glm::dvec4 light;
     glm::dvec2 coordinates;
   };
   SurfaceCorner nearest_at(uint32_t target, const Star::Fan& fan, const SurfaceCorner& own) const;

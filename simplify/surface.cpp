@@ -86,7 +86,7 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   // A point has a vertex for each of its colours and pieces; most have only one, and the map is for the
   // others.
   std::vector<uint32_t> first(surface.points.size(), none);
-  using Key = std::array<uint32_t, 7>;
+  using Key = std::array<uint32_t, 8>;
   tsl::robin_map<Key, uint32_t, KeyHash, KeyEqual> further;
   const auto any = [&](const auto& has) {
     return std::ranges::any_of(
@@ -94,13 +94,14 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
   };
   const bool colored = any([](const SurfaceCorner& corner) { return is_colored(corner.color); });
   const bool textured = any([](const SurfaceCorner& corner) { return is_on_texture(corner.coordinates); });
+  const bool lit = any([](const SurfaceCorner& corner) { return has_light(corner.light); });
   const bool shaded = !surface.normals.empty();
   if (shaded) chunk.normals_from = surface.file_normals ? ChunkNormals::of_files : ChunkNormals::of_levels;
   const auto differs = [&](uint32_t index, const ChunkVertex& vertex, const SurfaceCorner& own,
                            const VertexNormal& normal) {
     return chunk.vertices[index] != vertex || (colored && chunk.colors[index] != own.color) ||
            (textured && chunk.coordinates[index] != own.coordinates) ||
-           (shaded && chunk.normals[index] != normal);
+           (lit && chunk.light[index] != own.light) || (shaded && chunk.normals[index] != normal);
   };
   for (size_t i = 0; i < surface.triangles.size(); ++i) {
     const uint32_t material = surface.triangles[i].material;
@@ -122,13 +123,15 @@ Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces) {
                       std::bit_cast<uint32_t>(normal),
                       piece,
                       static_cast<uint32_t>(own.coordinates.u),
-                      static_cast<uint32_t>(own.coordinates.v)};
+                      static_cast<uint32_t>(own.coordinates.v),
+                      std::bit_cast<uint32_t>(own.light)};
         index = further.try_emplace(key, next).first->second;
       }
       if (index == next) {
         chunk.vertices.push_back(vertex);
         if (colored) chunk.colors.push_back(own.color);
         if (textured) chunk.coordinates.push_back(own.coordinates);
+        if (lit) chunk.light.push_back(own.light);
         if (shaded) chunk.normals.push_back(normal);
       }
       chunk.indices.push_back(index);

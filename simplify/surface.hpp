@@ -28,15 +28,19 @@ struct SurfaceCorner {
   SurfaceCorner() = default;
   SurfaceCorner(const VertexColor& own_color, const TextureCoordinates& place = {})
       : color(own_color), coordinates(place) {}
+  SurfaceCorner(const VertexColor& own_color, const TextureCoordinates& place, const VertexLight& own_light)
+      : color(own_color), coordinates(place), light(own_light) {}
   VertexColor color = {};               ///< as it is drawn; none where it is the material's
   TextureCoordinates coordinates = {};  ///< none where its material has no texture
+  VertexLight light = {};               ///< none where no light was baked
   bool operator==(const SurfaceCorner&) const = default;
 };
 
 struct SurfaceCorners : std::array<SurfaceCorner, 3> {
   SurfaceCorners() = default;
-  SurfaceCorners(const CornerColors& colors, const CornerCoordinates& coordinates = {}) {
-    for (size_t k = 0; k < 3; ++k) (*this)[k] = {colors[k], coordinates[k]};
+  SurfaceCorners(const CornerColors& colors, const CornerCoordinates& coordinates = {},
+                 const CornerLight& light = {}) {
+    for (size_t k = 0; k < 3; ++k) (*this)[k] = {colors[k], coordinates[k], light[k]};
   }
 };
 
@@ -80,8 +84,8 @@ bool is_seen_through(const Surface& surface, Palette palette);
 DisjointSets connected_points(const Surface& surface);
 
 /// The surface as it is drawn: a vertex for each point, colour (of palette and corner), place on a texture,
-/// normal and piece that meet. `pieces`: for each triangle ChunkVertex::piece; empty if all of it is one
-/// piece.
+/// normal, baked light and piece that meet. `pieces`: for each triangle ChunkVertex::piece; empty if all of
+/// it is one piece.
 Chunk make_chunk(const Surface& surface, std::span<const uint8_t> pieces = {});
 
 /// True if the corners lie on one line; exact.

@@ -201,21 +201,22 @@ class Clustering {
     return true;
   }
 
-  /// Corners keep their places on textures, which so move as far as they do, and their colours; where that of
-  /// the point that they moved to is not distinct, they get it, so that they meet there in one colour.
+  /// Corners keep their places on textures, which so move as far as they do, and their colours and baked
+  /// light; where those of the point that they moved to are not distinct, they get them, so that they meet
+  /// there in one.
   std::vector<SurfaceCorners> colors_of_kept() const {
     std::vector<SurfaceCorners> colors;
     if (surface_.colors.empty()) return colors;
-    std::vector<VertexColor> of_points(surface_.points.size());
+    std::vector<SurfaceCorner> of_points(surface_.points.size());
     for (size_t t = surface_.triangles.size(); t-- > 0;) {
-      for (size_t k = 0; k < 3; ++k)
-        of_points[surface_.triangles[t].vertices[k]] = surface_.colors[t][k].color;
+      for (size_t k = 0; k < 3; ++k) of_points[surface_.triangles[t].vertices[k]] = surface_.colors[t][k];
     }
     for (size_t i = 0; i < kept_.size(); ++i) {
       SurfaceCorners& own = colors.emplace_back(surface_.colors[sources_[i]]);
       for (size_t k = 0; k < 3; ++k) {
-        const VertexColor& there = of_points[kept_[i].vertices[k]];
-        if (color_difference(own[k].color, there) < distinct_colors) own[k].color = there;
+        const SurfaceCorner& there = of_points[kept_[i].vertices[k]];
+        if (color_difference(own[k].color, there.color) < distinct_colors) own[k].color = there.color;
+        if (light_difference(own[k].light, there.light) < distinct_colors) own[k].light = there.light;
       }
     }
     return colors;

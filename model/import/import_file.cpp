@@ -130,6 +130,14 @@ uint32_t FileImport::add_material(const Material& material) {
   return static_cast<uint32_t>(model_.materials.size() - 1);
 }
 
+void FileImport::add_light(ModelLight light) {
+  const glm::dmat3 linear(to_metres_y_up_);
+  light.position = to_metres_y_up_ * glm::dvec4(light.position, 1);
+  light.direction = glm::normalize(linear * light.direction);
+  light.range *= glm::length(linear[0]);
+  model_.lights.push_back(light);
+}
+
 uint32_t FileImport::add_image(ModelImage image) {
   model_.images.push_back(std::move(image));
   return static_cast<uint32_t>(model_.images.size() - 1);

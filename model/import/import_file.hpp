@@ -64,6 +64,8 @@ class FileImport {
 
   uint32_t add_material(const Material& material);
   uint32_t add_image(ModelImage image);
+  /// In the file's own coordinates.
+  void add_light(ModelLight light);
   /// Of one that add_material returned.
   void set_material(uint32_t index, const Material& material);
   /// Whether a mesh of so many triangles should stay in its file.

@@ -345,6 +345,7 @@ class Placer {
 void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes) {
   const std::vector<int> parents = check_tree(gltf.model, target);
   const std::vector<size_t> roots = scene_roots(gltf.model, parents, target);
+  add_gltf_lights(gltf.model, roots, target);
   const GltfGroups groups = find_gltf_groups(gltf.model, roots, target.options());
   std::vector<Affine> globals;
   if (!gltf.model.skins.empty()) globals = global_transforms(gltf.model, parents, target);

@@ -244,6 +244,9 @@ Affine gltf_local_transform(const GltfNode& node, const std::string& place);
 std::vector<Affine> gltf_joint_transforms(const GltfFile& gltf, int64_t skin,
                                           const std::vector<Affine>& globals, const std::string& place);
 
+/// Adds the lights of the nodes below the roots, each where its node is.
+void add_gltf_lights(const GltfDocument& gltf, const std::vector<size_t>& roots, FileImport& target);
+
 /// Walks the scene's node tree and places its meshes, EXT_mesh_gpu_instancing included, and what repeats as
 /// groups. Error for nodes that are out of range, have several parents or form a cycle.
 void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes);

@@ -126,6 +126,9 @@ class DocumentParser {
     for (const Json& entry : members_.list(json, "skins"))
       document_.skins.push_back(
           {members_.integers(entry, "joints"), members_.integer(entry, "inverseBindMatrices", -1)});
+    if (const Json* punctual = MemberReader::extension(json, "KHR_lights_punctual")) {
+      for (const Json& entry : members_.list(*punctual, "lights")) document_.lights.push_back(light(entry));
+    }
     for (const Json& entry : members_.list(json, "scenes"))
       document_.scenes.push_back(members_.integers(entry, "nodes"));
     document_.default_scene = members_.integer(json, "scene", -1);
@@ -256,6 +259,20 @@ class DocumentParser {
     return mesh;
   }
 
+  GltfLight light(const Json& entry) {
+    GltfLight light;
+    light.type = members_.text(entry, "type");
+    const std::vector<double> color = members_.numbers(entry, "color");
+    for (size_t i = 0; i < std::min<size_t>(color.size(), 3); ++i) light.color[i] = color[i];
+    light.intensity = members_.number(entry, "intensity", 1);
+    light.range = members_.number(entry, "range", 0);
+    if (const Json* spot = MemberReader::find(entry, "spot")) {
+      light.inner_angle = members_.number(*spot, "innerConeAngle", light.inner_angle);
+      light.outer_angle = members_.number(*spot, "outerConeAngle", light.outer_angle);
+    }
+    return light;
+  }
+
   GltfNode node(const Json& entry) {
     GltfNode node;
     if (const Json* name = MemberReader::find(entry, "name"); name && name->is_string())
@@ -268,6 +285,8 @@ class DocumentParser {
     }
     node.mesh = members_.integer(entry, "mesh", -1);
     node.skin = members_.integer(entry, "skin", -1);
+    if (const Json* punctual = MemberReader::extension(entry, "KHR_lights_punctual"))
+      node.light = members_.integer(*punctual, "light", -1);
     node.children = members_.integers(entry, "children");
     node.matrix = members_.numbers(entry, "matrix");
     node.translation = members_.numbers(entry, "translation");

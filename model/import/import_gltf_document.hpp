@@ -79,12 +79,20 @@ struct GltfNode {
   std::string name;
   /// Members of "extras" that are texts, numbers or truth values, as texts.
   std::vector<std::pair<std::string, std::string>> extras;
-  int64_t mesh = -1, skin = -1;
+  int64_t mesh = -1, skin = -1, light = -1;
   std::vector<int64_t> children;
   std::vector<double> matrix, translation, rotation, scale;  ///< empty where they are not given
   bool visible = true;                                       ///< KHR_node_visibility
   /// EXT_mesh_gpu_instancing: accessors.
   std::optional<std::map<std::string, int64_t>> instancing;
+};
+
+/// KHR_lights_punctual.
+struct GltfLight {
+  std::string type;
+  std::array<double, 3> color = {1, 1, 1};
+  double intensity = 1, range = 0;                          ///< range: 0 for none
+  double inner_angle = 0, outer_angle = 0.785398163397448;  ///< of a spot, radians
 };
 
 struct GltfSkin {
@@ -134,6 +142,7 @@ struct GltfDocument {
   std::vector<GltfMesh> meshes;
   std::vector<GltfNode> nodes;
   std::vector<GltfSkin> skins;
+  std::vector<GltfLight> lights;
   std::vector<std::vector<int64_t>> scenes;  ///< root nodes
   int64_t default_scene = -1;
   std::vector<std::string> required_extensions;

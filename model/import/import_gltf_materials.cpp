@@ -56,6 +56,10 @@ GltfSurface read_gltf_material(const GltfFile& gltf, const GltfMaterial& source,
     material.base_color[i] = static_cast<float>(source.base_color[static_cast<size_t>(i)]);
   for (int i = 0; i < 3; ++i)
     material.emission[i] = static_cast<float>(std::clamp(source.emission[static_cast<size_t>(i)], 0.0, 1.0));
+  if (std::ranges::any_of(source.emission, [](double channel) { return channel > 1; })) {
+    for (int i = 0; i < 3; ++i)
+      material.emitted[i] = static_cast<float>(std::clamp(source.emission[static_cast<size_t>(i)], 0.0, 1e6));
+  }
   const auto take = [&](const GltfTextureUse& use, uint32_t& image) {
     const GltfTexture* const texture = texture_of(gltf, use, target);
     if (texture == nullptr) return;

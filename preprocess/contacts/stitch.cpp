@@ -41,6 +41,8 @@ SurfaceCorner mixed(const SurfaceCorner& a, const SurfaceCorner& b, double share
   SurfaceCorner corner;
   for (size_t i = 0; i < corner.color.size(); ++i)
     corner.color[i] = static_cast<uint8_t>(std::lround(a.color[i] + (b.color[i] - a.color[i]) * share));
+  for (size_t i = 0; has_light(a.light) && has_light(b.light) && i < corner.light.size(); ++i)
+    corner.light[i] = static_cast<uint8_t>(std::lround(a.light[i] + (b.light[i] - a.light[i]) * share));
   if (!is_on_texture(a.coordinates) || !is_on_texture(b.coordinates)) return corner;
   const auto between = [&](double from, double to) {
     return static_cast<int32_t>(std::lround(from + (to - from) * share));

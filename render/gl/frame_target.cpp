@@ -116,8 +116,8 @@ VisibleSet GlFrameTarget::transparent_owners() const {
 
 void GlFrameTarget::finish() {
   if (effects_.empty() && planes_->has_colors()) {
-    for (const Effect effect :
-         {Effect::vertex_colors, Effect::smooth_normals, Effect::textures, Effect::emission}) {
+    for (const Effect effect : {Effect::vertex_colors, Effect::smooth_normals, Effect::textures,
+                                Effect::emission, Effect::baked_light, Effect::ambient}) {
       EffectUse use = passes_.renderer.effect_use(effect);
       use.effect = effect;
       if (use.draws > 0) effects_.push_back(use);

@@ -31,7 +31,8 @@ Geometry::Geometry(const Skeleton& skeleton, Residency& residency)
       places_(skeleton.chunks.size()),
       cache_(skeleton.chunks.size()),
       textures_(skeleton, residency),
-      normals_(has_normals(skeleton.effects)) {
+      normals_(has_normals(skeleton.effects)),
+      lit_(has_baked_light(skeleton.effects)) {
   const auto& palette = skeleton_.palette;
   // Colours as floats: 16 bytes an entry, read by the vertex stage.
   std::vector<float> colors;
@@ -167,6 +168,7 @@ void Geometry::load(uint32_t chunk) {
                     transparent_runs(geometry, skeleton_)};
   ranges_[chunk].layered =
       std::ranges::any_of(geometry.vertices, [](const ChunkVertex& vertex) { return vertex.layer > 0; });
+  ranges_[chunk].lit = !geometry.light.empty();
   find_materials(geometry, ranges_[chunk]);
   cache_.add(chunk, vertices.size() + indices.size(), skeleton_.chunks[chunk].size, stopwatch.milliseconds());
 }

@@ -77,8 +77,9 @@ class Geometry {
   TextureBuffer textures_;
   GlVertexArray vertex_arrays_[2][2];  ///< by whether vertices have colours, and places on textures
   bool normals_;                       ///< whether the pack has any
+  bool lit_;                           ///< whether it has baked light
 
-  VertexStreams streams(bool colored, bool textured) const { return {colored, normals_, textured}; }
+  VertexStreams streams(bool colored, bool textured) const { return {colored, normals_, textured, lit_}; }
 };
 
 }  // namespace triptych

@@ -25,7 +25,8 @@ uint32_t pass_key(TargetKind kind, Projection projection, const ShaderVariant& v
   uint32_t key = 0;
   for (const bool bit :
        {variant.sections, variant.caps, variant.layers, variant.normals, variant.transparent,
-        variant.textured, variant.emissive, variant.smooth, variant.colors == BaseColors::vertices})
+        variant.textured, variant.emissive, variant.baked, variant.occluded, variant.smooth,
+        variant.colors == BaseColors::vertices})
     key = key << 1 | (bit ? 1u : 0u);
   return key << 8 | static_cast<uint32_t>(projection) << 4 | static_cast<uint32_t>(kind);
 }
@@ -49,7 +50,9 @@ void draw_commands(uintptr_t offset, uint32_t count) {
 }  // namespace
 
 Renderer::Renderer(const Skeleton& skeleton, Representation& representation, Residency& residency)
-    : geometry_(skeleton, residency),
+    : baked_(calls_for(skeleton.effects, Effect::baked_light)),
+      ambient_(calls_for(skeleton.effects, Effect::ambient)),
+      geometry_(skeleton, residency),
       representation_(representation),
       builder_(skeleton),
       cut_bodies_(skeleton) {}
@@ -62,6 +65,8 @@ Renderer::Pass& Renderer::pass(TargetKind kind, const ShaderVariant& variant) {
   if (variant.smooth) ++use(Effect::smooth_normals).variants;
   if (variant.textured) ++use(Effect::textures).variants;
   if (variant.emissive) ++use(Effect::emission).variants;
+  if (variant.baked) ++use(Effect::baked_light).variants;
+  if (variant.occluded) ++use(Effect::ambient).variants;
   if (variant.transparent) ++use(Effect::transparency).variants;
   return passes_.emplace(key, make_pass(kind, projection, variant)).first->second;
 }
@@ -85,12 +90,15 @@ Renderer::Pass& Renderer::transparent_pass(const DrawGroup& group) {
 
 ShaderVariant Renderer::variant_for(const DrawGroup& group, bool has_colors) {
   const bool colored = group.colored && has_colors && shows(Effect::vertex_colors);
+  const bool baked = group.lit && has_colors && baked_ && shows(Effect::baked_light);
   return {.colors = colored ? BaseColors::vertices : BaseColors::palette,
           .smooth = has_colors && shows_normals(group),
           .layers = group.layered,
           .sections = !view_->section_space.keeps_all(),
           .textured = group.textured && (has_colors || group.cut_out) && shows(Effect::textures),
-          .emissive = group.emissive && has_colors && shows(Effect::emission)};
+          .emissive = group.emissive && has_colors && shows(Effect::emission),
+          .baked = baked,
+          .occluded = group.lit && has_colors && !baked && ambient_ && shows(Effect::ambient)};
 }
 
 void Renderer::count_uses(const DrawGroup& group, const ShaderVariant& variant, uint64_t draws,
@@ -104,6 +112,8 @@ void Renderer::count_uses(const DrawGroup& group, const ShaderVariant& variant, 
   count(variant.smooth && group.normals == ChunkNormals::of_files, Effect::smooth_normals);
   count(variant.textured, Effect::textures);
   count(variant.emissive, Effect::emission);
+  count(variant.baked, Effect::baked_light);
+  count(variant.occluded, Effect::ambient);
 }
 
 void Renderer::set_view(const FrameView& view) {
@@ -166,7 +176,7 @@ void Renderer::draw_list(const Framebuffer& framebuffer, uint32_t plane, const S
     if (variant.sections) {
       ShaderVariant of_caps = variant;
       of_caps.caps = true;
-      of_caps.smooth = of_caps.textured = of_caps.emissive = false;
+      of_caps.smooth = of_caps.textured = of_caps.emissive = of_caps.baked = of_caps.occluded = false;
       bind_nearest_backs(framebuffer.width(), framebuffer.height());
       winding = prepared(winding_pass());
       caps = prepared(pass(kind, of_caps));

@@ -67,6 +67,7 @@ class Renderer {
   void bind_nearest_backs(int width, int height);
   void draw_caps(const DrawGroup& group, uintptr_t offset, const Pass& winding, const Pass& caps);
 
+  bool baked_, ambient_;
   Geometry geometry_;
   /// By variant, projection and kind (pass_key()); made when first used.
   std::map<uint32_t, Pass> passes_;

@@ -239,6 +239,7 @@ std::string geometry_vertex_shader(Projection projection, const ShaderVariant& v
          (variant.transparent ? "flat out float alpha;\nflat out uint record;\n" : "") +
          (variant.textured || variant.emissive ? "flat out uint surface_index;\n" : "") +
          (variant.textured ? "layout(location = 11) in ivec2 coordinates;\nout vec2 texture_place;\n" : "") +
+         (variant.baked || variant.occluded ? vertex_light_source() : std::string()) +
          R"(
 layout(location = 0) in ivec3 point;
 layout(location = 1) in uint color_and_piece;
@@ -271,6 +272,7 @@ void main() {
                               : "") +
          (variant.textured || variant.emissive ? "  surface_index = color_and_piece & 0xfffffu;\n" : "") +
          (variant.textured ? "  texture_place = vec2(coordinates) / 65536.0;\n" : "") +
+         (variant.baked || variant.occluded ? "  baked_light = light_of_vertex();\n" : "") +
          (variant.layers ? "  layer = color_and_piece >> 20 & 15u;\n" : "") +
          (variant.sections ? "  cut = cut_of_record;\n}\n" : "}\n");
 }
@@ -282,8 +284,7 @@ std::string depth_fragment_shader(const ShaderVariant& variant) {
 std::string winding_fragment_shader() { return version + cut_away + counted; }
 
 std::string color_fragment_shader(const ShaderVariant& variant) {
-  return version + kept(variant) +
-         shaded(variant.colors, variant.smooth, variant.normals ? std::optional(1) : std::nullopt) +
+  return version + kept(variant) + shaded(variant, variant.normals ? std::optional(1) : std::nullopt) +
          R"(
 void main() {
   keep_fragment();
@@ -293,8 +294,7 @@ void main() {
 }
 
 std::string color_and_item_fragment_shader(const ShaderVariant& variant) {
-  return version + kept(variant) +
-         shaded(variant.colors, variant.smooth, variant.normals ? std::optional(2) : std::nullopt) +
+  return version + kept(variant) + shaded(variant, variant.normals ? std::optional(2) : std::nullopt) +
          R"(
 flat in uint item;
 layout(location = 1) out uint id;
@@ -328,7 +328,7 @@ std::string fragment_list_source() {
 }
 
 std::string transparent_fragment_shader(const ShaderVariant& variant) {
-  return version + kept(variant) + shaded(variant.colors, variant.smooth) + fragment_list_source() +
+  return version + kept(variant) + shaded(variant) + fragment_list_source() +
          fmt::format("layout(binding = {}) uniform sampler2DArray opaque_depths;\n", opaque_depths_unit) + R"(
 uniform int plane;
 flat in float alpha;
@@ -365,8 +365,8 @@ void main() {
 }
 
 std::string flat_model_fragment_shader(bool sections) {
-  return version + in_eye_space + (sections ? cut_whole : not_cut) + material_shader_source({}) +
-         shaded(BaseColors::palette, false) + "void main() { cut_fragment(); shade_fragment(); }\n";
+  return version + in_eye_space + (sections ? cut_whole : not_cut) + material_shader_source({}) + shaded({}) +
+         "void main() { cut_fragment(); shade_fragment(); }\n";
 }
 
 }  // namespace triptych

@@ -40,6 +40,8 @@ struct ShaderVariant {
   bool transparent = false;  ///< not into a framebuffer, but into lists of fragments
   bool textured = false;     ///< vertices have places on textures, which may have holes
   bool emissive = false;     ///< surfaces have light of their own
+  bool baked = false;        ///< in the light that vertices have, in place of the fixed one
+  bool occluded = false;     ///< in the fixed one, as far as vertices are open to it
 };
 
 /// What surfaces have besides their colours: look_up(), to be called before any fragment is dropped; then

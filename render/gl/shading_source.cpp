@@ -1,5 +1,6 @@
 #include "render/gl/shading_source.hpp"
 
+#include "scene/vertex_light.hpp"
 #include "scene/vertex_normal.hpp"
 #include "visibility/shading.hpp"
 
@@ -9,15 +10,16 @@ namespace triptych {
 
 std::string flatness(BaseColors colors) { return colors == BaseColors::palette ? "flat " : ""; }
 
-std::string shaded(BaseColors colors, bool smooth, std::optional<int> normal_location) {
+std::string shaded(const ShaderVariant& variant, std::optional<int> normal_location) {
   const std::string declared =
       normal_location ? fmt::format("layout(location = {}) out vec4 face_normal;\n", *normal_location) : "";
   const std::string written =
       normal_location ? "  face_normal = vec4(normal * 0.5 + 0.5, side < 0 ? 1.0 : float(side) / 16.0);\n"
                       : "";
   return fmt::format("const float ambient = {}, diffuse = {}, head = {};\n{}in vec4 base_color;\n",
-                     ambient_light, diffuse_light, head_light, flatness(colors)) +
-         declared + (smooth ? "in vec3 shading_normal;\n" : "") + R"(
+                     ambient_light, diffuse_light, head_light, flatness(variant.colors)) +
+         declared + (variant.smooth ? "in vec3 shading_normal;\n" : "") +
+         (variant.baked || variant.occluded ? "in vec4 baked_light;\n" : "") + R"(
 uniform vec3 light;  // direction to the light, eye space
 layout(location = 0) out vec4 color;
 void shade_fragment() {
@@ -27,10 +29,29 @@ void shade_fragment() {
   int side = capped_side();
   if (side >= 0) normal = side_normals[side];
 )" + written +
-         (smooth ? "  if (side < 0 && shading_normal != vec3(0.0)) normal = normalize(shading_normal);\n"
-                 : "") +
-         R"(  float lit = ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z);
-  color = vec4(side < 0 ? with_glow(base_shown(base_color.rgb) * lit) : cap_color(base_color.rgb, lit, side), 1.0);
+         (variant.smooth
+              ? "  if (side < 0 && shading_normal != vec3(0.0)) normal = normalize(shading_normal);\n"
+              : "") +
+         (variant.occluded
+              ? R"(
+  float lit = diffuse * abs(dot(normal, light)) + (ambient + head * abs(normal.z)) * baked_light.a;
+)"
+              : R"(  float lit = ambient + diffuse * abs(dot(normal, light)) + head * abs(normal.z);
+)") +
+         (variant.baked ? "  vec3 shown = shown_of(min(linear_of(base_shown(base_color.rgb)) * "
+                          "baked_light.rgb, vec3(1.0)));\n"
+                        : "  vec3 shown = base_shown(base_color.rgb) * lit;\n") +
+         R"(  color = vec4(side < 0 ? with_glow(shown) : cap_color(base_color.rgb, lit, side), 1.0);
+}
+)";
+}
+
+std::string vertex_light_source() {
+  return fmt::format("const float most_irradiance = {}.0;\n", most_irradiance) + R"(
+layout(location = 12) in vec4 vertex_light;
+out vec4 baked_light;
+vec4 light_of_vertex() {
+  return vec4(most_irradiance * (vertex_light.rgb * vertex_light.rgb), (vertex_light.a * 255.0 - 1.0) / 254.0);
 }
 )";
 }

@@ -127,7 +127,8 @@ const char* const not_glowing = "vec3 with_glow(vec3 lit) { return lit; }\n";
 
 std::string material_shader_source(const ShaderVariant& variant) {
   if (!variant.textured && !variant.emissive)
-    return "void look_up() {}\nbool is_hole() { return false; }\n" + std::string(plain_base) + not_glowing;
+    return (variant.baked ? std::string(conversions) : std::string()) +
+           "void look_up() {}\nbool is_hole() { return false; }\n" + plain_base + not_glowing;
   std::string source = "flat in uint surface_index;\n" +
                        fmt::format(fmt::runtime(tables), materials_binding, textures_binding, texels_binding);
   source += conversions;

@@ -9,7 +9,7 @@
 namespace triptych {
 
 namespace {
-constexpr GLuint normals_attribute = 10, coordinates_attribute = 11;
+constexpr GLuint normals_attribute = 10, coordinates_attribute = 11, light_attribute = 12;
 }
 
 std::vector<std::byte> interleaved(const Chunk& chunk, const VertexStreams& streams) {
@@ -24,6 +24,7 @@ std::vector<std::byte> interleaved(const Chunk& chunk, const VertexStreams& stre
     if (streams.colored) add(chunk.colors[i]);
     if (streams.normals) add(chunk.normals.empty() ? VertexNormal{} : chunk.normals[i]);
     if (streams.textured) add(chunk.coordinates[i]);
+    if (streams.lit) add(chunk.light.empty() ? VertexLight{} : chunk.light[i]);
   }
   return bytes;
 }
@@ -64,7 +65,16 @@ void describe_vertices(GLuint vertex_array, const VertexStreams& streams) {
     offset += sizeof(VertexNormal);
   }
   attribute = coordinates_attribute;
-  if (streams.textured) add_integers(vertices_stream, 2, GL_INT, offset);
+  if (streams.textured) {
+    add_integers(vertices_stream, 2, GL_INT, offset);
+    offset += sizeof(TextureCoordinates);
+  }
+  attribute = light_attribute;
+  if (streams.lit) {
+    glVertexArrayAttribFormat(vertex_array, attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE,
+                              static_cast<GLuint>(offset));
+    add(vertices_stream);
+  }
   glVertexArrayBindingDivisor(vertex_array, records_stream, 1);
 }
 

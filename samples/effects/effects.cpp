@@ -20,6 +20,7 @@ namespace {
 struct Called {
   bool transparency = false, vertex_colours = false, smooth_normals = false, textures = false,
        emission = false;
+  bool lights = false;  ///< that a build may bake
 };
 
 constexpr int cases = 4, screens = 5, lamps = 3;
@@ -129,6 +130,9 @@ class Exhibition {
     for (int i = 0; i < lamps; ++i)
       add(fmt::format("lamp {}", i + 1), lamp(called_.textures, called_.emission),
           at(-3 + 3.0 * i, -half_depth + 0.6, 0));
+    for (int i = 0; called_.lights && i < lamps; ++i)
+      writer_.add_light(fmt::format("light {}", i + 1), {-3 + 3.0 * i, 2.3, -half_depth + 1.4},
+                        {1, 0.85, 0.65}, 60);
     writer_.finish();
   }
 
@@ -155,16 +159,18 @@ EffectsReport make_effects(const std::filesystem::path& folder) {
   EffectsReport report;
   make_folder(folder);
   write_effect_images(folder);
-  for (const auto& [name, effects, called] :
-       {std::tuple{"scene", "all", Called{true, true, true, true, true}},
-        {"plain", "none", Called{}},
-        {"transparency", "transparency", Called{.transparency = true}},
-        {"vertex-colours", "vertex-colours", Called{.vertex_colours = true}},
-        {"smooth-normals", "smooth-normals", Called{.smooth_normals = true}},
-        {"textures", "textures", Called{.textures = true}},
-        {"emission", "emission", Called{.emission = true}}}) {
+  for (const auto& [name, effects, called, build] :
+       {std::tuple{"scene", "all", Called{true, true, true, true, true, true}, "--bake-light"},
+        {"plain", "none", Called{}, ""},
+        {"transparency", "transparency", Called{.transparency = true}, ""},
+        {"vertex-colours", "vertex-colours", Called{.vertex_colours = true}, ""},
+        {"smooth-normals", "smooth-normals", Called{.smooth_normals = true}, ""},
+        {"textures", "textures", Called{.textures = true}, ""},
+        {"emission", "emission", Called{.emission = true}, ""},
+        {"baked-light", "baked-light", Called{.lights = true}, "--bake-light"},
+        {"ambient-occlusion", "ambient-occlusion", Called{}, "--ambient"}}) {
     const Exhibition exhibition(folder, name, called);
-    report.files.push_back({std::string(name) + ".gltf", effects});
+    report.files.push_back({std::string(name) + ".gltf", effects, build});
     report.objects = exhibition.objects;
     report.triangles = exhibition.triangles;
   }

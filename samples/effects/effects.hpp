@@ -12,6 +12,7 @@ namespace triptych {
 struct EffectsFile {
   std::string name;
   std::string effects;  ///< as `--effects` has them
+  std::string build;    ///< the flags of `build` without which it has none of those, or not all; else empty
 };
 
 struct EffectsReport {
@@ -21,10 +22,12 @@ struct EffectsReport {
 };
 
 /// Writes `scene.gltf` with all effects, `plain.gltf` with none, and a file named after each effect with that
-/// one alone, their buffers, and the paths `walk.json`, `fly.json`, `spin.json` and `jump.json`. All files
+/// one alone, their buffers, and the paths `walk.json`, `fly.json`, `spin.json` and `jump.json`. What is
+/// baked, the build is to be asked for. All files
 /// have the same triangles: coloured glass stands in rows, in cases around figures, and before a relief whose
 /// corners have colours; figures and relief are round by the normals of their corners; a carpet has a
-/// texture, a fence one with holes, and lamps glow. The images stand beside the scenes.
+/// texture, a fence one with holes, and lamps glow, beside points that give light. The images stand beside
+/// the scenes.
 EffectsReport make_effects(const std::filesystem::path& folder);
 
 }  // namespace triptych

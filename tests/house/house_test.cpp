@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 const fs::path source_dir = SOURCE_DIR;
 
 /// Who may include whom. What runs (lod, visibility, render, protocol, nodes …) and what prepares a model
-/// (model, simplify, preprocess) meet in the pack alone.
+/// (model, simplify, light, preprocess) meet in the pack alone.
 const std::map<std::string, std::set<std::string>> may_include = [] {
   const std::set<std::string> base = {"base"}, scene = {"base", "scene"};
   const auto with = [](std::set<std::string> rooms, const std::set<std::string>& more) {
@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
   const std::set<std::string> visibility = with(scene, {"lod"});
   const std::set<std::string> devices = with(visibility, {"visibility"});
   const std::set<std::string> nodes = with(devices, {"protocol", "raster", "render", "residency"});
-  const std::set<std::string> building = with(scene, {"model", "simplify"});
+  const std::set<std::string> building = with(scene, {"light", "model", "simplify"});
   const std::set<std::string> measure = with(with(nodes, building), {"nodes", "preprocess"});
   const std::set<std::string> view = with(nodes, {"nodes"});
   const std::set<std::string> session = with(view, {"measure", "view"});
@@ -37,6 +37,7 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
       {"scene", base},
       {"model", scene},
       {"simplify", with(scene, {"model"})},
+      {"light", with(scene, {"model"})},
       {"preprocess", building},
       {"lod", scene},
       {"visibility", visibility},
@@ -255,7 +256,7 @@ std::vector<fs::path> tracked_files() {
 /// What may lie in which folder, by the whole path.
 const std::vector<std::string> places = {
     R"(README\.md|LICENSE|CMakeLists\.txt|CMakePresets\.json|\.gitignore|\.clang-format|\.ci/run)",
-    R"((base|scene|model|simplify|preprocess|lod|visibility|residency|raster|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
+    R"((base|scene|model|simplify|light|preprocess|lod|visibility|residency|raster|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
     R"((\w+/)+CMakeLists\.txt)",
     R"(launch/(packages\.txt|compile|demo|install))",
     R"(launch/ifc/(\w+\.mjs|package(-lock)?\.json))",

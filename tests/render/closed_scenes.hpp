@@ -21,7 +21,7 @@ inline std::unique_ptr<Pack> built(const Model& model, const BuildOptions& optio
 }
 
 inline std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier = Simplifier::collapse,
-                                     Kept keep = {}) {
+                                     Kept keep = {}, const LightOptions& light = {}) {
   BuildOptions options;
   options.part_triangles = 600;
   options.leaf_triangles = 1000;
@@ -29,6 +29,7 @@ inline std::unique_ptr<Pack> pack_of(const Model& model, Simplifier simplifier =
   options.bucket_triangles = 9000;  // borders between buckets and borders within them
   options.simplify.simplifier = simplifier;
   options.keep = keep;
+  options.light = light;
   return built(model, options);
 }
 

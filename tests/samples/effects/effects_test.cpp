@@ -12,7 +12,7 @@ namespace {
 
 struct Calls {
   bool transparency = false, vertex_colours = false, smooth_normals = false, textures = false,
-       emission = false;
+       emission = false, lights = false;
   bool operator==(const Calls&) const = default;
 };
 
@@ -22,13 +22,14 @@ Calls calls_of(const Model& model) {
           std::ranges::any_of(model.meshes, [](const Mesh& mesh) { return mesh.has_normals(); }),
           std::ranges::any_of(model.materials, [](const Material& m) { return m.texture != no_id; }) &&
               std::ranges::any_of(model.materials, [](const Material& m) { return m.cutoff > 0; }),
-          std::ranges::any_of(model.materials, [](const Material& m) { return m.emission != glm::vec3(0); })};
+          std::ranges::any_of(model.materials, [](const Material& m) { return m.emission != glm::vec3(0); }),
+          !model.lights.empty()};
 }
 
 TEST(EffectsSample, has_each_effect_in_the_files_that_call_for_it_and_the_same_triangles_in_all) {
   const Folder folder("effects");
   const EffectsReport report = make_effects(folder.path());
-  ASSERT_EQ(report.files.size(), 7u);
+  ASSERT_EQ(report.files.size(), 9u);
   for (const EffectsFile& file : report.files) {
     const Model model = read_whole(folder.path() / file.name);
     EXPECT_EQ(model.placed_triangles(), report.triangles) << file.name;
@@ -37,7 +38,7 @@ TEST(EffectsSample, has_each_effect_in_the_files_that_call_for_it_and_the_same_t
       return file.effects == "all" || file.effects == effect;
     };
     const Calls expected{calls_for("transparency"), calls_for("vertex-colours"), calls_for("smooth-normals"),
-                         calls_for("textures"), calls_for("emission")};
+                         calls_for("textures"),     calls_for("emission"),       calls_for("baked-light")};
     EXPECT_TRUE(model.report.warnings.empty()) << file.name << ": " << model.report.warnings.front();
     EXPECT_EQ(calls_of(model), expected) << file.name;
   }
