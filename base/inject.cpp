@@ -15,7 +15,7 @@ const std::vector<std::string>& fault_names() {
   static const std::vector<std::string> names = {
       "withheld-id",       "wrong-delta",       "no-digest",
       "strict-depth-test", "no-dilation",       "wrong-ancestor",
-      "stale-camera",      "flipped-byte",      "carried-hidden",
+      "stale-camera", "stale-motion",      "flipped-byte",      "carried-hidden",
       "no-near-rule",      "no-fragment-bound", "float-bounds",
       "float-positions",   "fixed-units",       "euclidean-depth",
       "dropped-stretch",   "perspective-rule",  "dropped-singular-value",

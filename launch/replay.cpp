@@ -52,7 +52,7 @@ class Replayer {
     }
     std::vector<DrawableId> ordered = frame.visible;
     const FrameView frame_view(pack_.skeleton(), frame.request.state, injected_frame_rules());
-    sort_by_rank(pack_.skeleton(), frame_view.cell, ordered);
+    sort_by_rank(frame_view, ordered);
     picture_->begin(frame_view);
     picture_->draw(ordered);
     const std::vector<uint8_t> colors = picture_->target().read_colors();

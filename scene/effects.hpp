@@ -10,14 +10,15 @@
 namespace triptych {
 
 /// That can be switched off from frame to frame.
-enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals, textures, emission };
+enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals, textures, emission, motion };
 inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency,
-                                           Effect::smooth_normals, Effect::textures, Effect::emission};
+                                           Effect::smooth_normals, Effect::textures, Effect::emission,
+                                           Effect::motion};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
   constexpr std::array<std::string_view, all_effects.size()> names = {
-      "vertex-colours", "transparency", "smooth-normals", "textures", "emission"};
+      "vertex-colours", "transparency", "smooth-normals", "textures", "emission", "moving-instances"};
   return names[static_cast<size_t>(effect)];
 }
 

@@ -26,6 +26,7 @@ enum class Command {
   toggle_culling,
   toggle_birds_eye,
   toggle_play,
+  toggle_motion,
   toggle_edges,
   begin_section,  ///< a plane in the surface under the cursor
   flip_section,   ///< of section planes: the last one

@@ -16,6 +16,7 @@ struct EffectUse {
   uint64_t upload_bytes = 0;  ///< to device memory
   uint64_t fragments = 0;     ///< that it has blended, or pixels that it has shaded
   uint64_t variants = 0;      ///< of shaders
+  uint64_t simulation_steps = 0;  ///< how many moving things were evaluated for the frame's time
   uint64_t splits = 0;        ///< how often lists of fragments were made in parts, to stay within their cap
 };
 

@@ -132,7 +132,8 @@ class DocumentParser {
     for (const Json& entry : members_.list(json, "extensionsRequired")) {
       if (entry.is_string()) document_.required_extensions.push_back(entry.get<std::string>());
     }
-    document_.animations = members_.list(json, "animations").size();
+    for (const Json& entry : members_.list(json, "animations"))
+      document_.animations.push_back(animation(entry));
   }
 
  private:
@@ -254,6 +255,26 @@ class DocumentParser {
       mesh.primitives.push_back(std::move(primitive));
     }
     return mesh;
+  }
+
+  GltfAnimation animation(const Json& entry) {
+    GltfAnimation animation;
+    for (const Json& given : members_.list(entry, "channels")) {
+      GltfAnimationChannel channel{members_.integer(given, "sampler", -1), -1, ""};
+      if (const Json* target = MemberReader::find(given, "target")) {
+        channel.node = members_.integer(*target, "node", -1);
+        channel.path = members_.text(*target, "path");
+      }
+      animation.channels.push_back(std::move(channel));
+    }
+    for (const Json& given : members_.list(entry, "samplers")) {
+      GltfAnimationSampler sampler{members_.integer(given, "input", -1),
+                                   members_.integer(given, "output", -1),
+                                   members_.text(given, "interpolation")};
+      if (sampler.interpolation.empty()) sampler.interpolation = "LINEAR";
+      animation.samplers.push_back(std::move(sampler));
+    }
+    return animation;
   }
 
   GltfNode node(const Json& entry) {

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/threads.hpp"
-#include "preprocess/transforms.hpp"
+#include "scene/transforms.hpp"
 #include "scene/pack.hpp"
 #include "tests/support/awkward_meshes.hpp"
 
