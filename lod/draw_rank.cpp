@@ -26,6 +26,10 @@ uint64_t squared_distance(const glm::ivec3& cell, const LatticeBox& box) {
   return sum;
 }
 
+DrawRank draw_rank(const Skeleton& skeleton, const glm::ivec3& cell, DrawableId drawable) {
+  return {squared_distance(cell, skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box), drawable};
+}
+
 DrawRank draw_rank(const FrameView& view, DrawableId drawable) {
   return {squared_distance(view.cell, view.box(view.skeleton->drawables[drawable].scene_node)), drawable};
 }
@@ -40,6 +44,10 @@ void RankSorter::sort(const FrameView& view, std::vector<DrawableId>& drawables)
 
 void sort_by_rank(const FrameView& view, std::vector<DrawableId>& drawables) {
   RankSorter().sort(view, drawables);
+}
+
+void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<DrawableId>& drawables) {
+  std::ranges::sort(drawables, {}, [&](DrawableId id) { return draw_rank(skeleton, cell, id); });
 }
 
 }  // namespace triptych

@@ -90,7 +90,7 @@ class FramePlayer final : public CullSink {
     const CullResult& result =
         *clock_.run(FrameStep::hardware_cull, [&] { return &strategy_.run(view, visible_, target, *this); });
     clock_.run(FrameStep::receive_delta, [&] {
-      VisibleStream stream(view, visible_);
+      VisibleStream stream(skeleton_, view.state, visible_);
       for (const EncodedPacket& packet : packets_)
         stream.take({packet.watermark, decode_delta(packet.bytes, visible_, "measure frame")});
       return 0;

@@ -69,6 +69,7 @@ bool Poses::is_there(SceneNodeId node) const {
 [[gnu::noinline]] LatticeBox Poses::placed(const Lattice& lattice, uint32_t instance, const Box& box,
                                            const LatticeBox& swept) const {
   const NearestRounding rounding;
+  if (!pose(instance).is_there) return swept;  // its numbers may be none
   const Affine& transform = pose(instance).transform;
   const Box outer = lattice.box(swept);
   Box placed;

@@ -81,7 +81,7 @@ struct Drag {
 
 /// What happened since the last time.
 struct Input {
-  Motion motion;
+  WalkerMotion motion;
   double seconds = 0;  ///< how long the motion's directions were held
   Drag orbit, pan;
   double zoom = 0;                     ///< steps of the wheel, away from the person

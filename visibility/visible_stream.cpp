@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace triptych {
 
-VisibleStream::VisibleStream(const FrameView& view, const VisibleSet& previous)
-    : view_(view), visible_(previous) {
+namespace {
+FrameState with_nothing_hidden(FrameState state) {
+  state.hiding = {};
+  return state;
+}
+}  // namespace
+
+VisibleStream::VisibleStream(const Skeleton& skeleton, FrameState state, const VisibleSet& previous)
+    : view_(skeleton, with_nothing_hidden(std::move(state))), visible_(previous) {
   for (const DrawableId id : previous) undecided_.push_back(draw_rank(view_, id));
   std::sort(undecided_.begin(), undecided_.end());
 }

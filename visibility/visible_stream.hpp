@@ -14,8 +14,8 @@ namespace triptych {
 /// Takes the packets of one frame in order.
 class VisibleStream {
  public:
-  /// view: of frame i; previous: V(i−1).
-  VisibleStream(const FrameView& view, const VisibleSet& previous);
+  /// state: of frame i; previous: V(i−1). Draw ranks do not depend on what is hidden, which need not be known.
+  VisibleStream(const Skeleton& skeleton, FrameState state, const VisibleSet& previous);
 
   /// The drawables of V(i) that this packet decided, after those of earlier packets in draw rank order. Ids
   /// that make no sense (removed but not in the set, added twice, beyond the skeleton) are counted as

@@ -1,5 +1,6 @@
 #include "samples/effects/effects.hpp"
 
+#include "samples/effects/moving.hpp"
 #include "samples/effects/textured.hpp"
 #include "samples/gltf_writer.hpp"
 #include "samples/orbits.hpp"
@@ -19,7 +20,7 @@ namespace {
 /// Which effects a file calls for.
 struct Called {
   bool transparency = false, vertex_colours = false, smooth_normals = false, textures = false,
-       emission = false;
+       emission = false, motion = false;
 };
 
 constexpr int cases = 4, screens = 5, lamps = 3;
@@ -129,6 +130,9 @@ class Exhibition {
     for (int i = 0; i < lamps; ++i)
       add(fmt::format("lamp {}", i + 1), lamp(called_.textures, called_.emission),
           at(-3 + 3.0 * i, -half_depth + 0.6, 0));
+    const MovingThings moving = add_moving_things(writer_, called_.motion);
+    objects += moving.objects;
+    triangles += moving.triangles;
     writer_.finish();
   }
 
@@ -156,20 +160,21 @@ EffectsReport make_effects(const std::filesystem::path& folder) {
   make_folder(folder);
   write_effect_images(folder);
   for (const auto& [name, effects, called] :
-       {std::tuple{"scene", "all", Called{true, true, true, true, true}},
+       {std::tuple{"scene", "all", Called{true, true, true, true, true, true}},
         {"plain", "none", Called{}},
         {"transparency", "transparency", Called{.transparency = true}},
         {"vertex-colours", "vertex-colours", Called{.vertex_colours = true}},
         {"smooth-normals", "smooth-normals", Called{.smooth_normals = true}},
         {"textures", "textures", Called{.textures = true}},
-        {"emission", "emission", Called{.emission = true}}}) {
+        {"emission", "emission", Called{.emission = true}},
+        {"moving-instances", "moving-instances", Called{.motion = true}}}) {
     const Exhibition exhibition(folder, name, called);
     report.files.push_back({std::string(name) + ".gltf", effects});
     report.objects = exhibition.objects;
     report.triangles = exhibition.triangles;
   }
   write_orbits(
-      {.centre = {0, 1, 0}, .radius = 9, .closest = 2.5, .low = 0.8, .high = 3, .spin = {0.3, 1.6, 2.9}},
+      {.centre = {0, 1, 0}, .radius = 9, .closest = 2.5, .low = 0.8, .high = 3, .spin = {0.3, 1.6, 2.9}, .frames_a_second = 30},
       Random(1), folder);
   return report;
 }
