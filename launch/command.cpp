@@ -281,7 +281,8 @@ void add_picture_flags(CLI::App& command, RunOptions& options) {
   add_effects_flag(command, options.effects);
   constexpr double years = 1e9;  // seconds
   command
-      .add_option("--time", options.time, "Seconds at which what moves is shown, where the path names no time")
+      .add_option("--time", options.time,
+                  "Seconds at which what moves is shown, where the path names no time")
       ->check(number_between(-years, years))
       ->type_name("SECONDS");
   add_section_flags(command, options.section);

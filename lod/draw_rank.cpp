@@ -27,11 +27,16 @@ uint64_t squared_distance(const glm::ivec3& cell, const LatticeBox& box) {
 }
 
 DrawRank draw_rank(const Skeleton& skeleton, const glm::ivec3& cell, DrawableId drawable) {
-  return {squared_distance(cell, skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box), drawable};
+  return {squared_distance(cell, skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box),
+          drawable};
 }
 
 DrawRank draw_rank(const FrameView& view, DrawableId drawable) {
-  return {squared_distance(view.cell, view.box(view.skeleton->drawables[drawable].scene_node)), drawable};
+  const SceneNodeId node = view.skeleton->drawables[drawable].scene_node;
+  // What moves and cannot be in view, as what has left it, is not evaluated to be told that it has.
+  const LatticeBox& always = view.skeleton->scene_nodes[node].box;
+  const bool is_gone = view.moves(node) && view.eye_space.bounds(always).outside;
+  return {squared_distance(view.cell, is_gone ? always : view.box(node)), drawable};
 }
 
 void RankSorter::sort(const FrameView& view, std::vector<DrawableId>& drawables) {

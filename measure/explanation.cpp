@@ -65,8 +65,8 @@ DrawableFacts Explainer::facts_of(DrawableId id) const {
   for (SceneNodeId up = drawable.scene_node; up != no_id; up = skeleton_.scene_nodes[up].parent)
     ++facts.depth;
   const FrameView frame_view = view();
-  facts.pixels =
-      projected_error(frame_view.focal_length, drawable.error, frame_view.eye_space.bounds(frame_view.box(drawable.scene_node)));
+  facts.pixels = projected_error(frame_view.focal_length, drawable.error,
+                                 frame_view.eye_space.bounds(frame_view.box(drawable.scene_node)));
   return facts;
 }
 

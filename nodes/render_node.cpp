@@ -10,7 +10,6 @@
 #include "nodes/level_changes.hpp"
 #include "nodes/local_pipeline.hpp"
 #include "nodes/received_picture.hpp"
-#include "visibility/motion_use.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -277,7 +276,6 @@ class RenderNode {
     ReceivedPicture picture(stages_.picture(), streaming_, options_.session_rules);
     Inbox& inbox = *peers_.inbox();
     const FrameView view(pack_.skeleton(), frame.state, options_.frame_rules);
-    const MotionWatch motion(view);
     picture.begin(view, frame.number);
     inbox.limit_waiting(patience_.limit());
     Awaited<IntakeResult> taken = take_frame(
@@ -330,9 +328,6 @@ class RenderNode {
     record.added = intake.sentinel.added;
     record.removed = intake.sentinel.removed;
     record.drawn_triangles = stages_.picture().drawn_triangles();
-    const auto effects = stages_.picture().target().effects();
-    record.effects.assign(effects.begin(), effects.end());
-    motion.add_to(record.effects);
     record.digest_mismatch = intake.digest_mismatch;
     record.visible = std::move(intake.visible);
     return record;

@@ -56,7 +56,8 @@ struct Hierarchies {
   void make_nodes(HierarchyKind kind) {
     for (const Objects& own : objects) {
       nodes.emplace_back();
-      if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind, own.leaves, own.files, own.moving);
+      if (!own.extents.empty())
+        nodes.back() = build_hierarchy(own.extents, kind, own.leaves, own.files, own.moving);
     }
   }
 

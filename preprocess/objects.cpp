@@ -166,7 +166,8 @@ std::vector<Objects> make_objects(const Parts& parts, const BuildOptions& option
     all.push_back(options.hierarchy == HierarchyKind::median_split
                       ? original_objects(placed, extents)
                       : cluster_by_file(placed, extents, files, options));
-    add_sub_hierarchies(parts.motion, placed, all, is_joint ? file_of : std::span<const uint32_t>(), all.back());
+    add_sub_hierarchies(parts.motion, placed, all, is_joint ? file_of : std::span<const uint32_t>(),
+                        all.back());
   }
   return all;
 }

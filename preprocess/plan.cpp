@@ -9,8 +9,8 @@
 #include "preprocess/federation.hpp"
 #include "preprocess/placements.hpp"
 #include "preprocess/strays.hpp"
-#include "scene/transforms.hpp"
 #include "scene/file_objects.hpp"
+#include "scene/transforms.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -265,8 +265,7 @@ void make_lattices(BuildPlan& plan) {
   for (PlannedHierarchy& hierarchy : plan.hierarchies) {
     for (const PlannedSubHierarchy& inner : hierarchy.sub_hierarchies) {
       const Box& box = plan.hierarchies[inner.hierarchy].box;
-      if (!box.empty())
-        hierarchy.box.extend(box_at_all_times(plan.motion, inner, hierarchy.transforms, box));
+      if (!box.empty()) hierarchy.box.extend(box_at_all_times(plan.motion, inner, hierarchy.transforms, box));
     }
     if (&hierarchy == &plan.hierarchies.back()) {
       plan.lattices[0] = make_lattice(hierarchy.box, hierarchy_bits);

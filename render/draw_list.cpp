@@ -131,8 +131,7 @@ void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item
   const SectionPlace place = view_->section_place(item.pieces);
   if (place.outside) return;
   const bool few_runs = !range.outward_runs.empty() && range.outward_runs.size() <= max_runs;
-  const int32_t front =
-      !few_runs ? 0 : outward_front(*view_, view_->transform(item.transform), item.pieces);
+  const int32_t front = !few_runs ? 0 : outward_front(*view_, view_->transform(item.transform), item.pieces);
   DrawRecord record = this->record(item.transform, skeleton_.chunks[item.chunk].lattice, list);
   record.item = item.drawable;
   record.cut = place.cut;

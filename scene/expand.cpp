@@ -159,8 +159,7 @@ class Expansion {
       node.first_drawable += first_drawable;
       const LatticeBox& around = skeleton_.scene_nodes[node.parent].box;
       // What moves is anywhere in the box of the scene node that stands for it.
-      node.box =
-          moves ? around : place_box(local.box, lattice, outer, skeleton_.lattices[0], around);
+      node.box = moves ? around : place_box(local.box, lattice, outer, skeleton_.lattices[0], around);
       skeleton_.scene_nodes.push_back(node);
     }
     for (const Drawable& local : hierarchy.drawables) {

@@ -27,8 +27,8 @@ MovingExpansion::MovingExpansion(StoredMotion motion, const Skeleton& skeleton)
   parts_->transform_of.resize(skeleton.transforms.size(), no_id);
   for (const StoredMotion::Instance& moving : motion.instances) {
     moving_[moving.instance] = static_cast<uint32_t>(parts_->instances.size());
-    parts_->instances.push_back(
-        {.joint = moving.joint, .scene_node = skeleton.instances[moving.instance].scene_node,
+    parts_->instances.push_back({.joint = moving.joint,
+                                 .scene_node = skeleton.instances[moving.instance].scene_node,
                                  .box = {},
                                  .inner = {}});
   }

@@ -21,9 +21,8 @@ Affine local_transform(const Motion& motion, const MotionJoint& joint, double ti
   const glm::dvec4 rotation = joint.rotation_track == MotionJoint::none
                                   ? joint.rotation
                                   : value_at(motion.tracks[joint.rotation_track], time);
-  const Affine moved =
-      transform_of_parts(vector_of(motion, joint.translation_track, joint.translation, time), rotation,
-                         vector_of(motion, joint.scale_track, joint.scale, time));
+  const Affine moved = transform_of_parts(vector_of(motion, joint.translation_track, joint.translation, time),
+                                          rotation, vector_of(motion, joint.scale_track, joint.scale, time));
   return joint.before * glm::dmat4(moved);
 }
 

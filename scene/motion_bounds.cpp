@@ -29,9 +29,8 @@ Box scales_of(const Motion& motion, const MotionJoint& joint) {
 Box scaled(const Box& box, const Box& scales) {
   Box result;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto [least, most] =
-        std::minmax({box.lo[axis] * scales.lo[axis], box.lo[axis] * scales.hi[axis],
-                     box.hi[axis] * scales.lo[axis], box.hi[axis] * scales.hi[axis]});
+    const auto [least, most] = std::minmax({box.lo[axis] * scales.lo[axis], box.lo[axis] * scales.hi[axis],
+                                            box.hi[axis] * scales.lo[axis], box.hi[axis] * scales.hi[axis]});
     result.lo[axis] = least;
     result.hi[axis] = most;
   }
@@ -42,8 +41,7 @@ Box scaled(const Box& box, const Box& scales) {
 /// the origin apart: they differ by the angle 4·asin(e/2), whose chord is 2·e·√(1 − e²/4).
 Box turned(const Box& box, const MotionTrack& track) {
   double farthest = 0;
-  for (int corner = 0; corner < 8; ++corner)
-    farthest = std::max(farthest, glm::length(box.corner(corner)));
+  for (int corner = 0; corner < 8; ++corner) farthest = std::max(farthest, glm::length(box.corner(corner)));
   Box result;
   for (const QuaternionBall& ball : quaternion_balls(track)) {
     const double moved = 2 * ball.radius * farthest;

@@ -20,8 +20,7 @@ std::shared_ptr<const Poses> MovingParts::poses_at(double time) const {
     std::rotate(found, found + 1, kept_.end());
     return kept_.back();
   };
-  const auto same =
-      std::ranges::find_if(kept_, [&](const auto& poses) { return poses->time() == time; });
+  const auto same = std::ranges::find_if(kept_, [&](const auto& poses) { return poses->time() == time; });
   if (same != kept_.end()) return use(same);
   auto unused = kept_.end();
   if (kept_.size() >= most_kept)

@@ -6,8 +6,8 @@
 #include "base/hashing.hpp"
 #include "scene/closed_surfaces.hpp"
 #include "scene/expand.hpp"
-#include "scene/pack_objects.hpp"
 #include "scene/pack_motion.hpp"
+#include "scene/pack_objects.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "scene/seen_from_outside.hpp"
 

@@ -6,9 +6,8 @@ namespace triptych {
 
 template <>
 inline constexpr auto record_members<MotionTrack> = std::tuple(&MotionTrack::interpolation,
-                                                               &MotionTrack::components,
-                                                               &MotionTrack::length, &MotionTrack::times,
-                                                               &MotionTrack::values);
+                                                               &MotionTrack::components, &MotionTrack::length,
+                                                               &MotionTrack::times, &MotionTrack::values);
 template <>
 inline constexpr auto record_members<MotionJoint> =
     std::tuple(&MotionJoint::parent, &MotionJoint::translation_track, &MotionJoint::rotation_track,

@@ -69,8 +69,7 @@ const FrameTarget& BirdsEye::draw(const FrameView& frame, const VisibleSet& visi
   above.camera.near = covered / 100;
   ScreenLines lines(above);
   const auto add_box = [&](DrawableId id, const glm::vec4& color) {
-    lines.add_box(skeleton_.lattice().box(from_above.box(skeleton_.drawables[id].scene_node)),
-                  color);
+    lines.add_box(skeleton_.lattice().box(from_above.box(skeleton_.drawables[id].scene_node)), color);
   };
   for (const DrawableId id : cut) {
     if (!std::binary_search(visible.begin(), visible.end(), id)) add_box(id, red);

@@ -151,7 +151,8 @@ std::optional<Picked> NearCursor::nearest(std::span<const Place> places, const E
   std::optional<Picked> found;
   for (const Place& place : places) {
     if (place.entry > ray.most) break;
-    const auto hit = meet(ray, skeleton_, placement_of(place), placed_transform(skeleton_, poses_.get(), placement_of(place)), chunks_);
+    const auto hit = meet(ray, skeleton_, placement_of(place),
+                          placed_transform(skeleton_, poses_.get(), placement_of(place)), chunks_);
     if (!hit) continue;
     ray.most = hit->along;
     found =

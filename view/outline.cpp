@@ -29,7 +29,8 @@ bool add_placement(const Skeleton& skeleton, const Poses* poses, ChunkShelf& chu
   for (uint32_t i = 0; i < chunk->triangle_count(); ++i) {
     NearFacet facet{{}, drawable, placement, i};
     for (size_t k = 0; k < 3; ++k)
-      facet.corners[k] = placed_position(skeleton, placed, transform, *chunk, chunk->indices[size_t{3} * i + k]);
+      facet.corners[k] =
+          placed_position(skeleton, placed, transform, *chunk, chunk->indices[size_t{3} * i + k]);
     facets.push_back(facet);
   }
   return true;
@@ -72,8 +73,8 @@ SelectionOutline::SelectionOutline(const Skeleton& skeleton, ChunkShelf& chunks,
     Piece& piece = pieces_.emplace_back(Piece{selection.object, selection.box, {}});
     triangles += selection.triangles;
     if (triangles > most_triangles || creases > most_lines) continue;
-    piece.edges = feature_edges(facets_of(skeleton, poses_.get(), chunks, selector, selection), skeleton.lattice().step / 2,
-                                least_turn);
+    piece.edges = feature_edges(facets_of(skeleton, poses_.get(), chunks, selector, selection),
+                                skeleton.lattice().step / 2, least_turn);
     creases += static_cast<size_t>(std::count_if(
         piece.edges.begin(), piece.edges.end(), [](const FeatureEdge& edge) { return edge.turn >= crease; }));
     if (creases > most_lines) piece.edges.clear();

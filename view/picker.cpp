@@ -61,7 +61,8 @@ std::optional<Picked> Picker::nearest(PlacedRay ray, const FrameState& frame, co
     if (moves && !poses->is_there(node)) return;
     // All of what moves, since its divided bodies are somewhere in it.
     const LatticeBox own = moves ? poses->instance_box(skeleton.lattice(), node, always) : always;
-    const LatticeBox box = ray.entered && !moves ? skeleton.closed.reach(node, skeleton.scene_nodes[node]) : own;
+    const LatticeBox box =
+        ray.entered && !moves ? skeleton.closed.reach(node, skeleton.scene_nodes[node]) : own;
     const double entry = span.entry(skeleton.lattice().box(box));
     if (entry <= ray.most && std::isfinite(entry)) open.emplace(entry, node);
   };
@@ -79,7 +80,8 @@ std::optional<Picked> Picker::nearest(PlacedRay ray, const FrameState& frame, co
     for (uint32_t i = 0; i < placed.placement_count; ++i) {
       if (hidden && hidden->hides(placed.scene_node, i)) continue;
       const Placement& placement = skeleton.placements[placed.first_placement + i];
-      const auto hit = meet(ray, skeleton, placement, placed_transform(skeleton, poses.get(), placement), chunks_);
+      const auto hit =
+          meet(ray, skeleton, placement, placed_transform(skeleton, poses.get(), placement), chunks_);
       if (!hit) continue;
       ray.most = hit->along;
       found = Picked{drawable, i, hit->triangle, ray.from + hit->along * ray.way, hit->normal};

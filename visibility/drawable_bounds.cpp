@@ -90,8 +90,8 @@ ScreenBounds::Kind append_drawable_bounds(const Hierarchy& hierarchy, const BoxP
     return append_placement_bounds(hierarchy, projector, id, nullptr, rectangles, gone);
   const std::span<const Placement> placements = hierarchy.placements_of(id);
   const auto pieces_of = [&](size_t i) { return hierarchy.skeleton().pieces_of(placements[i].chunk).size(); };
-  return append_bounds_without(projector, hierarchy.placed(id, projector.poses()).pieces, nullptr, gone, placements.size(),
-                               pieces_of, rectangles);
+  return append_bounds_without(projector, hierarchy.placed(id, projector.poses()).pieces, nullptr, gone,
+                               placements.size(), pieces_of, rectangles);
 }
 
 DrawableBounds placement_bounds(const Hierarchy& hierarchy, const BoxProjector& projector, DrawableId id) {

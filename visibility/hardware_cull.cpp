@@ -78,8 +78,7 @@ void HardwareCull::begin(std::span<const DrawableId> represented, const VisibleS
 }
 
 void HardwareCull::push(SceneNodeId node) {
-  if (cut_->choice(node) != no_id)
-    enqueue({squared_distance(view_->cell, view_->box(node)), node});
+  if (cut_->choice(node) != no_id) enqueue({squared_distance(view_->cell, view_->box(node)), node});
 }
 
 void HardwareCull::push_children(SceneNodeId id) {

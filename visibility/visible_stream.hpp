@@ -14,7 +14,8 @@ namespace triptych {
 /// Takes the packets of one frame in order.
 class VisibleStream {
  public:
-  /// state: of frame i; previous: V(i−1). Draw ranks do not depend on what is hidden, which need not be known.
+  /// state: of frame i; previous: V(i−1). Draw ranks do not depend on what is hidden, which need not be
+  /// known.
   VisibleStream(const Skeleton& skeleton, FrameState state, const VisibleSet& previous);
 
   /// The drawables of V(i) that this packet decided, after those of earlier packets in draw rank order. Ids

@@ -109,8 +109,7 @@ void GltfMotion::read_animation(size_t index) {
         if (channel.path != "weights" && channel.path != "pointer")
           fail(place, "moves \"{}\", which is none of translation, rotation, scale and weights",
                channel.path.substr(0, 20));
-        if (all_are_known)
-          target_.warn("animations of weights or of what is no node are not played");
+        if (all_are_known) target_.warn("animations of weights or of what is no node are not played");
         continue;
       }
       if (all_are_known) {

@@ -38,8 +38,9 @@ class GltfMotion {
  private:
   struct NodeTracks {
     uint32_t translation = MotionJoint::none, rotation = MotionJoint::none, scale = MotionJoint::none;
-    bool any() const { return translation != MotionJoint::none || rotation != MotionJoint::none ||
-                              scale != MotionJoint::none; }
+    bool any() const {
+      return translation != MotionJoint::none || rotation != MotionJoint::none || scale != MotionJoint::none;
+    }
   };
   void read_animation(size_t animation);
   void read_channel(const GltfAnimation& animation, const GltfAnimationChannel& channel, double length,

@@ -24,10 +24,7 @@ namespace {
 class Checking {
  public:
   Checking(const Pack& pack, const CheckOptions& options)
-      : pack_(pack),
-        skeleton_(pack.skeleton()),
-        options_(options),
-        poses_(poses_to_check(pack.skeleton())) {}
+      : pack_(pack), skeleton_(pack.skeleton()), options_(options), poses_(poses_to_check(pack.skeleton())) {}
 
   CheckReport run() {
     check_nested_boxes();
@@ -192,7 +189,8 @@ class Checking {
     if (!skeleton.moving) return poses;
     constexpr size_t times = 48;
     const double step = longest_clip(skeleton.moving->motion) / (times - 0.382);
-    for (size_t i = 0; i < times; ++i) poses.push_back(skeleton.moving->poses_at(step * static_cast<double>(i)));
+    for (size_t i = 0; i < times; ++i)
+      poses.push_back(skeleton.moving->poses_at(step * static_cast<double>(i)));
     return poses;
   }
 

@@ -173,9 +173,14 @@ EffectsReport make_effects(const std::filesystem::path& folder) {
     report.objects = exhibition.objects;
     report.triangles = exhibition.triangles;
   }
-  write_orbits(
-      {.centre = {0, 1, 0}, .radius = 9, .closest = 2.5, .low = 0.8, .high = 3, .spin = {0.3, 1.6, 2.9}, .frames_a_second = 30},
-      Random(1), folder);
+  write_orbits({.centre = {0, 1, 0},
+                .radius = 9,
+                .closest = 2.5,
+                .low = 0.8,
+                .high = 3,
+                .spin = {0.3, 1.6, 2.9},
+                .frames_a_second = 30},
+               Random(1), folder);
   return report;
 }
 

@@ -40,8 +40,7 @@ MovingThings add_moving_things(GltfWriter& writer, bool moves) {
                   glm::translate(glm::dmat4(1), at));
   const size_t door = writer.add_moving_node(
       "door", mesh("door", {box({0.01, 0.01, -thick / 2}, {width - 0.01, top - 0.01, thick / 2}, wood)}), at);
-  writer.add_node("knob",
-                  mesh("knob", {box({width - 0.15, 0.98, -0.1}, {width - 0.08, 1.05, 0.1}, brass)}),
+  writer.add_node("knob", mesh("knob", {box({width - 0.15, 0.98, -0.1}, {width - 0.08, 1.05, 0.1}, brass)}),
                   glm::dmat4(1), door);
   std::vector<MeshPart> blades = {box({-0.06, -0.06, -0.05}, {0.06, 0.06, 0.05}, brass)};
   for (const double side : {-1.0, 1.0}) {
@@ -54,9 +53,9 @@ MovingThings add_moving_things(GltfWriter& writer, bool moves) {
   const size_t fan = writer.add_moving_node("fan", mesh("fan", blades), {3.9, 1.9, -3.2});
   if (!moves) return added;
   writer.animate(door, "rotation", {0, 2, 3, 5, 6}, turns({0, 1, 0}, {0, -pi / 2, -pi / 2, 0, 0}));
-  writer.animate(fan, "rotation", {0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6},
-                 turns({0, 0, 1}, {0, pi / 2, pi, 3 * pi / 2, 0, pi / 2, pi, 3 * pi / 2, 0, pi / 2, pi,
-                                   3 * pi / 2, 0}));
+  writer.animate(
+      fan, "rotation", {0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6},
+      turns({0, 0, 1}, {0, pi / 2, pi, 3 * pi / 2, 0, pi / 2, pi, 3 * pi / 2, 0, pi / 2, pi, 3 * pi / 2, 0}));
   return added;
 }
 

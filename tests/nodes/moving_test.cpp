@@ -1,6 +1,7 @@
 // Moving instances through the whole pipeline: pictures against those of models that stand as an independent
 // evaluation of the motion puts them, culling against none, and what a frame evaluates.
 #include "nodes/local_pipeline.hpp"
+#include "preprocess/build.hpp"
 #include "preprocess/check/check.hpp"
 #include "scene/moving_parts.hpp"
 #include "tests/support/awkward_meshes.hpp"
@@ -92,7 +93,8 @@ const Pack& pack() {
 }
 
 View view() {
-  View view{.camera = {.eye = {-3, -4, 3}, .target = {0.6, 0, 0.6}, .up = {0, 0, 1}}, .width = 120, .height = 90};
+  View view{
+      .camera = {.eye = {-3, -4, 3}, .target = {0.6, 0, 0.6}, .up = {0, 0, 1}}, .width = 120, .height = 90};
   set_field_of_view(view.camera, 50, 120.0 / 90);
   view.camera.near = 0.01;
   return view;
@@ -123,7 +125,7 @@ TEST(Moving, a_pack_says_what_moves_and_is_consistent) {
            up = skeleton.scene_nodes[up].parent)
         moves_below = moves_below || up == id;
     }
-    if (moves_below) EXPECT_EQ(node.drawable_count, 0u) << "nothing stands for what moves";
+    EXPECT_TRUE(!moves_below || node.drawable_count == 0) << "nothing stands for what moves";
   }
   const CheckReport report = check_pack(pack());
   EXPECT_TRUE(report.messages.empty()) << report.messages.front();
@@ -144,8 +146,10 @@ TEST(Moving, pictures_are_those_of_a_model_that_stands_as_it_is_at_the_time) {
 }
 
 TEST(Moving, culling_changes_nothing_at_any_time) {
-  LocalPipeline culled(pack(), {.width = 120, .height = 90, .cull = StrategyKind::occlusion, .device = test::device()});
-  LocalPipeline whole(pack(), {.width = 120, .height = 90, .cull = StrategyKind::none, .device = test::device()});
+  LocalPipeline culled(
+      pack(), {.width = 120, .height = 90, .cull = StrategyKind::occlusion, .device = test::device()});
+  LocalPipeline whole(pack(),
+                      {.width = 120, .height = 90, .cull = StrategyKind::none, .device = test::device()});
   for (uint32_t i = 0; i < 24; ++i) {
     const FrameRequest request = frame(i, i % 5 == 4 ? 1000.1 * i : 0.21 * i, i % 3);
     culled.draw(request);
@@ -172,7 +176,8 @@ TEST(Moving, only_what_may_be_seen_is_evaluated_and_only_once_a_time) {
   FrameRequest frozen = frame(5, 0.444);
   frozen.state.effects = Effects::none();
   EXPECT_TRUE(pipeline.draw(frozen).effects.empty());
-  EXPECT_EQ(picture(pack(), frozen, StrategyKind::occlusion), picture(pack(), frame(5, 0), StrategyKind::occlusion));
+  EXPECT_EQ(picture(pack(), frozen, StrategyKind::occlusion),
+            picture(pack(), frame(5, 0), StrategyKind::occlusion));
 }
 
 TEST(Moving, what_a_motion_shrinks_to_nothing_is_not_there) {

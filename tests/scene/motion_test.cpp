@@ -56,7 +56,9 @@ Motion random_motion(uint32_t seed) {
   Motion motion;
   for (uint32_t joint = 0; joint < 3; ++joint) {
     MotionJoint made{.parent = joint == 0 ? none : joint - 1};
-    const auto interpolation = [&] { return static_cast<Interpolation>(static_cast<int>(dice.number(0, 3))); };
+    const auto interpolation = [&] {
+      return static_cast<Interpolation>(static_cast<int>(dice.number(0, 3)));
+    };
     for (uint32_t* const index : {&made.translation_track, &made.rotation_track, &made.scale_track}) {
       if (dice.number(0, 1) < 0.2) continue;
       *index = static_cast<uint32_t>(motion.tracks.size());
@@ -71,7 +73,8 @@ Motion random_motion(uint32_t seed) {
 
 TEST(Motion, steps_keep_the_value_of_the_key_before) {
   const MotionTrack steps = track(Interpolation::step, 3, {1, 2, 4}, {1, 0, 0, 2, 0, 0, 3, 0, 0});
-  for (const auto& [time, value] : {std::pair(0.0, 1.0), {0.9, 1.0}, {1.0, 1.0}, {1.99, 1.0}, {2.0, 2.0}, {3.99, 2.0}})
+  for (const auto& [time, value] :
+       {std::pair(0.0, 1.0), {0.9, 1.0}, {1.0, 1.0}, {1.99, 1.0}, {2.0, 2.0}, {3.99, 2.0}})
     EXPECT_EQ(value_at(steps, time).x, value) << time;
 }
 
@@ -93,7 +96,8 @@ TEST(Motion, turns_at_even_speed_along_the_shorter_way) {
   Dice dice(1);
   for (int i = 0; i < 300; ++i) {
     const auto any = [&] {
-      return glm::normalize(glm::dquat(dice.number(-1, 1), dice.number(-1, 1), dice.number(-1, 1), dice.number(-1, 1)));
+      return glm::normalize(
+          glm::dquat(dice.number(-1, 1), dice.number(-1, 1), dice.number(-1, 1), dice.number(-1, 1)));
     };
     const glm::dquat a = any(), b = i % 5 == 0 ? glm::normalize(a + 1e-4 * any()) : any();
     const MotionTrack turns =
@@ -101,7 +105,9 @@ TEST(Motion, turns_at_even_speed_along_the_shorter_way) {
     const double share = dice.number(0, 0.999);
     const glm::dquat expected = glm::slerp(a, b, share);
     const glm::dvec4 found = value_at(turns, share);
-    EXPECT_NEAR(std::abs(found.x * expected.x + found.y * expected.y + found.z * expected.z + found.w * expected.w), 1, 1e-12);
+    EXPECT_NEAR(
+        std::abs(found.x * expected.x + found.y * expected.y + found.z * expected.z + found.w * expected.w),
+        1, 1e-12);
     const glm::dvec4 apart = found - glm::dvec4(expected.x, expected.y, expected.z, expected.w);
     const glm::dvec4 sum = found + glm::dvec4(expected.x, expected.y, expected.z, expected.w);
     EXPECT_LT(std::min(glm::length(apart), glm::length(sum)), 1e-12);
@@ -114,7 +120,8 @@ TEST(Motion, cubic_splines_are_those_of_the_specification) {
   for (const double t : {0.0, 0.25, 0.5, 0.9}) {
     const double t2 = t * t, t3 = t2 * t, length = 2;
     for (size_t axis = 0; axis < 3; ++axis) {
-      const double expected = (2 * t3 - 3 * t2 + 1) * values[3 + axis] + length * (t3 - 2 * t2 + t) * values[6 + axis] +
+      const double expected = (2 * t3 - 3 * t2 + 1) * values[3 + axis] +
+                              length * (t3 - 2 * t2 + t) * values[6 + axis] +
                               (-2 * t3 + 3 * t2) * values[12 + axis] + length * (t3 - t2) * values[9 + axis];
       EXPECT_NEAR(value_at(spline, 1 + length * t)[static_cast<int>(axis)], expected, 1e-12);
     }

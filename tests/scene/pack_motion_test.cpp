@@ -50,7 +50,8 @@ TEST(PackMotion, bytes_that_are_none_are_refused_with_their_place) {
   EXPECT_EQ(refused([](StoredMotion&) {}, 3), "here: instance 3 is not one of those that may follow");
   EXPECT_EQ(refused([](StoredMotion& m) { m.instances[1].instance = 0; }),
             "here: instance 0 is not one of those that may follow");
-  EXPECT_EQ(refused([](StoredMotion& m) { m.instances[0].joint = 2; }), "here: instance 0 follows joint 2 of 2");
+  EXPECT_EQ(refused([](StoredMotion& m) { m.instances[0].joint = 2; }),
+            "here: instance 0 follows joint 2 of 2");
   EXPECT_EQ(refused([](StoredMotion& m) { m.instances.clear(); }), "here: moves nothing");
   EXPECT_NE(refused([](StoredMotion& m) { m.motion.tracks[0].values[0] = NAN; }), "");
 }

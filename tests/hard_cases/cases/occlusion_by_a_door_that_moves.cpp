@@ -13,8 +13,9 @@ MotionTrack turns(std::vector<double> times, std::vector<double> angles, double 
 const InGallery occlusion_by_a_door_that_moves(
     {.name = "occlusion_by_a_door_that_moves",
      .group = "occlusion",
-     .breaks = "A door in a wall opens and closes, between frames too, with a sign that it carries; behind it "
-               "things slide past, grow and turn: each hides and shows where it is in this frame.",
+     .breaks =
+         "A door in a wall opens and closes, between frames too, with a sign that it carries; behind it "
+         "things slide past, grow and turn: each hides and shows where it is in this frame.",
      .faults = {"stale-motion"},
      .make = [] {
        Maker maker;
@@ -23,18 +24,19 @@ const InGallery occlusion_by_a_door_that_moves(
        // The door, about its hinge.
        const MotionTrack swings = turns({0, 1, 2, 3}, {0, 1.7, 1.7, 0}, 4);
        maker.box({0, 0, -1}, {0.25, 4, 4});
-       const uint32_t door = maker.move({.before = linear({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -2, 0})},
-                                        nullptr, &swings);
+       const uint32_t door =
+           maker.move({.before = linear({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -2, 0})}, nullptr, &swings);
        // A sign that slides on the door: carried by what moves.
-       const MotionTrack slides{.length = 1.5, .times = {0, 0.75, 1.5}, .values = {0, 0.5, 0, 0, 3, 2, 0, 0.5, 0}};
+       const MotionTrack slides{
+           .length = 1.5, .times = {0, 0.75, 1.5}, .values = {0, 0.5, 0, 0, 3, 2, 0, 0.5, 0}};
        maker.keep().box({-0.2, 0, 0}, {-0.05, 0.8, 0.6});
        maker.move({.parent = door}, &slides, nullptr);
        // What passes behind the door, finely divided, turning and growing as it goes.
-       const MotionTrack passes{.interpolation = Interpolation::cubic_spline,
-                                .length = 3,
-                                .times = {0, 1.5, 3},
-                                .values = {0, 0, 0, 4, -7, 1, 2, 9, 0,  0, 9, 2, 3, 0, 3,
-                                           0, 9, 2, 2, 9, 0, 4, 7, 1, 0, 0, 0}};
+       const MotionTrack passes{
+           .interpolation = Interpolation::cubic_spline,
+           .length = 3,
+           .times = {0, 1.5, 3},
+           .values = {0, 0, 0, 4, -7, 1, 2, 9, 0, 0, 9, 2, 3, 0, 3, 0, 9, 2, 2, 9, 0, 4, 7, 1, 0, 0, 0}};
        const MotionTrack rolls = turns({0, 1, 2}, {0, 2, 4}, 2);
        const MotionTrack grows{.interpolation = Interpolation::step,
                                .length = 2,

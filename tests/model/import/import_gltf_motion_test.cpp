@@ -53,7 +53,8 @@ json cart() {
   document["scenes"][0]["nodes"] = {1, 3};
   Floats floats(document);
   const size_t times = floats.add({0, 2}, "SCALAR", 1), ways = floats.add({0, 0, 0, 4, 0, 0}, "VEC3", 3),
-               keys = floats.add({0, 1}, "SCALAR", 1), turns = floats.add({0, 0, 0, 1, 0, 0, 1, 0}, "VEC4", 4);
+               keys = floats.add({0, 1}, "SCALAR", 1),
+               turns = floats.add({0, 0, 0, 1, 0, 0, 1, 0}, "VEC4", 4);
   document["animations"] = {{{"channels", {channel(1, "translation", 0), channel(0, "rotation", 1)}},
                              {"samplers",
                               {{{"input", times}, {"output", ways}},
@@ -102,8 +103,8 @@ TEST(ImportGltfMotion, what_is_kept_where_it_rests_does_not_move) {
   json document = cart();
   Floats floats(document, "rests.bin");
   const size_t times = floats.add({0, 2}, "SCALAR", 1), ways = floats.add({1, 0, 0, 1, 0, 0}, "VEC3", 3);
-  document["animations"] = {{{"channels", {channel(1, "translation", 0)}},
-                             {"samplers", {{{"input", times}, {"output", ways}}}}}};
+  document["animations"] = {
+      {{"channels", {channel(1, "translation", 0)}}, {"samplers", {{{"input", times}, {"output", ways}}}}}};
   const Model model = import_json(document);
   EXPECT_TRUE(model.group_instances.empty());
   EXPECT_EQ(model.instances.size(), 3u);
