@@ -21,11 +21,6 @@ MotionTrack track(Interpolation interpolation, uint32_t components, std::vector<
   return {interpolation, components, length, std::move(times), std::move(values)};
 }
 
-double distance(const Affine& a, const Affine& b) {
-  double most = 0;
-  for (int column = 0; column < 4; ++column) most = std::max(most, glm::distance(a[column], b[column]));
-  return most;
-}
 
 class Dice {
  public:
