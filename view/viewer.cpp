@@ -267,6 +267,7 @@ FrameRequest Viewer::next_frame() {
     if (exact_->time_seconds) clock_.set(*exact_->time_seconds);
   }
   new_frame_ = false;
+  since_frame_.restart();
   const double time = pack_.skeleton().moving ? clock_.seconds() : 0;
   if (walk_) {
     walk_->frames.push_back(camera());

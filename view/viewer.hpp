@@ -77,7 +77,10 @@ class Viewer {
   /// Whether the path's next camera is due.
   bool plays() const;
   /// Whether the next frame differs from the one before, though nobody asked for anything.
-  bool goes_on() const { return plays() || clock_.runs(); }
+  bool goes_on() const {
+    constexpr double least = 1.0 / 60;  // seconds: more pictures than that nobody sees
+    return plays() || (clock_.runs() && since_frame_.seconds() >= least);
+  }
   void save(Command command);
   void take_camera(const std::string& text);
   /// The camera as the person sees through it.
@@ -115,7 +118,7 @@ class Viewer {
   MotionClock clock_;
   std::string alone_;  ///< why, for the title
   PlaceKeeper place_;
-  Stopwatch since_path_frame_;
+  Stopwatch since_path_frame_, since_frame_;
 };
 
 }  // namespace triptych
