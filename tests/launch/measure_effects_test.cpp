@@ -56,7 +56,8 @@ TEST_F(MeasureEffects, has_one_row_for_a_model_that_calls_for_none) {
   const nlohmann::json plain = measured("plain");
   ASSERT_EQ(plain["rows"].size(), 1u);
   const nlohmann::json& row = plain["rows"][0];
-  for (const char* count : {"draws", "binds", "upload_bytes", "fragments", "variants", "frames", "simulation_steps"})
+  for (const char* count :
+       {"draws", "binds", "upload_bytes", "fragments", "variants", "frames", "simulation_steps"})
     EXPECT_EQ(row[count], 0) << count;
 }
 

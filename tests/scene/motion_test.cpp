@@ -21,7 +21,6 @@ MotionTrack track(Interpolation interpolation, uint32_t components, std::vector<
   return {interpolation, components, length, std::move(times), std::move(values)};
 }
 
-
 class Dice {
  public:
   explicit Dice(uint32_t seed) : engine_(seed) {}

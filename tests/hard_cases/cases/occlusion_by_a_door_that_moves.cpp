@@ -49,7 +49,7 @@ const InGallery occlusion_by_a_door_that_moves(
        trial.model = maker.model();
        for (int i = 0; i < 24; ++i) {
          trial.views.push_back(look({-5 + 0.05 * i, 0.4, 2}, {6, 0.2 * (i % 5), 2}));
-         trial.times.push_back(i < 16 ? 0.27 * i : 17.3 * (i % 4) + 0.5);
+         trial.times.push_back(i < 16 ? 1.3 + 0.27 * i : 17.3 * (i % 4) + 0.5);
        }
        return trial;
      }});

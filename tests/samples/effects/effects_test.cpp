@@ -38,9 +38,9 @@ TEST(EffectsSample, has_each_effect_in_the_files_that_call_for_it_and_the_same_t
     const auto calls_for = [&](const char* effect) {
       return file.effects == "all" || file.effects == effect;
     };
-    const Calls expected{calls_for("transparency"), calls_for("vertex-colours"), calls_for("smooth-normals"),
-                         calls_for("textures"), calls_for("emission"),
-                         calls_for("moving-instances")};
+    const Calls expected{calls_for("transparency"),   calls_for("vertex-colours"),
+                         calls_for("smooth-normals"), calls_for("textures"),
+                         calls_for("emission"),       calls_for("moving-instances")};
     EXPECT_TRUE(model.report.warnings.empty()) << file.name << ": " << model.report.warnings.front();
     EXPECT_EQ(calls_of(model), expected) << file.name;
   }
