@@ -151,10 +151,24 @@ TEST(Moving, culling_changes_nothing_at_any_time) {
   LocalPipeline whole(pack(),
                       {.width = 120, .height = 90, .cull = StrategyKind::none, .device = test::device()});
   for (uint32_t i = 0; i < 24; ++i) {
-    const FrameRequest request = frame(i, i % 5 == 4 ? 1000.1 * i : 0.21 * i, i % 3);
+    FrameRequest request = frame(i, i % 5 == 4 ? 1000.1 * i : 0.21 * i, i % 3);
+    // Cut surfaces of what moves, too.
+    if (i % 4 > 1) request.state.section.add_plane({{0, 1, 0}, 0.05}, "test");
+    if (i % 4 == 3) request.state.section.add_plane({{-1, 0, 0}, -0.6}, "test");
     culled.draw(request);
     whole.draw(request);
     ASSERT_EQ(test::differing_pixels(culled.target().read_colors(), whole.target().read_colors()), 0u) << i;
+  }
+}
+
+TEST(Moving, cut_surfaces_are_those_of_a_model_that_stands) {
+  for (const double time : {0.4, 1.7}) {
+    const auto still = built(baked(time), "cut");
+    FrameRequest cut = frame(0, time);
+    cut.state.section.add_plane({{0, 1, 0}, 0.1}, "test");
+    const std::vector<uint8_t> open = picture(pack(), cut, StrategyKind::frustum);
+    EXPECT_LE(test::differing_pixels(open, picture(*still, cut, StrategyKind::frustum)), 16u) << time;
+    EXPECT_GT(test::differing_pixels(open, picture(pack(), frame(0, time), StrategyKind::frustum)), 100u);
   }
 }
 
