@@ -64,6 +64,7 @@ class Replayer {
                        {"pixel_error", frame.request.state.pixel_error},
                        {"samples", frame.request.state.samples},
                        {"edges", frame.request.state.edges},
+                       {"time", frame.request.state.time},
                        {"hidden", frame.request.state.hiding.name.count},
                        {"section", section_json(frame.request.state.section)},
                        {"visible", frame.visible.size()},
