@@ -43,7 +43,7 @@ class Hierarchy {
 
  private:
   struct Boxes {
-    LatticeBox* first = nullptr;    ///< of the placements, then of the pieces; null until asked for
+    LatticeBox* first = nullptr;          ///< of the placements, then of the pieces; null until asked for
     uint32_t placements = 0, pieces = 0;  ///< pieces: 0 where there are no more of them than placements
   };
   bool moves(DrawableId id) const;

@@ -111,7 +111,7 @@ struct Model {
   /// What repeats, stored once; empty for most models, which are lists of instances. See model/flatten.hpp.
   std::vector<Group> groups;
   std::vector<GroupInstance> group_instances;
-  Motion motion;  ///< of group instances
+  Motion motion;                 ///< of group instances
   SourceObjects source_objects;  ///< empty for models without names
   /// What was or will be read: the model files, and the buffers and material libraries that they name. What
   /// triptych-import opened beside a file is among them.

@@ -83,8 +83,8 @@ struct BuildPlan {
   bool has_vertex_colors() const;
 };
 
-/// A box that holds the placed sub-hierarchy's `box`, of its own space, in that of the hierarchy that it is in,
-/// at all times. transforms: of that hierarchy.
+/// A box that holds the placed sub-hierarchy's `box`, of its own space, in that of the hierarchy that it is
+/// in, at all times. transforms: of that hierarchy.
 Box box_at_all_times(const Motion& motion, const PlannedSubHierarchy& placed,
                      std::span<const Affine> transforms, const Box& box);
 

@@ -11,9 +11,9 @@ namespace triptych {
 
 /// That can be switched off from frame to frame.
 enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals, textures, emission, motion };
-inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency,
-                                           Effect::smooth_normals, Effect::textures, Effect::emission,
-                                           Effect::motion};
+inline constexpr std::array all_effects = {Effect::vertex_colors,  Effect::transparency,
+                                           Effect::smooth_normals, Effect::textures,
+                                           Effect::emission,       Effect::motion};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {

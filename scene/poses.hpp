@@ -53,8 +53,7 @@ class Poses {
     return poses_[instance];
   }
   void evaluate(uint32_t instance) const;
-  LatticeBox placed(const Lattice& lattice, uint32_t instance, const Box& box,
-                    const LatticeBox& swept) const;
+  LatticeBox placed(const Lattice& lattice, uint32_t instance, const Box& box, const LatticeBox& swept) const;
 
   const MovingParts& parts_;
   double time_ = 0;

@@ -100,7 +100,7 @@ struct Skeleton {
   /// For each chunk whether it is made to be seen from outside (scene/seen_from_outside.hpp); empty if none
   /// is.
   std::vector<bool> seen_from_outside;
-  ClosedSurfaces closed;  ///< what has cut surfaces
+  ClosedSurfaces closed;                      ///< what has cut surfaces
   std::shared_ptr<const MovingParts> moving;  ///< what moves (scene/moving_parts.hpp); null: nothing does
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
