@@ -15,6 +15,7 @@ enum class Fault {
   no_dilation,             ///< boxes are tested without their margin
   wrong_ancestor,          ///< the visible set is mapped to drawables that are not in the cut
   stale_camera,            ///< culling uses the previous frame's camera
+  stale_motion,            ///< culling uses the previous frame's time
   flipped_byte,            ///< one bit of a message is flipped in transit
   carried_hidden,          ///< what was hidden one frame ago stays hidden
   no_near_rule,            ///< boxes cut by the near plane are tested by the corners before it

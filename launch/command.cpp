@@ -279,6 +279,12 @@ void add_picture_flags(CLI::App& command, RunOptions& options) {
   add_samples_flag(command, options);
   command.add_flag("--edges", options.edges, "Draw edges and creases as thin lines");
   add_effects_flag(command, options.effects);
+  constexpr double years = 1e9;  // seconds
+  command
+      .add_option("--time", options.time,
+                  "Seconds at which what moves is shown, where the path names no time")
+      ->check(number_between(-years, years))
+      ->type_name("SECONDS");
   add_section_flags(command, options.section);
 }
 
@@ -286,6 +292,7 @@ void add_picture(nlohmann::json& report, const RunOptions& options) {
   report["samples"] = options.samples;
   report["edges"] = options.edges;
   report["effects"] = effects_text(options.effects);
+  report["time"] = options.time;
   report["section"] = section_json(options.section);
 }
 

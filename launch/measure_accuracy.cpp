@@ -112,6 +112,8 @@ std::vector<std::vector<FrameRequest>> frames_of(const MeasureAccuracyCommand& c
       run.size = size;
       run.samples = count;
       frames.push_back(load_frames(run, skeleton));
+      // Distances are to surfaces where they stand: what moves is measured at rest.
+      for (FrameRequest& frame : frames.back()) frame.state.time = 0;
     }
   }
   if (frames.front().empty()) fail(command.run.path.string(), "there is no frame to measure");

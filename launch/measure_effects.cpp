@@ -37,12 +37,13 @@ int run(const RoundsCommand& command) {
                     {"fragments", a_frame(cost.use.fragments)},
                     {"splits", cost.use.splits},
                     {"variants", cost.use.variants},
-                    {"simulation_steps", 0},  // neither of them simulates anything
+                    {"simulation_steps", a_frame(cost.use.simulation_steps)},
                     {"drawn_triangles", cost.triangles}});
     lines.push_back({name, in_threes(cpu.p50, 2), in_threes(cpu.p50 / without, 2),
                      in_threes(static_cast<double>(cost.used_frames)), in_threes(a_frame(cost.use.ms), 2),
                      in_threes(a_frame(cost.use.draws), 1), in_threes(a_frame(cost.use.binds), 1),
                      in_threes(a_frame(cost.use.upload_bytes)), in_threes(a_frame(cost.use.fragments)),
+                     in_threes(a_frame(cost.use.simulation_steps), 1),
                      in_threes(static_cast<double>(cost.use.variants)), in_threes(cost.triangles)});
   }
   fmt::print(
@@ -50,7 +51,7 @@ int run(const RoundsCommand& command) {
       "of "
       "the effect\n{}",
       text_table({"added", "frame ms", "x", "frames", "effect ms", "draws", "binds", "bytes", "fragments",
-                  "variants", "triangles"},
+                  "steps", "variants", "triangles"},
                  lines));
   write_rounds(command, played, std::move(rows));
   return 0;

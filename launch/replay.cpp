@@ -52,7 +52,7 @@ class Replayer {
     }
     std::vector<DrawableId> ordered = frame.visible;
     const FrameView frame_view(pack_.skeleton(), frame.request.state, injected_frame_rules());
-    sort_by_rank(pack_.skeleton(), frame_view.cell, ordered);
+    sort_by_rank(frame_view, ordered);
     picture_->begin(frame_view);
     picture_->draw(ordered);
     const std::vector<uint8_t> colors = picture_->target().read_colors();
@@ -64,6 +64,7 @@ class Replayer {
                        {"pixel_error", frame.request.state.pixel_error},
                        {"samples", frame.request.state.samples},
                        {"edges", frame.request.state.edges},
+                       {"time", frame.request.state.time},
                        {"hidden", frame.request.state.hiding.name.count},
                        {"section", section_json(frame.request.state.section)},
                        {"visible", frame.visible.size()},

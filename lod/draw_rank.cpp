@@ -1,6 +1,7 @@
 #include "lod/draw_rank.hpp"
 
 #include "base/rounding.hpp"
+#include "lod/frame_view.hpp"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -26,20 +27,32 @@ uint64_t squared_distance(const glm::ivec3& cell, const LatticeBox& box) {
 }
 
 DrawRank draw_rank(const Skeleton& skeleton, const glm::ivec3& cell, DrawableId drawable) {
-  const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[drawable].scene_node];
-  return {squared_distance(cell, node.box), drawable};
+  return {squared_distance(cell, skeleton.scene_nodes[skeleton.drawables[drawable].scene_node].box),
+          drawable};
 }
 
-void RankSorter::sort(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<DrawableId>& drawables) {
+DrawRank draw_rank(const FrameView& view, DrawableId drawable) {
+  const SceneNodeId node = view.skeleton->drawables[drawable].scene_node;
+  // What moves and cannot be in view, as what has left it, is not evaluated to be told that it has.
+  const LatticeBox& always = view.skeleton->scene_nodes[node].box;
+  const bool is_gone = view.moves(node) && view.eye_space.bounds(always).outside;
+  return {squared_distance(view.cell, is_gone ? always : view.box(node)), drawable};
+}
+
+void RankSorter::sort(const FrameView& view, std::vector<DrawableId>& drawables) {
   ranks_.clear();
-  for (const DrawableId id : drawables) ranks_.push_back(draw_rank(skeleton, cell, id));
+  for (const DrawableId id : drawables) ranks_.push_back(draw_rank(view, id));
   std::sort(ranks_.begin(), ranks_.end());
   std::transform(ranks_.begin(), ranks_.end(), drawables.begin(),
                  [](const DrawRank& rank) { return rank.id; });
 }
 
+void sort_by_rank(const FrameView& view, std::vector<DrawableId>& drawables) {
+  RankSorter().sort(view, drawables);
+}
+
 void sort_by_rank(const Skeleton& skeleton, const glm::ivec3& cell, std::vector<DrawableId>& drawables) {
-  RankSorter().sort(skeleton, cell, drawables);
+  std::ranges::sort(drawables, {}, [&](DrawableId id) { return draw_rank(skeleton, cell, id); });
 }
 
 }  // namespace triptych

@@ -15,6 +15,7 @@ struct FrameRules {
   bool levels_from_outside = true;  ///< where what is covered may be seen no level leaves it out
   bool model_units = true;          ///< the unit of eye space on the device is near the model's size
   bool current_camera = true;       ///< culling is done under the frame's own camera, not the one before
+  bool current_time = true;         ///< and at the frame's own time
   // Bounds on the screen
   bool near_plane_refines = true;  ///< a box that the near plane cuts may be anywhere on the screen
   bool bounds_margin = true;       ///< boxes under test are dilated and moved towards the eye

@@ -18,9 +18,17 @@ FrameView::FrameView(const Skeleton& of_skeleton, const FrameState& of_state, co
       focal_length(of_state.view.focal_length()),
       clip(clip_space(of_skeleton, of_state.view, rotation, with_rules.model_units)),
       eye_space(of_skeleton, of_state.view, rotation, with_rules),
-      section_space(of_state, clip, focal_length) {
+      section_space(of_state, clip, focal_length),
+      poses(poses_of(of_skeleton, of_state)) {
   if (state.hiding.name.count > 0 && !state.hiding.objects)
     fail("frame", "{} objects are hidden, and nobody said which", state.hiding.name.count);
+}
+
+LatticeBox FrameView::reach(SceneNodeId node) const {
+  const SceneNode& of = skeleton->scene_nodes[node];
+  if (!moves(node)) return skeleton->closed.reach(node, of);
+  // Divided bodies are of one mesh, and so in one instance.
+  return skeleton->closed.bodies.empty() ? box(node) : poses->instance_box(skeleton->lattice(), node, of.box);
 }
 
 SectionPlace FrameView::section_place(const LatticeBox& box) const { return section_place({&box, 1}); }

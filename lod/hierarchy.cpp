@@ -1,6 +1,7 @@
 #include "lod/hierarchy.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <glm/vec4.hpp>
 #include <utility>
 
@@ -16,36 +17,66 @@ size_t pieces_of(const Skeleton& skeleton, std::span<const Placement> placements
 }
 }  // namespace
 
-Hierarchy::Hierarchy(const Skeleton& skeleton) : skeleton_(skeleton), placed_(skeleton.drawables.size()) {}
+Hierarchy::Hierarchy(const Skeleton& skeleton)
+    : skeleton_(skeleton),
+      placed_(skeleton.drawables.size()),
+      poses_(skeleton.moving ? skeleton.drawables.size() : 0, 0) {}
 
-PlacedDrawable Hierarchy::placed(DrawableId id) const {
-  Boxes& boxes = placed_[id];
-  if (boxes.first == nullptr) boxes = place(id);
+bool Hierarchy::moves(DrawableId id) const {
+  return skeleton_.moving && skeleton_.moving->node_of[skeleton_.drawables[id].scene_node] != no_id;
+}
+
+PlacedDrawable Hierarchy::placed(DrawableId id, const Poses* poses) const {
+  const Boxes& boxes = room(id);
+  if (moves(id)) {
+    assert(poses != nullptr);
+    if (std::exchange(poses_[id], poses->number()) != poses->number()) place(id, boxes, poses);
+  }
   const std::span wholes(boxes.first, boxes.placements);
   if (boxes.pieces == 0) return {wholes, wholes};
   return {wholes, std::span(boxes.first + boxes.placements, boxes.pieces)};
 }
 
-/// The boxes of the placements, followed by those of the pieces where there are more pieces than placements.
-Hierarchy::Boxes Hierarchy::place(DrawableId id) const {
+std::pair<size_t, size_t> Hierarchy::placed_counts(DrawableId id) const {
+  const Boxes& boxes = room(id);
+  return {boxes.placements, std::max(boxes.placements, boxes.pieces)};
+}
+
+/// The boxes of the placements, followed by those of the pieces where there are more pieces than placements:
+/// computed, but for those of what moves.
+Hierarchy::Boxes& Hierarchy::room(DrawableId id) const {
+  Boxes& boxes = placed_[id];
+  if (boxes.first != nullptr) return boxes;
+  const size_t placements = placements_of(id).size(), pieces = pieces_of(skeleton_, placements_of(id));
+  const bool in_pieces = pieces > placements;
+  boxes = {allocate(placements + (in_pieces ? pieces : 0)), static_cast<uint32_t>(placements),
+           in_pieces ? static_cast<uint32_t>(pieces) : 0};
+  if (!moves(id)) place(id, boxes, nullptr);
+  return boxes;
+}
+
+void Hierarchy::place(DrawableId id, const Boxes& room, const Poses* poses) const {
   const std::span<const Placement> placements = placements_of(id);
-  const LatticeBox& node_box = scene_node_of(id).box;
-  const size_t pieces = pieces_of(skeleton_, placements);
-  const bool in_pieces = pieces > placements.size();
-  LatticeBox* const boxes = allocate(placements.size() + (in_pieces ? pieces : 0));
+  LatticeBox node_box = scene_node_of(id).box;
+  if (poses) node_box = poses->box(skeleton_.lattice(), skeleton_.drawables[id].scene_node, node_box);
+  LatticeBox* const boxes = room.first;
   LatticeBox* piece_box = boxes + placements.size();
+  Affine transform(1);
   for (size_t i = 0; i < placements.size(); ++i) {
     const Placement& placement = placements[i];
-    boxes[i] = placed_box(skeleton_, placement, skeleton_.chunks[placement.chunk].box, node_box);
-    if (!in_pieces) continue;
+    const auto placed_in = [&](const LatticeBox& local, const LatticeBox& within) {
+      if (!poses) return placed_box(skeleton_, placement, local, within);
+      return placed_box(skeleton_, skeleton_.chunks[placement.chunk].lattice, transform, local, within);
+    };
+    if (poses) transform = poses->transform(placement.transform, Affine(1));
+    boxes[i] = placed_in(skeleton_.chunks[placement.chunk].box, node_box);
+    if (room.pieces == 0) continue;
     const std::span<const LatticeBox> of_chunk = skeleton_.pieces_of(placement.chunk);
     // Whatever rounding does, pieces stay in their placement's box, which replaces them where they are too
     // many.
-    for (const LatticeBox& piece : of_chunk) {
-      *piece_box++ = of_chunk.size() == 1 ? boxes[i] : placed_box(skeleton_, placement, piece, boxes[i]);
-    }
+    for (const LatticeBox& piece : of_chunk)
+      *piece_box++ = of_chunk.size() == 1 ? boxes[i] : placed_in(piece, boxes[i]);
   }
-  return {boxes, static_cast<uint32_t>(placements.size()), in_pieces ? static_cast<uint32_t>(pieces) : 0};
 }
 
 LatticeBox* Hierarchy::allocate(size_t count) const {

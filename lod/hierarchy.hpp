@@ -2,11 +2,13 @@
 #pragma once
 
 #include "scene/placed_box.hpp"
+#include "scene/poses.hpp"
 #include "scene/skeleton.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -33,19 +35,26 @@ class Hierarchy {
     return std::span(skeleton_.placements).subspan(drawable.first_placement, drawable.placement_count);
   }
   /// Boxes that hold every vertex that is drawn, within the scene node's. Computed when they are first asked
-  /// for, and kept.
-  PlacedDrawable placed(DrawableId id) const;
+  /// for, and kept. poses: FrameView::poses, which must be given where anything moves; the boxes of what does
+  /// are kept until they are asked for with others.
+  PlacedDrawable placed(DrawableId id, const Poses* poses = nullptr) const;
+  /// How many boxes placed() has: of placements, and of pieces.
+  std::pair<size_t, size_t> placed_counts(DrawableId id) const;
 
  private:
   struct Boxes {
-    const LatticeBox* first = nullptr;    ///< of the placements, then of the pieces; null until asked for
+    LatticeBox* first = nullptr;          ///< of the placements, then of the pieces; null until asked for
     uint32_t placements = 0, pieces = 0;  ///< pieces: 0 where there are no more of them than placements
   };
-  Boxes place(DrawableId id) const;
+  bool moves(DrawableId id) const;
+  Boxes& room(DrawableId id) const;
+  void place(DrawableId id, const Boxes& room, const Poses* poses) const;
   LatticeBox* allocate(size_t count) const;
 
   const Skeleton& skeleton_;
   mutable std::vector<Boxes> placed_;  ///< for each drawable
+  /// For each drawable the poses that its boxes are of (Poses::number()); empty where nothing moves.
+  mutable std::vector<uint64_t> poses_;
   mutable std::vector<std::unique_ptr<LatticeBox[]>> blocks_;
   mutable LatticeBox* next_ = nullptr;
   mutable size_t left_ = 0;

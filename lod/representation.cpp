@@ -9,10 +9,11 @@ const std::string& LevelsRepresentation::name() const {
 
 void LevelsRepresentation::append(DrawableId id, std::vector<DrawItem>& items) {
   const Skeleton& skeleton = hierarchy_.skeleton();
-  const std::span<const LatticeBox> boxes = hierarchy_.placed(id).pieces;
+  const std::span<const LatticeBox> boxes = hierarchy_.placed(id, view_->poses.get()).pieces;
   const std::span<const Placement> placements = hierarchy_.placements_of(id);
   std::span<const PlacementRun> hidden;
-  if (hidden_) hidden = hidden_->hidden_placements(skeleton.drawables[id].scene_node);
+  if (view_->state.hiding.objects)
+    hidden = view_->state.hiding.objects->hidden_placements(skeleton.drawables[id].scene_node);
   size_t piece = 0;
   for (uint32_t i = 0; i < placements.size(); ++i) {
     const Placement& placement = placements[i];

@@ -5,7 +5,7 @@
 #include "lod/hierarchy.hpp"
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,12 +42,12 @@ class LevelsRepresentation final : public Representation {
   explicit LevelsRepresentation(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {}
 
   const std::string& name() const override;
-  void begin(const FrameView& view) override { hidden_ = view.state.hiding.objects; }
+  void begin(const FrameView& view) override { view_ = view; }
   void append(DrawableId id, std::vector<DrawItem>& items) override;
 
  private:
   const Hierarchy& hierarchy_;
-  std::shared_ptr<const HiddenObjects> hidden_;  ///< null where nothing is
+  std::optional<FrameView> view_;
 };
 
 }  // namespace triptych

@@ -10,9 +10,9 @@ SectionedCounts count_sectioned(const Hierarchy& hierarchy, const FrameView& vie
   const HiddenObjects* const hidden = view.state.hiding.objects.get();
   for (const DrawableId id : drawn) {
     const SceneNodeId node = skeleton.drawables[id].scene_node;
-    if (view.section_place(skeleton.scene_nodes[node].box).inside()) continue;
+    if (view.section_place(view.box(node)).inside()) continue;
     const std::span<const Placement> placements = hierarchy.placements_of(id);
-    const std::span<const LatticeBox> boxes = hierarchy.placed(id).placements;
+    const std::span<const LatticeBox> boxes = hierarchy.placed(id, view.poses.get()).placements;
     for (uint32_t i = 0; i < placements.size(); ++i) {
       const SectionPlace place = view.section_place(boxes[i]);
       if (place.outside || place.inside() || (hidden && hidden->hides(node, i))) continue;

@@ -151,7 +151,7 @@ class OracleMethod final : public ListMethod {
         if (leads_to_owner_.marked(child)) open_.push_back(child);
       }
     }
-    sorter_.sort(skeleton, view.cell, chosen_);
+    sorter_.sort(view, chosen_);
     return chosen_;
   }
 

@@ -16,6 +16,7 @@ void add(EffectUse& sum, const EffectUse& use) {
   sum.binds += use.binds;
   sum.upload_bytes += use.upload_bytes;
   sum.fragments += use.fragments;
+  sum.simulation_steps += use.simulation_steps;
   sum.variants = std::max(sum.variants, use.variants);
   sum.splits += use.splits;
 }

@@ -18,7 +18,9 @@ nlohmann::json effects_drawn(const std::vector<FrameRecord>& frames) {
         {"frames", uses.size()},
         {"ms", distribution_json(uses, [](const EffectUse& use) { return use.ms; })},
         {"draws", distribution_json(uses, [](const EffectUse& use) { return use.draws; })},
-        {"fragments", distribution_json(uses, [](const EffectUse& use) { return use.fragments; })}};
+        {"fragments", distribution_json(uses, [](const EffectUse& use) { return use.fragments; })},
+        {"simulation_steps",
+         distribution_json(uses, [](const EffectUse& use) { return use.simulation_steps; })}};
   }
   return drawn;
 }

@@ -35,7 +35,7 @@ const std::vector<uint32_t>& Explainer::items() {
   if (items_.empty()) {
     std::vector<DrawableId> ordered = record_.visible;
     const FrameView frame_view = view();
-    sort_by_rank(skeleton_, frame_view.cell, ordered);
+    sort_by_rank(frame_view, ordered);
     item_stage_.begin(frame_view);
     item_stage_.draw(ordered);
     items_ = item_stage_.target().read_items();
@@ -65,8 +65,8 @@ DrawableFacts Explainer::facts_of(DrawableId id) const {
   for (SceneNodeId up = drawable.scene_node; up != no_id; up = skeleton_.scene_nodes[up].parent)
     ++facts.depth;
   const FrameView frame_view = view();
-  facts.pixels =
-      projected_error(frame_view.focal_length, drawable.error, frame_view.eye_space.bounds(node.box));
+  facts.pixels = projected_error(frame_view.focal_length, drawable.error,
+                                 frame_view.eye_space.bounds(frame_view.box(drawable.scene_node)));
   return facts;
 }
 
@@ -109,9 +109,9 @@ void Explainer::explain_cut(DrawableExplanation& explanation) {
     name_descendants(own, explanation);
     return;
   }
-  const EyeSpace eye_space = view().eye_space;
+  const FrameView frame_view = view();
   for (SceneNodeId node = own; node != no_id; node = skeleton_.scene_nodes[node].parent) {
-    if (eye_space.bounds(skeleton_.scene_nodes[node].box).outside) explanation.decided_at = node;
+    if (frame_view.eye_space.bounds(frame_view.box(node)).outside) explanation.decided_at = node;
     if (choice(node) >= Cut::inner) continue;
     explanation.by = {facts_of(choice(node))};
     explanation.fate = node == own && choice(node) < explanation.facts.id ? Fate::finer : Fate::coarser;
@@ -177,7 +177,7 @@ void Explainer::name_what_is_in_front(DrawableExplanation& explanation) {
   if (explanation.decided_at == explanation.facts.scene_node) {
     rectangles = drawable_bounds(device_.hierarchy(), projector, explanation.facts.id).rectangles;
   } else {
-    rectangles = {projector.bounds(skeleton_.scene_nodes[explanation.decided_at].box).rectangle};
+    rectangles = {projector.bounds(projector.box(explanation.decided_at)).rectangle};
   }
   const int width = frame_.state.view.width, height = frame_.state.view.height;
   const auto device = [](int at, int side) { return static_cast<float>((2 * at + 1.0) / side - 1); };

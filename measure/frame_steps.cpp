@@ -90,7 +90,7 @@ class FramePlayer final : public CullSink {
     const CullResult& result =
         *clock_.run(FrameStep::hardware_cull, [&] { return &strategy_.run(view, visible_, target, *this); });
     clock_.run(FrameStep::receive_delta, [&] {
-      VisibleStream stream(skeleton_, view.cell, visible_);
+      VisibleStream stream(skeleton_, view.state, visible_);
       for (const EncodedPacket& packet : packets_)
         stream.take({packet.watermark, decode_delta(packet.bytes, visible_, "measure frame")});
       return 0;
@@ -99,7 +99,7 @@ class FramePlayer final : public CullSink {
                [&] { return frame_digest(frame.number, frame.state, pack_.content_hash(), result.visible); });
     clock_.run(FrameStep::order, [&] {
       ordered_ = result.visible;
-      sorter_.sort(skeleton_, view.cell, ordered_);
+      sorter_.sort(view, ordered_);
       return 0;
     });
     clock_.run(FrameStep::draw_list, [&] {

@@ -56,7 +56,7 @@ void add_frame(PathDeviation& deviation, const Skeleton& skeleton, const FrameRe
   const FrameView view(skeleton, frame.state);
   for (const DrawableId id : select_cut(view).drawables) {
     if (distances[id] == 0) continue;  // however near the eye is
-    const LatticeBox& box = skeleton.scene_nodes[skeleton.drawables[id].scene_node].box;
+    const LatticeBox box = view.box(skeleton.drawables[id].scene_node);
     const double pixels =
         std::min(projected_error(view.focal_length, distances[id], view.eye_space.bounds(box)),
                  std::numeric_limits<double>::max());

@@ -83,7 +83,8 @@ class Contest {
       add_unfit("embree", "", 2 * model_bytes, room());
       return;
     }
-    model_.emplace(flatten(pack, hidden));
+    // Where what moves is in the first frame: it has no other place in a flat model.
+    model_.emplace(flatten(pack, hidden, poses_of(pack.skeleton(), frames_.front().state).get()));
     if (everything) add(make_everything_method(*model_, pack.skeleton(), frames_));
     if (!wants("embree")) return;
     const uint64_t room_for_tree = room();

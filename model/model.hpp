@@ -5,6 +5,7 @@
 #include "model/mesh_stream.hpp"
 #include "scene/affine.hpp"
 #include "scene/import_report.hpp"
+#include "scene/motion.hpp"
 #include "scene/source_objects.hpp"
 
 #include <array>
@@ -106,6 +107,9 @@ struct GroupInstance {
   /// counts from: each placement has its own. no_id: what is in it belongs to none.
   SourceObjectId first_object = no_id;
   Affine transform{1};  ///< the group's space to that of what it is placed in
+  /// Index into Motion::joints, in the model alone: what takes the group's space to the model's at all times;
+  /// the transform is that at time 0. no_id: it does not move.
+  uint32_t joint = no_id;
 };
 
 /// Placements that repeat together, in a space of their own.
@@ -123,6 +127,7 @@ struct Model {
   /// What repeats, stored once; empty for most models, which are lists of instances. See model/flatten.hpp.
   std::vector<Group> groups;
   std::vector<GroupInstance> group_instances;
+  Motion motion;                 ///< of group instances
   SourceObjects source_objects;  ///< empty for models without names
   /// What was or will be read: the model files, and the buffers and material libraries that they name. What
   /// triptych-import opened beside a file is among them.

@@ -29,7 +29,7 @@ Awaited<IntakeResult> take_frame(Inbox& inbox, const Skeleton& skeleton, uint64_
                                  const SessionRules& rules) {
   const Role sender = hardware_cull_role(frame.number);
   IntakeResult result;
-  VisibleStream stream(skeleton, eye_cell(skeleton, frame.state.view), previous);
+  VisibleStream stream(skeleton, frame.state, previous);
   for (;;) {
     const double began_ms = steady_milliseconds();
     const auto message = inbox.packet(frame.number);

@@ -13,6 +13,7 @@ FrameRules injected_frame_rules() {
           .levels_from_outside = !injected(Fault::hollow_levels),
           .model_units = !injected(Fault::fixed_units),
           .current_camera = !injected(Fault::stale_camera),
+          .current_time = !injected(Fault::stale_motion),
           .near_plane_refines = !injected(Fault::no_near_rule),
           .bounds_margin = !injected(Fault::no_dilation),
           .double_bounds = !injected(Fault::float_bounds),

@@ -1,6 +1,7 @@
 #include "nodes/local_pipeline.hpp"
 
 #include "base/clock.hpp"
+#include "visibility/motion_use.hpp"
 
 #include <cassert>
 #include <utility>
@@ -99,6 +100,7 @@ void LocalPipeline::draw_once(const FrameRequest& frame) {
   const Stopwatch whole;
   Stopwatch stage;
   occlusion_->begin(frame);
+  const MotionWatch motion(occlusion_->view());
   occlusion_->represent(previous_);
   if (depth_) occlusion_->finish();  // where it is the picture's target, the picture is not finished yet
   record_.occlusion_representation_ms = stage.milliseconds();
@@ -117,7 +119,7 @@ void LocalPipeline::draw_once(const FrameRequest& frame) {
     own_view.emplace(hierarchy_.skeleton(), frame.state, options_.rules);
   const FrameView& view = own_view ? *own_view : occlusion_->view();
   ordered_ = visible_;
-  sorter_.sort(hierarchy_.skeleton(), view.cell, ordered_);
+  sorter_.sort(view, ordered_);
   // What is near gets room before what is not: a picture that leaves something out is drawn in draw rank
   // order alone.
   const bool in_order = streaming_ && streaming_->leaves_out();
@@ -131,6 +133,7 @@ void LocalPipeline::draw_once(const FrameRequest& frame) {
   record_.drawn_triangles = picture_->drawn_triangles();
   const auto effects = picture_->target().effects();
   record_.effects.assign(effects.begin(), effects.end());
+  motion.add_to(record_.effects);
   difference(previous_, visible_, delta_);
   record_.added = delta_.added.size();
   record_.removed = delta_.removed.size();

@@ -14,7 +14,12 @@ void OcclusionStage::begin(const FrameRequest& frame) {
   FrameState state = frame.state;
   if (!rules_.current_camera && last_camera_) state.view = *last_camera_;
   if (!rules_.cut_occludes_nothing) state.section = {};
-  if (!rules_.glass_occludes_nothing) state.effects = Effects::none();
+  if (!rules_.current_time && last_time_) state.time = *last_time_;
+  if (!rules_.glass_occludes_nothing) {
+    state.effects = Effects::none();
+    if (frame.state.effects.has(Effect::motion)) state.effects.add(Effect::motion);
+  }
+  last_time_ = frame.state.time;
   last_camera_ = frame.state.view;
   view_.emplace(skeleton_, state, rules_);
   if (OcclusionRepresentation* representation = strategy_.representation())

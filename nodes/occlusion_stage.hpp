@@ -40,7 +40,8 @@ class OcclusionStage {
   FrameTarget& target_;
   uint32_t frame_ = 0;
   std::optional<FrameView> view_;
-  std::optional<View> last_camera_;  ///< of the frame before
+  std::optional<View> last_camera_;
+  std::optional<double> last_time_;  ///< of the frame before
 };
 
 }  // namespace triptych

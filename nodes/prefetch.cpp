@@ -58,7 +58,7 @@ void Prefetch::expect(const FrameView& view, const View& then_view, float least,
     place += 1;
     const bool other_level = shows_now(skeleton.drawables[id].scene_node, visible);
     // What is in the frustum now and does not show is most likely hidden then, too.
-    if (!other_level && !view.eye_space.bounds(hierarchy_.scene_node_of(id).box).outside) continue;
+    if (!other_level && !view.eye_space.bounds(view.box(skeleton.drawables[id].scene_node)).outside) continue;
     for (const Placement& placement : hierarchy_.placements_of(id)) {
       const uint32_t chunk = placement.chunk;
       if (device_.has_chunk(chunk) || device_.is_damaged(chunk)) continue;

@@ -24,7 +24,10 @@ void ReceivedPicture::in_room(const Draw& draw) {
   spent_.cpu_ms += spent.cpu_ms;
 }
 
-void ReceivedPicture::begin(const FrameView& view, uint32_t frame) { picture_.begin(view, frame); }
+void ReceivedPicture::begin(const FrameView& view, uint32_t frame) {
+  if (!motion_) motion_.emplace(view);
+  picture_.begin(view, frame);
+}
 
 void ReceivedPicture::draw(std::span<const DrawableId> drawables) {
   in_room([&] { picture_.draw(drawables); });
@@ -35,6 +38,9 @@ void ReceivedPicture::finish(const FrameView& view, const VisibleSet& visible, F
     if (streaming_) streaming_->complete(picture_, view, visible, record);
     picture_.finish();
   });
+  const auto effects = picture_.target().effects();
+  record.effects.assign(effects.begin(), effects.end());
+  if (motion_) motion_->add_to(record.effects);
 }
 
 }  // namespace triptych

@@ -4,6 +4,7 @@
 #include "base/spent_time.hpp"
 #include "nodes/session_rules.hpp"
 #include "nodes/streaming.hpp"
+#include "visibility/motion_use.hpp"
 
 #include <optional>
 #include <span>
@@ -20,7 +21,7 @@ class ReceivedPicture {
   void begin(const FrameView& view, uint32_t frame);
   /// More of the visible set, in draw rank order.
   void draw(std::span<const DrawableId> drawables);
-  /// All of it was drawn. Tells the record what the picture lacks.
+  /// All of it was drawn. Tells the record what the picture lacks, and which effects ran.
   void finish(const FrameView& view, const VisibleSet& visible, FrameRecord& record);
 
   /// Why there is no picture; nullopt where there is one.
@@ -36,6 +37,7 @@ class ReceivedPicture {
   const SessionRules& rules_;
   SpentTime spent_;
   std::optional<NoRoom> no_room_;
+  std::optional<MotionWatch> motion_;
 };
 
 }  // namespace triptych

@@ -285,7 +285,7 @@ class RenderNode {
     IntakeResult& intake = *taken;
     if (intake.digest_mismatch) {
       std::vector<DrawableId> ordered = intake.visible;
-      sort_by_rank(pack_.skeleton(), view.cell, ordered);
+      sort_by_rank(view, ordered);
       picture.begin(view, frame.number);
       picture.draw(ordered);
     }
@@ -328,8 +328,6 @@ class RenderNode {
     record.added = intake.sentinel.added;
     record.removed = intake.sentinel.removed;
     record.drawn_triangles = stages_.picture().drawn_triangles();
-    const auto effects = stages_.picture().target().effects();
-    record.effects.assign(effects.begin(), effects.end());
     record.digest_mismatch = intake.digest_mismatch;
     record.visible = std::move(intake.visible);
     return record;

@@ -79,7 +79,7 @@ std::vector<ReplayedFrame> Replay::take(const RecordedMessage& recorded) {
 void Replay::begin(const FrameRequest& frame) {
   current_ = ReplayedFrame{frame, {}, false, false};
   sentinel_.reset();
-  stream_.emplace(skeleton_, eye_cell(skeleton_, frame.state.view), previous_);
+  stream_.emplace(skeleton_, frame.state, previous_);
 }
 
 bool Replay::feed(const Message& message) {

@@ -39,7 +39,7 @@ void Streaming::complete(PictureStage& picture, const FrameView& view, const Vis
   if (substitutes_ && device_.geometry_use().left_out > left_out_) {
     record.owed_drawables = substitutes_->replace(view, shown_);
     std::vector<DrawableId> ordered = shown_;
-    sorter_.sort(pack_device_.skeleton(), view.cell, ordered);
+    sorter_.sort(view, ordered);
     device_.set_missing({.wait = true, .refuse = !leaves_out(), .fail = false});
     picture.begin(view, record.number);
     picture.draw(ordered);

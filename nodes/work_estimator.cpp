@@ -22,7 +22,7 @@ FrameWork WorkEstimator::estimate(const FrameView& view, const VisibleSet& previ
     const Drawable& drawable = skeleton_.drawables[id];
     work.triangles += drawable.triangles;
     work.drawables += 1;
-    const double covered = covered_.by(skeleton_.scene_nodes[drawable.scene_node].box);
+    const double covered = covered_.by(view.box(drawable.scene_node));
     work.covered_megapixels += 1e-6 * covered;
     if (covered > 0)
       work.large_triangles += drawable.triangles * covered / (covered + many_pixels * drawable.triangles);

@@ -58,7 +58,8 @@ struct Hierarchies {
   void make_nodes(HierarchyKind kind) {
     for (const Objects& own : objects) {
       nodes.emplace_back();
-      if (!own.extents.empty()) nodes.back() = build_hierarchy(own.extents, kind, own.leaves, own.files);
+      if (!own.extents.empty())
+        nodes.back() = build_hierarchy(own.extents, kind, own.leaves, own.files, own.moving);
     }
   }
 
@@ -98,6 +99,20 @@ struct Hierarchies {
       instances.push_back({i, numbers[inner.hierarchy], inner.transform, placed.stretches[inner.transform]});
     }
     return instances;
+  }
+
+  /// What moves of those.
+  std::vector<StoredMotion::Instance> moving_in(size_t hierarchy, const PlacedParts& placed) const {
+    std::vector<StoredMotion::Instance> moving;
+    uint32_t instance = 0;
+    for (const HierarchyNode& node : nodes[hierarchy]) {
+      const uint32_t found = sub_hierarchy_of(node, objects[hierarchy]);
+      if (found == no_id) continue;
+      if (const uint32_t joint = placed.sub_hierarchies[found].joint; joint != no_id)
+        moving.push_back({instance, joint});
+      ++instance;
+    }
+    return moving;
   }
 
   /// Which placements of one hierarchy belong to which source object; the same numbers of local scene nodes
@@ -153,6 +168,9 @@ struct Hierarchies {
       std::vector<HierarchyInstance> instances = instances_in(i, placed, numbers);
       if (i + 1 == nodes.size()) {
         skeleton.instances = std::move(instances);
+        skeleton.motion = {std::move(parts.motion), moving_in(i, placed)};
+        if (!skeleton.motion.empty())
+          skeleton.surrounding.effects.push_back(effect_name_in_pack(Effect::motion));
         skeleton.surrounding.transforms = std::move(placed.transforms);
         add_nodes(skeleton.surrounding, nodes[i], std::move(drawables[i].contents));
       } else if (!nodes[i].empty()) {  // empty ones, all of whose triangles were dropped, are not stored

@@ -99,11 +99,21 @@ std::vector<Range> quarters(const Splitter& splitter, Range range) {
   return quarters;
 }
 
+bool is_mixed(Range range, const std::vector<bool>& moving) {
+  return !moving.empty() && !std::ranges::all_of(range, [&](uint32_t object) { return moving[object]; });
+}
+
+/// What rests, and what moves.
+std::vector<Range> by_moving(Range range, const std::vector<bool>& moving) {
+  const auto moves = std::ranges::stable_partition(range, [&](uint32_t object) { return !moving[object]; });
+  return {range.first(range.size() - moves.size()), range.last(moves.size())};
+}
+
 }  // namespace
 
 std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects, HierarchyKind kind,
-                                           std::span<const uint64_t> leaves,
-                                           std::span<const uint32_t> files) {
+                                           std::span<const uint64_t> leaves, std::span<const uint32_t> files,
+                                           const std::vector<bool>& moving) {
   const Splitter splitter(objects, leaves);
   const JointRanges joint(objects, leaves, files);
   std::vector<uint32_t> order(objects.size());
@@ -119,9 +129,10 @@ std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects
       continue;
     }
     nodes[i].first_child = static_cast<uint32_t>(nodes.size());
-    const std::vector<Range> children = kind == HierarchyKind::median_split ? splitter.halves(range)
-                                        : joint.is_joint(range)             ? joint.split(range)
-                                                                            : quarters(splitter, range);
+    const std::vector<Range> children = i == 0 && is_mixed(range, moving)     ? by_moving(range, moving)
+                                        : kind == HierarchyKind::median_split ? splitter.halves(range)
+                                        : joint.is_joint(range)               ? joint.split(range)
+                                                                              : quarters(splitter, range);
     for (const Range child : children) {
       HierarchyNode& node = nodes.emplace_back();
       node.parent = static_cast<uint32_t>(i);

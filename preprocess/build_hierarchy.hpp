@@ -33,9 +33,11 @@ struct HierarchyNode {
 /// whole tree each object stands for; empty if each is one. An object that stands for a sub-hierarchy counts
 /// with all its leaves, and so is as near to the root as its size requires. `files`: which file of the model
 /// each is of; empty if there is one. Ranges of several files are split as preprocess/joint_ranges.hpp says.
+/// `moving`: which of them move; empty if none does. The first split is of those from the others.
 std::vector<HierarchyNode> build_hierarchy(std::span<const ObjectExtent> objects,
                                            HierarchyKind kind = HierarchyKind::partition_cluster_partition,
                                            std::span<const uint64_t> leaves = {},
-                                           std::span<const uint32_t> files = {});
+                                           std::span<const uint32_t> files = {},
+                                           const std::vector<bool>& moving = {});
 
 }  // namespace triptych

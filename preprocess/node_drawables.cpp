@@ -85,7 +85,10 @@ class NodeDrawables {
         if (nodes_[end - 1].child_count > 0) inner.push_back(static_cast<uint32_t>(end - 1));
       }
       std::reverse(inner.begin(), inner.end());
-      simplify_nodes(inner, progress);
+      const auto moving = std::ranges::stable_partition(inner, [&](uint32_t i) { return !holds_moving(i); });
+      for (const uint32_t node : moving) surround(node);
+      progress.advance(moving.size());
+      simplify_nodes(std::span(inner).first(inner.size() - moving.size()), progress);
     }
   }
 
@@ -117,6 +120,29 @@ class NodeDrawables {
   uint32_t stands_for(size_t node) const { return sub_hierarchy_of(nodes_[node], objects_); }
   bool is_leaf_of_parts(size_t node) const {
     return nodes_[node].child_count == 0 && stands_for(node) == no_id;
+  }
+
+  /// Whether something below moves, or the leaf does. Those above inherit it.
+  bool holds_moving(size_t node) {
+    if (objects_.moving.empty()) return false;
+    const HierarchyNode& of = nodes_[node];
+    if (of.child_count == 0) return objects_.moving[of.object];
+    if (holds_moving_.empty()) holds_moving_.resize(nodes_.size(), false);
+    bool moves = false;
+    for (uint32_t child = of.first_child; child < of.first_child + of.child_count; ++child)
+      moves = moves || (nodes_[child].child_count == 0 ? holds_moving(child) : holds_moving_[child]);
+    holds_moving_[node] = moves;
+    return moves;
+  }
+
+  /// Nothing stands for what moves: the scene node above is a box alone.
+  void surround(uint32_t node) {
+    const uint32_t first = nodes_[node].first_child;
+    for (uint32_t child = first; child < first + nodes_[node].child_count; ++child) {
+      contents[node].box.extend(contents[child].box);
+      coarsest_[node].error = std::max(coarsest_[node].error, coarsest_[child].error);
+      coarsest_[child] = {};
+    }
   }
 
   void make_leaf(size_t node) {
@@ -161,7 +187,7 @@ class NodeDrawables {
     const HierarchyRoot& root = roots_[placed.hierarchy];
     LatticeBox& enclosing = contents[node].box;
     enclosing = lattice_.enclosing(
-        placed_box(placed_.transforms[placed.transform], lattice_of(placed).box(root.box)));
+        box_at_all_times(parts_.motion, placed, placed_.transforms, lattice_of(placed).box(root.box)));
     enclosing.lo -= 1;  // rounding in the transform
     enclosing.hi += 1;
     coarsest_[node] = {root.error * placed_.stretches[placed.transform], root.triangles, {}, root.baked};
@@ -311,6 +337,7 @@ class NodeDrawables {
   const BuildOptions& options_;
   BuildWork& work_;
   std::vector<Coarsest> coarsest_;
+  std::vector<bool> holds_moving_;  ///< inner nodes; empty until the first is looked at
   HeldSpans held_;
 };
 

@@ -123,7 +123,7 @@ Objects cluster_by_file(const PlacedParts& parts, const std::vector<ObjectExtent
 }
 
 /// Adds the placed sub-hierarchies that are not empty.
-void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> before,
+void add_sub_hierarchies(const Motion& motion, const PlacedParts& parts, std::span<const Objects> before,
                          std::span<const uint32_t> file_of, Objects& objects) {
   objects.leaves.assign(objects.extents.size(), 1);
   for (uint32_t i = 0; i < parts.sub_hierarchies.size(); ++i) {
@@ -131,15 +131,20 @@ void add_sub_hierarchies(const PlacedParts& parts, std::span<const Objects> befo
     ObjectExtent extent;
     for (const ObjectExtent& inner : before[placed.hierarchy].extents) {
       extent.triangles += inner.triangles;
-      extent.box.extend(placed_box(parts.transforms[placed.transform], inner.box));
+      extent.box.extend(box_at_all_times(motion, placed, parts.transforms, inner.box));
     }
     if (extent.triangles == 0) continue;
     objects.sub_hierarchies.push_back(i);
     objects.extents.push_back(extent);
+    if (placed.joint != no_id) {
+      objects.moving.resize(objects.extents.size(), false);
+      objects.moving.back() = true;
+    }
     if (!file_of.empty()) objects.files.push_back(file_at(file_of, placed.first_object));
     const std::vector<uint64_t>& inner = before[placed.hierarchy].leaves;
     objects.leaves.push_back(std::accumulate(inner.begin(), inner.end(), uint64_t{0}));
   }
+  if (!objects.moving.empty()) objects.moving.resize(objects.extents.size(), false);
 }
 
 }  // namespace
@@ -161,7 +166,8 @@ std::vector<Objects> make_objects(const Parts& parts, const BuildOptions& option
     all.push_back(options.hierarchy == HierarchyKind::median_split
                       ? original_objects(placed, extents)
                       : cluster_by_file(placed, extents, files, options));
-    add_sub_hierarchies(placed, all, is_joint ? file_of : std::span<const uint32_t>(), all.back());
+    add_sub_hierarchies(parts.motion, placed, all, is_joint ? file_of : std::span<const uint32_t>(),
+                        all.back());
   }
   return all;
 }

@@ -18,6 +18,7 @@ struct Objects {
   std::vector<uint64_t> leaves;  ///< for each extent how many leaves of the whole tree it stands for
   /// The placed ones among the extents: indices into PlacedParts::sub_hierarchies.
   std::vector<uint32_t> sub_hierarchies;
+  std::vector<bool> moving;  ///< for each extent whether it moves; empty where nothing does
   std::vector<uint32_t>
       files;            ///< for each extent which file of the model it is of; empty where there is one
   ObjectCounts counts;  ///< without those of sub-hierarchies

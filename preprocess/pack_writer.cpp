@@ -6,6 +6,7 @@
 #include "scene/effects.hpp"
 #include "scene/layers.hpp"
 #include "scene/pack_format.hpp"
+#include "scene/pack_motion.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "scene/seen_from_outside.hpp"
 
@@ -151,6 +152,10 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
     add_section(texels_type, [&](const auto& write) { texels->read_all(write); });
     table.back().version = texels_version;
     table.back().checksum = texels_checksum(skeleton.surrounding.textures);
+  }
+  if (!skeleton.motion.empty()) {
+    add_section(motion_type, [&](const auto& write) { write(encode_motion(skeleton.motion)); });
+    table.back().version = motion_version;
   }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,

@@ -390,6 +390,7 @@ Parts make_parts(const Model& model, BuildPlan plan, const BuildOptions& options
   parts.lattices = std::move(plan.lattices);
   parts.palette = std::move(plan.palette);
   parts.materials = std::move(plan.materials);
+  parts.motion = std::move(plan.motion);
   parts.bodies = maker.bodies;
   parts.has_objects = !plan.objects.empty();
   return parts;

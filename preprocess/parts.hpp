@@ -103,6 +103,7 @@ struct Parts {
   std::vector<SurfaceMaterial> materials;  ///< Skeleton::materials
   uint32_t bodies = 0;                     ///< closed surfaces that are divided among parts
   bool has_objects = false;                ///< whether the model has source objects
+  Motion motion;                           ///< of placed sub-hierarchies
 
   Palette palette_view() const { return {palette, materials}; }
 };

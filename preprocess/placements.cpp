@@ -1,6 +1,6 @@
 #include "preprocess/placements.hpp"
 
-#include "preprocess/transforms.hpp"
+#include "scene/transforms.hpp"
 
 #include <algorithm>
 #include <glm/mat4x4.hpp>
@@ -14,9 +14,12 @@ Affine compose(const Affine& outer, const Affine& inner) { return outer * glm::d
 class GroupPlacer {
  public:
   GroupPlacer(const Model& model, const BuildOptions& options) : model_(model), options_(options) {
+    moves_.resize(model.groups.size() + 1, false);
+    for (const GroupInstance& placed : model.group_instances)
+      if (placed.joint != no_id) moves_[placed.group] = true;
     for (const Group& group : model.groups) {
       hierarchies_.push_back({group.instances, {}, {}});
-      if (!shares()) continue;  // not needed
+      if (!shares() && !moves_[hierarchies_.size() - 1]) continue;  // not needed
       for (const GroupInstance& placed : group.groups) place(placed, hierarchies_.back());
     }
     hierarchies_.push_back({model.instances, {}, {}});
@@ -33,7 +36,7 @@ class GroupPlacer {
  private:
   /// The groups within the placed one have been handled before.
   void place(const GroupInstance& placed, HierarchyPlacements& hierarchy) const {
-    if (shares() && fits(hierarchies_[placed.group], placed.transform)) {
+    if (placed.joint != no_id || (shares() && fits(hierarchies_[placed.group], placed.transform))) {
       hierarchy.groups.push_back(placed);
     } else {
       inline_group(placed, hierarchy);
@@ -82,7 +85,7 @@ class GroupPlacer {
     places.back() = 1;
     for (size_t i = hierarchies_.size(); i-- > 0;) {
       if (places[i] == 0) continue;  // it is not placed
-      if (places[i] == 1 && i + 1 < hierarchies_.size()) {
+      if (places[i] == 1 && i + 1 < hierarchies_.size() && !moves_[i]) {
         inline_in(static_cast<uint32_t>(i), hierarchies_[users[i]]);
         for (const GroupInstance& inner : hierarchies_[i].groups) {
           ++places[inner.group];
@@ -96,7 +99,7 @@ class GroupPlacer {
       }
     }
     used_ = std::move(places);
-    for (size_t i = 0; i + 1 < used_.size(); ++i) used_[i] = used_[i] >= 2;
+    for (size_t i = 0; i + 1 < used_.size(); ++i) used_[i] = used_[i] >= 2 || (moves_[i] && used_[i] > 0);
   }
 
   void inline_in(uint32_t group, HierarchyPlacements& user) const {
@@ -132,7 +135,9 @@ class GroupPlacer {
       const HierarchyPlacements& outer = hierarchies_[i];
       for (const GroupInstance& instance : outer.groups) {
         HierarchyPlacements& inner = hierarchies_[instance.group];
-        const double stretch = outer.stretch * largest_stretch(instance.transform);
+        const double stretch =
+            outer.stretch * (instance.joint == no_id ? largest_stretch(instance.transform)
+                                                     : largest_stretch(model_.motion, instance.joint));
         inner.stretch = inner.uses == 0 ? stretch : std::max(inner.stretch, stretch);
         inner.uses += outer.uses;
       }
@@ -142,6 +147,7 @@ class GroupPlacer {
   const Model& model_;
   const BuildOptions& options_;
   std::vector<HierarchyPlacements> hierarchies_;
+  std::vector<bool> moves_;     ///< groups that are placed by joints
   std::vector<uint64_t> used_;  ///< whether the hierarchy is placed; the model's own is
 };
 

@@ -30,7 +30,7 @@ struct HierarchyPlacements {
 ///
 /// A group's placement becomes an instance of a sub-hierarchy if all of its content can be placed precisely
 /// enough (BuildRules::max_condition), and if the group has at least two such placements. Otherwise its
-/// content is placed one by one.
+/// content is placed one by one. What moves is always an instance.
 std::vector<HierarchyPlacements> place_groups(const Model& model, const BuildOptions& options);
 
 }  // namespace triptych

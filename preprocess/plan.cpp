@@ -9,8 +9,8 @@
 #include "preprocess/federation.hpp"
 #include "preprocess/placements.hpp"
 #include "preprocess/strays.hpp"
-#include "preprocess/transforms.hpp"
 #include "scene/file_objects.hpp"
+#include "scene/transforms.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -168,9 +168,14 @@ class Planner {
           plan_.left_out += placements.uses;
         }
       });
-      for (const GroupInstance& instance : placements.groups)
-        plan_.hierarchies.back().sub_hierarchies.push_back(
-            {instance.group, add_transform(instance.transform), instance.first_object});
+      for (const GroupInstance& instance : placements.groups) {
+        const uint32_t transform = add_transform(instance.transform);
+        PlannedHierarchy& hierarchy = plan_.hierarchies.back();
+        hierarchy.sub_hierarchies.push_back(
+            {instance.group, transform, instance.first_object, instance.joint});
+        if (instance.joint != no_id && options_.rules.bounds_are_stretched)
+          hierarchy.stretches[transform] = largest_stretch(model_.motion, instance.joint);
+      }
     }
   }
 
@@ -260,7 +265,7 @@ void make_lattices(BuildPlan& plan) {
   for (PlannedHierarchy& hierarchy : plan.hierarchies) {
     for (const PlannedSubHierarchy& inner : hierarchy.sub_hierarchies) {
       const Box& box = plan.hierarchies[inner.hierarchy].box;
-      if (!box.empty()) hierarchy.box.extend(placed_box(hierarchy.transforms[inner.transform], box));
+      if (!box.empty()) hierarchy.box.extend(box_at_all_times(plan.motion, inner, hierarchy.transforms, box));
     }
     if (&hierarchy == &plan.hierarchies.back()) {
       plan.lattices[0] = make_lattice(hierarchy.box, hierarchy_bits);
@@ -284,8 +289,15 @@ bool BuildPlan::has_vertex_colors() const {
   return std::ranges::any_of(meshes, [&](const PlannedMesh& mesh) { return colors_of(mesh).of_corners(); });
 }
 
+Box box_at_all_times(const Motion& motion, const PlannedSubHierarchy& placed,
+                     std::span<const Affine> transforms, const Box& box) {
+  return placed.joint == no_id ? placed_box(transforms[placed.transform], box)
+                               : swept_box(motion, placed.joint, box);
+}
+
 BuildPlan make_plan(const Model& model, const BuildOptions& options, const Textures& textures) {
   BuildPlan plan;
+  plan.motion = model.motion;
   plan.tint = VertexTint(model.materials);
   Planner(model, options, plan).run();
   const std::vector<PaletteEntry> of_materials = palette_entries(model, textures);

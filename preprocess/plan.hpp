@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct PlannedSubHierarchy {
   uint32_t transform = 0;  ///< index into the transforms of the hierarchy that it is in
   /// What the source objects in it count from, itself counted from what those of the hierarchy count from.
   SourceObjectId first_object = no_id;
+  /// Index into Motion::joints of what moves it, whose transform is that at time 0; no_id: it does not move.
+  uint32_t joint = no_id;
 };
 
 struct PlannedHierarchy {
@@ -70,6 +73,7 @@ struct BuildPlan {
   uint64_t dropped_triangles = 0;     ///< of meshes that have no valid triangle
   std::vector<std::string> warnings;  ///< what streams found when they were read
   uint64_t left_out = 0;              ///< placements whose transform is not usable
+  Motion motion;                      ///< the model's
 
   Palette palette_view() const { return {palette, materials}; }
   const Box& box() const { return hierarchies.back().box; }  ///< of the model
@@ -78,6 +82,11 @@ struct BuildPlan {
   /// Whether vertices of any mesh keep colours of their own.
   bool has_vertex_colors() const;
 };
+
+/// A box that holds the placed sub-hierarchy's `box`, of its own space, in that of the hierarchy that it is
+/// in, at all times. transforms: of that hierarchy.
+Box box_at_all_times(const Motion& motion, const PlannedSubHierarchy& placed,
+                     std::span<const Affine> transforms, const Box& box);
 
 /// Reads every mesh that is placed once, for its box. Error for a model of which nothing can be placed.
 /// textures: of the model's images; without them materials have none.

@@ -39,7 +39,7 @@ RasterScene::RasterScene(const Skeleton& skeleton, Representation& representatio
 uint64_t RasterScene::place(std::span<const DrawableId> drawables) {
   // Front to back, so that tiles hide what comes later; the result is the same in any order.
   ranks_.clear();
-  for (const DrawableId id : drawables) ranks_.push_back(draw_rank(skeleton_, view_->cell, id));
+  for (const DrawableId id : drawables) ranks_.push_back(draw_rank(*view_, id));
   std::sort(ranks_.begin(), ranks_.end());
   items_.clear();
   for (const DrawRank& rank : ranks_) representation_.append(rank.id, items_);
@@ -71,7 +71,7 @@ uint64_t RasterScene::place(std::span<const DrawableId> drawables) {
                           .cut = place.cut,
                           .pieces = item.pieces};
     if (stretch.chunk->has_outward)
-      stretch.front = outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
+      stretch.front = outward_front(*view_, view_->transform(item.transform), item.pieces);
     triangles += stretch.triangle_count;
     const uint32_t first = stretch.first_triangle, end = first + stretch.triangle_count;
     const auto add = [&](uint32_t from, uint32_t to, std::vector<PlacedStretch>& stretches) {

@@ -48,7 +48,7 @@ void DrawListBuilder::add_command(const ChunkRange& range, const DrawGroup& grou
 void DrawListBuilder::add_caps(std::span<const ChunkRange> ranges, std::span<const DrawItem> items,
                                const CutBody& body, std::span<const CutRun> runs, uint32_t first,
                                uint32_t last, DrawList& list) {
-  const Affine& transform = skeleton_.transforms[body.transform];
+  const Affine transform = view_->transform(body.transform);
   const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0, colored = ranges[runs[0].chunk].colored,
              textured = ranges[runs[0].chunk].textured;
   // A surface of which a part is still to be read has no winding numbers; and all chunks of a mesh have
@@ -131,8 +131,7 @@ void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item
   const SectionPlace place = view_->section_place(item.pieces);
   if (place.outside) return;
   const bool few_runs = !range.outward_runs.empty() && range.outward_runs.size() <= max_runs;
-  const int32_t front =
-      !few_runs ? 0 : outward_front(*view_, skeleton_.transforms[item.transform], item.pieces);
+  const int32_t front = !few_runs ? 0 : outward_front(*view_, view_->transform(item.transform), item.pieces);
   DrawRecord record = this->record(item.transform, skeleton_.chunks[item.chunk].lattice, list);
   record.item = item.drawable;
   record.cut = place.cut;

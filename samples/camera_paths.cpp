@@ -13,9 +13,11 @@ std::string path_json(const CameraFrames& frames) {
     return nlohmann::ordered_json{std::round(v.x * digits) / digits, std::round(v.y * digits) / digits,
                                   std::round(v.z * digits) / digits};
   };
-  for (const CameraFrame& frame : frames)
+  for (const CameraFrame& frame : frames) {
     path["frames"].push_back(
         {{"eye", rounded(frame.eye)}, {"target", rounded(frame.target)}, {"up", {0, 1, 0}}});
+    if (frame.time_seconds) path["frames"].back()["time_seconds"] = *frame.time_seconds;
+  }
   return path.dump() + "\n";
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@ namespace triptych {
 
 struct CameraFrame {
   glm::dvec3 eye{0}, target{0};
+  std::optional<double> time_seconds = {};  ///< of what moves
 };
 using CameraFrames = std::vector<CameraFrame>;
 

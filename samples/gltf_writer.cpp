@@ -167,6 +167,33 @@ size_t GltfWriter::add_parent(const std::string& name, const glm::dvec3& transla
   return number;
 }
 
+size_t GltfWriter::add_moving_node(const std::string& name, size_t mesh, const glm::dvec3& translation,
+                                   std::optional<size_t> parent) {
+  add_node(name, mesh, glm::dmat4(1), parent);
+  gltf_["nodes"].back()["translation"] = {translation.x, translation.y, translation.z};
+  return gltf_["nodes"].size() - 1;
+}
+
+void GltfWriter::animate(size_t node, const std::string& path, const std::vector<float>& times,
+                         const std::vector<float>& values) {
+  const auto add = [&](const std::vector<float>& numbers, const char* type) {
+    const size_t accessor = add_accessor(std::as_bytes(std::span(numbers)), times.size(), false);
+    gltf_["bufferViews"].back().erase("target");
+    gltf_["accessors"].back()["type"] = type;
+    return accessor;
+  };
+  const size_t input = add(times, "SCALAR");
+  gltf_["accessors"].back()["min"] = {times.front()};
+  gltf_["accessors"].back()["max"] = {times.back()};
+  const size_t output = add(values, path == "rotation" ? "VEC4" : "VEC3");
+  if (!gltf_.contains("animations"))
+    gltf_["animations"] = Json::array({{{"channels", Json::array()}, {"samplers", Json::array()}}});
+  Json& animation = gltf_["animations"][0];
+  animation["channels"].push_back(
+      {{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+  animation["samplers"].push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
+}
+
 void GltfWriter::set_attribution(const std::string& copyright, Json extras) {
   gltf_["asset"]["copyright"] = copyright;
   gltf_["asset"]["extras"] = std::move(extras);

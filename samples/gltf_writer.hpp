@@ -36,6 +36,13 @@ class GltfWriter {
                  double intensity);
   /// A node at the scene's top that places nothing itself. Returns its number.
   size_t add_parent(const std::string& name, const glm::dvec3& translation);
+  /// The same where the node may move: at the scene's top, or below another one. Returns its number.
+  size_t add_moving_node(const std::string& name, size_t mesh, const glm::dvec3& translation,
+                         std::optional<size_t> parent = {});
+  /// Moves such a node, in the one animation of the file. path: "translation", "rotation" (quaternions, x y z
+  /// w) or "scale"; values: of each key, one after the other. Even speed between keys.
+  void animate(size_t node, const std::string& path, const std::vector<float>& times,
+               const std::vector<float>& values);
   /// Goes into `asset`: `copyright` and `extras`.
   void set_attribution(const std::string& copyright, nlohmann::ordered_json extras);
   void finish();

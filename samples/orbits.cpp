@@ -76,10 +76,15 @@ CameraFrames orbit_jump(const OrbitOptions& options, Random random) {
 }
 
 void write_orbits(const OrbitOptions& options, const Random& random, const std::filesystem::path& folder) {
-  write_file(folder / "walk.json", path_json(orbit_walk(options)));
-  write_file(folder / "fly.json", path_json(orbit_fly(options)));
-  write_file(folder / "spin.json", path_json(orbit_spin(options)));
-  write_file(folder / "jump.json", path_json(orbit_jump(options, random)));
+  const auto write = [&](const char* name, CameraFrames frames) {
+    for (size_t i = 0; options.frames_a_second > 0 && i < frames.size(); ++i)
+      frames[i].time_seconds = static_cast<double>(i) / options.frames_a_second;
+    write_file(folder / name, path_json(frames));
+  };
+  write("walk.json", orbit_walk(options));
+  write("fly.json", orbit_fly(options));
+  write("spin.json", orbit_spin(options));
+  write("jump.json", orbit_jump(options, random));
 }
 
 }  // namespace triptych

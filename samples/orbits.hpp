@@ -9,11 +9,12 @@
 namespace triptych {
 
 struct OrbitOptions {
-  glm::dvec3 centre{0};      ///< the orbits' axis and what the eye looks at
-  double radius = 1;         ///< from where the whole model can be seen
-  double closest = 0.5;      ///< how near to the axis the close-ups come
-  double low = 0, high = 1;  ///< heights between which the eye moves
-  glm::dvec3 spin{0};        ///< where the spinning eye stands
+  glm::dvec3 centre{0};        ///< the orbits' axis and what the eye looks at
+  double radius = 1;           ///< from where the whole model can be seen
+  double closest = 0.5;        ///< how near to the axis the close-ups come
+  double low = 0, high = 1;    ///< heights between which the eye moves
+  glm::dvec3 spin{0};          ///< where the spinning eye stands
+  double frames_a_second = 0;  ///< by which frames name a time; 0: they name none
 };
 
 /// 300 frames of one slow orbit that comes close and goes away three times.

@@ -67,15 +67,15 @@ void ClosedSurfaces::find_reach(const Skeleton& skeleton) {
     for (uint32_t i = 0; i < finest.placement_count; ++i) {
       const Placement& placement = skeleton.placements[finest.first_placement + i];
       for (const uint32_t run : runs_in(placement.chunk))
-        box.extend(placed_body(skeleton, bodies[runs[run].body], placement.transform));
+        box.extend(placed_body(skeleton, bodies[runs[run].body], skeleton.transforms[placement.transform]));
     }
   }
   for (size_t i = reach_.size(); i-- > 1;) reach_[skeleton.scene_nodes[i].parent].extend(reach_[i]);
 }
 
-LatticeBox placed_body(const Skeleton& skeleton, const DividedBody& body, uint32_t transform) {
-  const Placement placement{skeleton.closed.runs[body.first_run].chunk, transform};
-  return placed_box(skeleton, placement, body.box, skeleton.scene_nodes.front().box);
+LatticeBox placed_body(const Skeleton& skeleton, const DividedBody& body, const Affine& transform) {
+  const uint32_t lattice = skeleton.chunks[skeleton.closed.runs[body.first_run].chunk].lattice;
+  return placed_box(skeleton, lattice, transform, body.box, skeleton.scene_nodes.front().box);
 }
 
 std::vector<std::byte> encode_closed_surfaces(const ClosedSurfaces& closed) {

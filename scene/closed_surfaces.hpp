@@ -2,6 +2,7 @@
 // hold. The section BODY; docs/pack-format.md describes every byte.
 #pragma once
 
+#include "scene/affine.hpp"
 #include "scene/box.hpp"
 
 #include <cstddef>
@@ -66,6 +67,6 @@ ClosedSurfaces decode_closed_surfaces(std::span<const std::byte> bytes, std::spa
                                       const std::string& place);
 
 /// A box of a divided body under the transform of a placement of one of its chunks, on the model's lattice.
-LatticeBox placed_body(const Skeleton& skeleton, const DividedBody& body, uint32_t transform);
+LatticeBox placed_body(const Skeleton& skeleton, const DividedBody& body, const Affine& transform);
 
 }  // namespace triptych

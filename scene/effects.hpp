@@ -16,18 +16,19 @@ enum class Effect : uint8_t {
   smooth_normals,
   textures,
   emission,
+  motion,
   baked_light,
   ambient
 };
 inline constexpr std::array all_effects = {
     Effect::vertex_colors, Effect::transparency, Effect::smooth_normals, Effect::textures,
-    Effect::emission,      Effect::baked_light,  Effect::ambient};
+    Effect::emission,      Effect::motion,       Effect::baked_light,    Effect::ambient};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
   constexpr std::array<std::string_view, all_effects.size()> names = {
-      "vertex-colours", "transparency", "smooth-normals",   "textures",
-      "emission",       "baked-light",  "ambient-occlusion"};
+      "vertex-colours", "transparency",     "smooth-normals", "textures",
+      "emission",       "moving-instances", "baked-light",    "ambient-occlusion"};
   return names[static_cast<size_t>(effect)];
 }
 

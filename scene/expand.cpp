@@ -1,11 +1,13 @@
 #include "scene/expand.hpp"
 
 #include "base/error.hpp"
+#include "scene/expand_motion.hpp"
 
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <limits>
+#include <optional>
 
 namespace triptych {
 
@@ -108,7 +110,9 @@ class Expansion {
     skeleton_.instances.reserve(counts.instances);
     stretches_.reserve(counts.instances);
     for (const HierarchyInstance& instance : stored_.instances) enqueue(instance, 0, 0, 1);
+    if (!stored_.motion.empty()) moving_.emplace(std::move(stored_.motion), skeleton_);
     for (size_t i = 0; i < skeleton_.instances.size(); ++i) append(i);
+    if (moving_) skeleton_.moving = moving_->finish(skeleton_);
     skeleton_.sub_hierarchies = static_cast<uint32_t>(stored_.sub_hierarchies.size());
     return std::move(skeleton_);
   }
@@ -139,6 +143,8 @@ class Expansion {
     skeleton_.scene_nodes[instance.scene_node].first_child = first_node;
     skeleton_.scene_nodes[instance.scene_node].child_count = 1;
     const Affine outer = skeleton_.transforms[instance.transform];
+    const Lattice& lattice = skeleton_.lattices[hierarchy.lattice];
+    const bool moves = moving_ && moving_->begin(index, instance, first_transform, hierarchy, lattice);
     instance.transform = first_transform;  // the identity of the sub-hierarchy: its space to the model's
     skeleton_.instances[index] = instance;
     for (const Affine& inner : hierarchy.transforms) {
@@ -146,14 +152,14 @@ class Expansion {
       if (!is_finite(skeleton_.transforms.back()))
         fail(place_, "an instance has a transform that is not finite");
     }
-    const Lattice& lattice = skeleton_.lattices[hierarchy.lattice];
     for (const SceneNode& local : hierarchy.scene_nodes) {
       SceneNode node = local;
       node.parent = local.parent == no_id ? instance.scene_node : first_node + local.parent;
       if (node.child_count > 0) node.first_child += first_node;
       node.first_drawable += first_drawable;
-      node.box =
-          place_box(local.box, lattice, outer, skeleton_.lattices[0], skeleton_.scene_nodes[node.parent].box);
+      const LatticeBox& around = skeleton_.scene_nodes[node.parent].box;
+      // What moves is anywhere in the box of the scene node that stands for it.
+      node.box = moves ? around : place_box(local.box, lattice, outer, skeleton_.lattices[0], around);
       skeleton_.scene_nodes.push_back(node);
     }
     for (const Drawable& local : hierarchy.drawables) {
@@ -174,6 +180,7 @@ class Expansion {
   const std::string& place_;
   Skeleton skeleton_;
   std::vector<double> stretches_;  ///< of each of the skeleton's instances
+  std::optional<MovingExpansion> moving_;
 };
 
 }  // namespace

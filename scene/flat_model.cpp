@@ -35,9 +35,11 @@ std::vector<Place> places_of_leaves(const Skeleton& skeleton, const HiddenObject
   return places;
 }
 
-void put(const Skeleton& skeleton, const Chunk& chunk, const Place& place, FlatModel& model) {
+void put(const Skeleton& skeleton, const Poses* poses, const Chunk& chunk, const Place& place,
+         FlatModel& model) {
   const Lattice& lattice = skeleton.lattices[skeleton.chunks[place.chunk].lattice];
-  const Affine& affine = skeleton.transforms[place.transform];
+  const Affine& always = skeleton.transforms[place.transform];
+  const Affine affine = poses ? poses->transform(place.transform, always) : always;
   auto vertex = model.vertices.begin() + static_cast<std::ptrdiff_t>(place.first_vertex);
   for (size_t i = 0; i < chunk.vertices.size(); ++i) {
     const ChunkVertex& from = chunk.vertices[i];
@@ -61,7 +63,7 @@ FlatModelSize flat_model_size(const Skeleton& skeleton, const HiddenObjects* hid
   return size;
 }
 
-FlatModel flatten(const Pack& pack, const HiddenObjects* hidden) {
+FlatModel flatten(const Pack& pack, const HiddenObjects* hidden, const Poses* poses) {
   const Skeleton& skeleton = pack.skeleton();
   const FlatModelSize size = flat_model_size(skeleton, hidden);
   if (size.vertices > std::numeric_limits<uint32_t>::max())
@@ -83,7 +85,7 @@ FlatModel flatten(const Pack& pack, const HiddenObjects* hidden) {
   starts.push_back(places.size());
   parallel_for(starts.size() - 1, [&](size_t group) {
     const Chunk chunk = pack.read_chunk(places[starts[group]].chunk);
-    for (size_t i = starts[group]; i < starts[group + 1]; ++i) put(skeleton, chunk, places[i], model);
+    for (size_t i = starts[group]; i < starts[group + 1]; ++i) put(skeleton, poses, chunk, places[i], model);
   });
   return model;
 }

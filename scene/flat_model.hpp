@@ -4,6 +4,7 @@
 
 #include "scene/hidden_objects.hpp"
 #include "scene/pack.hpp"
+#include "scene/poses.hpp"
 
 #include <array>
 #include <cstdint>
@@ -36,8 +37,8 @@ struct FlatModelSize {
 FlatModelSize flat_model_size(const Skeleton& skeleton, const HiddenObjects* hidden = nullptr);
 
 /// Every leaf's finest drawable, each placement that is not hidden transformed; on all cores. hidden: of this
-/// pack; null where nothing is. Error (pack, chunk) for damage, and (pack) for more vertices than 32 bits can
-/// name.
-FlatModel flatten(const Pack& pack, const HiddenObjects* hidden = nullptr);
+/// pack; null where nothing is. poses: where what moves is; null: where it is at time 0. Error (pack, chunk)
+/// for damage, and (pack) for more vertices than 32 bits can name.
+FlatModel flatten(const Pack& pack, const HiddenObjects* hidden = nullptr, const Poses* poses = nullptr);
 
 }  // namespace triptych

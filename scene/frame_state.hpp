@@ -12,7 +12,7 @@ namespace triptych {
 
 /// What a frame's cut, culling and picture are functions of, beside the pack. The Camera message carries it,
 /// the digest covers it, and nothing else that changes from frame to frame may change what is drawn. Later
-/// fields (as time) are added here, in protocol/message_bodies.cpp,
+/// fields are added here, in protocol/message_bodies.cpp,
 /// protocol/digest.cpp and docs/protocol.md, and nowhere else.
 struct FrameState {
   View view;               ///< camera and viewport
@@ -23,6 +23,7 @@ struct FrameState {
   Hiding hiding = {};      ///< objects that are not there either (scene/hidden_objects.hpp)
   /// Those that the model is drawn with where it calls for them.
   Effects effects = Effects::all();
+  double time = 0;  ///< seconds, of what moves (scene/motion.hpp)
   bool operator==(const FrameState&) const = default;
 };
 

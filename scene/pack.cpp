@@ -6,6 +6,7 @@
 #include "base/hashing.hpp"
 #include "scene/closed_surfaces.hpp"
 #include "scene/expand.hpp"
+#include "scene/pack_motion.hpp"
 #include "scene/pack_objects.hpp"
 #include "scene/pack_skeleton.hpp"
 #include "scene/seen_from_outside.hpp"
@@ -61,10 +62,13 @@ void Pack::read() {
   if (sub_hierarchies) {
     const std::string sub_place = name() + ": section SUBH";
     const auto sub_bytes = read_section(*sub_hierarchies, sub_place);
-    skeleton_ = expand(
-        decode_skeleton({skeleton_bytes, skeleton_place}, {sub_bytes, sub_place}, geometry_size_), sub_place);
+    StoredSkeleton stored =
+        decode_skeleton({skeleton_bytes, skeleton_place}, {sub_bytes, sub_place}, geometry_size_);
+    if (motion_) stored.motion = read_motion(stored.instances.size());
+    skeleton_ = expand(std::move(stored), sub_place);
     content_hash_ = instanced_content_hash(skeleton->checksum, sub_hierarchies->checksum);
   } else {
+    if (motion_) fail(name() + ": section MOVE", "is in a pack without sub-hierarchies: build it again");
     skeleton_ = decode_skeleton(skeleton_bytes, geometry_size_, skeleton_place);
     content_hash_ = hash_bytes(skeleton_bytes, format_version_);
   }
@@ -77,14 +81,17 @@ void Pack::read() {
 
 /// What else decides about what is drawn.
 void Pack::read_drawn_sections() {
+  const auto add_to_hash = [&](const PackSection& section) {
+    const std::array hashes = {content_hash_, section.checksum};
+    content_hash_ = hash_values(std::span<const uint64_t>(hashes), format_version_);
+  };
   const auto read = [&](const std::optional<PackSection>& section, const char* type, uint32_t version,
                         const auto& decode) {
     if (!section) return;
     const std::string place = name() + ": section " + type;
     check_version(*section, version, place);
     decode(read_section(*section, place), place);
-    const std::array hashes = {content_hash_, section->checksum};
-    content_hash_ = hash_values(std::span<const uint64_t>(hashes), format_version_);
+    add_to_hash(*section);
   };
   read(seen_from_outside_, "SEEN", seen_from_outside_version, [&](const auto& bytes, const auto& place) {
     skeleton_.seen_from_outside = decode_seen_from_outside(bytes, skeleton_.chunks.size(), place);
@@ -103,6 +110,13 @@ void Pack::read_drawn_sections() {
     if (texels_checksum(skeleton_.textures) != texels_->checksum)
       fail(texels_place, "its checksum does not match the textures of section MATL: build the pack again");
   });
+  if (motion_) add_to_hash(*motion_);  // read before, since the skeleton was expanded with it
+}
+
+StoredMotion Pack::read_motion(size_t instances) const {
+  const std::string place = name() + ": section MOVE";
+  check_version(*motion_, motion_version, place);
+  return decode_motion(read_section(*motion_, place), instances, place);
 }
 
 std::vector<PackSection> Pack::read_table() {
@@ -145,6 +159,7 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
     take_once(closed_surfaces_type, section, closed_surfaces_);
     take_once(materials_type, section, materials_);
     take_once(texels_type, section, texels_);
+    take_once(motion_type, section, motion_);
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));

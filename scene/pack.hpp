@@ -7,6 +7,7 @@
 #include "scene/pack_format.hpp"
 #include "scene/pack_options.hpp"
 #include "scene/skeleton.hpp"
+#include "scene/sub_hierarchy.hpp"
 
 #include <array>
 #include <cstdint>
@@ -61,6 +62,7 @@ class Pack {
   std::vector<PackSection> read_table();
   Sections find_sections(std::span<const PackSection> table);
   void read_drawn_sections();
+  StoredMotion read_motion(size_t instances) const;
   static void check_version(const PackSection& section, uint32_t known, const std::string& place);
   std::vector<std::byte> read_section(const PackSection& section, const std::string& place) const;
   std::vector<std::byte> read_bytes(uint64_t offset, uint64_t count, const std::string& place) const;
@@ -69,7 +71,8 @@ class Pack {
   uint32_t format_version_ = 0;
   uint64_t geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
-  std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_, materials_, texels_;
+  std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_, materials_, texels_,
+      motion_;
 };
 
 }  // namespace triptych

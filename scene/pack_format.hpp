@@ -55,6 +55,10 @@ inline constexpr uint32_t materials_version = 1;
 inline constexpr std::array<char, 4> texels_type = {'T', 'E', 'X', 'L'};
 inline constexpr uint32_t texels_version = 1;
 
+/// Only in packs of models where something moves: with it and with sub-hierarchies, which are what moves.
+inline constexpr std::array<char, 4> motion_type = {'M', 'O', 'V', 'E'};
+inline constexpr uint32_t motion_version = 1;
+
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;
   uint32_t version = pack_format_version;

@@ -56,7 +56,8 @@ void read_settings(const json& object, const std::string& place, PathFrame& fram
       fail(place, "\"fov_y_degrees\" must be between 0 and 180");
     frame.orthographic_height.reset();
   }
-  if (object.contains("time_seconds")) number(object["time_seconds"], place, "time_seconds");
+  if (object.contains("time_seconds"))
+    frame.time_seconds = number(object["time_seconds"], place, "time_seconds");
   if (object.contains("near")) frame.near = number(object["near"], place, "near");
   if (object.contains("off_axis")) {
     frame.off_axis = vector<4>(object, place, "off_axis");
@@ -141,6 +142,7 @@ std::string path_text(const Path& path) {
     }
     if (frame.off_axis) object["off_axis"] = list(*frame.off_axis);
     if (frame.near) object["near"] = *frame.near;
+    if (frame.time_seconds) object["time_seconds"] = *frame.time_seconds;
     frames.push_back(std::move(object));
   }
   return nlohmann::ordered_json{{"triptych_path", 1}, {"frames", std::move(frames)}}.dump(1) + "\n";

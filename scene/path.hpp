@@ -19,6 +19,7 @@ struct PathFrame {
   std::optional<double> orthographic_height{};  ///< model units; instead of the field of view
   std::optional<double> near{};
   std::optional<glm::dvec4> off_axis{};  ///< left, right, bottom, top tangents
+  std::optional<double> time_seconds{};  ///< of what moves
 };
 
 struct Path {
@@ -29,7 +30,7 @@ struct Path {
 
 /// Error (file and frame) for a file that is missing, is not a path, has no frames, holds a key that is not
 /// known, a camera without a direction or with numbers that are not finite, or names two projections at once.
-/// "time_seconds" (a number) and "comment" are allowed at the top and on frames, and are ignored.
+/// "comment" is allowed at the top and on frames, and is ignored.
 Path load_path(const std::filesystem::path& file);
 
 /// The same of a text. place: what errors name.

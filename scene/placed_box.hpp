@@ -9,5 +9,9 @@ namespace triptych {
 /// step on each side for rounding; clipped to `within`, which holds all that the placement draws.
 LatticeBox placed_box(const Skeleton& skeleton, const Placement& placement, const LatticeBox& local,
                       const LatticeBox& within);
+/// The same under another transform than the skeleton's, of a chunk on a lattice (index into
+/// Skeleton::lattices).
+LatticeBox placed_box(const Skeleton& skeleton, uint32_t lattice, const Affine& transform,
+                      const LatticeBox& local, const LatticeBox& within);
 
 }  // namespace triptych

@@ -10,11 +10,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace triptych {
+
+struct MovingParts;
 
 /// Names one scene node at one level of detail: the only name of geometry on the wire.
 using DrawableId = uint32_t;
@@ -97,7 +100,8 @@ struct Skeleton {
   /// For each chunk whether it is made to be seen from outside (scene/seen_from_outside.hpp); empty if none
   /// is.
   std::vector<bool> seen_from_outside;
-  ClosedSurfaces closed;  ///< what has cut surfaces
+  ClosedSurfaces closed;                      ///< what has cut surfaces
+  std::shared_ptr<const MovingParts> moving;  ///< what moves (scene/moving_parts.hpp); null: nothing does
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
   ImportReport import;

@@ -1,5 +1,7 @@
 #include "scene/skeleton_memory.hpp"
 
+#include "scene/moving_parts.hpp"
+
 namespace triptych {
 
 namespace {
@@ -21,19 +23,33 @@ ArrayMemory memory_of_closed(const Skeleton& skeleton) {
   return {"closed surfaces", closed.bodies.size(), stored + by_chunk + reach};
 }
 
+ArrayMemory memory_of_moving(const MovingParts& parts) {
+  uint64_t bytes = (parts.node_of.capacity() + parts.transform_of.capacity()) * sizeof(uint32_t) +
+                   parts.nodes.capacity() * sizeof(MovingNode) +
+                   parts.transforms.capacity() * sizeof(MovingTransform) +
+                   parts.instances.capacity() * sizeof(MovingInstance) +
+                   parts.motion.joints.capacity() * sizeof(MotionJoint);
+  for (const MotionTrack& track : parts.motion.tracks)
+    bytes += sizeof(track) + (track.times.capacity() + track.values.capacity()) * sizeof(double);
+  return {"moving instances", parts.instances.size(), bytes};
+}
+
 }  // namespace
 
 std::vector<ArrayMemory> skeleton_memory(const Skeleton& skeleton) {
-  return {memory_of("drawables", skeleton.drawables),
-          memory_of("scene nodes", skeleton.scene_nodes),
-          memory_of("placements", skeleton.placements),
-          memory_of("chunks", skeleton.chunks),
-          memory_of("pieces", skeleton.pieces),
-          memory_of("transforms", skeleton.transforms),
-          memory_of("lattices", skeleton.lattices),
-          memory_of("instances", skeleton.instances),
-          {"seen from outside", skeleton.seen_from_outside.size(), skeleton.seen_from_outside.capacity() / 8},
-          memory_of_closed(skeleton)};
+  std::vector<ArrayMemory> arrays = {
+      memory_of("drawables", skeleton.drawables),
+      memory_of("scene nodes", skeleton.scene_nodes),
+      memory_of("placements", skeleton.placements),
+      memory_of("chunks", skeleton.chunks),
+      memory_of("pieces", skeleton.pieces),
+      memory_of("transforms", skeleton.transforms),
+      memory_of("lattices", skeleton.lattices),
+      memory_of("instances", skeleton.instances),
+      {"seen from outside", skeleton.seen_from_outside.size(), skeleton.seen_from_outside.capacity() / 8},
+      memory_of_closed(skeleton)};
+  if (skeleton.moving) arrays.push_back(memory_of_moving(*skeleton.moving));
+  return arrays;
 }
 
 uint64_t skeleton_bytes(const Skeleton& skeleton) {

@@ -2,6 +2,7 @@
 // that stand for them under transforms.
 #pragma once
 
+#include "scene/motion.hpp"
 #include "scene/skeleton.hpp"
 
 #include <cstdint>
@@ -30,11 +31,25 @@ struct SubHierarchy {
   std::vector<HierarchyInstance> instances;  ///< of sub-hierarchies before this one, by ascending scene node
 };
 
+/// What moves: placed sub-hierarchies. The boxes of the scene nodes that stand for them hold them at all
+/// times, and their transforms are those at time 0.
+struct StoredMotion {
+  struct Instance {
+    uint32_t instance = 0;  ///< index into StoredSkeleton::instances; ascending
+    uint32_t joint = 0;     ///< index into Motion::joints: takes the sub-hierarchy's space to the model's
+    bool operator==(const Instance&) const = default;
+  };
+  Motion motion;
+  std::vector<Instance> instances;
+  bool empty() const { return instances.empty(); }
+};
+
 /// A skeleton as a pack holds it. Without instances it is the surrounding hierarchy alone.
 struct StoredSkeleton {
   Skeleton surrounding;                      ///< not expanded: Skeleton::instances is empty
   std::vector<HierarchyInstance> instances;  ///< in the surrounding hierarchy, by ascending scene node
   std::vector<SubHierarchy> sub_hierarchies;
+  StoredMotion motion = {};  ///< of instances in the surrounding hierarchy
 };
 
 }  // namespace triptych

@@ -74,6 +74,7 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
     append(words, {"--bcf", setup.bcf.string(), "--viewpoint", std::to_string(options.viewpoint.number)});
   if (options.hash) append(words, {"--hash"});
   if (run.edges) append(words, {"--edges"});
+  if (run.time != 0) append(words, {"--time", fmt::format("{}", run.time)});
   if (run.effects != Effects::all()) append(words, {"--effects", effects_text(run.effects)});
   for (const std::string& word : run.hide) append(words, {"--hide=" + word});
   for (const std::string& word : run.isolate) append(words, {"--isolate=" + word});

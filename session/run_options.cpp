@@ -66,7 +66,8 @@ std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton&
                        options.edges,
                        options.section,
                        {},
-                       options.effects}});
+                       options.effects,
+                       path.frames[i].time_seconds.value_or(options.time)}});
   }
   return frames;
 }

@@ -29,6 +29,7 @@ struct RunOptions {
   uint32_t samples = 1;                    ///< a pixel
   bool edges = false;                      ///< drawn as lines
   Effects effects = Effects::all();        ///< that are drawn where the model calls for them
+  double time = 0;                         ///< seconds, of frames whose path names no time
   std::vector<std::string> hide, isolate;  ///< words that mean objects (scene/object_words.hpp)
   Section section = {};                    ///< what is shown of the model
   double target_ms = 0;  ///< pixel errors are raised so that frames take no longer; 0: they are not

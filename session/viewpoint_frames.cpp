@@ -49,7 +49,7 @@ std::vector<FrameRequest> viewpoint_frames(const std::filesystem::path& bcf, con
     frames.push_back(
         {static_cast<uint32_t>(i),
          {view, options.pixel_error(), options.samples, options.edges, section_of(viewpoint, place),
-          hiding_of(viewpoint, already, skeleton, objects, place), options.effects}});
+          hiding_of(viewpoint, already, skeleton, objects, place), options.effects, options.time}});
   }
   return frames;
 }

@@ -14,6 +14,7 @@ ViewerOptions viewer_options(const RunOptions& run, const Pack& pack) {
   options.samples = run.samples;
   options.edges = run.edges;
   options.effects = run.effects;
+  options.time = run.time;
   options.hiding = load_hiding(run, pack);
   options.section = run.section;
   if (run.path.empty()) return options;

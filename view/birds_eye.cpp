@@ -61,7 +61,7 @@ const FrameTarget& BirdsEye::draw(const FrameView& frame, const VisibleSet& visi
   const FrameView from_above(skeleton_, state, frame.rules);
   target_->begin(from_above);
   std::vector<DrawableId> ordered = visible;
-  sort_by_rank(skeleton_, from_above.cell, ordered);
+  sort_by_rank(from_above, ordered);
   target_->draw(ordered);
 
   const glm::vec4 green(0.05f, 0.55f, 0.15f, 1), red(0.85f, 0.1f, 0.1f, 1), yellow(0.95f, 0.7f, 0, 1);
@@ -69,8 +69,7 @@ const FrameTarget& BirdsEye::draw(const FrameView& frame, const VisibleSet& visi
   above.camera.near = covered / 100;
   ScreenLines lines(above);
   const auto add_box = [&](DrawableId id, const glm::vec4& color) {
-    lines.add_box(skeleton_.lattice().box(skeleton_.scene_nodes[skeleton_.drawables[id].scene_node].box),
-                  color);
+    lines.add_box(skeleton_.lattice().box(from_above.box(skeleton_.drawables[id].scene_node)), color);
   };
   for (const DrawableId id : cut) {
     if (!std::binary_search(visible.begin(), visible.end(), id)) add_box(id, red);

@@ -17,6 +17,7 @@ constexpr Row rows[] = {
     {"+ -", "faster, slower (Ctrl + wheel)", "wheel", "zoom to the cursor"},
     {"1 3 7", "from the front, right, top", "5", "orthographic, perspective"},
     {"Home, Backspace", "the start, the place before", "P", "play the path, stop"},
+    {"T", "what moves: run, stand still", "", ""},
     {"", "", "", ""},
     {"left click", "select: what is it?", "Ctrl + click", "select more, or less"},
     {"/ or Ctrl+F", "search: a word", "Enter, Shift, Ctrl+Enter", "the next, the one before, all"},

@@ -125,11 +125,12 @@ std::string Inquiry::title() const { return search_ ? search_->title() : measuri
 std::vector<ScreenLine> Inquiry::lines(const FrameState& frame, double content_scale) {
   changed_ = false;
   const Selected& selected = tour_.selected();
-  if (!same(selected.all(), outlined_)) {
+  const bool moved = outline_ && !outline_->is_of(pack_.skeleton(), frame);
+  if (moved || !same(selected.all(), outlined_)) {
     outlined_ = selected.all();
     outline_.reset();
     if (!selected.empty())
-      outline_.emplace(pack_.skeleton(), tour_.picker().chunks(), tour_.selector(), outlined_);
+      outline_.emplace(pack_.skeleton(), tour_.picker().chunks(), tour_.selector(), outlined_, frame);
   }
   Overlay overlay(frame.view, content_scale);
   if (outline_) outline_->draw(overlay, frame);

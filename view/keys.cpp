@@ -65,6 +65,8 @@ std::optional<Command> command_of(int key, int modifiers) {
       return Command::toggle_birds_eye;
     case GLFW_KEY_P:
       return Command::toggle_play;
+    case GLFW_KEY_T:
+      return Command::toggle_motion;
     case GLFW_KEY_L:
       return Command::toggle_edges;
     case GLFW_KEY_X:

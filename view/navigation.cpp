@@ -65,7 +65,7 @@ void Walker::turn(double right, double up) {
   pitch_ = std::clamp(pitch_ + up, -steepest, steepest);
 }
 
-void Walker::move(const Motion& motion, double seconds, int window_height) {
+void Walker::move(const WalkerMotion& motion, double seconds, int window_height) {
   pace_ = std::clamp(pace_ * std::pow(faster_a_step, motion.faster), 1e-3, 1e3);
   constexpr double without_field_of_view = std::numbers::pi / 3;  // a drag over the window turns by so much
   const double field_of_view = orthographic() ? without_field_of_view : 2 * std::atan(half_height_);

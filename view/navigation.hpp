@@ -10,14 +10,14 @@
 namespace triptych {
 
 /// A person's input between two pictures.
-struct Motion {
+struct WalkerMotion {
   /// Held directions, −1 to 1: along the line of sight, to the right, along the walker's up axis.
   double forward = 0, right = 0, up = 0;
   /// Mouse movement while looking around, in window pixels: rightwards and downwards.
   double turn_right = 0, turn_down = 0;
   /// Steps by which walking gets faster.
   double faster = 0;
-  bool operator==(const Motion&) const = default;
+  bool operator==(const WalkerMotion&) const = default;
 };
 
 /// Where a person looks from at a whole model: at its front, so along −z where y is up, and so on.
@@ -34,7 +34,7 @@ class Walker {
 
   /// Moves and turns for so many seconds; a picture is `window_height` pixels high, and the point under the
   /// mouse stays there while looking around.
-  void move(const Motion& motion, double seconds, int window_height);
+  void move(const WalkerMotion& motion, double seconds, int window_height);
   /// Stands where the camera stands; the speed stays.
   void jump_to(const Camera& camera);
 

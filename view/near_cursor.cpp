@@ -85,6 +85,7 @@ NearCursor::NearCursor(const Skeleton& skeleton, ChunkShelf& chunks, const Frame
       chunks_(chunks),
       section_(frame.section),
       hidden_(frame.hiding.objects),
+      poses_(poses_of(skeleton, frame)),
       space_(frame.view),
       cursor_(cursor),
       pixels_(pixels),
@@ -129,7 +130,7 @@ std::vector<NearCursor::Place> NearCursor::collect(std::span<const DrawableId> s
       if (hidden_ && hidden_->hides(at, i)) continue;
       const Placement& placement = skeleton_.placements[finest.first_placement + i];
       const ChunkInfo& info = skeleton_.chunks[placement.chunk];
-      const double from = entry(placed_box(skeleton_.transforms[placement.transform],
+      const double from = entry(placed_box(placed_transform(skeleton_, poses_.get(), placement),
                                            skeleton_.lattices[info.lattice].box(info.box)),
                                 pixels, deepest);
       if (std::isfinite(from)) places.push_back({from, node.first_drawable, i});
@@ -150,7 +151,8 @@ std::optional<Picked> NearCursor::nearest(std::span<const Place> places, const E
   std::optional<Picked> found;
   for (const Place& place : places) {
     if (place.entry > ray.most) break;
-    const auto hit = meet(ray, skeleton_, placement_of(place), chunks_);
+    const auto hit = meet(ray, skeleton_, placement_of(place),
+                          placed_transform(skeleton_, poses_.get(), placement_of(place)), chunks_);
     if (!hit) continue;
     ray.most = hit->along;
     found =
@@ -172,10 +174,11 @@ std::vector<NearFacet> NearCursor::facets(size_t most) const {
 void NearCursor::add_facets(const Place& place, std::vector<NearFacet>& facets) const {
   const Placement& placement = placement_of(place);
   const std::shared_ptr<const Chunk> chunk = chunks_.get(placement.chunk);
+  const Affine transform = placed_transform(skeleton_, poses_.get(), placement);
   std::vector<glm::dvec3> corners, eye;
   std::vector<glm::dvec2> pixels;
   for (uint32_t i = 0; i < chunk->vertices.size(); ++i) {
-    corners.push_back(placed_position(skeleton_, placement, *chunk, i));
+    corners.push_back(placed_position(skeleton_, placement, transform, *chunk, i));
     eye.push_back(space_.from_eye(corners.back()));
     pixels.push_back(space_.pixel(eye.back()));
   }

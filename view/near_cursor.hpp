@@ -74,6 +74,7 @@ class NearCursor {
   ChunkShelf& chunks_;
   SectionSides section_;
   std::shared_ptr<const HiddenObjects> hidden_;  ///< null where nothing is
+  std::shared_ptr<const Poses> poses_;           ///< null where nothing moves
   PictureSpace space_;
   glm::dvec2 cursor_;
   double pixels_;

@@ -19,29 +19,31 @@ bool is_hidden(const FrameState& frame, SourceObjectId object) {
 }
 
 /// False where that makes more than there may be.
-bool add_placement(const Skeleton& skeleton, ChunkShelf& chunks, DrawableId drawable, uint32_t placement,
-                   std::vector<NearFacet>& facets) {
+bool add_placement(const Skeleton& skeleton, const Poses* poses, ChunkShelf& chunks, DrawableId drawable,
+                   uint32_t placement, std::vector<NearFacet>& facets) {
   const Placement& placed = skeleton.placements[skeleton.drawables[drawable].first_placement + placement];
   if (facets.size() + skeleton.chunks[placed.chunk].triangle_count > SelectionOutline::most_triangles)
     return false;
+  const Affine transform = placed_transform(skeleton, poses, placed);
   const std::shared_ptr<const Chunk> chunk = chunks.get(placed.chunk);
   for (uint32_t i = 0; i < chunk->triangle_count(); ++i) {
     NearFacet facet{{}, drawable, placement, i};
     for (size_t k = 0; k < 3; ++k)
-      facet.corners[k] = placed_position(skeleton, placed, *chunk, chunk->indices[size_t{3} * i + k]);
+      facet.corners[k] =
+          placed_position(skeleton, placed, transform, *chunk, chunk->indices[size_t{3} * i + k]);
     facets.push_back(facet);
   }
   return true;
 }
 
-std::vector<NearFacet> facets_of(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
-                                 const Selection& selection) {
+std::vector<NearFacet> facets_of(const Skeleton& skeleton, const Poses* poses, ChunkShelf& chunks,
+                                 Selector& selector, const Selection& selection) {
   std::vector<NearFacet> facets;
   if (selection.object == no_id) {
     const SceneNode& node = skeleton.scene_nodes[skeleton.drawables[selection.picked->drawable].scene_node];
     // All drawables of a leaf place the same parts in the same order.
     if (node.child_count == 0)
-      add_placement(skeleton, chunks, node.first_drawable, selection.picked->placement, facets);
+      add_placement(skeleton, poses, chunks, node.first_drawable, selection.picked->placement, facets);
     return facets;
   }
   const PackObjects& objects = selector.objects();
@@ -51,8 +53,8 @@ std::vector<NearFacet> facets_of(const Skeleton& skeleton, ChunkShelf& chunks, S
       for (const ObjectRun& run : objects.runs_of(leaf)) {
         for (uint32_t i = 0; i < run.placements; ++i, ++placement) {
           if (run.object != part) continue;
-          if (!add_placement(skeleton, chunks, skeleton.scene_nodes[leaf].first_drawable, placement, facets))
-            return {};
+          const DrawableId finest = skeleton.scene_nodes[leaf].first_drawable;
+          if (!add_placement(skeleton, poses, chunks, finest, placement, facets)) return {};
         }
       }
     }
@@ -63,15 +65,16 @@ std::vector<NearFacet> facets_of(const Skeleton& skeleton, ChunkShelf& chunks, S
 }  // namespace
 
 SelectionOutline::SelectionOutline(const Skeleton& skeleton, ChunkShelf& chunks, Selector& selector,
-                                   const std::vector<Selection>& selected) {
+                                   const std::vector<Selection>& selected, const FrameState& frame)
+    : poses_(poses_of(skeleton, frame)) {
   uint64_t triangles = 0;
   size_t creases = 0;
   for (const Selection& selection : selected) {
     Piece& piece = pieces_.emplace_back(Piece{selection.object, selection.box, {}});
     triangles += selection.triangles;
     if (triangles > most_triangles || creases > most_lines) continue;
-    piece.edges = feature_edges(facets_of(skeleton, chunks, selector, selection), skeleton.lattice().step / 2,
-                                least_turn);
+    piece.edges = feature_edges(facets_of(skeleton, poses_.get(), chunks, selector, selection),
+                                skeleton.lattice().step / 2, least_turn);
     creases += static_cast<size_t>(std::count_if(
         piece.edges.begin(), piece.edges.end(), [](const FeatureEdge& edge) { return edge.turn >= crease; }));
     if (creases > most_lines) piece.edges.clear();

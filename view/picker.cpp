@@ -49,14 +49,20 @@ template <typename DrawableOf>
 std::optional<Picked> Picker::nearest(PlacedRay ray, const FrameState& frame, const DrawableOf& drawable_of) {
   const Skeleton& skeleton = pack_.skeleton();
   const HiddenObjects* const hidden = frame.hiding.objects.get();
+  const std::shared_ptr<const Poses> poses = poses_of(skeleton, frame);
   const RaySpan span(ray.from, ray.way, ray.least, ray.most);
   std::optional<Picked> found;
   using Entry = std::pair<double, SceneNodeId>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;  // the nearest box first
   const auto add = [&](SceneNodeId node) {
     // A cut surface may be before the box of the back behind it, or before that of what is cut away.
-    const LatticeBox& own = skeleton.scene_nodes[node].box;
-    const LatticeBox& box = ray.entered ? skeleton.closed.reach(node, skeleton.scene_nodes[node]) : own;
+    const LatticeBox& always = skeleton.scene_nodes[node].box;
+    const bool moves = poses && poses->moves(node);
+    if (moves && !poses->is_there(node)) return;
+    // All of what moves, since its divided bodies are somewhere in it.
+    const LatticeBox own = moves ? poses->instance_box(skeleton.lattice(), node, always) : always;
+    const LatticeBox box =
+        ray.entered && !moves ? skeleton.closed.reach(node, skeleton.scene_nodes[node]) : own;
     const double entry = span.entry(skeleton.lattice().box(box));
     if (entry <= ray.most && std::isfinite(entry)) open.emplace(entry, node);
   };
@@ -73,7 +79,9 @@ std::optional<Picked> Picker::nearest(PlacedRay ray, const FrameState& frame, co
     const Drawable& placed = skeleton.drawables[drawable];
     for (uint32_t i = 0; i < placed.placement_count; ++i) {
       if (hidden && hidden->hides(placed.scene_node, i)) continue;
-      const auto hit = meet(ray, skeleton, skeleton.placements[placed.first_placement + i], chunks_);
+      const Placement& placement = skeleton.placements[placed.first_placement + i];
+      const auto hit =
+          meet(ray, skeleton, placement, placed_transform(skeleton, poses.get(), placement), chunks_);
       if (!hit) continue;
       ray.most = hit->along;
       found = Picked{drawable, i, hit->triangle, ray.from + hit->along * ray.way, hit->normal};

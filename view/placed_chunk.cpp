@@ -114,8 +114,7 @@ std::optional<ChunkHit> meet_cap(const PlacedRay& ray, const LatticeRay& on_latt
 }  // namespace
 
 std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, const Placement& placement,
-                             ChunkShelf& chunks) {
-  const Affine& transform = skeleton.transforms[placement.transform];
+                             const Affine& transform, ChunkShelf& chunks) {
   const ChunkInfo& info = skeleton.chunks[placement.chunk];
   const Lattice& lattice = skeleton.lattices[info.lattice];
   const Box placed = placed_box(transform, lattice.box(info.box));

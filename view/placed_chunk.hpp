@@ -3,6 +3,7 @@
 
 #include "scene/chunk.hpp"
 #include "scene/pack.hpp"
+#include "scene/poses.hpp"
 #include "scene/section.hpp"
 
 #include <cstdint>
@@ -48,17 +49,22 @@ struct ChunkHit {
 /// The nearest triangle of a placement that the ray meets. Where a section opens what is solid (a closed
 /// surface, Skeleton::closed, whichever chunks it was divided among), the ray meets the cut surface at its
 /// beginning, and the triangle is the back behind it: of the placement of that one's chunk. Reads chunks
-/// where the ray meets their boxes.
+/// where the ray meets their boxes. transform: the placement's in the frame.
 std::optional<ChunkHit> meet(const PlacedRay& ray, const Skeleton& skeleton, const Placement& placement,
-                             ChunkShelf& chunks);
+                             const Affine& transform, ChunkShelf& chunks);
+
+/// Of a placement in a frame with these poses (poses_of()).
+inline Affine placed_transform(const Skeleton& skeleton, const Poses* poses, const Placement& placement) {
+  const Affine& always = skeleton.transforms[placement.transform];
+  return poses ? poses->transform(placement.transform, always) : always;
+}
 
 /// A corner's position, model space.
-inline glm::dvec3 placed_position(const Skeleton& skeleton, const Placement& placement, const Chunk& chunk,
-                                  uint32_t vertex) {
+inline glm::dvec3 placed_position(const Skeleton& skeleton, const Placement& placement,
+                                  const Affine& transform, const Chunk& chunk, uint32_t vertex) {
   const Lattice& lattice = skeleton.lattices[skeleton.chunks[placement.chunk].lattice];
   const glm::dvec3 position = lattice.position(chunk.vertices[vertex].point);
-  return placement.transform == 0 ? position
-                                  : skeleton.transforms[placement.transform] * glm::dvec4(position, 1);
+  return placement.transform == 0 ? position : transform * glm::dvec4(position, 1);
 }
 
 }  // namespace triptych

@@ -64,7 +64,7 @@ bool Tour::take(const Input& input, int width, int height) {
     return drag.right != 0 || drag.down != 0;
   };
   const bool orbits = began(input.orbit, orbit_at_), pans = began(input.pan, pan_at_);
-  if (!(input.motion == Motion{}) || orbits || pans || input.zoom != 0) {
+  if (!(input.motion == WalkerMotion{}) || orbits || pans || input.zoom != 0) {
     remember();
     moved = true;
   }

@@ -36,8 +36,10 @@ Viewer::Viewer(const Pack& pack, ViewerOptions options)
       inquiry_(pack, tour_),
       edits_(pack.skeleton(), options_.hiding, options_.section),
       hierarchy_(pack.skeleton()),
+      clock_(options_.time),
       place_(options_.place) {
   if (options_.path) exact_ = options_.path->frames.front();
+  if (exact_ && exact_->time_seconds) clock_.set(*exact_->time_seconds);
   select_first(options_.selected);
   if (const auto place = place_.read()) begin_at(*place);
 }
@@ -112,13 +114,13 @@ bool Viewer::wait_for_frame(double patience) {
   do {
     const double left_s = patience - waiting.seconds();
     // Short, since a signal does not wake the window, and a path's next camera does not either.
-    const double slice_s = options_.play ? 0.002 : 0.1;
-    take(window_.poll(new_frame_ || plays() ? 0 : std::clamp(left_s, 0.0, slice_s)));
+    const double slice_s = options_.play || clock_.runs() ? 0.002 : 0.1;
+    take(window_.poll(new_frame_ || goes_on() ? 0 : std::clamp(left_s, 0.0, slice_s)));
     left_ = left_ || stop_requested();
     keep_place();
-    if (inquiry_.changed() && !new_frame_ && !plays()) show_again();
-  } while (!new_frame_ && !plays() && !left_ && waiting.seconds() < patience);
-  return (new_frame_ || plays()) && !left_;
+    if (inquiry_.changed() && !new_frame_ && !goes_on()) show_again();
+  } while (!new_frame_ && !goes_on() && !left_ && waiting.seconds() < patience);
+  return (new_frame_ || goes_on()) && !left_;
 }
 
 void Viewer::take(Input input) {
@@ -167,6 +169,10 @@ void Viewer::take(Command command) {
       options_.play = options_.path && !options_.play;
       if (!options_.path) said_ = "there is no --path to play";
       break;
+    case Command::toggle_motion:
+      if (pack_.skeleton().moving) clock_.toggle();
+      if (!pack_.skeleton().moving) said_ = "nothing moves in this model";
+      break;
     case Command::toggle_edges:
       options_.edges = !options_.edges;
       break;
@@ -196,6 +202,7 @@ void Viewer::take_camera(const std::string& text) {
     const Path path = parse_path(text, "what was copied");
     tour_.jump_to(path.view(0, window_.width(), window_.height(), near_).camera);
     exact_ = path.frames.front();
+    if (exact_->time_seconds) clock_.set(*exact_->time_seconds);
     options_.play = false;
   } catch (const Error& error) {
     notice("no camera: {}", error.what());
@@ -203,7 +210,11 @@ void Viewer::take_camera(const std::string& text) {
   }
 }
 
-PathFrame Viewer::camera() const { return exact_ ? *exact_ : path_frame(view().camera); }
+PathFrame Viewer::camera() const {
+  PathFrame camera = exact_ ? *exact_ : path_frame(view().camera);
+  if (pack_.skeleton().moving) camera.time_seconds = clock_.seconds();
+  return camera;
+}
 
 void Viewer::save_viewpoint(const std::vector<uint8_t>& colors, const FrameState& frame) {
   said_ = keep(options_.pictures, "viewpoint", "bcfzip", [&](const std::filesystem::path& file) {
@@ -253,12 +264,18 @@ FrameRequest Viewer::next_frame() {
     exact_ = options_.path->frames[path_frame_];
     path_frame_ = (path_frame_ + 1) % options_.path->frames.size();
     tour_.jump_to(view().camera);
+    if (exact_->time_seconds) clock_.set(*exact_->time_seconds);
   }
   new_frame_ = false;
-  if (walk_) walk_->frames.push_back(camera());
+  since_frame_.restart();
+  const double time = pack_.skeleton().moving ? clock_.seconds() : 0;
+  if (walk_) {
+    walk_->frames.push_back(camera());
+    if (pack_.skeleton().moving) walk_->frames.back().time_seconds = time;
+  }
   return {next_number_++,
           {view(), options_.pixel_error, options_.samples, options_.edges, edits_.section(), edits_.hiding(),
-           options_.effects}};
+           options_.effects, time}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,
@@ -313,6 +330,8 @@ void Viewer::set_title() {
   std::string title = figures_;
   title +=
       fmt::format(", culling {}, {:.3g} units/s", options_.culling ? "on" : "off", tour_.walker().speed());
+  if (pack_.skeleton().moving && tour_.frame())
+    title += fmt::format(", time {:.1f} s{}", tour_.frame()->time, clock_.runs() ? "" : " (stands)");
   if (const std::string cut = edits_.words(); !cut.empty()) title += ", " + cut + open_;
   if (const std::string selected = tour_.selected().name(); !selected.empty()) title += ", " + selected;
   if (const uint32_t hidden = hiding().name.count; hidden > 0)

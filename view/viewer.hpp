@@ -12,6 +12,7 @@
 #include "view/help.hpp"
 #include "view/inquiry.hpp"
 #include "view/last_place.hpp"
+#include "view/motion_clock.hpp"
 #include "view/passing_words.hpp"
 #include "view/window.hpp"
 
@@ -31,6 +32,7 @@ struct ViewerOptions {
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
   Effects effects = Effects::all();
+  double time = 0;     ///< seconds, of what moves, at the beginning
   Hiding hiding = {};  ///< at the beginning
   bool culling = true;
   std::filesystem::path pictures = ".";    ///< where F2 to F5 save files; if they can: no key ends a walk
@@ -74,6 +76,11 @@ class Viewer {
   View view() const;
   /// Whether the path's next camera is due.
   bool plays() const;
+  /// Whether the next frame differs from the one before, though nobody asked for anything.
+  bool goes_on() const {
+    constexpr double least = 1.0 / 60;  // seconds: more pictures than that nobody sees
+    return plays() || (clock_.runs() && since_frame_.seconds() >= least);
+  }
   void save(Command command);
   void take_camera(const std::string& text);
   /// The camera as the person sees through it.
@@ -108,9 +115,10 @@ class Viewer {
   std::string figures_;                 ///< of the last frame, for the title
   std::string open_;                    ///< open_words() of it
   Hierarchy hierarchy_;
+  MotionClock clock_;
   std::string alone_;  ///< why, for the title
   PlaceKeeper place_;
-  Stopwatch since_path_frame_;
+  Stopwatch since_path_frame_, since_frame_;
 };
 
 }  // namespace triptych

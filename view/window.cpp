@@ -47,17 +47,17 @@ class Library {
 
 /// A direction and the keys that go there; opposite ones cancel out.
 struct Direction {
-  double Motion::*axis;
+  double WalkerMotion::*axis;
   double sign;
   std::vector<int> keys;
 };
 const std::vector<Direction>& directions() {
-  static const std::vector<Direction> all = {{&Motion::forward, 1, {GLFW_KEY_W, GLFW_KEY_UP}},
-                                             {&Motion::forward, -1, {GLFW_KEY_S, GLFW_KEY_DOWN}},
-                                             {&Motion::right, 1, {GLFW_KEY_D, GLFW_KEY_RIGHT}},
-                                             {&Motion::right, -1, {GLFW_KEY_A, GLFW_KEY_LEFT}},
-                                             {&Motion::up, 1, {GLFW_KEY_E, GLFW_KEY_SPACE}},
-                                             {&Motion::up, -1, {GLFW_KEY_Q, GLFW_KEY_LEFT_SHIFT}}};
+  static const std::vector<Direction> all = {{&WalkerMotion::forward, 1, {GLFW_KEY_W, GLFW_KEY_UP}},
+                                             {&WalkerMotion::forward, -1, {GLFW_KEY_S, GLFW_KEY_DOWN}},
+                                             {&WalkerMotion::right, 1, {GLFW_KEY_D, GLFW_KEY_RIGHT}},
+                                             {&WalkerMotion::right, -1, {GLFW_KEY_A, GLFW_KEY_LEFT}},
+                                             {&WalkerMotion::up, 1, {GLFW_KEY_E, GLFW_KEY_SPACE}},
+                                             {&WalkerMotion::up, -1, {GLFW_KEY_Q, GLFW_KEY_LEFT_SHIFT}}};
   return all;
 }
 

@@ -26,6 +26,7 @@ enum class Command {
   toggle_culling,
   toggle_birds_eye,
   toggle_play,
+  toggle_motion,
   toggle_edges,
   begin_section,  ///< a plane in the surface under the cursor
   flip_section,   ///< of section planes: the last one
@@ -80,7 +81,7 @@ struct Drag {
 
 /// What happened since the last time.
 struct Input {
-  Motion motion;
+  WalkerMotion motion;
   double seconds = 0;  ///< how long the motion's directions were held
   Drag orbit, pan;
   double zoom = 0;                     ///< steps of the wheel, away from the person

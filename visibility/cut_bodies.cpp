@@ -37,7 +37,7 @@ void CutBodies::add_divided(const FrameView& view, std::span<const Shown> shown)
   const ClosedSurfaces& closed = skeleton_.closed;
   const DividedBody& body = closed.bodies[shown.front().body];
   const uint32_t transform = shown.front().transform;
-  const SectionPlace place = view.section_place(placed_body(skeleton_, body, transform));
+  const SectionPlace place = view.section_place(placed_body(skeleton_, body, view.transform(transform)));
   if (place.outside || place.inside()) return;
   bodies_.push_back({transform, place.cut, static_cast<uint32_t>(runs_.size()), body.run_count});
   for (uint32_t run = body.first_run; run < body.first_run + body.run_count; ++run) {

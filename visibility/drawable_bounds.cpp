@@ -66,16 +66,16 @@ size_t count_of(std::span<const PlacementRun> runs) {
 }  // namespace
 
 bool has_pieces(const Hierarchy& hierarchy, DrawableId id) {
-  const PlacedDrawable placed = hierarchy.placed(id);
-  return placed.pieces.size() > placed.placements.size() && placed.pieces.size() <= max_pieces;
+  const auto [placements, pieces] = hierarchy.placed_counts(id);
+  return pieces > placements && pieces <= max_pieces;
 }
 
 ScreenBounds::Kind append_placement_bounds(const Hierarchy& hierarchy, const BoxProjector& projector,
                                            DrawableId id, const ExtentTester* tester,
                                            std::vector<ScreenRectangle>& rectangles,
                                            std::span<const PlacementRun> gone) {
-  const LatticeBox& whole = hierarchy.scene_node_of(id).box;
-  const std::span<const LatticeBox> boxes = hierarchy.placed(id).placements;
+  const LatticeBox whole = projector.box(hierarchy.skeleton().drawables[id].scene_node);
+  const std::span<const LatticeBox> boxes = hierarchy.placed(id, projector.poses()).placements;
   const size_t shown = boxes.size() - count_of(gone);
   if (shown > max_placements) return append_bounds(projector, {&whole, 1}, tester, rectangles);
   if (shown > 1 && projector.is_off_screen(whole)) return ScreenBounds::Kind::off_screen;
@@ -90,8 +90,8 @@ ScreenBounds::Kind append_drawable_bounds(const Hierarchy& hierarchy, const BoxP
     return append_placement_bounds(hierarchy, projector, id, nullptr, rectangles, gone);
   const std::span<const Placement> placements = hierarchy.placements_of(id);
   const auto pieces_of = [&](size_t i) { return hierarchy.skeleton().pieces_of(placements[i].chunk).size(); };
-  return append_bounds_without(projector, hierarchy.placed(id).pieces, nullptr, gone, placements.size(),
-                               pieces_of, rectangles);
+  return append_bounds_without(projector, hierarchy.placed(id, projector.poses()).pieces, nullptr, gone,
+                               placements.size(), pieces_of, rectangles);
 }
 
 DrawableBounds placement_bounds(const Hierarchy& hierarchy, const BoxProjector& projector, DrawableId id) {

@@ -69,7 +69,7 @@ void HardwareCull::begin(std::span<const DrawableId> represented, const VisibleS
   for (const DrawableId id : represented) represented_.mark(id);
   for (const DrawableId id : previous) {
     was_visible_.mark(id);
-    previous_.push_back(draw_rank(skeleton_, view_->cell, id));
+    previous_.push_back(draw_rank(*view_, id));
     for (SceneNodeId node = skeleton_.drawables[id].scene_node; node != no_id && expected_.mark_first(node);
          node = skeleton_.scene_nodes[node].parent) {
     }
@@ -78,8 +78,7 @@ void HardwareCull::begin(std::span<const DrawableId> represented, const VisibleS
 }
 
 void HardwareCull::push(SceneNodeId node) {
-  if (cut_->choice(node) != no_id)
-    enqueue({squared_distance(view_->cell, skeleton_.scene_nodes[node].box), node});
+  if (cut_->choice(node) != no_id) enqueue({squared_distance(view_->cell, view_->box(node)), node});
 }
 
 void HardwareCull::push_children(SceneNodeId id) {
@@ -146,7 +145,7 @@ void HardwareCull::fill_batch() {
 
 ScreenBounds::Kind HardwareCull::append_bounds(QueueEntry& entry, bool inner) {
   if (!inner) return append_bounds_of(entry);
-  const ScreenBounds bounds = projector_->bounds(skeleton_.scene_nodes[entry.node].box, tester_);
+  const ScreenBounds bounds = projector_->bounds(view_->box(entry.node), tester_);
   if (bounds.kind == ScreenBounds::Kind::rectangle) rectangles_.push_back(bounds.rectangle);
   return bounds.kind;
 }

@@ -46,7 +46,7 @@ const std::vector<DrawableId>& CutMapper::map(LazyCut& cut, const VisibleSet& vi
     if (node == no_id) continue;
     if (const DrawableId choice = cut.choice(node); choice != Cut::inner) add(choice);
   }
-  sorter_.sort(skeleton_, cut.view().cell, mapped_);
+  sorter_.sort(cut.view(), mapped_);
   return mapped_;
 }
 

@@ -64,7 +64,9 @@ bool says_nothing(const ScreenRectangle& r) {
 }  // namespace
 
 BoxProjector::BoxProjector(const FrameView& view, const DeviceMargins& margins)
-    : lattice_(&view.skeleton->lattice()),
+    : skeleton_(view.skeleton),
+      poses_(view.poses),
+      lattice_(&view.skeleton->lattice()),
       margins_(margins),
       rules_(view.rules),
       view_(view.view()),

@@ -73,6 +73,12 @@ class BoxProjector {
   DepthBound depth_bound(const LatticeBox& box) const;
   /// The same over pixels; no bound where FrameRules::fragment_bound is off.
   PixelDepthBound pixel_bound(const LatticeBox& box) const;
+  /// The view's.
+  LatticeBox box(SceneNodeId node) const {
+    const LatticeBox& always = skeleton_->scene_nodes[node].box;
+    return poses_ && poses_->moves(node) ? poses_->box(*lattice_, node, always) : always;
+  }
+  const Poses* poses() const { return poses_.get(); }
 
  private:
   /// Where the corners are: the rectangle, and one depth for all of it.
@@ -95,6 +101,8 @@ class BoxProjector {
   glm::dvec2 on_screen(const glm::dvec2& corner) const { return corner * screen_scale_ + screen_shift_; }
   std::array<HalfPlane, 4> outline(const Extent& extent) const;
 
+  const Skeleton* skeleton_;
+  std::shared_ptr<const Poses> poses_;
   const Lattice* lattice_;
   DeviceMargins margins_;
   FrameRules rules_;

@@ -28,7 +28,7 @@ PlacedLattice LatticePlacer::place(uint32_t transform, uint32_t lattice) {
 [[gnu::noinline]] PlacedLattice LatticePlacer::compute(uint32_t transform, uint32_t lattice_index) const {
   PlacedLattice placed;
   const ClipSpace& clip = view_->clip;
-  const Affine& affine = skeleton_.transforms[transform];
+  const Affine affine = view_->transform(transform);
   const Lattice& lattice = skeleton_.lattices[lattice_index];
   const glm::dmat3 linear(affine);
   // The lattice cell nearest to the eye, as seen from the mesh. A far-away eye is clamped: then distances are

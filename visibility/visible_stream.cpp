@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace triptych {
 
-VisibleStream::VisibleStream(const Skeleton& skeleton, const glm::ivec3& cell, const VisibleSet& previous)
-    : skeleton_(skeleton), cell_(cell), visible_(previous) {
-  for (const DrawableId id : previous) undecided_.push_back(draw_rank(skeleton, cell, id));
+namespace {
+FrameState with_nothing_hidden(FrameState state) {
+  state.hiding = {};
+  return state;
+}
+}  // namespace
+
+VisibleStream::VisibleStream(const Skeleton& skeleton, FrameState state, const VisibleSet& previous)
+    : view_(skeleton, with_nothing_hidden(std::move(state))), visible_(previous) {
+  for (const DrawableId id : previous) undecided_.push_back(draw_rank(view_, id));
   std::sort(undecided_.begin(), undecided_.end());
 }
 
@@ -16,7 +24,7 @@ std::vector<DrawableId> VisibleStream::take(const CullPacket& packet) {
   std::set_intersection(packet.delta.removed.begin(), packet.delta.removed.end(), visible_.begin(),
                         visible_.end(), std::back_inserter(known.removed));
   for (const DrawableId id : packet.delta.added) {
-    if (id < skeleton_.drawables.size() && !std::binary_search(visible_.begin(), visible_.end(), id)) {
+    if (id < view_.skeleton->drawables.size() && !std::binary_search(visible_.begin(), visible_.end(), id)) {
       known.added.push_back(id);
     }
   }
@@ -29,7 +37,7 @@ std::vector<DrawableId> VisibleStream::take(const CullPacket& packet) {
   std::erase_if(undecided_, [&](const DrawRank& rank) {
     return std::binary_search(known.removed.begin(), known.removed.end(), rank.id);
   });
-  for (const DrawableId id : known.added) undecided_.push_back(draw_rank(skeleton_, cell_, id));
+  for (const DrawableId id : known.added) undecided_.push_back(draw_rank(view_, id));
   std::sort(undecided_.begin(), undecided_.end());
   const auto open = std::lower_bound(undecided_.begin(), undecided_.end(), packet.watermark);
   std::vector<DrawableId> decided;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lod/draw_rank.hpp"
+#include "lod/frame_view.hpp"
 #include "visibility/cull_sink.hpp"
 #include "visibility/visible_set.hpp"
 
@@ -13,8 +14,9 @@ namespace triptych {
 /// Takes the packets of one frame in order.
 class VisibleStream {
  public:
-  /// cell: the eye's cell of frame i; previous: V(i−1).
-  VisibleStream(const Skeleton& skeleton, const glm::ivec3& cell, const VisibleSet& previous);
+  /// state: of frame i; previous: V(i−1). Draw ranks do not depend on what is hidden, which need not be
+  /// known.
+  VisibleStream(const Skeleton& skeleton, FrameState state, const VisibleSet& previous);
 
   /// The drawables of V(i) that this packet decided, after those of earlier packets in draw rank order. Ids
   /// that make no sense (removed but not in the set, added twice, beyond the skeleton) are counted as
@@ -26,8 +28,7 @@ class VisibleStream {
   uint64_t faults() const { return faults_; }
 
  private:
-  const Skeleton& skeleton_;
-  glm::ivec3 cell_;
+  FrameView view_;
   VisibleSet visible_;
   /// Of visible_, ascending; those below the watermark have been given out.
   std::vector<DrawRank> undecided_;

@@ -240,7 +240,7 @@ void AccuracyGround::compare_setting(Setting& setting, size_t frame, const Frame
   if (!equal) {
     const FrameView view = view_of(frame, whole.pixel_error);
     std::vector<DrawableId> ordered = drawn;
-    sort_by_rank(skeleton_, view.cell, ordered);
+    sort_by_rank(view, ordered);
     ShownPicture shown{std::move(colors), draw_items(view, ordered), {}};
     shown.surface = surface_pixels(surfaces_, view, shown.items);
     measures = measure_picture(surfaces_, view, frames_[frame].number, reference_, shown,

@@ -55,7 +55,7 @@ std::vector<SceneNodeId> small_leaves(const Skeleton& skeleton, const FrameView&
   std::vector<SceneNodeId> leaves;
   for (const DrawableId id : owners({reference_items.begin(), reference_items.end()})) {
     const SceneNodeId node = skeleton.drawables[id].scene_node;
-    const ScreenBounds bounds = projector.bounds(skeleton.scene_nodes[node].box);
+    const ScreenBounds bounds = projector.bounds(projector.box(node));
     const ScreenRectangle& rectangle = bounds.rectangle;
     if (bounds.kind == ScreenBounds::Kind::rectangle && rectangle.right - rectangle.left <= wide &&
         rectangle.top - rectangle.bottom <= high)

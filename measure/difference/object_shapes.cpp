@@ -1,7 +1,7 @@
 #include "measure/difference/object_shapes.hpp"
 
 #include "base/hashing.hpp"
-#include "preprocess/transforms.hpp"
+#include "scene/transforms.hpp"
 
 #include <cmath>
 #include <glm/vec4.hpp>

@@ -1,6 +1,7 @@
 #include "model/import/import_file.hpp"
 
 #include "base/error.hpp"
+#include "base/rounding.hpp"
 #include "base/unnamed_file.hpp"
 #include "model/import/beside.hpp"
 #include "model/import/stored_mesh.hpp"
@@ -188,6 +189,29 @@ uint32_t FileImport::add_group(Group group) {
 
 void FileImport::add_group_instance(uint32_t group, const Affine& transform, SourceObjectId first_object) {
   model_.group_instances.push_back({group, to_metres_y_up_ * glm::dmat4(transform), first_object});
+}
+
+uint32_t FileImport::add_motion(Motion motion) {
+  const auto first_track = static_cast<uint32_t>(model_.motion.tracks.size()),
+             first_joint = static_cast<uint32_t>(model_.motion.joints.size());
+  const auto move_on = [](uint32_t& index, uint32_t first) {
+    if (index != MotionJoint::none) index += first;
+  };
+  for (MotionJoint& joint : motion.joints) {
+    if (joint.parent == MotionJoint::none) joint.before = to_metres_y_up_ * glm::dmat4(joint.before);
+    move_on(joint.parent, first_joint);
+    for (uint32_t* const track : {&joint.translation_track, &joint.rotation_track, &joint.scale_track})
+      move_on(*track, first_track);
+    model_.motion.joints.push_back(joint);
+  }
+  std::ranges::move(motion.tracks, std::back_inserter(model_.motion.tracks));
+  return first_joint;
+}
+
+void FileImport::add_moving_group(uint32_t group, uint32_t joint, SourceObjectId first_object) {
+  GroupInstance& placed = model_.group_instances.emplace_back(
+      group, round_to_nearest([&] { return transform_at(model_.motion, joint, 0); }), first_object);
+  placed.joint = joint;
 }
 
 void FileImport::finish() {

@@ -80,6 +80,10 @@ class FileImport {
   /// The group's instances are in its own space: only those of groups in the model are turned to metres.
   uint32_t add_group(Group group);
   void add_group_instance(uint32_t group, const Affine& transform, SourceObjectId first_object = no_id);
+  /// What moves groups; the index of its first joint in the model's.
+  uint32_t add_motion(Motion motion);
+  /// Places a group by a joint of the model's.
+  void add_moving_group(uint32_t group, uint32_t joint, SourceObjectId first_object);
   /// What the file says of its objects.
   ObjectCollector& objects() { return objects_; }
 

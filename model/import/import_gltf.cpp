@@ -2,6 +2,7 @@
 #include "model/import/import_gltf.hpp"
 
 #include "base/error.hpp"
+#include "model/import/import_gltf_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -187,11 +188,12 @@ std::vector<Affine> global_transforms(const GltfDocument& gltf, const std::vecto
 class Placer {
  public:
   Placer(const GltfFile& gltf, FileImport& target, GltfMeshes& meshes, const GltfGroups& groups,
-         std::vector<Affine> globals, std::vector<SourceObjectId> objects)
+         GltfMotion& motion, std::vector<Affine> globals, std::vector<SourceObjectId> objects)
       : gltf_(gltf),
         target_(target),
         meshes_(meshes),
         groups_(groups),
+        motion_(motion),
         globals_(std::move(globals)),
         objects_(std::move(objects)) {}
 
@@ -219,7 +221,8 @@ class Placer {
  private:
   struct Open {
     size_t node;
-    Affine transform;
+    Affine transform;  ///< of its parent: to the scene, or to the space of what carries it
+    uint32_t joint = GltfMotion::rests;
   };
 
   /// `inside`: the first node is the group that is being made.
@@ -229,9 +232,12 @@ class Placer {
       open.pop_back();
       const size_t index = next.node;
       Affine transform = next.transform;
+      joint_ = next.joint;
       if (!inside) {
-        transform =
-            compose(transform, gltf_local_transform(gltf_.model.nodes[index], node_place(target_, index)));
+        const Affine local = gltf_local_transform(gltf_.model.nodes[index], node_place(target_, index));
+        const bool moves = motion_.moves(index);
+        if (moves) joint_ = motion_.add_joint(index, next.joint, next.transform);
+        transform = moves ? Affine(1) : compose(transform, local);
         if (const uint32_t group = groups_.of_node[index]; group != GltfGroups::none) {
           place_group(group, transform, object_of(index));
           continue;
@@ -247,8 +253,15 @@ class Placer {
       place_node(index, transform);
       const auto& children = gltf_.model.nodes[index].children;
       for (size_t i = children.size(); i-- > 0;)
-        open.push_back({static_cast<size_t>(children[i]), transform});
+        open.push_back({static_cast<size_t>(children[i]), transform, joint_});
     }
+    joint_ = GltfMotion::rests;
+  }
+
+  /// That is made, or that what moves carries; null: the model.
+  Group* current_group() {
+    if (joint_ != GltfMotion::rests) return &motion_.carried_by(joint_);
+    return into_ ? &*into_ : nullptr;
   }
 
   /// Of a node; counted from the group's own that is being made.
@@ -269,8 +282,8 @@ class Placer {
       const Affine placed = compose(transform, placement);
       if (!is_finite(placed)) {
         target_.warn(not_finite, uses_);
-      } else if (into_) {
-        into_->instances.push_back({*mesh, placed, object_of(index)});
+      } else if (Group* const group = current_group()) {
+        group->instances.push_back({*mesh, placed, object_of(index)});
       } else {
         target_.add_instance(*mesh, placed, object_of(index));
       }
@@ -280,6 +293,13 @@ class Placer {
   /// Only its joints move a skinned mesh. Where they all move it alike, which is how most files are at rest,
   /// the mesh stays as it is. False if the skin cannot be read.
   bool place_skinned(const GltfNode& node, SourceObjectId object, const std::string& place) {
+    const auto is_carried = [&](int64_t joint) {
+      return joint >= 0 && static_cast<size_t>(joint) < gltf_.model.nodes.size() &&
+             motion_.is_carried(static_cast<size_t>(joint));
+    };
+    const auto skin = static_cast<size_t>(node.skin);
+    if (skin < gltf_.model.skins.size() && std::ranges::any_of(gltf_.model.skins[skin].joints, is_carried))
+      target_.warn("skins are not animated: their meshes stay as their joints are at rest");
     std::vector<Affine> joints;
     std::optional<uint32_t> mesh;
     Affine transform(1);
@@ -319,8 +339,8 @@ class Placer {
     if (number == GltfGroups::none) return;
     if (!is_finite(transform)) {
       target_.warn(not_finite, uses_ * groups_.placements[group]);
-    } else if (into_) {
-      into_->groups.push_back({number, transform, first_object});
+    } else if (Group* const around = current_group()) {
+      around->groups.push_back({number, transform, first_object});
     } else {
       target_.add_group_instance(number, transform, first_object);
     }
@@ -332,6 +352,8 @@ class Placer {
   FileImport& target_;
   GltfMeshes& meshes_;
   const GltfGroups& groups_;
+  GltfMotion& motion_;
+  uint32_t joint_ = GltfMotion::rests;   ///< what carries the node that is placed
   std::vector<Affine> globals_;          ///< of every node to the scene, if there are skins
   std::vector<SourceObjectId> objects_;  ///< of every node
   SourceObjectId first_object_ = 0;      ///< what objects of the current content count from
@@ -346,13 +368,15 @@ void place_gltf_nodes(const GltfFile& gltf, FileImport& target, GltfMeshes& mesh
   const std::vector<int> parents = check_tree(gltf.model, target);
   const std::vector<size_t> roots = scene_roots(gltf.model, parents, target);
   add_gltf_lights(gltf.model, roots, target);
-  const GltfGroups groups = find_gltf_groups(gltf.model, roots, target.options());
+  GltfMotion motion(gltf, target);
+  const GltfGroups groups = find_gltf_groups(gltf.model, roots, motion, target.options());
   std::vector<Affine> globals;
   if (!gltf.model.skins.empty()) globals = global_transforms(gltf.model, parents, target);
-  Placer placer(gltf, target, meshes, groups, std::move(globals),
+  Placer placer(gltf, target, meshes, groups, motion, std::move(globals),
                 add_gltf_objects(gltf.model, roots, groups, target));
   placer.place_groups();
   placer.place_scene(roots);
+  motion.place_groups();
 }
 
 void import_gltf(FileImport& target) {
@@ -370,7 +394,6 @@ void import_gltf(FileImport& target, std::shared_ptr<const StreamSource> source)
   GltfMeshes meshes(gltf, target);
   place_gltf_nodes(gltf, target, meshes);
   target.warn("meshes are placed nowhere in the scene and were not imported", meshes.unused_count());
-  target.warn("animations are not played", gltf.model.animations);
 }
 
 }  // namespace triptych

@@ -206,6 +206,8 @@ class GltfMeshes {
   std::optional<Positions> last_positions_;  ///< files often keep the vertices of many meshes in one accessor
 };
 
+class GltfMotion;
+
 /// Which subtrees of the node tree repeat.
 struct GltfGroups {
   static constexpr uint32_t none = 0xffffffffu;
@@ -219,12 +221,13 @@ struct GltfGroups {
 };
 
 /// Two subtrees are equal if their nodes place the same meshes under transforms that are equal to the bit,
-/// without the transform of the topmost one, and the same nodes below it have names, of whatever text. All of
+/// without the transform of the topmost one, and the same nodes below it have names, of whatever text. Those
+/// with something that moves are equal to no other. All of
 /// them together must place as much as the options require (ImportOptions::find_groups), and they must have
 /// at least two places: a subtree that is only part of another group, once, is not a group. `roots`: of a
 /// tree. Reads no geometry.
 GltfGroups find_gltf_groups(const GltfDocument& gltf, const std::vector<size_t>& roots,
-                            const ImportOptions& options);
+                            const GltfMotion& motion, const ImportOptions& options);
 
 /// Whether a node has a name or extras of its own.
 bool gltf_node_is_named(const GltfNode& node);

@@ -135,7 +135,8 @@ class DocumentParser {
     for (const Json& entry : members_.list(json, "extensionsRequired")) {
       if (entry.is_string()) document_.required_extensions.push_back(entry.get<std::string>());
     }
-    document_.animations = members_.list(json, "animations").size();
+    for (const Json& entry : members_.list(json, "animations"))
+      document_.animations.push_back(animation(entry));
   }
 
  private:
@@ -271,6 +272,26 @@ class DocumentParser {
       light.outer_angle = members_.number(*spot, "outerConeAngle", light.outer_angle);
     }
     return light;
+  }
+
+  GltfAnimation animation(const Json& entry) {
+    GltfAnimation animation;
+    for (const Json& given : members_.list(entry, "channels")) {
+      GltfAnimationChannel channel{members_.integer(given, "sampler", -1), -1, ""};
+      if (const Json* target = MemberReader::find(given, "target")) {
+        channel.node = members_.integer(*target, "node", -1);
+        channel.path = members_.text(*target, "path");
+      }
+      animation.channels.push_back(std::move(channel));
+    }
+    for (const Json& given : members_.list(entry, "samplers")) {
+      GltfAnimationSampler sampler{members_.integer(given, "input", -1),
+                                   members_.integer(given, "output", -1),
+                                   members_.text(given, "interpolation")};
+      if (sampler.interpolation.empty()) sampler.interpolation = "LINEAR";
+      animation.samplers.push_back(std::move(sampler));
+    }
+    return animation;
   }
 
   GltfNode node(const Json& entry) {

@@ -1,6 +1,5 @@
-// The JSON of a glTF file as values. Only what is drawn is read: skins' weights, animations, cameras
-// and unknown extensions can be of any form. Numbers are as the file gives them, references are not
-// checked.
+// The JSON of a glTF file as values. Only what is drawn is read: skins' weights, cameras and unknown
+// extensions can be of any form. Numbers are as the file gives them, references are not checked.
 #pragma once
 
 #include <array>
@@ -122,6 +121,21 @@ struct GltfSampler {
   int64_t wrap_u = 10497, wrap_v = 10497, magnify = 9729;
 };
 
+struct GltfAnimationSampler {
+  int64_t input = -1, output = -1;  ///< accessors
+  std::string interpolation = "LINEAR";
+};
+
+struct GltfAnimationChannel {
+  int64_t sampler = -1, node = -1;
+  std::string path;  ///< "translation", "rotation", "scale", "weights", or of an extension
+};
+
+struct GltfAnimation {
+  std::vector<GltfAnimationChannel> channels;
+  std::vector<GltfAnimationSampler> samplers;
+};
+
 enum class GltfAlpha : uint8_t { opaque, mask, blend };
 
 struct GltfMaterial {
@@ -146,7 +160,7 @@ struct GltfDocument {
   std::vector<std::vector<int64_t>> scenes;  ///< root nodes
   int64_t default_scene = -1;
   std::vector<std::string> required_extensions;
-  uint64_t animations = 0;
+  std::vector<GltfAnimation> animations;
   /// Members of the wrong type, by what they are: they count as absent.
   std::map<std::string, uint64_t> misread;
 };

@@ -1,6 +1,6 @@
 // Subtrees of a glTF scene that repeat.
 #include "base/bytes.hpp"
-#include "model/import/import_gltf.hpp"
+#include "model/import/import_gltf_motion.hpp"
 
 #include <string>
 #include <unordered_map>
@@ -56,7 +56,8 @@ void write_transform(const GltfNode& node, ByteWriter& key) {
 
 class Kinds {
  public:
-  explicit Kinds(const GltfDocument& gltf) : of_node(gltf.nodes.size(), GltfGroups::none), gltf_(gltf) {}
+  Kinds(const GltfDocument& gltf, const GltfMotion& motion)
+      : of_node(gltf.nodes.size(), GltfGroups::none), gltf_(gltf), motion_(motion) {}
 
   /// Finds the kind of every node below.
   void add_tree(size_t root) {
@@ -85,8 +86,9 @@ class Kinds {
     ByteWriter key;
     key.write(node.mesh);
     key.write(static_cast<uint8_t>(node.visible));
-    // What a skin moves stands where its joints are: no two such nodes are equal.
-    key.write(node.skin >= 0 ? static_cast<int64_t>(index) : int64_t{-1});
+    // What a skin moves stands where its joints are, and what moves by itself is where it is at each time: no
+    // two such nodes are equal.
+    key.write(node.skin >= 0 || motion_.moves(index) ? static_cast<int64_t>(index) : int64_t{-1});
     const uint64_t placements = write_instancing(gltf_, node, key);
     if (node.mesh >= 0 && node.visible) {
       kind.placements = placements;
@@ -111,17 +113,18 @@ class Kinds {
   }
 
   const GltfDocument& gltf_;
+  const GltfMotion& motion_;
   std::unordered_map<std::string, uint32_t> known_;
 };
 
 }  // namespace
 
 GltfGroups find_gltf_groups(const GltfDocument& gltf, const std::vector<size_t>& roots,
-                            const ImportOptions& options) {
+                            const GltfMotion& motion, const ImportOptions& options) {
   GltfGroups groups;
   groups.of_node.assign(gltf.nodes.size(), GltfGroups::none);
   if (!options.find_groups) return groups;
-  Kinds found(gltf);
+  Kinds found(gltf, motion);
   for (const size_t root : roots) found.add_tree(root);
   const std::vector<Kind>& kinds = found.kinds;
   // How often each kind occurs where everything that repeats is stored once, and how often in the whole

@@ -8,6 +8,7 @@
 #include "preprocess/check/said_closed.hpp"
 #include "preprocess/outward.hpp"
 #include "scene/pack_objects.hpp"
+#include "scene/poses.hpp"
 #include "scene/seen_from_outside.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace {
 class Checking {
  public:
   Checking(const Pack& pack, const CheckOptions& options)
-      : pack_(pack), skeleton_(pack.skeleton()), options_(options) {}
+      : pack_(pack), skeleton_(pack.skeleton()), options_(options), poses_(poses_to_check(pack.skeleton())) {}
 
   CheckReport run() {
     check_nested_boxes();
@@ -170,8 +171,32 @@ class Checking {
   }
 
   bool leaves_box(const Chunk& chunk, const Lattice& lattice, DrawableId id, uint32_t transform_index) const {
-    const Box box = skeleton_.lattice().box(skeleton_.scene_nodes[skeleton_.drawables[id].scene_node].box);
+    const SceneNodeId node = skeleton_.drawables[id].scene_node;
+    const LatticeBox& box = skeleton_.scene_nodes[node].box;
     const Affine& transform = skeleton_.transforms[transform_index];
+    if (leaves_box(chunk, lattice, box, transform)) return true;
+    // What moves is in the box that it has at a time, which is within that of all times.
+    return std::any_of(poses_.begin(), poses_.end(), [&](const auto& poses) {
+      return poses->moves(node) && poses->is_there(node) &&
+             leaves_box(chunk, lattice, poses->box(skeleton_.lattice(), node, box),
+                        poses->transform(transform_index, transform));
+    });
+  }
+
+  /// Many that no clip's length is a multiple of.
+  static std::vector<std::shared_ptr<const Poses>> poses_to_check(const Skeleton& skeleton) {
+    std::vector<std::shared_ptr<const Poses>> poses;
+    if (!skeleton.moving) return poses;
+    constexpr size_t times = 48;
+    const double step = longest_clip(skeleton.moving->motion) / (times - 0.382);
+    for (size_t i = 0; i < times; ++i)
+      poses.push_back(skeleton.moving->poses_at(step * static_cast<double>(i)));
+    return poses;
+  }
+
+  bool leaves_box(const Chunk& chunk, const Lattice& lattice, const LatticeBox& on_lattice,
+                  const Affine& transform) const {
+    const Box box = skeleton_.lattice().box(on_lattice);
     return std::any_of(chunk.vertices.begin(), chunk.vertices.end(), [&](const ChunkVertex& vertex) {
       const glm::dvec3 position = transform * glm::dvec4(lattice.position(vertex.point), 1);
       return !box.contains(Box{position, position});
@@ -184,6 +209,7 @@ class Checking {
   const Pack& pack_;
   const Skeleton& skeleton_;
   const CheckOptions& options_;
+  const std::vector<std::shared_ptr<const Poses>> poses_;  ///< at some times; none where nothing moves
   CheckReport report_;
   std::mutex telling_;
   size_t told_ = 0;

@@ -78,7 +78,7 @@ void GlFrameTarget::test_plane(uint32_t plane, const SamplePlace& place,
 void GlFrameTarget::draw_transparent(VisibleSet* owners) const {
   Renderer& renderer = passes_.renderer;
   renderer.set_view(*view_);  // other targets draw, too
-  const auto rank = [&](DrawableId id) { return draw_rank(*view_->skeleton, view_->cell, id); };
+  const auto rank = [&](DrawableId id) { return draw_rank(*view_, id); };
   std::ranges::sort(transparent_, {}, rank);
   const auto repeated = std::ranges::unique(transparent_);
   transparent_.erase(repeated.begin(), repeated.end());

@@ -1,5 +1,6 @@
 #include "samples/effects/effects.hpp"
 
+#include "samples/effects/moving.hpp"
 #include "samples/effects/textured.hpp"
 #include "samples/gltf_writer.hpp"
 #include "samples/orbits.hpp"
@@ -19,7 +20,7 @@ namespace {
 /// Which effects a file calls for.
 struct Called {
   bool transparency = false, vertex_colours = false, smooth_normals = false, textures = false,
-       emission = false;
+       emission = false, motion = false;
   bool lights = false;  ///< that a build may bake
 };
 
@@ -133,6 +134,9 @@ class Exhibition {
     for (int i = 0; called_.lights && i < lamps; ++i)
       writer_.add_light(fmt::format("light {}", i + 1), {-3 + 3.0 * i, 2.3, -half_depth + 1.4},
                         {1, 0.85, 0.65}, 60);
+    const MovingThings moving = add_moving_things(writer_, called_.motion);
+    objects += moving.objects;
+    triangles += moving.triangles;
     writer_.finish();
   }
 
@@ -160,13 +164,14 @@ EffectsReport make_effects(const std::filesystem::path& folder) {
   make_folder(folder);
   write_effect_images(folder);
   for (const auto& [name, effects, called, build] :
-       {std::tuple{"scene", "all", Called{true, true, true, true, true, true}, "--bake-light"},
+       {std::tuple{"scene", "all", Called{true, true, true, true, true, true, true}, "--bake-light"},
         {"plain", "none", Called{}, ""},
         {"transparency", "transparency", Called{.transparency = true}, ""},
         {"vertex-colours", "vertex-colours", Called{.vertex_colours = true}, ""},
         {"smooth-normals", "smooth-normals", Called{.smooth_normals = true}, ""},
         {"textures", "textures", Called{.textures = true}, ""},
         {"emission", "emission", Called{.emission = true}, ""},
+        {"moving-instances", "moving-instances", Called{.motion = true}, ""},
         {"baked-light", "baked-light", Called{.lights = true}, "--bake-light"},
         {"ambient-occlusion", "ambient-occlusion", Called{}, "--ambient"}}) {
     const Exhibition exhibition(folder, name, called);
@@ -174,9 +179,14 @@ EffectsReport make_effects(const std::filesystem::path& folder) {
     report.objects = exhibition.objects;
     report.triangles = exhibition.triangles;
   }
-  write_orbits(
-      {.centre = {0, 1, 0}, .radius = 9, .closest = 2.5, .low = 0.8, .high = 3, .spin = {0.3, 1.6, 2.9}},
-      Random(1), folder);
+  write_orbits({.centre = {0, 1, 0},
+                .radius = 9,
+                .closest = 2.5,
+                .low = 0.8,
+                .high = 3,
+                .spin = {0.3, 1.6, 2.9},
+                .frames_a_second = 30},
+               Random(1), folder);
   return report;
 }
 

@@ -26,8 +26,9 @@ struct EffectsReport {
 /// baked, the build is to be asked for. All files
 /// have the same triangles: coloured glass stands in rows, in cases around figures, and before a relief whose
 /// corners have colours; figures and relief are round by the normals of their corners; a carpet has a
-/// texture, a fence one with holes, and lamps glow, beside points that give light. The images stand beside
-/// the scenes.
+/// texture, a fence one with holes, and lamps glow, beside points that give light; a door with a knob swings,
+/// and a fan turns. The images stand beside the scenes. Frames of the paths name times, a thirtieth of a
+/// second apart.
 EffectsReport make_effects(const std::filesystem::path& folder);
 
 }  // namespace triptych

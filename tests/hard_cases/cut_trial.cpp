@@ -17,12 +17,13 @@ using Precise = glm::vec<3, long double>;
 
 class CutJudge {
  public:
-  CutJudge(const Skeleton& skeleton, const View& view, double pixel_error)
+  CutJudge(const Skeleton& skeleton, const FrameState& state)
       : skeleton_(skeleton),
-        view_(view),
-        rotation_(view.rotation()),
-        pixel_error_(pixel_error),
-        cut_(select_cut(FrameView(skeleton, {view, pixel_error}, injected_frame_rules()))),
+        view_(state.view),
+        rotation_(view_.rotation()),
+        pixel_error_(state.pixel_error),
+        frame_(skeleton, state, injected_frame_rules()),
+        cut_(select_cut(frame_)),
         random_(7) {}
 
   Problems judge() {
@@ -45,7 +46,7 @@ class CutJudge {
 
   /// A point of the node's box in eye space: first the corners, then points at random.
   Precise sample(SceneNodeId node, int i) {
-    const Box box = skeleton_.lattice().box(skeleton_.scene_nodes[node].box);
+    const Box box = skeleton_.lattice().box(frame_.box(node));
     const glm::dvec3 point = i < 8 ? box.corner(i) : box.lo + (box.hi - box.lo) * random_.vector();
     return rotation_ * (Precise(point) - Precise(view_.camera.eye));
   }
@@ -111,9 +112,10 @@ class CutJudge {
   }
 
   const Skeleton& skeleton_;
-  const View& view_;
+  const View view_;
   glm::mat<3, 3, long double> rotation_;
   double pixel_error_;
+  FrameView frame_;
   Cut cut_;
   scenes::Random random_;
   Problems problems_;
@@ -125,9 +127,11 @@ Problems cut_problems(const Trial& trial) {
   Problems problems;
   const BuiltTrial built(trial);
   for (size_t frame = 0; frame < std::min<size_t>(trial.views.size(), 24) && problems.empty(); ++frame) {
-    const View& view = trial.views[frame];
+    FrameState state = trial.state_of(frame);
+    state.section = {};
     for (const double pixel_error : {trial.pixel_error, trial.pixel_error * 4}) {
-      for (const std::string& problem : CutJudge(built.pack().skeleton(), view, pixel_error).judge())
+      state.pixel_error = pixel_error;
+      for (const std::string& problem : CutJudge(built.pack().skeleton(), state).judge())
         problems.push_back(fmt::format("frame {} at {} pixels: {}", frame, pixel_error, problem));
     }
   }

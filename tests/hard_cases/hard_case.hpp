@@ -3,7 +3,7 @@
 
 #include "model/model.hpp"
 #include "preprocess/build.hpp"
-#include "scene/camera.hpp"
+#include "scene/frame_state.hpp"
 #include "scene/section.hpp"
 
 #include <functional>
@@ -22,6 +22,13 @@ struct Trial {
   std::vector<Section> sections = {};
   Section section_of(size_t view) const {
     return sections.empty() ? Section() : sections[view % sections.size()];
+  }
+  std::vector<double> times = {};  ///< of the views, seconds; none: 0
+  FrameState state_of(size_t view) const {
+    FrameState state{views[view], pixel_error};
+    state.section = section_of(view);
+    if (!times.empty()) state.time = times[view];
+    return state;
   }
   BuildOptions build{.part_triangles = 64, .leaf_triangles = 64, .hlod_triangles = 48};
   bool may_be_empty = false;  ///< no frame has to show anything

@@ -42,12 +42,10 @@ int thumbnails(const std::filesystem::path& folder) {
     const Trial trial = entry.make();
     if (trial.views.empty()) continue;
     const BuiltTrial built(trial);
-    View view = trial.views[trial.views.size() / 2];
-    view.width = width;
-    view.height = height;
+    FrameState state = trial.state_of(trial.views.size() / 2);
+    state.view.width = width;
+    state.view.height = height;
     LocalPipeline pipeline(built.pack(), {.width = width, .height = height, .device = test::device()});
-    FrameState state{view, trial.pixel_error};
-    state.section = trial.section_of(trial.views.size() / 2);
     pipeline.draw({0, state});
     write_png(folder / (entry.name + ".png"), width, height, pipeline.target().read_colors());
   }

@@ -1,7 +1,9 @@
 #include "tests/hard_cases/maker.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <iterator>
 
 namespace triptych::hard_cases {
 
@@ -58,6 +60,33 @@ uint32_t Maker::group() {
 
 Maker& Maker::place_group(uint32_t group, const Affine& transform) {
   model_.group_instances.push_back({group, transform});
+  return *this;
+}
+
+uint32_t Maker::move(MotionJoint joint, const MotionTrack* translation, const MotionTrack* rotation,
+                     const MotionTrack* scale) {
+  const auto add = [&](const MotionTrack* track, uint32_t& index) {
+    if (track == nullptr) return;
+    index = static_cast<uint32_t>(model_.motion.tracks.size());
+    model_.motion.tracks.push_back(*track);
+  };
+  add(translation, joint.translation_track);
+  add(rotation, joint.rotation_track);
+  add(scale, joint.scale_track);
+  const auto number = static_cast<uint32_t>(model_.motion.joints.size());
+  model_.motion.joints.push_back(joint);
+  model_.groups.push_back({std::move(model_.instances), {}});
+  model_.instances = std::move(kept_);
+  kept_.clear();
+  const auto group = static_cast<uint32_t>(model_.groups.size() - 1);
+  model_.group_instances.push_back({group, transform_at(model_.motion, number, 0)});
+  model_.group_instances.back().joint = number;
+  return number;
+}
+
+Maker& Maker::keep() {
+  std::ranges::move(model_.instances, std::back_inserter(kept_));
+  model_.instances.clear();
   return *this;
 }
 

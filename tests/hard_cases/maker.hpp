@@ -28,11 +28,17 @@ class Maker {
   /// Makes a group of what was placed since the last one.
   uint32_t group();
   Maker& place_group(uint32_t group, const Affine& transform);
+  /// What was placed since the last group stays in the model.
+  Maker& keep();
+  /// Moves what was placed since keep() by a joint that follows these tracks; returns the joint.
+  uint32_t move(MotionJoint joint, const MotionTrack* translation, const MotionTrack* rotation,
+                const MotionTrack* scale = nullptr);
   /// Takes the model out.
   Model model();
 
  private:
   Model model_;
+  std::vector<Instance> kept_;
 };
 
 struct Size {

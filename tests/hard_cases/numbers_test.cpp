@@ -1,7 +1,7 @@
 // Projection, frusta, lattices, stretches and ranks against arithmetic of 113 and of 128 bits. RapidCheck
 // shrinks what fails; the smallest failing scene becomes a case of the gallery.
 #include "lod/cut.hpp"
-#include "preprocess/transforms.hpp"
+#include "scene/transforms.hpp"
 #include "visibility/screen_bounds.hpp"
 
 #include <algorithm>

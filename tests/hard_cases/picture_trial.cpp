@@ -40,8 +40,7 @@ class PictureTrial {
   Problems run() {
     for (size_t i = 0; i < trial_.views.size() && problems_.size() < 5; ++i) {
       frame_ = i;
-      FrameState state{trial_.views[i], trial_.pixel_error};
-      state.section = trial_.section_of(i);
+      FrameState state = trial_.state_of(i);
       if (!trial_.hidden.empty())
         state.hiding = hide(built_.pack().skeleton(), objects_, trial_.hidden[i], "trial");
       const FrameRequest request{static_cast<uint32_t>(i), state};

@@ -37,7 +37,9 @@ Problems session_problems(const Trial& trial, const std::vector<std::string>& fa
   const std::string pack = built.file().string(), path = pack + ".json", result = pack + ".result.json";
   for (const std::string& text : trial.refused_paths) refuse(pack, path, text, problems);
   if (!trial.views.empty()) {
-    write_file(path, test::path_text(trial.views));
+    json frames = json::parse(test::path_text(trial.views));
+    for (size_t i = 0; i < trial.times.size(); ++i) frames["frames"][i]["time_seconds"] = trial.times[i];
+    write_file(path, frames.dump());
     std::vector<std::string> arguments = {"measure",
                                           "session",
                                           pack,

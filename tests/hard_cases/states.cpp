@@ -40,7 +40,7 @@ class RandomStates {
       hidden_ = hide(pack_.skeleton(), objects_, test::random_set(random_, objects_.source().objects.size()),
                      "states");
     }
-    FrameState state{trial_.views[view_], trial_.pixel_error};
+    FrameState state = trial_.state_of(view_);
     state.section = section_;
     state.hiding = hidden_;
     return state;

@@ -31,16 +31,19 @@ class MeasureEffects : public testing::Test {
 
 TEST_F(MeasureEffects, adds_one_after_the_other_of_those_that_the_model_calls_for) {
   const nlohmann::json all = measured("scene");
-  ASSERT_EQ(all["rows"].size(), 6u);
+  ASSERT_EQ(all["rows"].size(), 7u);
   EXPECT_EQ(all["rows"][0]["effect"], "none");
   EXPECT_EQ(all["rows"][1]["effect"], "vertex-colours");
   EXPECT_EQ(all["rows"][2]["effect"], "transparency");
   EXPECT_EQ(all["rows"][3]["effect"], "smooth-normals");
   EXPECT_EQ(all["rows"][4]["effect"], "textures");
   EXPECT_EQ(all["rows"][5]["effect"], "emission");
+  EXPECT_EQ(all["rows"][6]["effect"], "moving-instances");
   for (const nlohmann::json& row : all["rows"]) {
     const bool used = row["effect"] != "none";
     EXPECT_EQ(row["frames"], used ? 3 : 0) << row;
+    EXPECT_EQ(row["simulation_steps"].get<double>() > 0, row["effect"] == "moving-instances") << row;
+    if (row["effect"] == "moving-instances") continue;  // it has fragments of its own on no device
     EXPECT_EQ(row["fragments"].get<double>() > 0,
               used && (row["effect"] == "transparency" || all["device"] != "gl"))
         << row;
@@ -53,8 +56,17 @@ TEST_F(MeasureEffects, has_one_row_for_a_model_that_calls_for_none) {
   const nlohmann::json plain = measured("plain");
   ASSERT_EQ(plain["rows"].size(), 1u);
   const nlohmann::json& row = plain["rows"][0];
-  for (const char* count : {"draws", "binds", "upload_bytes", "fragments", "variants", "frames"})
+  for (const char* count :
+       {"draws", "binds", "upload_bytes", "fragments", "variants", "frames", "simulation_steps"})
     EXPECT_EQ(row[count], 0) << count;
+}
+
+TEST_F(MeasureEffects, what_moves_is_evaluated_once_a_frame_where_it_may_be_seen) {
+  const nlohmann::json moving = measured("moving-instances");
+  ASSERT_EQ(moving["rows"].size(), 2u);
+  EXPECT_EQ(moving["rows"][0]["simulation_steps"], 0);
+  EXPECT_GT(moving["rows"][1]["simulation_steps"], 0);
+  EXPECT_LE(moving["rows"][1]["simulation_steps"], 2) << "the door with its knob, and the fan";
 }
 
 TEST_F(MeasureEffects, only_those_that_are_switched_on) {
@@ -77,6 +89,7 @@ TEST_F(MeasureEffects, switched_off_leave_the_picture_of_the_model_without) {
   EXPECT_NE(picture("emission", "all"), picture("emission", "none"));
   EXPECT_NE(picture("transparency", "all"), picture("transparency", "none"));
   EXPECT_EQ(picture("transparency", "all"), picture("transparency", "transparency"));
+  EXPECT_NE(picture("moving-instances", "all"), picture("moving-instances", "none"));
   EXPECT_EQ(picture("smooth-normals", "none"), picture("plain", "all"));
   EXPECT_NE(picture("smooth-normals", "all"), picture("smooth-normals", "none"));
 }
@@ -97,6 +110,7 @@ TEST_F(MeasureEffects, are_named_by_each_run_that_draws_them_and_by_no_other) {
     ASSERT_EQ(of_effect.size(), 1u) << of_effect;
     EXPECT_EQ(of_effect[effect]["frames"], 3) << of_effect;
   }
+  EXPECT_EQ(drawn("moving-instances").size(), 1u);
   EXPECT_EQ(drawn("plain"), nlohmann::json::object());
 }
 

@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/threads.hpp"
-#include "preprocess/transforms.hpp"
 #include "scene/pack.hpp"
+#include "scene/transforms.hpp"
 #include "tests/support/awkward_meshes.hpp"
 
 #include <algorithm>

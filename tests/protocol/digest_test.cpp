@@ -29,6 +29,8 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
   EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, {}, {{1, 5}}}, 99, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, {}, {{1, 5}}}, 99, {1, 2, 3}),
             frame_digest(7, {view, 1.0, 1, false, {}, {{1, 6}}}, 99, {1, 2, 3}));
+  EXPECT_NE(frame_digest(7, {view, 1.0, 1, false, {}, {}, Effects::all(), 0.5}, 99, {1, 2, 3}), digest);
+  EXPECT_EQ(frame_digest(7, {view, 1.0, 1, false, {}, {}, Effects::all(), -0.0}, 99, {1, 2, 3}), digest);
   for (int field = 0; field < 8; ++field) {
     View other = view;
     if (field == 0) other.camera.eye.x = 1.0000000000000002;

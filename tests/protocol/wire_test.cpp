@@ -53,12 +53,13 @@ TEST(Wire, an_orthographic_camera_comes_back_whether_or_not_it_is_the_last) {
   }
 }
 
-TEST(Wire, a_camera_names_what_is_hidden_a_section_and_effects_that_are_off_each_by_itself) {
-  for (int which = 0; which < 8; ++which) {
+TEST(Wire, a_camera_names_what_is_hidden_a_section_effects_that_are_off_and_a_time_each_by_itself) {
+  for (int which = 0; which < 16; ++which) {
     CameraMessage camera{13, {sample_view(), 1}};
     if ((which & 1) != 0) camera.state.hiding.name = {100'000, 0xfedcba9876543210};
     if ((which & 2) != 0) camera.state.section = sample_section();
     if ((which & 4) != 0) camera.state.effects = Effects(1);
+    if ((which & 8) != 0) camera.state.time = -1 / 3.0;
     EXPECT_TRUE(decode(encode(camera), "peer") == Message(camera)) << which;
   }
 }
@@ -125,7 +126,8 @@ TEST(Wire, bodies_are_as_long_as_documented) {
   longest.section.set_box({glm::dvec3(-0.1), glm::dvec3(0.1)}, "test");
   longest.hiding.name = {no_id, ~uint64_t{0}};
   longest.effects = Effects::none();
-  EXPECT_EQ(encode(walk).size(), header_bytes + 405) << "the longest camera";
+  longest.time = 1 / 3.0;
+  EXPECT_EQ(encode(walk).size(), header_bytes + 414) << "the longest camera";
   const Sentinel sentinel{.frame = 1,
                           .visible = 60,
                           .added = 2,

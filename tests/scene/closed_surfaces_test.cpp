@@ -91,7 +91,7 @@ TEST(ClosedSurfaces, reach_as_far_as_the_bodies_that_nodes_show_a_part_of) {
   const Pack pack = ball_and_box();
   const Skeleton& skeleton = pack.skeleton();
   ASSERT_EQ(skeleton.closed.bodies.size(), 1u);
-  const LatticeBox ball = placed_body(skeleton, skeleton.closed.bodies[0], 0);
+  const LatticeBox ball = placed_body(skeleton, skeleton.closed.bodies[0], Affine(1));
   size_t far_reaching = 0;
   for (SceneNodeId id = 0; id < skeleton.scene_nodes.size(); ++id) {
     const SceneNode& node = skeleton.scene_nodes[id];

@@ -137,6 +137,10 @@ TEST(Path, times_and_comments_change_no_view) {
   const std::string timed =
       R"({"eye": [1, 2, 3], "target": [1, 2, 2], "up": [0, 1, 0], "time_seconds": 0.5, "comment": "stairs"})";
   const Path path = load_frames(good + "," + timed, R"("time_seconds": 0, "comment": ["by", "hand"])");
+  EXPECT_EQ(path.frames[0].time_seconds, 0.0);
+  EXPECT_EQ(path.frames[1].time_seconds, 0.5);
+  EXPECT_EQ(parse_path(path_text(path), "again").frames[1].time_seconds, 0.5);
+  EXPECT_FALSE(load_frames(good).frames[0].time_seconds);
   EXPECT_EQ(path.view(1, 10, 10, 1).camera.top, path.view(0, 10, 10, 1).camera.top);
 }
 

@@ -217,7 +217,7 @@ TEST_P(HardwareCulling, sends_packets_that_add_up_to_the_new_set_in_draw_rank_or
     const CullResult result = cull(frame, tester, previous, 7);
     ASSERT_FALSE(packets.empty());
     const glm::ivec3 cell = eye_cell(skeleton, views[frame]);
-    VisibleStream stream(skeleton, cell, previous);
+    VisibleStream stream(skeleton, {views[frame]}, previous);
     std::vector<DrawableId> decided;
     VisibleSet set = previous;
     for (size_t i = 0; i < packets.size(); ++i) {

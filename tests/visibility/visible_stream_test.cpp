@@ -13,6 +13,7 @@ class Stream : public testing::Test {
  protected:
   const Skeleton& skeleton = scenes::pack("room").skeleton();
   scenes::Random random{31};
+  View view;
   glm::ivec3 cell{0};
   VisibleSet previous, next;
   std::vector<CullPacket> packets;
@@ -28,7 +29,8 @@ class Stream : public testing::Test {
 
   /// V(i−1) → V(i) in packets cut anywhere; what is added may come earlier than it is decided.
   void make_frame() {
-    cell = eye_cell(skeleton, scenes::random_views(skeleton, 64, 64, 1, random.index(1000)).front());
+    view = scenes::random_views(skeleton, 64, 64, 1, random.index(1000)).front();
+    cell = eye_cell(skeleton, view);
     previous = some_set();
     next = some_set();
     const VisibleDelta delta = difference(previous, next);
@@ -54,7 +56,7 @@ class Stream : public testing::Test {
 TEST_F(Stream, gives_each_drawable_once_in_draw_rank_order) {
   for (int round = 0; round < 200; ++round) {
     make_frame();
-    VisibleStream stream(skeleton, cell, previous);
+    VisibleStream stream(skeleton, {view}, previous);
     std::vector<DrawableId> decided;
     for (const CullPacket& packet : packets) {
       for (const DrawableId id : stream.take(packet)) {
@@ -80,7 +82,7 @@ TEST_F(Stream, counts_ids_that_the_sender_cannot_mean) {
   const std::vector<VisibleDelta> wrong = {{{4}, {}},     {{}, {5}},      {{beyond}, {}},
                                            {{no_id}, {}}, {{}, {beyond}}, {{5, 3}, {}}};
   for (const VisibleDelta& delta : wrong) {
-    VisibleStream stream(skeleton, cell, before);
+    VisibleStream stream(skeleton, {view}, before);
     const std::vector<DrawableId> decided = stream.take({{~uint64_t{0}, no_id}, delta});
     EXPECT_GT(stream.faults(), 0u);
     EXPECT_EQ(stream.visible(), before);

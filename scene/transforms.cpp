@@ -1,4 +1,4 @@
-#include "preprocess/transforms.hpp"
+#include "scene/transforms.hpp"
 
 #include <algorithm>
 #include <cmath>
