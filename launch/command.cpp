@@ -7,6 +7,7 @@
 #include "launch/number_flags.hpp"
 #include "launch/section_flags.hpp"
 #include "raster/instruction_set.hpp"
+#include "scene/sun.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -273,6 +274,21 @@ void add_effects_flag(CLI::App& command, Effects& effects) {
       ->type_name(fmt::format("{}|all|none", fmt::join(names, ",")))
       ->default_str("all");
 }
+
+void add_date_flag(CLI::App& command, std::optional<double>& moment) {
+  command
+      .add_option_function<std::string>(
+          "--date",
+          [&moment](const std::string& words) {
+            try {
+              moment = parse_moment(words, "--date");
+            } catch (const Error& error) {
+              throw CLI::ValidationError(error.what());
+            }
+          },
+          "Show the sky of that moment, with the sun's light, over a model whose place is known")
+      ->type_name("2026-06-21T15:00Z");
+}
 }  // namespace
 
 void add_picture_flags(CLI::App& command, RunOptions& options) {
@@ -280,6 +296,7 @@ void add_picture_flags(CLI::App& command, RunOptions& options) {
   command.add_flag("--edges", options.edges, "Draw edges and creases as thin lines");
   add_effects_flag(command, options.effects);
   add_section_flags(command, options.section);
+  add_date_flag(command, options.moment);
 }
 
 void add_picture(nlohmann::json& report, const RunOptions& options) {
@@ -287,6 +304,7 @@ void add_picture(nlohmann::json& report, const RunOptions& options) {
   report["edges"] = options.edges;
   report["effects"] = effects_text(options.effects);
   report["section"] = section_json(options.section);
+  report["date"] = options.moment ? nlohmann::json(moment_text(*options.moment)) : nlohmann::json();
 }
 
 void add_every_flag(CLI::App& command, RunOptions& options) {

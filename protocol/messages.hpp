@@ -16,7 +16,7 @@
 
 namespace triptych {
 
-inline constexpr uint32_t protocol_version = 11;
+inline constexpr uint32_t protocol_version = 12;
 
 /// The first message on every socket, in both directions.
 struct Hello {

@@ -33,12 +33,18 @@ class GltfWriter {
                 std::optional<size_t> parent = {});
   /// A node at the scene's top that places nothing itself. Returns its number.
   size_t add_parent(const std::string& name, const glm::dvec3& translation);
+  /// A light that shines from a point in all directions (KHR_lights_punctual): candela, and a colour in linear
+  /// light. Returns its number.
+  size_t add_point_light(const std::string& name, const glm::dvec3& colour, double candela);
+  /// Places it: a node at the scene's top, or below another node.
+  void add_light_node(size_t light, const glm::dvec3& position, std::optional<size_t> parent = {});
   /// Goes into `asset`: `copyright` and `extras`.
   void set_attribution(const std::string& copyright, nlohmann::ordered_json extras);
   void finish();
 
  private:
   size_t add_accessor(std::span<const std::byte> bytes, size_t count, bool indices);
+  void add_node(nlohmann::ordered_json node, std::optional<size_t> parent);
   nlohmann::ordered_json add_primitive(const MeshPart& part);
   size_t material(const MeshPart& part);
   size_t texture(const std::string& image);

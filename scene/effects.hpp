@@ -9,15 +9,24 @@
 
 namespace triptych {
 
+/// Whether this program can draw effects at all (the CMake option TRIPTYCH_EFFECTS): otherwise it draws every
+/// pack as with none, and what draws them is left out of it.
+#ifdef TRIPTYCH_WITHOUT_EFFECTS
+inline constexpr bool draws_effects = false;
+#else
+inline constexpr bool draws_effects = true;
+#endif
+
 /// That can be switched off from frame to frame.
-enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals, textures, emission };
-inline constexpr std::array all_effects = {Effect::vertex_colors, Effect::transparency,
-                                           Effect::smooth_normals, Effect::textures, Effect::emission};
+enum class Effect : uint8_t { vertex_colors, transparency, smooth_normals, textures, emission, sky };
+inline constexpr std::array all_effects = {Effect::vertex_colors,  Effect::transparency,
+                                           Effect::smooth_normals, Effect::textures,
+                                           Effect::emission,       Effect::sky};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
   constexpr std::array<std::string_view, all_effects.size()> names = {
-      "vertex-colours", "transparency", "smooth-normals", "textures", "emission"};
+      "vertex-colours", "transparency", "smooth-normals", "textures", "emission", "sky"};
   return names[static_cast<size_t>(effect)];
 }
 
@@ -40,7 +49,10 @@ class Effects {
   static constexpr bool known(uint32_t bits) { return bits >> all_effects.size() == 0; }
   constexpr explicit Effects(uint32_t bits) : bits_(bits) {}
 
-  constexpr bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
+  /// Whether to draw it: it is one of them, and this program can.
+  constexpr bool has(Effect effect) const { return draws_effects && names(effect); }
+  /// Whether it is one of them.
+  constexpr bool names(Effect effect) const { return (bits_ & bit(effect)) != 0; }
   constexpr void add(Effect effect) { bits_ |= bit(effect); }
   constexpr uint32_t bits() const { return bits_; }
   bool operator==(const Effects&) const = default;

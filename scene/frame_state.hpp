@@ -5,6 +5,7 @@
 #include "scene/effects.hpp"
 #include "scene/hiding.hpp"
 #include "scene/section.hpp"
+#include "scene/sky.hpp"
 
 #include <cstdint>
 
@@ -23,6 +24,7 @@ struct FrameState {
   Hiding hiding = {};      ///< objects that are not there either (scene/hidden_objects.hpp)
   /// Those that the model is drawn with where it calls for them.
   Effects effects = Effects::all();
+  Sky sky = {};  ///< the sun's light, and what is behind everything
   bool operator==(const FrameState&) const = default;
 };
 

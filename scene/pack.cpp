@@ -103,6 +103,9 @@ void Pack::read_drawn_sections() {
     if (texels_checksum(skeleton_.textures) != texels_->checksum)
       fail(texels_place, "its checksum does not match the textures of section MATL: build the pack again");
   });
+  read(geo_place_, "SKYL", geo_place_version, [&](const auto& bytes, const auto& place) {
+    skeleton_.geo_place = decode_geo_place(bytes, place);
+  });
 }
 
 std::vector<PackSection> Pack::read_table() {
@@ -145,6 +148,7 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
     take_once(closed_surfaces_type, section, closed_surfaces_);
     take_once(materials_type, section, materials_);
     take_once(texels_type, section, texels_);
+    take_once(geo_place_type, section, geo_place_);
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));

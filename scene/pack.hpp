@@ -69,7 +69,8 @@ class Pack {
   uint32_t format_version_ = 0;
   uint64_t geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
-  std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_, materials_, texels_;
+  std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_, materials_, texels_,
+      geo_place_;
 };
 
 }  // namespace triptych

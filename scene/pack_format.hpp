@@ -52,6 +52,10 @@ inline constexpr uint32_t materials_version = 1;
 inline constexpr std::array<char, 4> texels_type = {'T', 'E', 'X', 'L'};
 inline constexpr uint32_t texels_version = 1;
 
+/// Only in packs of models whose place on Earth is known (scene/geo_place.hpp).
+inline constexpr std::array<char, 4> geo_place_type = {'S', 'K', 'Y', 'L'};
+inline constexpr uint32_t geo_place_version = 1;
+
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;
   uint32_t version = pack_format_version;

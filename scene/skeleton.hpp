@@ -4,12 +4,14 @@
 #include "scene/affine.hpp"
 #include "scene/box.hpp"
 #include "scene/closed_surfaces.hpp"
+#include "scene/geo_place.hpp"
 #include "scene/import_report.hpp"
 #include "scene/lattice.hpp"
 #include "scene/surface_material.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -102,6 +104,7 @@ struct Skeleton {
   ObjectCounts objects;
   ImportReport import;
   std::vector<std::string> effects;  ///< effects that the model calls for; empty for plain opaque models
+  std::optional<GeoPlace> geo_place;  ///< where on Earth the model stands, where it is known
 
   const Lattice& lattice() const { return lattices[0]; }
   /// Boxes that hold the chunk's vertices, on its lattice: of its pieces, or the one of all of it.

@@ -258,7 +258,7 @@ FrameRequest Viewer::next_frame() {
   if (walk_) walk_->frames.push_back(camera());
   return {next_number_++,
           {view(), options_.pixel_error, options_.samples, options_.edges, edits_.section(), edits_.hiding(),
-           options_.effects}};
+           options_.effects, options_.sky}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,

@@ -31,6 +31,7 @@ struct ViewerOptions {
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
   Effects effects = Effects::all();
+  Sky sky = {};
   Hiding hiding = {};  ///< at the beginning
   bool culling = true;
   std::filesystem::path pictures = ".";    ///< where F2 to F5 save files; if they can: no key ends a walk

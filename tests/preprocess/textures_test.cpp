@@ -185,5 +185,26 @@ TEST(MakeTextures, sides_beyond_the_most_are_halved_and_it_is_said) {
   EXPECT_EQ(made.warnings.size(), 1u);
 }
 
+TEST(Textures, take_their_alpha_from_another_image_of_any_size) {
+  const auto of = [](uint32_t width, uint32_t height, Texel texel) {
+    return Image{width, height, std::vector<Texel>(size_t{width} * height, texel)};
+  };
+  Image image = of(2, 2, {10, 20, 30, 255});
+  Image mask = of(4, 1, {0, 0, 0, 255});
+  mask.texels[3] = {255, 255, 255, 255};
+  set_alpha(image, mask);
+  ASSERT_EQ(image.width, 4u);
+  ASSERT_EQ(image.height, 2u);
+  EXPECT_EQ(image.texels[0], (Texel{10, 20, 30, 0})) << "its brightness";
+  EXPECT_EQ(image.texels[7], (Texel{10, 20, 30, 255}));
+  mask.texels[0][3] = 7;
+  set_alpha(image, mask);
+  EXPECT_EQ(image.texels[0][3], 7) << "its own alpha, where it has any";
+  EXPECT_EQ(image.texels[3][3], 255);
+  Image none;
+  set_alpha(none, mask);
+  EXPECT_EQ(none.texels[0], (Texel{255, 255, 255, 7}));
+}
+
 }  // namespace
 }  // namespace triptych
