@@ -83,7 +83,7 @@ ImagePixel terrazzo_pixel(uint32_t x, uint32_t y, uint32_t side) {
   }
   const glm::dvec3 cement(0.70, 0.68, 0.64);
   if (nearest > 0.42) return pixel(cement * (0.96 + 0.06 * hashed(x, y, 45)));
-  const glm::dvec3 stones[] = {{0.45, 0.42, 0.40}, {0.80, 0.77, 0.72}, {0.58, 0.46, 0.38}, {0.52, 0.54, 0.52}};
+  const glm::dvec3 stones[] = {{0.56, 0.53, 0.50}, {0.80, 0.77, 0.72}, {0.64, 0.55, 0.48}, {0.60, 0.61, 0.58}};
   return pixel(stones[static_cast<size_t>(chip * 4)]);
 }
 

@@ -16,7 +16,7 @@ struct SurfaceImage {
 
 namespace surface_images {
 inline constexpr SurfaceImage planks{"oak.png", 2.0, 2.0}, carpet{"carpet.png", 1.5, 1.5},
-    tiles{"tiles.png", 0.6, 0.6}, terrazzo{"terrazzo.png", 1.2, 1.2}, panels{"panels.png", 1.2, 1.2},
+    tiles{"tiles.png", 0.6, 0.6}, terrazzo{"terrazzo.png", 0.9, 0.9}, panels{"panels.png", 1.2, 1.2},
     bricks{"bricks.png", 1.0, 0.6}, door{"door.png", 1.0, 2.2}, grass{"grass.png", 6.0, 6.0};
 }  // namespace surface_images
 
