@@ -10,13 +10,18 @@ namespace {
 
 using namespace measures;
 
+/// Along x and z both, as walls that run along either.
+constexpr int along_walls = 3;
+
 /// Lays the image over the part along two axes of its space (0 x, 1 y, 2 z); y goes up in the image.
 void lay(MeshPart& part, const SurfaceImage& image, int across, int up, const glm::dvec3& tint) {
   part.texture = std::string(images_folder) + "/" + image.name;
   part.colour = glm::min(tint, glm::dvec3(1));
   part.texture_places.clear();
-  for (const glm::vec3& position : part.positions)
-    part.texture_places.emplace_back(position[across] / image.width, -position[up] / image.height);
+  for (const glm::vec3& position : part.positions) {
+    const float u = across == along_walls ? position.x + position.z : position[across];
+    part.texture_places.emplace_back(u / image.width, -position[up] / image.height);
+  }
 }
 
 void lay_floor(MeshPart& floor, std::string_view name) {
@@ -32,13 +37,6 @@ void lay_floor(MeshPart& floor, std::string_view name) {
   if (is_any({RoomType::corridor, RoomType::hall, RoomType::stairs}))
     return lay(floor, terrazzo, 0, 2, glm::dvec3(0.95));
   lay(floor, planks, 0, 2, glm::dvec3(1));
-}
-
-/// Which way a wall runs: the longer side of its plan.
-int along(const MeshPart& part) {
-  glm::vec3 low(part.positions.at(0)), high(low);
-  for (const glm::vec3& position : part.positions) low = glm::min(low, position), high = glm::max(high, position);
-  return high.x - low.x > high.z - low.z ? 0 : 2;
 }
 
 /// Two panes in the plane of the frame.
@@ -66,8 +64,8 @@ void dress_shell(std::vector<ShellObject>& shell) {
     MeshPart& part = object.parts.at(0);
     if (name.ends_with(" floor")) lay_floor(part, name);
     if (name.ends_with(" ceiling")) lay(part, panels, 0, 2, part.colour * 1.15);
-    if (name.ends_with(" facade")) lay(part, bricks, along(part), 1, glm::dvec3(1));
-    if (name == "roof parapet") lay(part, bricks, 0, 1, glm::dvec3(1));
+    if (name.ends_with(" facade")) lay(part, bricks, along_walls, 1, glm::dvec3(1));
+    if (name == "roof parapet") lay(part, bricks, along_walls, 1, glm::dvec3(1));
     if (name == "ground") lay(part, grass, 0, 2, glm::dvec3(0.8));
     if (name == "door leaf") lay(part, door, 2, 1, glm::dvec3(1));
     if (name == "window") object.parts.push_back(panes());
