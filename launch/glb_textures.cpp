@@ -44,9 +44,9 @@ int wrap_of(const aiMaterial& material, aiTextureType type, bool across) {
     material.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), mode);
   else
     material.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), mode);
-  return mode == aiTextureMapMode_Mirror                                       ? mirrored
+  return mode == aiTextureMapMode_Mirror                                    ? mirrored
          : mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal ? clamp
-                                                                              : repeat;
+                                                                            : repeat;
 }
 
 /// The first texture of a type; empty where it has none, or one without a name, as X3D allows.
@@ -76,8 +76,8 @@ void GlbTextures::add(unsigned number, nlohmann::json& target) {
     use.channel = static_cast<unsigned>(channel);
   material.Get(AI_MATKEY_UVTRANSFORM(type, 0), use.transform);
   const aiUVTransform& transform = use.transform;
-  for (const float value : {transform.mTranslation.x, transform.mTranslation.y, transform.mScaling.x,
-                            transform.mScaling.y}) {
+  for (const float value :
+       {transform.mTranslation.x, transform.mTranslation.y, transform.mScaling.x, transform.mScaling.y}) {
     if (!std::isfinite(value)) use.transform = aiUVTransform();
   }
   if (std::abs(transform.mRotation) > 0) ++notes_["turns of textures are not applied"];

@@ -49,7 +49,8 @@ void add_import_flags(CLI::App& command, ImportOptions& options) {
               throw CLI::ValidationError(error.what());
             }
           },
-          "Where on Earth the model stands, degrees north and east, with north at -z: for the sky that --date "
+          "Where on Earth the model stands, degrees north and east, with north at -z: for the sky that "
+          "--date "
           "shows")
       ->type_name("LAT,LON")
       ->default_str("what an IFC file says");

@@ -127,7 +127,7 @@ std::vector<std::string> names_written_into(const CLI::Option& folder, const std
   constexpr std::array<std::string_view, 5> samples = {"building", "plant", "services", "isosurface",
                                                        "statue"};
   if (std::count(samples.begin(), samples.end(), command) > 0) {
-    std::vector<std::string> names = {"scene.*",   "walk.json", "fly.json",  "spin.json",
+    std::vector<std::string> names = {"scene.*",   "walk.json",  "fly.json",       "spin.json",
                                       "jump.json", "orbit.json", "ATTRIBUTION.txt"};
     if (command == "building") names.emplace_back("textures");
     return names;

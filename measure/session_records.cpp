@@ -131,8 +131,8 @@ static void add_memory(DrawingMemory& sum, const DrawingMemory& more) {
   TextureUse& textures = geometry.textures;
   textures.cap = more.geometry.textures.cap;
   textures.peak_bytes = std::max(textures.peak_bytes, more.geometry.textures.peak_bytes);
-  for (const auto count : {&TextureUse::hits, &TextureUse::misses, &TextureUse::evicted, &TextureUse::read_bytes,
-                           &TextureUse::decoded_bytes, &TextureUse::uploaded_bytes,
+  for (const auto count : {&TextureUse::hits, &TextureUse::misses, &TextureUse::evicted,
+                           &TextureUse::read_bytes, &TextureUse::decoded_bytes, &TextureUse::uploaded_bytes,
                            &TextureUse::coarser_views, &TextureUse::over_cap_views})
     textures.*count += more.geometry.textures.*count;
   ReadAheadUse& ahead = sum.read_ahead;

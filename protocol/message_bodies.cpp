@@ -31,8 +31,7 @@ constexpr uint32_t samples_shift = 5;
 constexpr uint8_t samples_bits = 3;
 // Another byte of marks follows, which are not all 0. Its lowest bits are the number of section planes.
 constexpr uint8_t more_mark = 128;
-constexpr uint8_t planes_bits = 7, section_box_mark = 8, hidden_mark = 16, effects_mark = 32,
-                  sky_mark = 128;
+constexpr uint8_t planes_bits = 7, section_box_mark = 8, hidden_mark = 16, effects_mark = 32, sky_mark = 128;
 
 uint8_t samples_marks(uint32_t samples) {
   const auto* const found = std::find(sample_counts.begin(), sample_counts.end(), samples);
@@ -106,10 +105,9 @@ Section read_section(BodyReader& body, uint8_t marks) {
 }
 
 uint8_t more_marks(const FrameState& state) {
-  return static_cast<uint8_t>(section_marks(state.section) |
-                              (state.hiding.name == HiddenName() ? 0 : hidden_mark) |
-                              (state.effects == Effects::all() ? 0 : effects_mark) |
-                              (state.sky.shown ? sky_mark : 0));
+  return static_cast<uint8_t>(
+      section_marks(state.section) | (state.hiding.name == HiddenName() ? 0 : hidden_mark) |
+      (state.effects == Effects::all() ? 0 : effects_mark) | (state.sky.shown ? sky_mark : 0));
 }
 
 /// Those that are switched off.

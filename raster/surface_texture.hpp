@@ -21,8 +21,8 @@ struct TextureSample {
   uint32_t red, green, blue, alpha;
 };
 
-/// What a sample is for: colours show coarser levels where textures have no room; what decides where holes are
-/// is exact.
+/// What a sample is for: colours show coarser levels where textures have no room; what decides where holes
+/// are is exact.
 enum class TextureSampling : uint8_t { colors, holes };
 
 /// Between the two levels whose texels are as large as the pixel is there, at most and at least (Williams,

@@ -26,8 +26,8 @@ const Texel* TextureLevels::load(uint32_t texture, uint32_t level, bool always) 
   const Level& own = levels_[first_[texture] + level];
   if (const Texel* const there = own.texels.load(std::memory_order_relaxed)) return there;
   const Texture& whole = skeleton_.textures[texture];
-  const uint64_t bytes = uint64_t{side_at_level(whole.width, level)} * side_at_level(whole.height, level) *
-                         sizeof(Texel);
+  const uint64_t bytes =
+      uint64_t{side_at_level(whole.width, level)} * side_at_level(whole.height, level) * sizeof(Texel);
   if (bytes_ + bytes > cap_ && !always && !is_unbounded_) {
     is_over_ = true;
     return nullptr;
@@ -83,7 +83,8 @@ void TextureLevels::show_from(uint32_t side) {
   if (side >= max_texture_side) return;
   for (const Texture& texture : skeleton_.textures) {
     uint32_t level = 0;
-    while (std::max(side_at_level(texture.width, level), side_at_level(texture.height, level)) > side) ++level;
+    while (std::max(side_at_level(texture.width, level), side_at_level(texture.height, level)) > side)
+      ++level;
     finest_.push_back(level);
   }
 }

@@ -41,9 +41,9 @@ class TextureLevels {
 
   /// Nobody asks meanwhile, as in all that follows.
   void begin_view();
-  /// Whether all that the picture's colours asked for is within the cap. Otherwise what earlier views asked for
-  /// goes, or colours show coarser levels from now on, and the picture has to be made again. The same for any
-  /// number of threads.
+  /// Whether all that the picture's colours asked for is within the cap. Otherwise what earlier views asked
+  /// for goes, or colours show coarser levels from now on, and the picture has to be made again. The same for
+  /// any number of threads.
   bool fit();
   void set_cap(uint64_t bytes) { cap_ = bytes; }
   void set_missing(const MissingChunks& missing) { missing_ = missing; }

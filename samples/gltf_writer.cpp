@@ -143,10 +143,8 @@ size_t GltfWriter::add_point_light(const std::string& name, const glm::dvec3& co
   constexpr const char* extension = "KHR_lights_punctual";
   Json& lights = gltf_["extensions"][extension]["lights"];
   if (lights.is_null()) gltf_["extensionsUsed"].push_back(extension);
-  lights.push_back({{"name", name},
-                    {"type", "point"},
-                    {"color", {colour.r, colour.g, colour.b}},
-                    {"intensity", candela}});
+  lights.push_back(
+      {{"name", name}, {"type", "point"}, {"color", {colour.r, colour.g, colour.b}}, {"intensity", candela}});
   return lights.size() - 1;
 }
 

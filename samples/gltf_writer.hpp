@@ -33,8 +33,8 @@ class GltfWriter {
                 std::optional<size_t> parent = {});
   /// A node at the scene's top that places nothing itself. Returns its number.
   size_t add_parent(const std::string& name, const glm::dvec3& translation);
-  /// A light that shines from a point in all directions (KHR_lights_punctual): candela, and a colour in linear
-  /// light. Returns its number.
+  /// A light that shines from a point in all directions (KHR_lights_punctual): candela, and a colour in
+  /// linear light. Returns its number.
   size_t add_point_light(const std::string& name, const glm::dvec3& colour, double candela);
   /// Places it: a node at the scene's top, or below another node.
   void add_light_node(size_t light, const glm::dvec3& position, std::optional<size_t> parent = {});

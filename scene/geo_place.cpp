@@ -33,8 +33,8 @@ GeoPlace parse_geo_place(const std::string& text, const std::string& place) {
 
 std::vector<std::byte> encode_geo_place(const GeoPlace& geo_place) {
   ByteWriter writer;
-  for (const double value : {geo_place.latitude, geo_place.longitude, geo_place.elevation, geo_place.north.x,
-                             geo_place.north.y})
+  for (const double value :
+       {geo_place.latitude, geo_place.longitude, geo_place.elevation, geo_place.north.x, geo_place.north.y})
     writer.write(value);
   return std::move(writer.bytes());
 }

@@ -103,9 +103,8 @@ void Pack::read_drawn_sections() {
     if (texels_checksum(skeleton_.textures) != texels_->checksum)
       fail(texels_place, "its checksum does not match the textures of section MATL: build the pack again");
   });
-  read(geo_place_, "SKYL", geo_place_version, [&](const auto& bytes, const auto& place) {
-    skeleton_.geo_place = decode_geo_place(bytes, place);
-  });
+  read(geo_place_, "SKYL", geo_place_version,
+       [&](const auto& bytes, const auto& place) { skeleton_.geo_place = decode_geo_place(bytes, place); });
 }
 
 std::vector<PackSection> Pack::read_table() {

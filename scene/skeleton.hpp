@@ -103,7 +103,7 @@ struct Skeleton {
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
   ImportReport import;
-  std::vector<std::string> effects;  ///< effects that the model calls for; empty for plain opaque models
+  std::vector<std::string> effects;   ///< effects that the model calls for; empty for plain opaque models
   std::optional<GeoPlace> geo_place;  ///< where on Earth the model stands, where it is known
 
   const Lattice& lattice() const { return lattices[0]; }

@@ -115,9 +115,10 @@ SunPosition sun_position(double latitude, double longitude, double moment) {
                         (0.019993 - t * 0.000101) * std::sin(2 * anomaly) + 0.000289 * std::sin(3 * anomaly);
   const double node = (125.04 - 1934.136 * t) * degree;
   const double apparent = (mean + center - 0.00569 - 0.00478 * std::sin(node)) * degree;
-  const double obliquity = (23.0 + (26.0 + (21.448 - t * (46.8150 + t * (0.00059 - t * 0.001813))) / 60) / 60 +
-                            0.00256 * std::cos(node)) *
-                           degree;
+  const double obliquity =
+      (23.0 + (26.0 + (21.448 - t * (46.8150 + t * (0.00059 - t * 0.001813))) / 60) / 60 +
+       0.00256 * std::cos(node)) *
+      degree;
   // As right ascension and declination (25.6, 25.7), and the sidereal time at Greenwich (12.4).
   const double ascension = std::atan2(std::cos(obliquity) * std::sin(apparent), std::cos(apparent));
   const double declination = std::asin(std::sin(obliquity) * std::sin(apparent));
@@ -130,8 +131,7 @@ SunPosition sun_position(double latitude, double longitude, double moment) {
                west = std::sin(hour_angle) * std::cos(declination),
                up = std::sin(phi) * std::sin(declination) +
                     std::cos(phi) * std::cos(declination) * std::cos(hour_angle);
-  return {std::asin(std::clamp(up, -1.0, 1.0)) / degree,
-          within_turn(std::atan2(west, south) / degree + 180)};
+  return {std::asin(std::clamp(up, -1.0, 1.0)) / degree, within_turn(std::atan2(west, south) / degree + 180)};
 }
 
 Sky sky_over(const GeoPlace& geo_place, double moment) {

@@ -23,8 +23,8 @@ struct SunPosition {
   double azimuth;   ///< from north over east
 };
 
-/// Meeus, Astronomical Algorithms (1998), chapters 12, 13 and 25 (low accuracy): within 0.01 degrees from 1900
-/// to 2100, as NOAA's solar calculator, which takes UT for dynamical time as well.
+/// Meeus, Astronomical Algorithms (1998), chapters 12, 13 and 25 (low accuracy): within 0.01 degrees from
+/// 1900 to 2100, as NOAA's solar calculator, which takes UT for dynamical time as well.
 SunPosition sun_position(double latitude, double longitude, double moment);
 
 /// The sky over a model at a moment.

@@ -32,7 +32,7 @@ struct RunOptions {
   Effects effects = Effects::all();        ///< that are drawn where the model calls for them
   std::vector<std::string> hide, isolate;  ///< words that mean objects (scene/object_words.hpp)
   Section section = {};                    ///< what is shown of the model
-  std::optional<double> moment = {};  ///< of the sky (scene/sun.hpp); nothing: it is not shown
+  std::optional<double> moment = {};       ///< of the sky (scene/sun.hpp); nothing: it is not shown
   double target_ms = 0;  ///< pixel errors are raised so that frames take no longer; 0: they are not
   DeviceOptions device{.kind = DeviceKind::automatic};
   size_t frames = 0;   ///< only the first ones; 0: all

@@ -12,9 +12,9 @@ struct Colors {
   glm::vec3 zenith, horizon, ground, glow;
 };
 constexpr Colors day = {
-    {0.33f, 0.54f, 0.86f}, {0.80f, 0.88f, 0.95f}, {0.58f, 0.56f, 0.52f}, {0.22f, 0.20f, 0.14f}};
+    {0.33f, 0.54f, 0.86f}, {0.80f, 0.88f, 0.95f}, {0.50f, 0.53f, 0.43f}, {0.22f, 0.20f, 0.14f}};
 constexpr Colors dusk = {
-    {0.24f, 0.31f, 0.50f}, {0.96f, 0.71f, 0.48f}, {0.30f, 0.27f, 0.25f}, {0.30f, 0.18f, 0.06f}};
+    {0.24f, 0.31f, 0.50f}, {0.96f, 0.71f, 0.48f}, {0.27f, 0.27f, 0.23f}, {0.30f, 0.18f, 0.06f}};
 constexpr Colors night = {
     {0.02f, 0.03f, 0.08f}, {0.06f, 0.08f, 0.14f}, {0.04f, 0.04f, 0.05f}, {0.0f, 0.0f, 0.0f}};
 
@@ -61,7 +61,8 @@ SkyLook::SkyLook(const FrameView& view) {
 
 std::array<uint8_t, 4> SkyLook::at(int32_t x, int32_t y) const {
   const auto along = static_cast<float>(x), upward = static_cast<float>(y);
-  const glm::vec3 ray(corner.x + (along * right.x + upward * up.x), corner.y + (along * right.y + upward * up.y),
+  const glm::vec3 ray(corner.x + (along * right.x + upward * up.x),
+                      corner.y + (along * right.y + upward * up.y),
                       corner.z + (along * right.z + upward * up.z));
   const float scale = 1.0f / std::sqrt((ray.x * ray.x + ray.y * ray.y) + ray.z * ray.z);
   const float sine = ray.y * scale;

@@ -75,10 +75,10 @@ Container open_container(const std::shared_ptr<const StreamSource>& source, cons
 
 /// Extensions without which a file is drawn all the same: they add to what is there.
 bool may_be_ignored(const std::string& name) {
-  for (const char* known :
-       {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility",
-        "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
-        "KHR_texture_transform", "EXT_texture_webp", "KHR_texture_basisu", "KHR_materials_emissive_strength"}) {
+  for (const char* known : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility",
+                            "KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                            "KHR_meshopt_compression", "KHR_texture_transform", "EXT_texture_webp",
+                            "KHR_texture_basisu", "KHR_materials_emissive_strength"}) {
     if (name == known) return true;
   }
   return false;

@@ -285,7 +285,8 @@ class ObjImport {
     if (named.defined) named = {.number = target_.add_material(Material())};
     named.defined = true;
     Material material = surface.material;
-    if (surface.is_textured() && (named.uses > 0 || skips_places_ || (!has_textures_ && spool_.has_faces()))) {
+    if (surface.is_textured() &&
+        (named.uses > 0 || skips_places_ || (!has_textures_ && spool_.has_faces()))) {
       target_.warn("textures of materials that a library defines behind the first faces are not drawn");
       material.texture = material.emission_texture = no_id;
       material.cutoff = 0;
@@ -305,11 +306,11 @@ class ObjImport {
   std::set<std::string> skipped_;  ///< kinds of statements that are not understood
   std::vector<uint32_t> corners_;
   std::vector<VertexNormal> normals_, corner_normals_;  ///< of the file; of the face that is read
-  std::vector<glm::dvec2> places_;  ///< vt of the file
+  std::vector<glm::dvec2> places_;                      ///< vt of the file
   std::vector<TextureCoordinates> corner_places_;
   bool has_libraries_ = false, has_textures_ = false, skips_places_ = false;
   uint32_t material_ = 0;
-  std::shared_ptr<const ObjSurface> surface_;  ///< of the material, if that has a texture
+  std::shared_ptr<const ObjSurface> surface_;        ///< of the material, if that has a texture
   std::string first_bad_vertex_, first_bad_face_;    ///< warnings
   double highest_channel_ = 0;                       ///< of all colours of vertices
   uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest vertex number of a face, and its line

@@ -93,8 +93,7 @@ SourceObjectId MeshSpool::object_of(uint32_t name) {
 }
 
 void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material, const VertexColor& color,
-                         std::span<const VertexNormal> normals,
-                         std::span<const TextureCoordinates> places) {
+                         std::span<const VertexNormal> normals, std::span<const TextureCoordinates> places) {
   if (corners.size() < 3) return target_.warn("faces with fewer than three corners were skipped");
   if (parts_.empty()) begin_mesh("");
   const auto count = static_cast<uint32_t>(corners.size());

@@ -86,15 +86,15 @@ class MeshSpool {
   ByteSpool colors_;    ///< three floats for each vertex, no numbers for none; empty while none has one
   ByteSpool normals_;   ///< three floats for each vertex, 0 for none; empty while none has one
   /// Material; the face's colour, if faces have some; number of normals and normals, if faces have some;
-  /// number of places and places, if faces have some, in 64 bits; number of corners and corners: 32 bits each.
+  /// number of places and places, if faces have some, in 64 bits; number of corners and corners: 32 bits
+  /// each.
   ByteSpool faces_;
   std::vector<Part> parts_;
   std::vector<Name> names_;
   std::map<std::pair<uint32_t, std::string>, uint32_t> groups_;  ///< by the object that they are within
   uint32_t object_ = no_id;                                      ///< of names_: the last one that began
   uint64_t triangles_ = 0;
-  bool in_file_ = false, faces_have_colors_ = false, faces_have_normals_ = false,
-       faces_have_places_ = false;
+  bool in_file_ = false, faces_have_colors_ = false, faces_have_normals_ = false, faces_have_places_ = false;
   double color_scale_ = 1;
 };
 

@@ -112,8 +112,8 @@ void ObjLibraries::read(const std::shared_ptr<const StreamSource>& file, const D
       place = library.line_place();
       if (use.not_applied.empty()) return;
       if (first_option_.empty())
-        first_option_ = fmt::format("options of textures are not drawn, the first, {}, in {}", use.not_applied,
-                                    library.line_place());
+        first_option_ = fmt::format("options of textures are not drawn, the first, {}, in {}",
+                                    use.not_applied, library.line_place());
       target_.warn(first_option_);
     };
     if (word == "newmtl") {
@@ -136,8 +136,7 @@ void ObjLibraries::read(const std::shared_ptr<const StreamSource>& file, const D
       // Beside a "d" programs do not agree on which way round "Tr" counts.
       if (!number || (word == "Tr" && read.has_dissolve)) continue;
       read.has_dissolve = read.has_dissolve || word == "d";
-      material.base_color.a =
-          std::clamp(static_cast<float>(word == "d" ? *number : 1 - *number), 0.0f, 1.0f);
+      material.base_color.a = std::clamp(static_cast<float>(word == "d" ? *number : 1 - *number), 0.0f, 1.0f);
     } else if (word == "map_Kd") {
       take_use(read.color, read.color_place);
     } else if (word == "map_d") {
@@ -171,8 +170,8 @@ void ObjLibraries::take_textures(Read& read, const std::string& place) {
     if (material.texture != no_id && has_color && read.has_color &&
         glm::vec3(material.base_color) == glm::vec3(0)) {
       material.base_color = {1, 1, 1, material.base_color.a};
-      target_.warn(fmt::format("materials of {} have a texture and a black Kd, and are drawn as if it were white",
-                               shown(place)));
+      target_.warn(fmt::format(
+          "materials of {} have a texture and a black Kd, and are drawn as if it were white", shown(place)));
     }
     if (material.texture != no_id && has_color && !read.has_color)
       material.base_color = {1, 1, 1, material.base_color.a};
@@ -194,8 +193,8 @@ std::optional<ModelImage> ObjLibraries::open(const std::string& name, const std:
   if (!source) {
     if (first_missing_.empty())
       first_missing_ =
-          fmt::format("images are missing, and what they are on is drawn without, the first: {} names {}", place,
-                      shown(name));
+          fmt::format("images are missing, and what they are on is drawn without, the first: {} names {}",
+                      place, shown(name));
     target_.warn(first_missing_);
     return std::nullopt;
   }

@@ -20,10 +20,10 @@ std::string_view without_obj_comment(std::string_view line, bool names);
 
 /// What a statement as map_Kd says: options, and a file.
 struct ObjTextureUse {
-  std::string name;        ///< of the file, as it stands there; empty where none is named
+  std::string name;                ///< of the file, as it stands there; empty where none is named
   glm::dvec2 scale{1}, offset{0};  ///< a place (u, v) of the file is at scale · (u, v) + offset
-  bool clamps = false;     ///< beyond its edges the texture does not repeat
-  std::string not_applied; ///< the first of the options that change the picture and are not drawn
+  bool clamps = false;             ///< beyond its edges the texture does not repeat
+  std::string not_applied;         ///< the first of the options that change the picture and are not drawn
   bool has_place_of(const ObjTextureUse& other) const {
     return scale == other.scale && offset == other.offset && clamps == other.clamps;
   }

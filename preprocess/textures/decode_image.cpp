@@ -108,15 +108,22 @@ const char* other_format(std::span<const std::byte> bytes) {
     std::string_view beginning;
     const char* format;
   };
-  constexpr Known known[] = {{"\xabKTX 20\xbb", "KTX2"}, {"\xabKTX 11\xbb", "KTX"}, {"DDS ", "DDS"},
-                             {"GIF8", "GIF"},           {"BM", "BMP"},           {"II*", "TIFF"},
-                             {{"MM\0*", 4}, "TIFF"},          {"8BPS", "Photoshop"},   {"\x76\x2f\x31\x01", "OpenEXR"}};
+  constexpr Known known[] = {{"\xabKTX 20\xbb", "KTX2"},
+                             {"\xabKTX 11\xbb", "KTX"},
+                             {"DDS ", "DDS"},
+                             {"GIF8", "GIF"},
+                             {"BM", "BMP"},
+                             {"II*", "TIFF"},
+                             {{"MM\0*", 4}, "TIFF"},
+                             {"8BPS", "Photoshop"},
+                             {"\x76\x2f\x31\x01", "OpenEXR"}};
   for (const auto& [beginning, format] : known)
     if (begins_with(bytes, beginning)) return format;
   // TGA has no mark of its own at its beginning: an image of true colour or grey, packed or not.
   if (bytes.size() > 18 && bytes[1] == std::byte{0}) {
     const auto kind = std::to_integer<int>(bytes[2]), depth = std::to_integer<int>(bytes[16]);
-    if ((kind == 2 || kind == 3 || kind == 10 || kind == 11) && (depth == 8 || depth == 16 || depth == 24 || depth == 32))
+    if ((kind == 2 || kind == 3 || kind == 10 || kind == 11) &&
+        (depth == 8 || depth == 16 || depth == 24 || depth == 32))
       return "TGA";
   }
   return nullptr;

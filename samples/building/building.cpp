@@ -34,8 +34,8 @@ void read_pools(BuildingDesign& design, const RolePools& pools, bool shows_glass
   parallel_for(pieces.size(), [&](size_t i) {
     const FurniturePiece& piece = design.furniture.pieces[pieces[i]];
     try {
-      design.meshes[pieces[i]] = read_furniture(
-          piece, *design.furniture.catalogues[piece.catalogue].archive, shows_glass);
+      design.meshes[pieces[i]] =
+          read_furniture(piece, *design.furniture.catalogues[piece.catalogue].archive, shows_glass);
     } catch (const Error& error) {
       errors[i] = error.what();
     }
@@ -98,9 +98,8 @@ class Scene {
 
   void place_light(const LampLight& light) {
     lights_.push_back(light);
-    report_.lights += design_.storeys.empty()
-                          ? 1
-                          : static_cast<size_t>(std::ranges::count(design_.storeys, light.storey));
+    report_.lights +=
+        design_.storeys.empty() ? 1 : static_cast<size_t>(std::ranges::count(design_.storeys, light.storey));
   }
 
   void write(GltfWriter& gltf) const {

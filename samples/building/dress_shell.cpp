@@ -25,9 +25,7 @@ void lay(MeshPart& part, const SurfaceImage& image, int across, int up, const gl
 }
 
 void lay_floor(MeshPart& floor, std::string_view name) {
-  const auto is = [&](RoomType type) {
-    return name.ends_with(std::string(room_type_name(type)) + " floor");
-  };
+  const auto is = [&](RoomType type) { return name.ends_with(std::string(room_type_name(type)) + " floor"); };
   const auto is_any = [&](std::initializer_list<RoomType> types) { return std::ranges::any_of(types, is); };
   using namespace surface_images;
   if (is_any({RoomType::open_office, RoomType::classroom, RoomType::computer_room, RoomType::library}))
@@ -47,8 +45,10 @@ MeshPart panes() {
   glass.alpha = 0.22;
   for (const auto& [from, to] : {std::pair(-half + bar, -bar / 2), {bar / 2, half - bar}}) {
     const auto first = static_cast<uint32_t>(glass.positions.size());
-    for (const auto& [x, y] : {std::pair(from, window_sill + bar), {to, window_sill + bar},
-                               {to, window_top - bar}, {from, window_top - bar}})
+    for (const auto& [x, y] : {std::pair(from, window_sill + bar),
+                               {to, window_sill + bar},
+                               {to, window_top - bar},
+                               {from, window_top - bar}})
       glass.positions.emplace_back(x, y, 0);
     for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) glass.indices.push_back(first + corner);
   }
@@ -66,7 +66,7 @@ void dress_shell(std::vector<ShellObject>& shell) {
     if (name.ends_with(" ceiling")) lay(part, panels, 0, 2, part.colour * 1.15);
     if (name.ends_with(" facade")) lay(part, bricks, along_walls, 1, glm::dvec3(1));
     if (name == "roof parapet") lay(part, bricks, along_walls, 1, glm::dvec3(1));
-    if (name == "ground") lay(part, grass, 0, 2, glm::dvec3(0.8));
+    if (name == "ground") lay(part, grass, 0, 2, glm::dvec3(1));
     if (name == "door leaf") lay(part, door, 2, 1, glm::dvec3(1));
     if (name == "window") object.parts.push_back(panes());
   }

@@ -64,7 +64,8 @@ MeshPart curtain(double bottom) {
   part.texture = image(curtain_image);
   part.cut_out = true;
   for (int i = 0; i <= steps; ++i) {
-    const double u = i / static_cast<double>(steps), fold = 0.035 * std::sin(u * folds * glm::two_pi<double>());
+    const double u = i / static_cast<double>(steps),
+                 fold = 0.035 * std::sin(u * folds * glm::two_pi<double>());
     for (const double v : {0.0, 1.0}) {
       part.positions.emplace_back((u - 0.5) * curtain_width, bottom + v * (rod_height - bottom), fold);
       part.texture_places.emplace_back(u * 3, 1 - v);
@@ -102,7 +103,10 @@ class Dresser {
       pictures_.push_back({fmt::format("picture {}", i), picture(i), {}, {}});
     long_curtains_ = {"curtain", {curtain(0.06)}, {}, {}};
     short_curtains_ = {"short curtain", {curtain(window_sill - 0.12)}, {}, {}};
-    rods_ = {"curtain rod", {box({-1.15, rod_height - 0.012, -0.012}, {1.15, rod_height + 0.012, 0.012}, {0.2, 0.2, 0.2})}, {}, {}};
+    rods_ = {"curtain rod",
+             {box({-1.15, rod_height - 0.012, -0.012}, {1.15, rod_height + 0.012, 0.012}, {0.2, 0.2, 0.2})},
+             {},
+             {}};
     constexpr double half = window_width / 2 - 0.02;
     MeshPart slats = sheet(-half, window_sill + 0.45, half, window_top - 0.03, image(blind_image));
     slats.cut_out = true;
@@ -112,7 +116,8 @@ class Dresser {
       dress_windows(plan_.walls[i], random_.fork(for_curtains).fork(i));
       hang_pictures(plan_.walls[i], random_.fork(for_pictures).fork(i));
     }
-    for (ShellObject* const object : {&lamps_, &long_curtains_, &short_curtains_, &rods_, &blinds_}) add(*object);
+    for (ShellObject* const object : {&lamps_, &long_curtains_, &short_curtains_, &rods_, &blinds_})
+      add(*object);
     for (ShellObject& object : pictures_) add(object);
     return std::move(result_);
   }
@@ -229,7 +234,8 @@ class Dresser {
     }
   }
 
-  void hang_picture(const Wall& wall, size_t room, bool high_side, double face, double along, Random& random) {
+  void hang_picture(const Wall& wall, size_t room, bool high_side, double face, double along,
+                    Random& random) {
     constexpr double half = picture_width / 2, away = 0.06;
     const double from = along - half - 0.1, to = along + half + 0.1;
     for (const Opening& opening : wall.openings)

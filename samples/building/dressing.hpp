@@ -2,8 +2,8 @@
 // curtains and blinds, pictures.
 #pragma once
 
-#include "samples/building/furniture_catalog.hpp"
 #include "samples/building/furnisher.hpp"
+#include "samples/building/furniture_catalog.hpp"
 #include "samples/building/shell.hpp"
 
 #include <glm/glm.hpp>

@@ -75,7 +75,8 @@ ImagePixel terrazzo_pixel(uint32_t x, uint32_t y, uint32_t side) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       const int cx = static_cast<int>(u) + dx, cy = static_cast<int>(v) + dy;
-      const auto wx = static_cast<uint32_t>((cx + cells) % cells), wy = static_cast<uint32_t>((cy + cells) % cells);
+      const auto wx = static_cast<uint32_t>((cx + cells) % cells),
+                 wy = static_cast<uint32_t>((cy + cells) % cells);
       const double px = cx + hashed(wx, wy, 41), py = cy + hashed(wx, wy, 42);
       const double far = std::hypot(u - px, v - py) / (0.5 + hashed(wx, wy, 43));
       if (far < nearest) nearest = far, chip = hashed(wx, wy, 44);
@@ -83,7 +84,8 @@ ImagePixel terrazzo_pixel(uint32_t x, uint32_t y, uint32_t side) {
   }
   const glm::dvec3 cement(0.70, 0.68, 0.64);
   if (nearest > 0.42) return pixel(cement * (0.96 + 0.06 * hashed(x, y, 45)));
-  const glm::dvec3 stones[] = {{0.56, 0.53, 0.50}, {0.80, 0.77, 0.72}, {0.64, 0.55, 0.48}, {0.60, 0.61, 0.58}};
+  const glm::dvec3 stones[] = {
+      {0.56, 0.53, 0.50}, {0.80, 0.77, 0.72}, {0.64, 0.55, 0.48}, {0.60, 0.61, 0.58}};
   return pixel(stones[static_cast<size_t>(chip * 4)]);
 }
 
@@ -178,7 +180,8 @@ ImagePixel picture_pixel(int number, uint32_t x, uint32_t y, uint32_t width, uin
   uint32_t column = 0, row = 0;
   bool line = false;
   for (uint32_t i = 0; i < 4; ++i) {
-    const double at_u = (i + 0.3 + 0.6 * hashed(i, 8, seed)) / 4, at_v = (i + 0.3 + 0.6 * hashed(i, 9, seed)) / 4;
+    const double at_u = (i + 0.3 + 0.6 * hashed(i, 8, seed)) / 4,
+                 at_v = (i + 0.3 + 0.6 * hashed(i, 9, seed)) / 4;
     column += u > at_u;
     row += v > at_v;
     line = line || std::abs(u - at_u) < 0.008 || std::abs(v - at_v) < 0.011;
@@ -204,7 +207,8 @@ void write_dressing_images(const std::filesystem::path& scene_folder, const Rand
   write(tiles.name, side / 2, side / 2, [&](uint32_t x, uint32_t y) { return tile_pixel(x, y, side / 2); });
   write(terrazzo.name, side, side, [&](uint32_t x, uint32_t y) { return terrazzo_pixel(x, y, side); });
   write(panels.name, side / 2, side / 2, [&](uint32_t x, uint32_t y) { return panel_pixel(x, y, side / 2); });
-  write(bricks.name, side, side / 2, [&](uint32_t x, uint32_t y) { return brick_pixel(x, y, side, side / 2); });
+  write(bricks.name, side, side / 2,
+        [&](uint32_t x, uint32_t y) { return brick_pixel(x, y, side, side / 2); });
   write(door.name, side / 2, side, [&](uint32_t x, uint32_t y) { return door_pixel(x, y, side / 2, side); });
   write(grass.name, side, side, [&](uint32_t x, uint32_t y) { return grass_pixel(x, y); });
   write(curtain_image, side / 4, side, [&](uint32_t x, uint32_t y) { return curtain_pixel(x, y, side); });
@@ -212,9 +216,8 @@ void write_dressing_images(const std::filesystem::path& scene_folder, const Rand
   Random choice = random;
   const int first = static_cast<int>(choice.below(1000)) * 3;
   for (int i = 0; i < picture_images; ++i) {
-    write(picture_image(i), side / 2, side * 3 / 8, [&](uint32_t x, uint32_t y) {
-      return picture_pixel(first + i, x, y, side / 2, side * 3 / 8);
-    });
+    write(picture_image(i), side / 2, side * 3 / 8,
+          [&](uint32_t x, uint32_t y) { return picture_pixel(first + i, x, y, side / 2, side * 3 / 8); });
   }
 }
 

@@ -26,6 +26,7 @@ struct FurnitureMesh {
 /// box scaled to the catalogue's size, centred on x and z, standing on y = 0 (Sweet Home 3D's convention).
 /// Error (place: archive, file, line) for a model that cannot be read or has no triangles.
 /// shows_glass: transparent materials are transparent.
-FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& archive, bool shows_glass = false);
+FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& archive,
+                             bool shows_glass = false);
 
 }  // namespace triptych

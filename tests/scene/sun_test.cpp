@@ -1,7 +1,8 @@
 // Where the sun stands, against positions that were published, and moments as people write them.
+#include "scene/sun.hpp"
+
 #include "base/error.hpp"
 #include "scene/geo_place.hpp"
-#include "scene/sun.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -32,8 +33,8 @@ TEST(Sun, stands_where_published_positions_say) {
   const Position positions[] = {
       {"NREL, Solar Position Algorithm (Reda and Andreas, 2008), appendix A.5, before refraction", 39.742476,
        -105.1786, "2003-10-17T12:30:30-07:00", 39.872046, 194.340241},
-      {"Meeus, example 25.a, the declination, which is the altitude at the pole", 90, 0,
-       "1992-10-13T00:00Z", -7.78507, any},
+      {"Meeus, example 25.a, the declination, which is the altitude at the pole", 90, 0, "1992-10-13T00:00Z",
+       -7.78507, any},
       {"the March equinox of 2024, 03:06 UT, at the pole", 90, 0, "2024-03-20T03:06Z", 0, any},
       {"the June solstice of 2026 at Greenwich, at noon by the equation of time", 51.4769, 0,
        "2026-06-21T12:01:50Z", 90 - 51.4769 + 23.4361, 180},
@@ -45,7 +46,8 @@ TEST(Sun, stands_where_published_positions_say) {
     EXPECT_NEAR(sun.altitude, position.altitude, tolerance) << position.what;
     if (std::isnan(position.azimuth)) continue;
     // Near the zenith a little time is much azimuth: what counts is the angle in the sky.
-    const double turn = std::remainder(sun.azimuth - position.azimuth, 360) * std::cos(sun.altitude * M_PI / 180);
+    const double turn =
+        std::remainder(sun.azimuth - position.azimuth, 360) * std::cos(sun.altitude * M_PI / 180);
     EXPECT_NEAR(turn, 0, tolerance) << position.what << ": azimuth " << sun.azimuth;
   }
 }

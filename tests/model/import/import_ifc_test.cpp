@@ -65,8 +65,8 @@ TEST(ImportIfc, a_unit_that_the_file_does_not_name_is_the_users) {
 
 TEST(ImportIfc, a_site_says_where_on_earth_the_model_stands_and_the_context_where_north_is) {
   const auto site = [](const std::string& latitude, const std::string& longitude) {
-    return wall + "#90=IFCSITE('0YvctVUKr0kugbFTf53O9A',#5,'s',$,$,#14,$,$,.ELEMENT.," + latitude + "," + longitude +
-           ",12500.,$,$);\n";
+    return wall + "#90=IFCSITE('0YvctVUKr0kugbFTf53O9A',#5,'s',$,$,#14,$,$,.ELEMENT.," + latitude + "," +
+           longitude + ",12500.,$,$);\n";
   };
   std::string text = ifc_file(site("(48,8,13,200000)", "(-122,-15,-31)"), test::millimetres);
   const Model straight = import_text("a.ifc", text);

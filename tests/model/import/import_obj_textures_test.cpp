@@ -130,7 +130,8 @@ TEST(ImportObjTextures, that_a_black_colour_would_hide_are_shown_and_said) {
 TEST(ImportObjTextures, of_libraries_that_come_too_late_are_said) {
   write_model("oak.png", "1");
   write_model("a.mtl", "newmtl oak\nmap_Kd oak.png\n");
-  const Model model = import_text("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nusemtl oak\nf 1/1 2/1 3/1\nmtllib a.mtl\n");
+  const Model model =
+      import_text("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nusemtl oak\nf 1/1 2/1 3/1\nmtllib a.mtl\n");
   EXPECT_TRUE(warns(model, "behind the first faces are not drawn"));
   EXPECT_EQ(material_of(model).texture, no_id);
 }

@@ -165,9 +165,10 @@ TEST(ImportOther, a_diffuse_texture_of_collada_comes_with_its_coordinates_and_re
                 "<material id=\"m\"><instance_effect url=\"#e\"/></material></library_materials>");
   dae.replace(dae.find("<triangles count"), 16, "<triangles material=\"s\" count");
   const std::string placed = "<instance_geometry url=\"#g\"/></node><node id=\"k\">";
-  dae.replace(dae.find(placed), placed.size(),
-              "<instance_geometry url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" "
-              "target=\"#m\"/></technique_common></bind_material></instance_geometry></node><node id=\"k\">");
+  dae.replace(
+      dae.find(placed), placed.size(),
+      "<instance_geometry url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" "
+      "target=\"#m\"/></technique_common></bind_material></instance_geometry></node><node id=\"k\">");
   insert_before("<vertices id",
                 "<source id=\"u\"><float_array id=\"ua\" count=\"6\">0 0 1 0 0.5 0.25</float_array>"
                 "<technique_common><accessor source=\"#ua\" count=\"3\" stride=\"2\"><param name=\"S\" "

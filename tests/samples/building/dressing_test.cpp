@@ -1,7 +1,8 @@
 // The building with effects: what it adds, that the rest of it stays, and that a seed decides it.
+#include "samples/building/dressing.hpp"
+
 #include "base/file.hpp"
 #include "samples/building/building.hpp"
-#include "samples/building/dressing.hpp"
 #include "samples/building/dressing_images.hpp"
 
 #include <algorithm>
@@ -83,8 +84,8 @@ TEST(Dressing, hangs_nothing_into_what_stands_there) {
       const glm::dvec3 at(place[3]);
       for (const FurniturePlacement& other : placements) {
         const double level = floor_level(design.plan.rooms[static_cast<size_t>(other.room)].floor);
-        const bool beside = at.x > other.footprint.x0 && at.x < other.footprint.x1 && at.z > other.footprint.z0 &&
-                            at.z < other.footprint.z1;
+        const bool beside = at.x > other.footprint.x0 && at.x < other.footprint.x1 &&
+                            at.z > other.footprint.z0 && at.z < other.footprint.z1;
         EXPECT_FALSE(beside && at.y > level + other.bottom && at.y < level + other.top);
       }
     }
