@@ -1,4 +1,5 @@
 // The sky behind a model: its colours, its light, and what neither may change.
+#include "tests/render/closed_scenes.hpp"
 #include "tests/support/awkward_meshes.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/test_device.hpp"
