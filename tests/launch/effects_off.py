@@ -50,6 +50,7 @@ def main():
     root = pathlib.Path(__file__).resolve().parents[2]
     parser.add_argument("--source", type=pathlib.Path, default=root)
     parser.add_argument("--program", type=pathlib.Path, default=root / "build/release/bin/triptych", help="the one with effects")
+    parser.add_argument("--without", type=pathlib.Path, help="the one without effects, if it is built already")
     parser.add_argument("--build", type=pathlib.Path, default=root / "build/effects-off", help="the folder of the second build")
     parser.add_argument("--work", type=pathlib.Path, default=root / "out/effects-off")
     parser.add_argument("--jobs", type=int, default=2)
@@ -60,7 +61,7 @@ def main():
     parser.add_argument("--path", type=pathlib.Path, help="its path")
     options = parser.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
-    without = build(options)
+    without = options.without or build(options)
     pack, path = options.pack, options.path
     if pack is None:
         scene = options.work / "scene"
