@@ -17,8 +17,9 @@ function metresOfUnit(model) {
     for (const unit of references(model.arguments(assignment)[0])) {
       const arguments_ = model.arguments(unit);
       if (!arguments_.some((argument) => text(argument) === 'LENGTHUNIT')) continue;
-      if (arguments_.some((argument) => text(argument) === 'METRE')) return prefixes[text(arguments_[2])] ?? 1;
-      const measure = reference(arguments_[3]);
+      const words = arguments_.map(text);
+      if (words.includes('METRE')) return prefixes[words.find((word) => word in prefixes)] ?? 1;
+      const measure = arguments_.map(reference).filter((id) => id !== undefined).at(-1); // behind its dimensions
       const factor = measure === undefined ? NaN : Number(text(model.arguments(measure)[0]));
       return Number.isFinite(factor) ? factor : undefined;
     }
