@@ -88,6 +88,7 @@ TEST_F(SkyPictures, light_faces_by_where_the_sun_is) {
 
 TEST_F(SkyPictures, show_the_sun_itself_and_darken_at_night) {
   state.view.camera.target = {0.5, 20, 3 - 26};
+  set_field_of_view(state.view.camera, 10, 1);
   const glm::dvec3 there = glm::normalize(state.view.camera.target - state.view.camera.eye);
   const std::vector<uint8_t> day = draw({true, there}), night = draw({true, {there.x, -there.y, there.z}});
   int bright = 0;
