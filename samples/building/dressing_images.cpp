@@ -1,11 +1,13 @@
 #include "samples/building/dressing_images.hpp"
 
 #include "base/file.hpp"
+#include "base/threads.hpp"
 #include "samples/image_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <functional>
 #include <glm/glm.hpp>
 
 namespace triptych {
@@ -198,27 +200,29 @@ void write_dressing_images(const std::filesystem::path& scene_folder, const Rand
   const std::filesystem::path folder = scene_folder / images_folder;
   make_folder(folder);
   constexpr uint32_t side = 512;
+  std::vector<std::function<void()>> images;
   const auto write = [&](const std::string& name, uint32_t width, uint32_t height, const auto& of) {
-    write_image_file(folder / name, width, height, of);
+    images.emplace_back([=] { write_image_file(folder / name, width, height, of); });
   };
   using namespace surface_images;
-  write(planks.name, side, side, [&](uint32_t x, uint32_t y) { return plank(x, y, side); });
-  write(carpet.name, side, side, [&](uint32_t x, uint32_t y) { return carpet_pixel(x, y); });
-  write(tiles.name, side / 2, side / 2, [&](uint32_t x, uint32_t y) { return tile_pixel(x, y, side / 2); });
-  write(terrazzo.name, side, side, [&](uint32_t x, uint32_t y) { return terrazzo_pixel(x, y, side); });
-  write(panels.name, side / 2, side / 2, [&](uint32_t x, uint32_t y) { return panel_pixel(x, y, side / 2); });
+  write(planks.name, side, side, [=](uint32_t x, uint32_t y) { return plank(x, y, side); });
+  write(carpet.name, side, side, [=](uint32_t x, uint32_t y) { return carpet_pixel(x, y); });
+  write(tiles.name, side / 2, side / 2, [=](uint32_t x, uint32_t y) { return tile_pixel(x, y, side / 2); });
+  write(terrazzo.name, side, side, [=](uint32_t x, uint32_t y) { return terrazzo_pixel(x, y, side); });
+  write(panels.name, side / 2, side / 2, [=](uint32_t x, uint32_t y) { return panel_pixel(x, y, side / 2); });
   write(bricks.name, side, side / 2,
-        [&](uint32_t x, uint32_t y) { return brick_pixel(x, y, side, side / 2); });
-  write(door.name, side / 2, side, [&](uint32_t x, uint32_t y) { return door_pixel(x, y, side / 2, side); });
-  write(grass.name, side, side, [&](uint32_t x, uint32_t y) { return grass_pixel(x, y); });
-  write(curtain_image, side / 4, side, [&](uint32_t x, uint32_t y) { return curtain_pixel(x, y, side); });
-  write(blind_image, side / 2, side / 2, [&](uint32_t x, uint32_t y) { return blind_pixel(x, y, side / 2); });
+        [=](uint32_t x, uint32_t y) { return brick_pixel(x, y, side, side / 2); });
+  write(door.name, side / 2, side, [=](uint32_t x, uint32_t y) { return door_pixel(x, y, side / 2, side); });
+  write(grass.name, side, side, [=](uint32_t x, uint32_t y) { return grass_pixel(x, y); });
+  write(curtain_image, side / 4, side, [=](uint32_t x, uint32_t y) { return curtain_pixel(x, y, side); });
+  write(blind_image, side / 2, side / 2, [=](uint32_t x, uint32_t y) { return blind_pixel(x, y, side / 2); });
   Random choice = random;
   const int first = static_cast<int>(choice.below(1000)) * 3;
   for (int i = 0; i < picture_images; ++i) {
     write(picture_image(i), side / 2, side * 3 / 8,
-          [&](uint32_t x, uint32_t y) { return picture_pixel(first + i, x, y, side / 2, side * 3 / 8); });
+          [=](uint32_t x, uint32_t y) { return picture_pixel(first + i, x, y, side / 2, side * 3 / 8); });
   }
+  parallel_for(images.size(), [&](size_t i) { images[i](); });
 }
 
 }  // namespace triptych
