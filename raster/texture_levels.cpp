@@ -14,11 +14,13 @@ constexpr uint32_t least_side = 4;
 }  // namespace
 
 TextureLevels::TextureLevels(const Skeleton& skeleton, Residency& residency)
-    : skeleton_(skeleton), residency_(residency), largest_side_(max_texture_side) {
+    : skeleton_(skeleton), residency_(residency) {
   for (const Texture& texture : skeleton.textures) {
     first_.push_back(static_cast<uint32_t>(levels_.size()));
     for (size_t level = 0; level < texture.levels.size(); ++level) levels_.emplace_back();
+    largest_side_ = std::max({largest_side_, texture.width, texture.height});
   }
+  shown_side_ = largest_side_;
 }
 
 const Texel* TextureLevels::load(uint32_t texture, uint32_t level, bool always) const {
@@ -78,9 +80,9 @@ uint64_t TextureLevels::hits_of_view() const {
 }
 
 void TextureLevels::show_from(uint32_t side) {
-  largest_side_ = side;
+  shown_side_ = std::min(side, largest_side_);
   finest_.clear();
-  if (side >= max_texture_side) return;
+  if (side >= largest_side_) return;
   for (const Texture& texture : skeleton_.textures) {
     uint32_t level = 0;
     while (std::max(side_at_level(texture.width, level), side_at_level(texture.height, level)) > side)
@@ -97,7 +99,7 @@ void TextureLevels::begin_view() {
   loaded_in_view_ = 0;
   is_over_ = shows_coarser_ = is_unbounded_ = false;
   // A level that is twice as large takes four times the bytes.
-  if (!finest_.empty() && (cap_ == no_cap || 4 * bytes_of_view() <= cap_)) show_from(2 * largest_side_);
+  if (!finest_.empty() && (cap_ == no_cap || 4 * bytes_of_view() <= cap_)) show_from(2 * shown_side_);
   if (cap_ != no_cap) drop_older(cap_ - cap_ / 4);  // what comes next has room
   ++view_;
 }
@@ -106,11 +108,11 @@ bool TextureLevels::fit() {
   if (!is_over_) return true;
   is_over_ = false;
   if (drop_older(0)) return false;
-  if (largest_side_ <= least_side) {  // all of it shows as little as it can
+  if (shown_side_ <= least_side) {  // all of it shows as little as it can
     is_unbounded_ = true;
     return false;
   }
-  show_from(largest_side_ / 2);
+  show_from(shown_side_ / 2);
   for (size_t texture = 0; texture < first_.size(); ++texture) {
     for (uint32_t level = 0; level < finest_[texture]; ++level) {
       Level& own = levels_[first_[texture] + level];

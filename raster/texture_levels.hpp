@@ -75,7 +75,7 @@ class TextureLevels {
   std::vector<uint32_t> first_;  ///< for each texture where its levels begin
   std::deque<Level> levels_;
   std::vector<uint32_t> finest_;  ///< of each texture the finest level that colours show; empty: 0 of all
-  uint32_t largest_side_;         ///< of levels that colours show
+  uint32_t largest_side_ = 1, shown_side_ = 1;  ///< of all levels, and of those that colours show
   uint64_t view_ = 1, cap_ = no_cap;
   MissingChunks missing_;
   TextureUse use_;
