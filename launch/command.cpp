@@ -304,7 +304,7 @@ void add_picture(nlohmann::json& report, const RunOptions& options) {
   report["edges"] = options.edges;
   report["effects"] = effects_text(options.effects);
   report["section"] = section_json(options.section);
-  report["date"] = options.moment ? nlohmann::json(moment_text(*options.moment)) : nlohmann::json();
+  if (options.moment) report["date"] = moment_text(*options.moment);
 }
 
 void add_every_flag(CLI::App& command, RunOptions& options) {
