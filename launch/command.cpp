@@ -7,6 +7,7 @@
 #include "launch/number_flags.hpp"
 #include "launch/section_flags.hpp"
 #include "raster/instruction_set.hpp"
+#include "scene/sun.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -273,6 +274,21 @@ void add_effects_flag(CLI::App& command, Effects& effects) {
       ->type_name(fmt::format("{}|all|none", fmt::join(names, ",")))
       ->default_str("all");
 }
+
+void add_date_flag(CLI::App& command, std::optional<double>& moment) {
+  command
+      .add_option_function<std::string>(
+          "--date",
+          [&moment](const std::string& words) {
+            try {
+              moment = parse_moment(words, "--date");
+            } catch (const Error& error) {
+              throw CLI::ValidationError(error.what());
+            }
+          },
+          "Show the sky of that moment, with the sun's light, over a model whose place is known")
+      ->type_name("2026-06-21T15:00Z");
+}
 }  // namespace
 
 void add_picture_flags(CLI::App& command, RunOptions& options) {
@@ -286,6 +302,7 @@ void add_picture_flags(CLI::App& command, RunOptions& options) {
       ->check(number_between(-years, years))
       ->type_name("SECONDS");
   add_section_flags(command, options.section);
+  add_date_flag(command, options.moment);
 }
 
 void add_picture(nlohmann::json& report, const RunOptions& options) {
@@ -294,6 +311,7 @@ void add_picture(nlohmann::json& report, const RunOptions& options) {
   report["effects"] = effects_text(options.effects);
   report["time"] = options.time;
   report["section"] = section_json(options.section);
+  if (options.moment) report["date"] = moment_text(*options.moment);
 }
 
 void add_every_flag(CLI::App& command, RunOptions& options) {

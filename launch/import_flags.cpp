@@ -1,5 +1,6 @@
 #include "launch/import_flags.hpp"
 
+#include "base/error.hpp"
 #include "launch/choice_flag.hpp"
 #include "launch/number_flags.hpp"
 
@@ -38,6 +39,21 @@ void add_import_flags(CLI::App& command, ImportOptions& options) {
                   "How far triangles may lie from the curved surfaces of STEP and IGES files, in metres")
       ->check(positive_number())
       ->default_str("a ten-thousandth of the size");
+  command
+      .add_option_function<std::string>(
+          "--place",
+          [&options](const std::string& words) {
+            try {
+              options.geo_place = parse_geo_place(words, "--place");
+            } catch (const Error& error) {
+              throw CLI::ValidationError(error.what());
+            }
+          },
+          "Where on Earth the model stands, degrees north and east, with north at -z: for the sky that "
+          "--date "
+          "shows")
+      ->type_name("LAT,LON")
+      ->default_str("what an IFC file says");
 }
 
 std::vector<std::string> import_arguments(const ImportOptions& options) {
@@ -49,6 +65,9 @@ std::vector<std::string> import_arguments(const ImportOptions& options) {
     if (options.unit == unit) arguments.insert(arguments.end(), {"--unit", name});
   }
   if (options.chord) arguments.insert(arguments.end(), {"--chord", fmt::format("{}", *options.chord)});
+  if (options.geo_place)
+    arguments.insert(arguments.end(), {"--place", fmt::format("{},{}", options.geo_place->latitude,
+                                                              options.geo_place->longitude)});
   return arguments;
 }
 

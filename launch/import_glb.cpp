@@ -2,6 +2,7 @@
 
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
+#include "launch/glb_textures.hpp"
 #include "model/import/display_color.hpp"
 #include "model/import/triangulate.hpp"
 
@@ -68,16 +69,7 @@ bool is_made_up(const aiMaterial& material) {
   return std::string_view(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME;
 }
 
-/// Whether it has one that has a name: X3D allows an image without any.
-bool names_texture(const aiMaterial& material, aiTextureType type) {
-  aiString path;
-  for (unsigned i = 0; i < material.GetTextureCount(type); ++i) {
-    if (material.GetTexture(type, i, &path) == aiReturn_SUCCESS && path.length > 0) return true;
-  }
-  return false;
-}
-
-json material_of(const aiMaterial& material, ConversionNotes& notes) {
+json material_of(const aiMaterial& material) {
   aiColor4D color(0.8f, 0.8f, 0.8f, 1);
   if (!is_made_up(material) && material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS)
     if (material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) color = linear_color(color);
@@ -86,21 +78,20 @@ json material_of(const aiMaterial& material, ConversionNotes& notes) {
   json factor = json::array();
   for (const float value : {color.r, color.g, color.b, color.a})
     factor.push_back(std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 1.0f);
-  if (names_texture(material, aiTextureType_DIFFUSE) || names_texture(material, aiTextureType_BASE_COLOR))
-    ++notes["materials with textures, which are not drawn yet"];
   json result = {{"pbrMetallicRoughness", {{"baseColorFactor", factor}}}};
   if (factor[3] < 1) result["alphaMode"] = "BLEND";
   return result;
 }
 
-/// The meshes with triangles and where their bytes go: positions, vertex colours if there are any, indices.
+/// The meshes with triangles and where their bytes go: positions, vertex colours, normals and places on
+/// textures if there are any, indices.
 struct Layout {
   json meshes = json::array(), views = json::array(), accessors = json::array();
   std::vector<int> mesh_of;  ///< the scene's mesh to the file's; −1 without triangles
   uint64_t bytes = 0;
 };
 
-Layout lay_out(const aiScene& scene, ConversionNotes& notes) {
+Layout lay_out(const aiScene& scene, const GlbTextures& textures, ConversionNotes& notes) {
   Layout layout;
   const auto add = [&](uint64_t bytes, uint64_t count, int component, const char* type) {
     layout.views.push_back({{"buffer", 0}, {"byteOffset", layout.bytes}, {"byteLength", bytes}});
@@ -129,6 +120,9 @@ Layout lay_out(const aiScene& scene, ConversionNotes& notes) {
     if (mesh.HasNormals())
       primitive["attributes"]["NORMAL"] =
           add(uint64_t{mesh.mNumVertices} * 12, mesh.mNumVertices, 5126, "VEC3");
+    if (textures.is_textured(mesh))
+      primitive["attributes"]["TEXCOORD_0"] =
+          add(uint64_t{mesh.mNumVertices} * 8, mesh.mNumVertices, 5126, "VEC2");
     primitive["indices"] = add(triangles * 12, triangles * 3, 5125, "SCALAR");
     if (mesh.mMaterialIndex < scene.mNumMaterials) {
       // Vertex colours of what has no material are not multiplied by that of others.
@@ -207,7 +201,8 @@ json nodes_of(const aiScene& scene, const Layout& layout, const glm::dmat3& to_m
   return nodes;
 }
 
-void write_mesh(const aiMesh& mesh, Output& output, const std::string& place, ConversionNotes& notes) {
+void write_mesh(const aiMesh& mesh, const GlbTextures& textures, Output& output, const std::string& place,
+                ConversionNotes& notes) {
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     const aiVector3D& vertex = mesh.mVertices[i];
     output.write(std::array<float, 3>{vertex.x, vertex.y, vertex.z});
@@ -219,6 +214,10 @@ void write_mesh(const aiMesh& mesh, Output& output, const std::string& place, Co
   for (unsigned i = 0; mesh.HasNormals() && i < mesh.mNumVertices; ++i) {
     const aiVector3D& normal = mesh.mNormals[i];
     output.write(std::array<float, 3>{normal.x, normal.y, normal.z});
+  }
+  for (unsigned i = 0; textures.is_textured(mesh) && i < mesh.mNumVertices; ++i) {
+    const glm::vec2 own = textures.place(mesh, i);
+    output.write(std::array<float, 2>{own.x, own.y});
   }
   std::vector<glm::dvec3> corners;
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -244,16 +243,20 @@ void write_mesh(const aiMesh& mesh, Output& output, const std::string& place, Co
 void write_glb(const aiScene& scene, const glm::dmat3& to_model, int descriptor, const std::string& place,
                ConversionNotes& notes) {
   if (!scene.mRootNode) fail(place, "holds no scene");
-  const Layout layout = lay_out(scene, notes);
-  if (layout.meshes.empty()) fail(place, "holds no triangles");
+  GlbTextures textures(scene, notes);
   json materials = json::array();
-  for (unsigned i = 0; i < scene.mNumMaterials; ++i)
-    materials.push_back(material_of(*scene.mMaterials[i], notes));
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+    materials.push_back(material_of(*scene.mMaterials[i]));
+    textures.add(i, materials.back());
+  }
+  const Layout layout = lay_out(scene, textures, notes);
+  if (layout.meshes.empty()) fail(place, "holds no triangles");
   json document = {{"asset", {{"version", "2.0"}}}, {"buffers", {{{"byteLength", layout.bytes}}}},
                    {"bufferViews", layout.views},   {"accessors", layout.accessors},
                    {"meshes", layout.meshes},       {"nodes", nodes_of(scene, layout, to_model, place)},
                    {"scenes", {{{"nodes", {0}}}}},  {"scene", 0}};
   if (!materials.empty()) document["materials"] = materials;
+  textures.write_to(document);
   std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
   document = {};
   text.resize((text.size() + 3) / 4 * 4, ' ');
@@ -266,7 +269,7 @@ void write_glb(const aiScene& scene, const glm::dmat3& to_model, int descriptor,
   output.write(std::as_bytes(std::span(text)));
   output.write(std::array<uint32_t, 2>{static_cast<uint32_t>(layout.bytes), 0x004e4942});
   for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-    if (layout.mesh_of[i] >= 0) write_mesh(*scene.mMeshes[i], output, place, notes);
+    if (layout.mesh_of[i] >= 0) write_mesh(*scene.mMeshes[i], textures, output, place, notes);
   }
   output.flush();
 }

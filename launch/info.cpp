@@ -25,6 +25,16 @@ nlohmann::json build_json(const Pack& pack) {
   return options.empty() ? nlohmann::json() : nlohmann::json(options);
 }
 
+/// Where on Earth the model stands; null where the pack does not say.
+nlohmann::json place_json(const Skeleton& skeleton) {
+  if (!skeleton.geo_place) return nullptr;
+  const GeoPlace& place = *skeleton.geo_place;
+  return {{"latitude", place.latitude},
+          {"longitude", place.longitude},
+          {"elevation", place.elevation},
+          {"north", {place.north.x, place.north.y}}};
+}
+
 double bytes_a_drawable(const Skeleton& skeleton, uint64_t bytes) {
   return static_cast<double>(bytes) / static_cast<double>(std::max<size_t>(skeleton.drawables.size(), 1));
 }
@@ -51,6 +61,18 @@ void print_memory(const Skeleton& skeleton) {
   fmt::print("\n{}", text_table({"in memory", "count", "bytes", "bytes a drawable"}, rows));
 }
 
+/// All of them, with all of their levels: in the pack, and as a device has them.
+nlohmann::json textures_json(const Skeleton& skeleton) {
+  uint64_t packed = 0, texels = 0;
+  for (const Texture& texture : skeleton.textures) {
+    for (uint32_t level = 0; level < texture.levels.size(); ++level) {
+      packed += texture.levels[level].size;
+      texels += uint64_t{side_at_level(texture.width, level)} * side_at_level(texture.height, level);
+    }
+  }
+  return {{"count", skeleton.textures.size()}, {"pack_bytes", packed}, {"bytes", texels * sizeof(Texel)}};
+}
+
 nlohmann::json describe(const Pack& pack) {
   const Skeleton& skeleton = pack.skeleton();
   const Box box = model_box(skeleton);
@@ -73,6 +95,8 @@ nlohmann::json describe(const Pack& pack) {
             {"clusters", skeleton.objects.clusters},
             {"partition2", skeleton.objects.partition2}}},
           {"effects", skeleton.effects},
+          {"textures", textures_json(skeleton)},
+          {"place", place_json(skeleton)},
           {"build", build_json(pack)},
           {"import", to_json(skeleton.import)},
           {"skeleton", memory_json(skeleton)},

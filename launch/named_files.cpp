@@ -110,7 +110,7 @@ bool is_standard_output(const CLI::Option& option, const std::string& name) {
 
 bool is_written(const CLI::Option& option) {
   constexpr std::array<std::string_view, 8> flags = {"--json",   "--output",  "--timeline", "--keep-pack",
-                                                     "--record", "--journal", "--cache",    "--place"};
+                                                     "--record", "--journal", "--cache",    "--place-file"};
   return std::count(flags.begin(), flags.end(), option.get_name()) > 0;
 }
 
@@ -126,8 +126,12 @@ std::vector<std::string> names_written_into(const CLI::Option& folder, const std
   if (command == "report") return {"report.html", "report.json", "report-pictures"};
   constexpr std::array<std::string_view, 5> samples = {"building", "plant", "services", "isosurface",
                                                        "statue"};
-  if (std::count(samples.begin(), samples.end(), command) > 0)
-    return {"scene.*", "walk.json", "fly.json", "spin.json", "jump.json", "orbit.json", "ATTRIBUTION.txt"};
+  if (std::count(samples.begin(), samples.end(), command) > 0) {
+    std::vector<std::string> names = {"scene.*",   "walk.json",  "fly.json",       "spin.json",
+                                      "jump.json", "orbit.json", "ATTRIBUTION.txt"};
+    if (command == "building") names.emplace_back("textures");
+    return names;
+  }
   if (command == "kit") return {"kit.*", "walk.json"};
   if (command == "effects") return {"*.gltf", "*.bin", "walk.json", "fly.json", "spin.json", "jump.json"};
   return {"[0-9]*.png"};

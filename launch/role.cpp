@@ -112,7 +112,7 @@ void add_role(CLI::App& app, Action& action) {
   add_viewpoint_flags(*render, render_command->viewpoint);
   render->get_option("--bcf")->needs("--window");
   render
-      ->add_option("--place", render_command->place,
+      ->add_option("--place-file", render_command->place,
                    "Keep where the person at the window stands in this file; begin there if it is there")
       ->type_name("FILE");
   render->add_flag("--hash", render_command->hash, "Record each picture's hash and visible set");

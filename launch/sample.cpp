@@ -50,7 +50,9 @@ int run_building(SampleCommand command) {
                             {"collapsed_triangles", report.collapsed_triangles},
                             {"undecoded_images", report.undecoded_images},
                             {"undefined_materials", report.undefined_materials},
-                            {"transparent_materials", report.transparent_materials}});
+                            {"transparent_materials", report.transparent_materials},
+                            {"lights", report.lights},
+                            {"dressing_placements", report.dressing_placements}});
   return 0;
 }
 
@@ -185,6 +187,8 @@ void add_sample(CLI::App& app, Action& action) {
       ->check(whole_number(1, 100));
   building->add_option("--furniture", command->furniture, "Pieces of furniture (default: 2000 a floor)")
       ->check(whole_number(1, 1000000));
+  building->add_flag("--effects", command->building.effects,
+                     "With textures, glass, lamps that shine, curtains and pictures");
   building->add_option("--seed", command->building.seed, "Decides everything that is random")
       ->check(whole_number(0))
       ->capture_default_str();

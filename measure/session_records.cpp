@@ -21,9 +21,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameRecord, number, frame_ms, occlusion_repr
                                    visible_count, digest_mismatch, fallback, lost, visible, pixel_error,
                                    raised_for_memory, owed_drawables, left_out_drawables, redrawn, gets_finer,
                                    picture_hash, steered)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TextureUse, cap, bytes, peak_bytes, hits, misses, evicted, read_bytes,
+                                   decoded_bytes, uploaded_bytes, coarser_views, over_cap_views)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GeometryUse, cap, bytes, peak_bytes, view_bytes, hits, loaded_chunks,
                                    evicted_chunks, left_out, no_room, reloaded_chunks, read_bytes,
-                                   uploaded_bytes, wait_ms)
+                                   uploaded_bytes, wait_ms, textures)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReadAheadUse, read_ahead, in_time, late, taken, foreseen_read,
                                    foreseen_taken, reads, dropped, bytes, peak_bytes, open)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DrawingMemory, geometry, read_ahead)
@@ -126,6 +128,13 @@ static void add_memory(DrawingMemory& sum, const DrawingMemory& more) {
                            &GeometryUse::read_bytes, &GeometryUse::uploaded_bytes})
     geometry.*count += more.geometry.*count;
   geometry.wait_ms += more.geometry.wait_ms;
+  TextureUse& textures = geometry.textures;
+  textures.cap = more.geometry.textures.cap;
+  textures.peak_bytes = std::max(textures.peak_bytes, more.geometry.textures.peak_bytes);
+  for (const auto count : {&TextureUse::hits, &TextureUse::misses, &TextureUse::evicted,
+                           &TextureUse::read_bytes, &TextureUse::decoded_bytes, &TextureUse::uploaded_bytes,
+                           &TextureUse::coarser_views, &TextureUse::over_cap_views})
+    textures.*count += more.geometry.textures.*count;
   ReadAheadUse& ahead = sum.read_ahead;
   ahead.peak_bytes = std::max(ahead.peak_bytes, more.read_ahead.peak_bytes);
   for (const auto count : {&ReadAheadUse::read_ahead, &ReadAheadUse::in_time, &ReadAheadUse::late,

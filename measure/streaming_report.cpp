@@ -20,6 +20,34 @@ std::string percent(const json& share) {
   return share.is_null() ? "none" : fmt::format("{:.0f} %", 100 * share.get<double>());
 }
 
+json textures_json(const TextureUse& use) {
+  return {{"cap", cap_json(use.cap)},
+          {"peak_bytes", use.peak_bytes},
+          {"hits", use.hits},
+          {"misses", use.misses},
+          {"evicted", use.evicted},
+          {"bytes_read", use.read_bytes},
+          {"bytes_decoded", use.decoded_bytes},
+          {"bytes_uploaded", use.uploaded_bytes},
+          {"coarser_frames", use.coarser_views},
+          {"over_cap_frames", use.over_cap_views}};
+}
+
+std::string texture_words(const TextureUse& use) {
+  if (use.misses == 0) return "";
+  std::string words = fmt::format(
+      "textures took {:.1f} MiB at most; {} levels or textures came ({:.1f} MiB of the pack, {:.1f} MiB "
+      "decoded), and {} went\n",
+      static_cast<double>(use.peak_bytes) / 0x1p20, use.misses, static_cast<double>(use.read_bytes) / 0x1p20,
+      static_cast<double>(use.decoded_bytes) / 0x1p20, use.evicted);
+  if (use.coarser_views > 0)
+    words += fmt::format("{} frames showed coarser levels of textures for want of room\n", use.coarser_views);
+  if (use.over_cap_views > 0)
+    words += fmt::format("in {} frames textures took MORE than their share: more memory is needed\n",
+                         use.over_cap_views);
+  return words;
+}
+
 }  // namespace
 
 std::string add_streaming(json& report, const std::vector<FrameRecord>& records, const MemoryCaps& caps,
@@ -51,6 +79,7 @@ std::string add_streaming(json& report, const std::vector<FrameRecord>& records,
   report["reloaded_chunks"] = use.reloaded_chunks;
   report["bytes_read"] = use.read_bytes;
   report["bytes_uploaded"] = use.uploaded_bytes;
+  report["textures"] = textures_json(use.textures);
   report["reads"] = ahead.reads;
   report["prefetch"] = prefetch;
   report["raised_frames"] = raised;
@@ -65,6 +94,7 @@ std::string add_streaming(json& report, const std::vector<FrameRecord>& records,
       "read ahead in time, and {} went\n",
       static_cast<double>(use.peak_bytes) / 0x1p20, use.loaded_chunks,
       static_cast<double>(use.read_bytes) / 0x1p20, report["waits"].get<uint64_t>(), use.evicted_chunks);
+  words += texture_words(use.textures);
   if (ahead.foreseen_read > 0) {
     words += fmt::format("of what was read ahead {} was needed, of what was needed {} was read ahead\n",
                          percent(prefetch["precision"]), percent(prefetch["recall"]));

@@ -4,6 +4,7 @@
 
 #include "model/mesh_stream.hpp"
 #include "scene/affine.hpp"
+#include "scene/geo_place.hpp"
 #include "scene/import_report.hpp"
 #include "scene/motion.hpp"
 #include "scene/source_objects.hpp"
@@ -15,6 +16,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,11 @@ namespace triptych {
 /// An image that materials name.
 struct ModelImage {
   std::string place;  ///< of errors: the file, and which of its images
-  std::function<std::vector<std::byte>()>
-      read;  ///< its bytes, as the file holds them; Error if they are gone
+  /// Its bytes, as the file holds them; Error if they are gone. Empty where there is only an alpha: white.
+  std::function<std::vector<std::byte>()> read;
+  /// Another image that says its alpha: by its own or, where that is 1 all over, by its brightness. Null: the
+  /// image says it itself.
+  std::shared_ptr<const ModelImage> alpha = nullptr;
 };
 
 /// Linear factors are as the file gives them.
@@ -127,7 +132,9 @@ struct Model {
   /// What repeats, stored once; empty for most models, which are lists of instances. See model/flatten.hpp.
   std::vector<Group> groups;
   std::vector<GroupInstance> group_instances;
-  Motion motion;                 ///< of group instances
+  Motion motion;  ///< of group instances
+  /// Where on Earth it stands, where a file says so, or the build is told.
+  std::optional<GeoPlace> geo_place = std::nullopt;
   SourceObjects source_objects;  ///< empty for models without names
   /// What was or will be read: the model files, and the buffers and material libraries that they name. What
   /// triptych-import opened beside a file is among them.

@@ -268,6 +268,8 @@ BuildReport build(Model model, const BuildOptions& options, const std::filesyste
     skeleton.effects.push_back(effect_name_in_pack(Effect::emission));
   if (report.light.baked) skeleton.effects.push_back(effect_name_in_pack(Effect::baked_light));
   if (report.light.ambient) skeleton.effects.push_back(effect_name_in_pack(Effect::ambient));
+  skeleton.geo_place = model.geo_place;
+  if (skeleton.geo_place) skeleton.effects.push_back(effect_name_in_pack(Effect::sky));
   auto& warnings = skeleton.import.warnings;
   const auto unseen = std::count_if(plan.colors.begin(), plan.colors.end(),
                                     [&](uint32_t color) { return plan.palette[color][3] == 0; });

@@ -157,6 +157,10 @@ void PackWriter::finish(StoredSkeleton skeleton, std::span<const std::byte> obje
     add_section(motion_type, [&](const auto& write) { write(encode_motion(skeleton.motion)); });
     table.back().version = motion_version;
   }
+  if (const auto& geo_place = skeleton.surrounding.geo_place) {
+    add_section(geo_place_type, [&](const auto& write) { write(encode_geo_place(*geo_place)); });
+    table.back().version = geo_place_version;
+  }
   const auto table_bytes = std::as_bytes(std::span<const PackSection>(table));
   PackHeader header{.version = instanced ? instanced_pack_format_version : pack_format_version,
                     .section_count = static_cast<uint32_t>(table.size()),

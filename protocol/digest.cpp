@@ -13,7 +13,8 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
   const View& view = state.view;
   const Camera& camera = view.camera;
   constexpr size_t section_bytes = 2 + Section::max_planes * 4 * 8 + 6 * 8;
-  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 4 + 1 + 4 + section_bytes + 4 + 8 + 8 + 8> fields;
+  std::array<std::byte, 4 + 15 * 8 + 1 + 2 * 4 + 4 + 1 + 4 + section_bytes + 4 + 8 + 8 + 1 + 3 * 8 + 8>
+      fields;
   std::byte* end = fields.data();
   const auto add = [&](const auto& value) {
     std::memcpy(end, &value, sizeof(value));
@@ -48,6 +49,8 @@ uint64_t frame_digest(uint32_t frame, const FrameState& state, uint64_t pack_has
   add(state.hiding.name.count);
   add(state.hiding.name.hash);
   add(state.time + 0.0);  // −0 is 0
+  add(static_cast<uint8_t>(state.sky.shown));
+  add_vector(state.sky.to_sun);
   add(pack_hash);
   const auto used = static_cast<size_t>(end - fields.data());
   assert(used <= fields.size());

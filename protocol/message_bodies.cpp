@@ -9,6 +9,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <initializer_list>
 #include <limits>
 #include <span>
@@ -30,7 +31,8 @@ constexpr uint32_t samples_shift = 5;
 constexpr uint8_t samples_bits = 3;
 // Another byte of marks follows, which are not all 0. Its lowest bits are the number of section planes.
 constexpr uint8_t more_mark = 128;
-constexpr uint8_t planes_bits = 7, section_box_mark = 8, hidden_mark = 16, effects_mark = 32, time_mark = 64;
+constexpr uint8_t planes_bits = 7, section_box_mark = 8, hidden_mark = 16, effects_mark = 32, time_mark = 64,
+                  sky_mark = 128;
 
 uint8_t samples_marks(uint32_t samples) {
   const auto* const found = std::find(sample_counts.begin(), sample_counts.end(), samples);
@@ -104,9 +106,10 @@ Section read_section(BodyReader& body, uint8_t marks) {
 }
 
 uint8_t more_marks(const FrameState& state) {
-  return static_cast<uint8_t>(
-      section_marks(state.section) | (state.hiding.name == HiddenName() ? 0 : hidden_mark) |
-      (state.effects == Effects::all() ? 0 : effects_mark) | (state.time == 0 ? 0 : time_mark));
+  return static_cast<uint8_t>(section_marks(state.section) |
+                              (state.hiding.name == HiddenName() ? 0 : hidden_mark) |
+                              (state.effects == Effects::all() ? 0 : effects_mark) |
+                              (state.time == 0 ? 0 : time_mark) | (state.sky.shown ? sky_mark : 0));
 }
 
 /// Those that are switched off.
@@ -126,6 +129,18 @@ void describe_time(Body& body, auto& time) {
   body.numbers(numbers);
   if constexpr (Body::reads) {
     if (time == 0) fail(body.place(), "a time that need not be said");
+  }
+}
+
+template <typename Body>
+void describe_sky(Body& body, auto& sky) {
+  const std::array numbers = {&sky.to_sun.x, &sky.to_sun.y, &sky.to_sun.z};
+  body.numbers(numbers);
+  if constexpr (Body::reads) {
+    sky.shown = true;
+    constexpr double tolerance = 1e-9;
+    if (!(std::abs(glm::length(sky.to_sun) - 1) <= tolerance))
+      fail(body.place(), "the direction to the sun is not of length 1");
   }
 }
 
@@ -189,7 +204,8 @@ void describe(Body& body, M& message) {
   }
   if ((marks & more_mark) == 0) return;
   auto more = more_marks(message.state);
-  constexpr uint8_t all_marks = planes_bits | section_box_mark | hidden_mark | effects_mark | time_mark;
+  constexpr uint8_t all_marks =
+      planes_bits | section_box_mark | hidden_mark | effects_mark | time_mark | sky_mark;
   body.choice(more, all_marks, "camera mark");
   if constexpr (Body::reads) {
     if (more == 0) fail(body.place(), "marks that mark nothing");
@@ -200,6 +216,7 @@ void describe(Body& body, M& message) {
   if ((more & hidden_mark) != 0) describe_hidden_name(body, message.state.hiding.name);
   if ((more & effects_mark) != 0) describe_effects(body, message.state.effects);
   if ((more & time_mark) != 0) describe_time(body, message.state.time);
+  if ((more & sky_mark) != 0) describe_sky(body, message.state.sky);
 }
 
 /// Where everything is decided, the type says so, and the watermark is not in the body.

@@ -31,6 +31,8 @@ class RasterScene {
 
   const Skeleton& skeleton() const { return skeleton_; }
   const TextureLevels& textures() const { return textures_; }
+  /// TextureLevels::fit().
+  bool fit_textures() { return textures_.fit(); }
   /// Of a pack with textures a share of it is theirs.
   void set_geometry_cap(uint64_t bytes) {
     const bool shared = !skeleton_.textures.empty() && bytes != no_cap;
@@ -42,12 +44,16 @@ class RasterScene {
     geometry_.set_missing(missing);
     textures_.set_missing(missing);
   }
-  const GeometryUse& geometry_use() const { return geometry_.use(); }
+  GeometryUse geometry_use() const {
+    GeometryUse use = geometry_.use();
+    use.textures = textures_.use();
+    return use;
+  }
   bool has_chunk(uint32_t chunk) const { return geometry_.has(chunk); }
   bool is_damaged(uint32_t chunk) const { return geometry_.is_damaged(chunk); }
 
  private:
-  /// Textures may stay beside geometry up to this share of its cap, unless a view asks for more.
+  /// Textures may stay beside geometry up to this share of its cap.
   static constexpr uint64_t texture_share = 4;
   /// Of a draw item: its drawable, and which of that's items it is.
   struct Name {

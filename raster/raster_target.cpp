@@ -117,13 +117,15 @@ void RasterTarget::make_picture() const {
     const Stopwatch stopwatch;
     const std::vector<TransparentLayers> layers = transparent_layers();
     const double set_up = stopwatch.milliseconds();
-    ShadingCounts counts;
-    if (planes_.size() == 1 && !view_->state.edges) {
-      shade(planes_.front(), *view_, scene_.textures(), layers, picture_, counts);
-    } else {
-      resolve(planes_, *view_, scene_.textures(), layers, picture_, counts);
-    }
-    count_effects(counts, set_up);
+    do {
+      ShadingCounts counts;
+      if (planes_.size() == 1 && !view_->state.edges) {
+        shade(planes_.front(), *view_, scene_.textures(), layers, picture_, counts);
+      } else {
+        resolve(planes_, *view_, scene_.textures(), layers, picture_, counts);
+      }
+      count_effects(counts, set_up);
+    } while (!scene_.fit_textures());
   }
   picture_is_made_ = true;
 }
@@ -151,6 +153,7 @@ void RasterTarget::count_effects(const ShadingCounts& counts, double set_up_ms) 
   if (counts.baked_pixels > 0) add(Effect::baked_light, ms_of(ShadeKind::lit), counts.baked_pixels);
   if (counts.occluded_pixels > 0) add(Effect::ambient, ms_of(ShadeKind::lit), counts.occluded_pixels);
   if (counts.emissive_pixels > 0) add(Effect::emission, ms_of(ShadeKind::emissive), counts.emissive_pixels);
+  if (counts.sky_pixels > 0) add(Effect::sky, counts.sky_ms, counts.sky_pixels);
   if (!transparent_.empty()) {
     effects_.push_back({.effect = Effect::transparency,
                         .ms = set_up_ms + counts.blending_ms,

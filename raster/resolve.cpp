@@ -1,6 +1,7 @@
 #include "raster/resolve.hpp"
 
 #include "raster/edge_marker.hpp"
+#include "raster/sky_fill.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -24,6 +25,7 @@ class BandResolver {
         sums_(width_ * sizeof(Rgba)) {
     for (size_t i = 0; i < (shared_ ? 1 : planes.size()); ++i)
       recent_.emplace_back(planes[i].table(), shader);
+    sky_ = sky_shown(view);
     if (!view.state.edges) return;
     rule_.emplace(view);
     const auto places = sample_places(view.state.samples);
@@ -38,6 +40,7 @@ class BandResolver {
     uint32_t kinds = 0;
     for (size_t i = 0; i < planes_.size(); ++i) {
       shade_row(planes_[i].depths(y), planes_[i].slots(y), recent(i), row(i));
+      if (sky_) fill_sky(*sky_, planes_[i].depths(y), y, row(i), counts_);
       kinds |= recent(i).varying_kinds();
     }
     for_each_kind(kinds, [&](ShadeKind kind) { shade_varying(y, kind); });
@@ -91,6 +94,7 @@ class BandResolver {
   std::deque<KeptShades> recent_;
   std::vector<Rgba> rows_;  ///< of each plane one
   std::vector<uint16_t> sums_;
+  std::optional<SkyLook> sky_;
   std::optional<EdgeRule> rule_;
   std::vector<EdgeMarker> edges_;
 };

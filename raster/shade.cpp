@@ -1,5 +1,7 @@
 #include "raster/shade.hpp"
 
+#include "raster/sky_fill.hpp"
+
 namespace triptych {
 
 namespace {
@@ -22,12 +24,14 @@ namespace {
                              const TextureLevels& textures, std::span<const TransparentLayers> layers,
                              std::span<Rgba> picture, ShadingCounts& counts) {
   const TriangleShader shader(view, textures);
+  const std::optional<SkyLook> sky = sky_shown(view);
   buffer.for_each_band(true, [&](int32_t first, int32_t last) {
     KeptShades colors(buffer.table(), shader);
     BandBlenders over(layers, shader, last, counts);
     for (int32_t y = first; y <= last; ++y) {
       Rgba* const row = picture.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width());
       shade_row(buffer.depths(y), buffer.slots(y), colors, row);
+      if (sky) fill_sky(*sky, buffer.depths(y), y, row, counts);
       for_each_kind(colors.varying_kinds(), [&](ShadeKind kind) {
         shade_varying(buffer.depths(y), buffer.slots(y), y, kind, colors, row, counts);
       });

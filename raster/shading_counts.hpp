@@ -20,6 +20,8 @@ struct ShadingCounts {
   std::atomic<uint64_t> blended_fragments = 0;                  ///< of transparent triangles
   std::atomic<uint64_t> splits = 0;                             ///< EffectUse::splits
   std::atomic<double> blending_ms = 0;
+  std::atomic<uint64_t> sky_pixels = 0;  ///< or samples of them, that show the sky
+  std::atomic<double> sky_ms = 0;
 };
 
 /// Adds to one of them how long it lived.

@@ -39,13 +39,18 @@ Between between(double along, uint32_t size, TextureWrap wrap, bool nearest) {
 
 /// Times one².
 TextureSample sample_level(const TextureLevels& levels, uint32_t texture, uint32_t level,
-                           const TextureSampler& sampler, const TexturePlace& place) {
+                           const TextureSampler& sampler, const TexturePlace& place,
+                           TextureSampling sampling) {
+  const bool is_color = sampling == TextureSampling::colors;
+  if (is_color) level = levels.shown(texture, level);
   const LinearLight& light = LinearLight::table();
   const Texture& own = levels.texture(texture);
   const uint32_t width = side_at_level(own.width, level), height = side_at_level(own.height, level);
   const Between x = between(place.u, width, sampler.wrap_u, sampler.nearest),
                 y = between(place.v, height, sampler.wrap_v, sampler.nearest);
-  const Texel* const texels = levels.texels(texture, level);
+  const Texel* const texels =
+      is_color ? levels.texels_within_cap(texture, level) : levels.texels(texture, level);
+  if (texels == nullptr) return {0, 0, 0, 0};  // the picture is made again
   uint64_t sums[4] = {0, 0, 0, 0};
   const auto add = [&](size_t column, size_t row, uint32_t share) {
     const Texel& texel = texels[row * width + column];
@@ -72,21 +77,21 @@ double about_log2(double value) {
 }  // namespace
 
 TextureSample sample(const TextureLevels& levels, uint32_t texture, const TextureSampler& sampler,
-                     const TexturePlace& place) {
+                     const TexturePlace& place, TextureSampling sampling) {
   const Texture& own = levels.texture(texture);
   const double right_x = place.right_u * own.width, right_y = place.right_v * own.height,
                up_x = place.up_u * own.width, up_y = place.up_v * own.height;
   const double squared = std::max(right_x * right_x + right_y * right_y, up_x * up_x + up_y * up_y);
   const auto last = static_cast<uint32_t>(own.levels.size() - 1);
   constexpr double huge = 1e30;
-  if (!(squared < huge)) return sample_level(levels, texture, last, sampler, place);
+  if (!(squared < huge)) return sample_level(levels, texture, last, sampler, place, sampling);
   const double level = squared > 1 ? about_log2(squared) / 2 : 0;
   const auto finer = static_cast<uint32_t>(level);
-  if (finer >= last) return sample_level(levels, texture, last, sampler, place);
+  if (finer >= last) return sample_level(levels, texture, last, sampler, place, sampling);
   const auto share = static_cast<uint32_t>((level - finer) * one);
-  const TextureSample fine = sample_level(levels, texture, finer, sampler, place);
+  const TextureSample fine = sample_level(levels, texture, finer, sampler, place, sampling);
   if (share == 0) return fine;
-  const TextureSample coarse = sample_level(levels, texture, finer + 1, sampler, place);
+  const TextureSample coarse = sample_level(levels, texture, finer + 1, sampler, place, sampling);
   const auto mix = [&](uint32_t a, uint32_t b) { return (a * (one - share) + b * share + one / 2) / one; };
   return {mix(fine.red, coarse.red), mix(fine.green, coarse.green), mix(fine.blue, coarse.blue),
           mix(fine.alpha, coarse.alpha)};
@@ -107,7 +112,7 @@ TexturePlace SurfaceTexture::at(double x, double y) const {
 }
 
 bool SurfaceTexture::is_solid(const TextureLevels& levels, double x, double y) const {
-  return sample(levels, material->texture, material->sampler, at(x, y)).alpha >=
+  return sample(levels, material->texture, material->sampler, at(x, y), TextureSampling::holes).alpha >=
          uint32_t{material->cutoff} * one;
 }
 

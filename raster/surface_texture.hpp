@@ -21,10 +21,14 @@ struct TextureSample {
   uint32_t red, green, blue, alpha;
 };
 
+/// What a sample is for: colours show coarser levels where textures have no room; what decides where holes
+/// are is exact.
+enum class TextureSampling : uint8_t { colors, holes };
+
 /// Between the two levels whose texels are as large as the pixel is there, at most and at least (Williams,
 /// Pyramidal parametrics, 1983), and in each between the four texels around the place; or what is nearest.
 TextureSample sample(const TextureLevels& levels, uint32_t texture, const TextureSampler& sampler,
-                     const TexturePlace& place);
+                     const TexturePlace& place, TextureSampling sampling = TextureSampling::colors);
 
 /// A triangle with places on a texture. Plain, so that arrays of it cost nothing before they are used.
 struct SurfaceTexture {

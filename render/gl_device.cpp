@@ -14,7 +14,8 @@ class GlDevice final : public Device {
                 .rectangles = RectangleTest(test),
                 .lines = {},
                 .resolve = {},
-                .lists = FragmentLists()},
+                .lists = FragmentLists(),
+                .sky = {}},
         names_(current_opengl()) {}
 
   std::unique_ptr<FrameTarget> make_target(TargetKind kind, int width, int height) override {

@@ -136,26 +136,28 @@ void GltfWriter::add_node(const std::string& name, size_t mesh, const glm::dmat4
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row) matrix.push_back(transform[column][row]);
   }
+  add_node(std::move(node), parent);
+}
+
+size_t GltfWriter::add_point_light(const std::string& name, const glm::dvec3& colour, double candela) {
+  constexpr const char* extension = "KHR_lights_punctual";
+  Json& lights = gltf_["extensions"][extension]["lights"];
+  if (lights.is_null()) gltf_["extensionsUsed"].push_back(extension);
+  lights.push_back(
+      {{"name", name}, {"type", "point"}, {"color", {colour.r, colour.g, colour.b}}, {"intensity", candela}});
+  return lights.size() - 1;
+}
+
+void GltfWriter::add_light_node(size_t light, const glm::dvec3& position, std::optional<size_t> parent) {
+  add_node({{"translation", {position.x, position.y, position.z}},
+            {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}},
+           parent);
+}
+
+void GltfWriter::add_node(Json node, std::optional<size_t> parent) {
   Json& siblings = parent ? gltf_["nodes"][*parent]["children"] : gltf_["scenes"][0]["nodes"];
   siblings.push_back(gltf_["nodes"].size());
   gltf_["nodes"].push_back(std::move(node));
-}
-
-void GltfWriter::add_light(const std::string& name, const glm::dvec3& position, const glm::dvec3& colour,
-                           double intensity) {
-  if (!gltf_.contains("extensions")) {
-    gltf_["extensionsUsed"] = Json::array({"KHR_lights_punctual"});
-    gltf_["extensions"]["KHR_lights_punctual"]["lights"] = Json::array();
-  }
-  Json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];
-  lights.push_back({{"name", name},
-                    {"type", "point"},
-                    {"color", {colour.x, colour.y, colour.z}},
-                    {"intensity", intensity}});
-  gltf_["scenes"][0]["nodes"].push_back(gltf_["nodes"].size());
-  gltf_["nodes"].push_back({{"name", name},
-                            {"translation", {position.x, position.y, position.z}},
-                            {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
 }
 
 size_t GltfWriter::add_parent(const std::string& name, const glm::dvec3& translation) {

@@ -31,9 +31,6 @@ class GltfWriter {
   /// Places a mesh: a node at the scene's top, or below another node.
   void add_node(const std::string& name, size_t mesh, const glm::dmat4& transform,
                 std::optional<size_t> parent = {});
-  /// A light that is a point: a node at the scene's top. intensity: candela.
-  void add_light(const std::string& name, const glm::dvec3& position, const glm::dvec3& colour,
-                 double intensity);
   /// A node at the scene's top that places nothing itself. Returns its number.
   size_t add_parent(const std::string& name, const glm::dvec3& translation);
   /// The same where the node may move: at the scene's top, or below another one. Returns its number.
@@ -43,12 +40,18 @@ class GltfWriter {
   /// w) or "scale"; values: of each key, one after the other. Even speed between keys.
   void animate(size_t node, const std::string& path, const std::vector<float>& times,
                const std::vector<float>& values);
+  /// A light that shines from a point in all directions (KHR_lights_punctual): candela, and a colour in
+  /// linear light. Returns its number.
+  size_t add_point_light(const std::string& name, const glm::dvec3& colour, double candela);
+  /// Places it: a node at the scene's top, or below another node.
+  void add_light_node(size_t light, const glm::dvec3& position, std::optional<size_t> parent = {});
   /// Goes into `asset`: `copyright` and `extras`.
   void set_attribution(const std::string& copyright, nlohmann::ordered_json extras);
   void finish();
 
  private:
   size_t add_accessor(std::span<const std::byte> bytes, size_t count, bool indices);
+  void add_node(nlohmann::ordered_json node, std::optional<size_t> parent);
   nlohmann::ordered_json add_primitive(const MeshPart& part);
   size_t material(const MeshPart& part);
   size_t texture(const std::string& image);

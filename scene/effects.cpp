@@ -13,7 +13,7 @@ namespace {
 std::string names_of(Effects effects) {
   std::string names;
   for (const Effect effect : all_effects) {
-    if (!effects.has(effect)) continue;
+    if (!effects.names(effect)) continue;
     if (!names.empty()) names += ",";
     names += effect_name(effect);
   }

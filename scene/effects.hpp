@@ -9,6 +9,14 @@
 
 namespace triptych {
 
+/// Whether this program can draw effects at all (the CMake option TRIPTYCH_EFFECTS): otherwise it draws every
+/// pack as with none, and what draws them is left out of it.
+#ifdef TRIPTYCH_WITHOUT_EFFECTS
+inline constexpr bool draws_effects = false;
+#else
+inline constexpr bool draws_effects = true;
+#endif
+
 /// That can be switched off from frame to frame.
 enum class Effect : uint8_t {
   vertex_colors,
@@ -18,17 +26,18 @@ enum class Effect : uint8_t {
   emission,
   motion,
   baked_light,
-  ambient
+  ambient,
+  sky
 };
 inline constexpr std::array all_effects = {
-    Effect::vertex_colors, Effect::transparency, Effect::smooth_normals, Effect::textures,
-    Effect::emission,      Effect::motion,       Effect::baked_light,    Effect::ambient};
+    Effect::vertex_colors, Effect::transparency, Effect::smooth_normals, Effect::textures, Effect::emission,
+    Effect::motion,        Effect::baked_light,  Effect::ambient,        Effect::sky};
 
 /// As flags and reports name it.
 constexpr std::string_view effect_name(Effect effect) {
   constexpr std::array<std::string_view, all_effects.size()> names = {
-      "vertex-colours", "transparency",     "smooth-normals", "textures",
-      "emission",       "moving-instances", "baked-light",    "ambient-occlusion"};
+      "vertex-colours",   "transparency", "smooth-normals",    "textures", "emission",
+      "moving-instances", "baked-light",  "ambient-occlusion", "sky"};
   return names[static_cast<size_t>(effect)];
 }
 
@@ -57,7 +66,10 @@ class Effects {
   static constexpr bool known(uint32_t bits) { return bits >> all_effects.size() == 0; }
   constexpr explicit Effects(uint32_t bits) : bits_(bits) {}
 
-  constexpr bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
+  /// Whether to draw it: it is one of them, and this program can.
+  constexpr bool has(Effect effect) const { return draws_effects && names(effect); }
+  /// Whether it is one of them.
+  constexpr bool names(Effect effect) const { return (bits_ & bit(effect)) != 0; }
   constexpr void add(Effect effect) { bits_ |= bit(effect); }
   constexpr uint32_t bits() const { return bits_; }
   bool operator==(const Effects&) const = default;

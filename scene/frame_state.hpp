@@ -5,6 +5,7 @@
 #include "scene/effects.hpp"
 #include "scene/hiding.hpp"
 #include "scene/section.hpp"
+#include "scene/sky.hpp"
 
 #include <cstdint>
 
@@ -24,6 +25,7 @@ struct FrameState {
   /// Those that the model is drawn with where it calls for them.
   Effects effects = Effects::all();
   double time = 0;  ///< seconds, of what moves (scene/motion.hpp)
+  Sky sky = {};     ///< the sun's light, and what is behind everything
   bool operator==(const FrameState&) const = default;
 };
 

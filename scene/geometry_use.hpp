@@ -17,6 +17,20 @@ struct MissingChunks {
   bool fail = true;    ///< damage is an Error; if not, it is said once, and what is damaged is left out
 };
 
+/// What a device's textures take, each level for itself, within their share of the cap.
+struct TextureUse {
+  uint64_t cap = no_cap;
+  uint64_t bytes = 0, peak_bytes = 0;  ///< of device memory
+  uint64_t hits = 0;                   ///< levels (on `gl`: textures) that a view used and that were there
+  uint64_t misses = 0;                 ///< that had to come
+  uint64_t evicted = 0;                ///< that went
+  uint64_t read_bytes = 0;             ///< of the pack
+  uint64_t decoded_bytes = 0;          ///< texels that were made of them
+  uint64_t uploaded_bytes = 0;         ///< to the device's memory; on `cpu` none
+  uint64_t coarser_views = 0;          ///< views that showed coarser levels for want of room
+  uint64_t over_cap_views = 0;         ///< views that took more than the cap all the same
+};
+
 /// What a device's geometry takes, and what was done to keep it within its cap.
 struct GeometryUse {
   uint64_t cap = no_cap;
@@ -30,6 +44,7 @@ struct GeometryUse {
   uint64_t read_bytes = 0;       ///< of the pack
   uint64_t uploaded_bytes = 0;   ///< as the device has them
   double wait_ms = 0;            ///< that drawing waited for chunks
+  TextureUse textures = {};      ///< beside all that
 };
 
 /// What one view draws takes more device memory than the cap.

@@ -111,6 +111,8 @@ void Pack::read_drawn_sections() {
       fail(texels_place, "its checksum does not match the textures of section MATL: build the pack again");
   });
   if (motion_) add_to_hash(*motion_);  // read before, since the skeleton was expanded with it
+  read(geo_place_, "SKYL", geo_place_version,
+       [&](const auto& bytes, const auto& place) { skeleton_.geo_place = decode_geo_place(bytes, place); });
 }
 
 StoredMotion Pack::read_motion(size_t instances) const {
@@ -160,6 +162,7 @@ Pack::Sections Pack::find_sections(std::span<const PackSection> table) {
     take_once(materials_type, section, materials_);
     take_once(texels_type, section, texels_);
     take_once(motion_type, section, motion_);
+    take_once(geo_place_type, section, geo_place_);
     for (size_t type = 0; type < types.size(); ++type) {
       if (section.type != types[type]) continue;
       if (found[type]) fail(place, "names two {} sections", name_of(type));

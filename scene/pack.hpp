@@ -72,7 +72,7 @@ class Pack {
   uint64_t geometry_offset_ = 0, geometry_size_ = 0, content_hash_ = 0;
   Skeleton skeleton_;
   std::optional<PackSection> objects_, options_, seen_from_outside_, closed_surfaces_, materials_, texels_,
-      motion_;
+      motion_, geo_place_;
 };
 
 }  // namespace triptych

@@ -58,6 +58,9 @@ inline constexpr uint32_t texels_version = 1;
 /// Only in packs of models where something moves: with it and with sub-hierarchies, which are what moves.
 inline constexpr std::array<char, 4> motion_type = {'M', 'O', 'V', 'E'};
 inline constexpr uint32_t motion_version = 1;
+/// Only in packs of models whose place on Earth is known (scene/geo_place.hpp).
+inline constexpr std::array<char, 4> geo_place_type = {'S', 'K', 'Y', 'L'};
+inline constexpr uint32_t geo_place_version = 1;
 
 struct PackHeader {
   std::array<char, 8> signature = pack_magic;

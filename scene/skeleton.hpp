@@ -4,6 +4,7 @@
 #include "scene/affine.hpp"
 #include "scene/box.hpp"
 #include "scene/closed_surfaces.hpp"
+#include "scene/geo_place.hpp"
 #include "scene/import_report.hpp"
 #include "scene/lattice.hpp"
 #include "scene/surface_material.hpp"
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -105,7 +107,8 @@ struct Skeleton {
   uint64_t source_triangles = 0, placed_triangles = 0;
   ObjectCounts objects;
   ImportReport import;
-  std::vector<std::string> effects;  ///< effects that the model calls for; empty for plain opaque models
+  std::vector<std::string> effects;   ///< effects that the model calls for; empty for plain opaque models
+  std::optional<GeoPlace> geo_place;  ///< where on Earth the model stands, where it is known
 
   const Lattice& lattice() const { return lattices[0]; }
   /// Boxes that hold the chunk's vertices, on its lattice: of its pieces, or the one of all of it.

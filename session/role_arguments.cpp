@@ -5,6 +5,7 @@
 #include "measure/frame_journal.hpp"
 #include "raster/instruction_set.hpp"
 #include "scene/section_text.hpp"
+#include "scene/sun.hpp"
 
 namespace triptych {
 
@@ -69,13 +70,14 @@ Words render_arguments(const SessionOptions& options, const SessionSetup& setup)
   if (options.rate > 0) append(words, {"--rate", fmt::format("{}", options.rate)});
   if (!options.output.empty()) append(words, {"-o", options.output.string()});
   if (!setup.path.empty()) append(words, {"--path", setup.path.string()});
-  if (options.window) append(words, {"--window", "--place", setup.place.string()});
+  if (options.window) append(words, {"--window", "--place-file", setup.place.string()});
   if (!setup.bcf.empty())
     append(words, {"--bcf", setup.bcf.string(), "--viewpoint", std::to_string(options.viewpoint.number)});
   if (options.hash) append(words, {"--hash"});
   if (run.edges) append(words, {"--edges"});
   if (run.time != 0) append(words, {"--time", fmt::format("{}", run.time)});
   if (run.effects != Effects::all()) append(words, {"--effects", effects_text(run.effects)});
+  if (run.moment) append(words, {"--date", moment_text(*run.moment)});
   for (const std::string& word : run.hide) append(words, {"--hide=" + word});
   for (const std::string& word : run.isolate) append(words, {"--isolate=" + word});
   for (const SectionPlane& plane : run.section.planes()) append(words, {"--section", section_words(plane)});

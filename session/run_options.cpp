@@ -1,10 +1,12 @@
 #include "session/run_options.hpp"
 
 #include "base/error.hpp"
+#include "base/notice.hpp"
 #include "lod/clip_space.hpp"
 #include "scene/hidden_objects.hpp"
 #include "scene/object_words.hpp"
 #include "scene/path.hpp"
+#include "scene/sun.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -25,6 +27,27 @@ void check_view(const View& view, const Skeleton& skeleton, const std::string& p
 }
 
 }  // namespace
+
+void say_effects_left_out(const RunOptions& options, const Skeleton& skeleton) {
+  if constexpr (!draws_effects) {
+    std::string names;
+    for (const Effect effect : all_effects) {
+      if (std::ranges::count(skeleton.effects, effect_name_in_pack(effect)) == 0) continue;
+      names += (names.empty() ? "" : ", ") + std::string(effect_name(effect));
+    }
+    if (!names.empty())
+      notice("{} calls for {}: this program was built without effects, and draws it as with --effects none",
+             options.pack.string(), names);
+  }
+}
+
+Sky sky_of(const RunOptions& options, const Skeleton& skeleton) {
+  if (!options.moment) return {};
+  if (!skeleton.geo_place)
+    fail("--date", "{} does not say where on Earth it stands: build it with --place LAT,LON",
+         options.pack.string());
+  return sky_over(*skeleton.geo_place, *options.moment);
+}
 
 Hiding load_hiding(const RunOptions& options, const Pack& pack) {
   if (options.hide.empty() && options.isolate.empty()) return {};
@@ -52,10 +75,12 @@ std::vector<FrameRequest> load_frames(const RunOptions& options, const Pack& pac
 }
 
 std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton& skeleton) {
+  say_effects_left_out(options, skeleton);
   const Path path = load_path(options.path);
   const size_t count = options.frames > 0 ? std::min(options.frames, path.frames.size()) : path.frames.size();
   std::vector<FrameRequest> frames;
   const double near = skeleton.default_near();
+  const Sky sky = sky_of(options, skeleton);
   for (size_t i = 0; i < count; i += options.every) {
     const View view = path.view(i, options.size.width, options.size.height, near);
     check_view(view, skeleton, fmt::format("{} frame {}", options.path.string(), i));
@@ -67,7 +92,8 @@ std::vector<FrameRequest> load_frames(const RunOptions& options, const Skeleton&
                        options.section,
                        {},
                        options.effects,
-                       path.frames[i].time_seconds.value_or(options.time)}});
+                       path.frames[i].time_seconds.value_or(options.time),
+                       sky}});
   }
   return frames;
 }

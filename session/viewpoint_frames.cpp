@@ -38,6 +38,7 @@ std::vector<FrameRequest> viewpoint_frames(const std::filesystem::path& bcf, con
   const Hiding already = load_hiding(options, pack);
   const size_t count = options.frames > 0 ? std::min(options.frames, viewpoints.size()) : viewpoints.size();
   const double near = skeleton.default_near(), least_height = skeleton.diagonal() * 1e-9;
+  const Sky sky = sky_of(options, skeleton);
   std::vector<FrameRequest> frames;
   for (size_t i = 0; i < count; i += options.every) {
     const std::string place = place_of(bcf, i);
@@ -49,7 +50,7 @@ std::vector<FrameRequest> viewpoint_frames(const std::filesystem::path& bcf, con
     frames.push_back(
         {static_cast<uint32_t>(i),
          {view, options.pixel_error(), options.samples, options.edges, section_of(viewpoint, place),
-          hiding_of(viewpoint, already, skeleton, objects, place), options.effects, options.time}});
+          hiding_of(viewpoint, already, skeleton, objects, place), options.effects, options.time, sky}});
   }
   return frames;
 }

@@ -15,7 +15,9 @@ ViewerOptions viewer_options(const RunOptions& run, const Pack& pack) {
   options.edges = run.edges;
   options.effects = run.effects;
   options.time = run.time;
+  options.sky = sky_of(run, pack.skeleton());
   options.hiding = load_hiding(run, pack);
+  if (run.path.empty()) say_effects_left_out(run, pack.skeleton());
   options.section = run.section;
   if (run.path.empty()) return options;
   options.path = load_path(run.path);

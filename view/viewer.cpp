@@ -275,7 +275,7 @@ FrameRequest Viewer::next_frame() {
   }
   return {next_number_++,
           {view(), options_.pixel_error, options_.samples, options_.edges, edits_.section(), edits_.hiding(),
-           options_.effects, time}};
+           options_.effects, time, options_.sky}};
 }
 
 void Viewer::show(const FrameRequest& frame, const FrameRecord& record, const FrameTarget& picture,

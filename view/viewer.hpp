@@ -32,7 +32,8 @@ struct ViewerOptions {
   uint32_t samples = 1;  ///< a pixel
   bool edges = false;    ///< drawn as lines
   Effects effects = Effects::all();
-  double time = 0;     ///< seconds, of what moves, at the beginning
+  double time = 0;  ///< seconds, of what moves, at the beginning
+  Sky sky = {};
   Hiding hiding = {};  ///< at the beginning
   bool culling = true;
   std::filesystem::path pictures = ".";    ///< where F2 to F5 save files; if they can: no key ends a walk

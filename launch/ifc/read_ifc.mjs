@@ -3,6 +3,7 @@
 import { readFileSync, writeSync } from 'node:fs';
 import { IfcModel, Messages, reference, references, text } from './model.mjs';
 import { faceColors, partsByColor, resolvePointNumbers } from './face_sets.mjs';
+import { geoPlace } from './geo_place.mjs';
 import { handOnMaterialsOfTypes } from './materials.mjs';
 import { Objects } from './objects.mjs';
 import { openIfc } from './open_ifc.mjs';
@@ -117,6 +118,13 @@ class Progress {
   }
 }
 
+/** web-ifc's y points up, and its z to where the file's y does not. */
+function writePlace(model, writer) {
+  const place = geoPlace(model);
+  if (place?.wrong) return say(`warning: the site ${place.wrong} lies nowhere on Earth, which was not read`);
+  if (place) writer.geoPlace(place.latitude, place.longitude, place.elevation, [place.north[0], -place.north[1]]);
+}
+
 /** Tells triptych-import-ifc which product is being read; 0: none. */
 function reading(id) {
   const word = Buffer.alloc(4);
@@ -129,6 +137,7 @@ async function convert(path, skipped) {
   const messages = new Messages();
   const model = await IfcModel.open(openIfc(path), messages);
   const writer = new SceneWriter(3, unitIsDefined(model));
+  writePlace(model, writer);
   const left = new Set(model.ofType('IFCPRODUCT'));
   const undrawn = new Map();
   for (const type of notDrawn) {

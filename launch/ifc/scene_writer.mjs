@@ -2,7 +2,7 @@
 import { createHash } from 'node:crypto';
 import { writeSync } from 'node:fs';
 
-const record = { material: 1, mesh: 2, propertySet: 3, object: 4, instance: 5, end: 6 };
+const record = { material: 1, mesh: 2, propertySet: 3, object: 4, instance: 5, end: 6, geoPlace: 7 };
 const none = 0xffffffff;
 const flushBytes = 1 << 20;
 
@@ -82,6 +82,12 @@ export class SceneWriter {
       for (let row = 0; row < 3; ++row) this.#f64(transform[4 * column + row]);
     }
     this.#counts.instances++;
+  }
+
+  /** Where on Earth instances are: degrees, metres, and the direction to true north, x and z of their axes. */
+  geoPlace(latitude, longitude, elevation, north) {
+    this.#begin(record.geoPlace, 40);
+    for (const value of [latitude, longitude, elevation, ...north]) this.#f64(value);
   }
 
   get instances() {

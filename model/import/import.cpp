@@ -109,6 +109,7 @@ Model import(const std::vector<std::filesystem::path>& files, const ImportOption
     if (share) share->take_all(target.options());
     progress.advance();
   }
+  if (options.geo_place) model.geo_place = options.geo_place;
   return model;
 }
 

@@ -25,6 +25,8 @@ struct ImportOptions {
   /// How far triangles may lie from the curved surfaces of STEP and IGES files, metres; by default a
   /// ten-thousandth of the size of what is in the file.
   std::optional<double> chord = std::nullopt;
+  /// Where on Earth the model stands; otherwise where its files say.
+  std::optional<GeoPlace> geo_place = std::nullopt;
   /// The folder for binary copies of large text files during the import, in files without a name; empty:
   /// TMPDIR or /tmp.
   std::filesystem::path temporary_folder = {};

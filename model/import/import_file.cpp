@@ -115,6 +115,14 @@ void FileImport::says_unit(std::optional<LengthUnit> unit) {
   to_metres_y_up_ = to_metres_y_up(options_);
 }
 
+void FileImport::says_geo_place(const GeoPlace& geo_place) {
+  if (!model_.geo_place) {
+    model_.geo_place = geo_place;
+  } else if (!(*model_.geo_place == geo_place)) {
+    remark("says another place on Earth than a file before it, and is shown there");
+  }
+}
+
 void FileImport::drop(uint64_t triangles) {
   count_dropped(triangles);
   warn(not_finite_warning, triangles);

@@ -55,6 +55,10 @@ class FileImport {
   /// The same as says_up() for the unit; what is added is in metres.
   void says_unit(std::optional<LengthUnit> unit);
 
+  /// Where the file says that the model stands; of several that do not agree the first counts. north: of the
+  /// model, in metres y up.
+  void says_geo_place(const GeoPlace& geo_place);
+
   /// Counts triangles that were dropped because their coordinates are not finite.
   void drop(uint64_t triangles);
   /// Only counts them: the stream that dropped them has the warning.

@@ -200,6 +200,9 @@ class DocumentParser {
     GltfTexture texture{members_.integer(entry, "source", -1), members_.integer(entry, "sampler", -1)};
     if (const Json* webp = MemberReader::extension(entry, "EXT_texture_webp"))
       texture.image = members_.integer(*webp, "source", texture.image);
+    // Where there is nothing else its KTX2 image is named, so that what is wrong with that is said.
+    const Json* basisu = MemberReader::extension(entry, "KHR_texture_basisu");
+    if (texture.image < 0 && basisu != nullptr) texture.image = members_.integer(*basisu, "source", -1);
     return texture;
   }
 

@@ -78,7 +78,7 @@ bool may_be_ignored(const std::string& name) {
   for (const char* known : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility",
                             "KHR_draco_mesh_compression", "EXT_meshopt_compression",
                             "KHR_meshopt_compression", "KHR_texture_transform", "EXT_texture_webp",
-                            "KHR_materials_emissive_strength", "KHR_lights_punctual"}) {
+                            "KHR_texture_basisu", "KHR_materials_emissive_strength", "KHR_lights_punctual"}) {
     if (name == known) return true;
   }
   return false;

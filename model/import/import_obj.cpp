@@ -2,10 +2,10 @@
 #include "base/error.hpp"
 #include "base/one_line.hpp"
 #include "model/import/beside.hpp"
-#include "model/import/display_color.hpp"
 #include "model/import/import_file.hpp"
 #include "model/import/import_reader.hpp"
 #include "model/import/mesh_spool.hpp"
+#include "model/import/obj_library.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,6 @@
 namespace triptych {
 
 namespace {
-
-/// The text before a comment. In numbers any # begins one; names hold it too ("Material#25"), so there it
-/// must stand behind a blank.
-std::string_view without_comment(std::string_view line, bool names) {
-  for (size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
-    if (!names || at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t') return line.substr(0, at);
-  }
-  return line;
-}
 
 /// Whether the line goes on in the next one: a backslash at the end of a comment says nothing.
 bool continues(std::string_view line) {
@@ -45,7 +36,8 @@ std::vector<std::string_view> names_in(std::string_view names, const IsThere& is
 
 class ObjImport {
  public:
-  explicit ObjImport(FileImport& target) : target_(target), reader_(target.content()), spool_(target) {}
+  explicit ObjImport(FileImport& target)
+      : target_(target), reader_(target.content()), spool_(target), libraries_(target) {}
 
   void run() {
     std::string_view line;
@@ -75,20 +67,23 @@ class ObjImport {
     uint32_t number = 0;   ///< in the model
     bool defined = false;  ///< by a library, which may be named after its uses
     uint64_t uses = 0;
+    std::shared_ptr<const ObjSurface> surface = nullptr;  ///< of one with a texture
   };
 
   void read_statement(std::string_view whole) {
-    std::string_view line = without_comment(whole, true);
+    std::string_view line = without_obj_comment(whole, true);
     const std::string_view word = take_word(line);
     const auto behind_word = static_cast<size_t>(word.data() + word.size() - whole.data());
-    const auto name = [&] { return trimmed(without_comment(whole, true).substr(behind_word)); };
-    if (word.empty() || word == "vt" || word == "vp" || word == "s") return;
+    const auto name = [&] { return trimmed(without_obj_comment(whole, true).substr(behind_word)); };
+    if (word.empty() || word == "vp" || word == "s") return;
     if (word == "v") {
       read_vertex(line);
+    } else if (word == "vt") {
+      read_place(line);
     } else if (word == "vn") {
       read_normal(line);
     } else if (word == "f" || word == "fo") {
-      read_face(without_comment(line, false));
+      read_face(without_obj_comment(line, false));
     } else if (word == "o") {
       spool_.begin_object(std::string(name()));
     } else if (word == "g") {
@@ -170,6 +165,33 @@ class ObjImport {
     normals_.push_back(to_vertex_normal(normal));
   }
 
+  /// One without two numbers is at 0 there. Where libraries were read and name no texture, none is kept.
+  void read_place(std::string_view line) {
+    constexpr size_t most = size_t{1} << 26;
+    if (has_libraries_ && !has_textures_) {
+      skips_places_ = true;
+      return;
+    }
+    if (places_.size() == most)
+      return target_.warn("texture coordinates beyond the first 67,108,864 are not used");
+    glm::dvec2 place(0);
+    for (int i = 0; i < 2; ++i) place[i] = to_number(take_word(line)).value_or(0);
+    places_.push_back(place);
+  }
+
+  /// Of "7/1" and "7/1/3"; none where the corner names none, or one that is not there.
+  TextureCoordinates place_of(std::string_view word) const {
+    const size_t first = word.find('/');
+    if (first == std::string_view::npos) return {};
+    const std::string_view own = word.substr(first + 1);
+    const auto number = to_integer(own.substr(0, own.find('/')));
+    if (!number) return {};
+    const auto known = static_cast<int64_t>(places_.size());
+    const int64_t index = *number < 0 ? known + *number : *number - 1;
+    return index >= 0 && index < known ? surface_->place(places_[static_cast<size_t>(index)])
+                                       : TextureCoordinates{};
+  }
+
   /// Of "7//3" and "7/1/3"; none where the corner names none, or one that is not there.
   VertexNormal normal_of(std::string_view word) const {
     const size_t first = word.find('/');
@@ -185,13 +207,15 @@ class ObjImport {
   void read_face(std::string_view line) {
     corners_.clear();
     corner_normals_.clear();
+    corner_places_.clear();
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
       const auto vertex = vertex_index(word);
       if (!vertex) return;
       corners_.push_back(*vertex);
       if (!normals_.empty()) corner_normals_.push_back(normal_of(word));
+      if (surface_) corner_places_.push_back(place_of(word));
     }
-    spool_.add_face(corners_, material_, {}, corner_normals_);
+    spool_.add_face(corners_, material_, {}, corner_normals_, corner_places_);
   }
 
   /// The vertex of "7", "7/1", "7//3", "-1/2/3"; counted from 0. Nothing, and a warning, if it is none.
@@ -237,13 +261,17 @@ class ObjImport {
     NamedMaterial& material = material_named(name);
     ++material.uses;
     material_ = material.number;
+    surface_ = material.surface;
   }
 
   void read_libraries(std::string_view names) {
     for (const std::string_view name :
          names_in(names, [&](std::string_view file) { return target_.beside(file) != nullptr; })) {
       if (const auto library = target_.beside(name)) {
-        read_library(library);
+        has_libraries_ = true;
+        libraries_.read(library, [&](const std::string& material, const ObjSurface& surface) {
+          define(material, surface);
+        });
       } else {
         target_.warn(
             fmt::format("material library is missing: {}", one_line(std::string(name.substr(0, 80)))));
@@ -252,78 +280,37 @@ class ObjImport {
   }
 
   /// What follows in the file uses the library's material; so does what came before, if it had none.
-  void define(const std::string& name, const Material& material) {
+  void define(const std::string& name, const ObjSurface& surface) {
     NamedMaterial& named = material_named(name);
     if (named.defined) named = {.number = target_.add_material(Material())};
     named.defined = true;
+    Material material = surface.material;
+    if (surface.is_textured() &&
+        (named.uses > 0 || skips_places_ || (!has_textures_ && spool_.has_faces()))) {
+      target_.warn("textures of materials that a library defines behind the first faces are not drawn");
+      material.texture = material.emission_texture = no_id;
+      material.cutoff = 0;
+    } else if (surface.is_textured()) {
+      named.surface = std::make_shared<const ObjSurface>(surface);
+      if (!has_textures_) spool_.place_faces();
+      has_textures_ = true;
+    }
     target_.set_material(named.number, material);
-  }
-
-  void read_library(const std::shared_ptr<const StreamSource>& file) {
-    ImportReader library(file);
-    if (file->has_file()) target_.also_reads(file->name());
-    Material material;
-    std::string name;
-    bool has_dissolve = false;
-    const auto finish = [&] {
-      if (!name.empty()) define(name, material);
-    };
-    std::string_view line;
-    while (library.next_line(line)) {
-      const std::string_view word = take_word(line);
-      if (word == "newmtl") {
-        finish();
-        material = {};
-        has_dissolve = false;
-        name = std::string(trimmed(without_comment(line, true)));
-      } else if (word == "Kd") {
-        if (const auto color = read_color(line)) {
-          const float alpha = material.base_color.a;
-          material.base_color = {glm::vec3(*color), alpha};
-        }
-      } else if (word == "Ke") {
-        if (const auto color = read_color(line)) material.emission = glm::vec3(*color);
-      } else if (word == "d" || word == "Tr") {
-        const auto number = to_number(take_word(line));  // "d -halo 0.5" has a word first
-        // Beside a "d" programs do not agree on which way round "Tr" counts.
-        if (!number || (word == "Tr" && has_dissolve)) continue;
-        has_dissolve = has_dissolve || word == "d";
-        material.base_color.a =
-            std::clamp(static_cast<float>(word == "d" ? *number : 1 - *number), 0.0f, 1.0f);
-      } else if (word == "map_Kd") {
-        target_.warn("textures are not drawn yet");
-      }
-    }
-    finish();
-  }
-
-  /// In linear light; nothing where it is not understood, which is said.
-  std::optional<glm::vec4> read_color(std::string_view line) {
-    std::array<double, 3> color;
-    for (size_t i = 0; i < 3; ++i) {
-      const std::string_view word = take_word(line);
-      if (i == 0 && (word == "xyz" || word == "spectral")) {
-        target_.warn("colours in a space other than RGB are not drawn");
-        return std::nullopt;
-      }
-      const auto number = to_number(word);
-      // One number stands for all three.
-      color[i] = i > 0 && word.empty() ? color[0] : number.value_or(std::numeric_limits<double>::quiet_NaN());
-      if (std::isfinite(color[i])) continue;
-      target_.warn("colours without three numbers are not drawn");
-      return std::nullopt;
-    }
-    return from_display_color(color[0], color[1], color[2]);
   }
 
   FileImport& target_;
   ImportReader reader_;
   MeshSpool spool_;
+  ObjLibraries libraries_;
   std::map<std::string, NamedMaterial> materials_;
   std::set<std::string> skipped_;  ///< kinds of statements that are not understood
   std::vector<uint32_t> corners_;
   std::vector<VertexNormal> normals_, corner_normals_;  ///< of the file; of the face that is read
+  std::vector<glm::dvec2> places_;                      ///< vt of the file
+  std::vector<TextureCoordinates> corner_places_;
+  bool has_libraries_ = false, has_textures_ = false, skips_places_ = false;
   uint32_t material_ = 0;
+  std::shared_ptr<const ObjSurface> surface_;        ///< of the material, if that has a texture
   std::string first_bad_vertex_, first_bad_face_;    ///< warnings
   double highest_channel_ = 0;                       ///< of all colours of vertices
   uint64_t vertices_named_ = 0, furthest_line_ = 0;  ///< the highest vertex number of a face, and its line
@@ -346,6 +333,19 @@ void add_named(const std::filesystem::path& file, bool (*wanted)(std::string_vie
       files.push_back(find_beside(folder, name).value_or(folder / name));
   }
 }
+
+void add_textures(const std::filesystem::path& library, std::vector<std::filesystem::path>& files) {
+  ImportReader reader(library);
+  const auto folder = library.parent_path();
+  for (std::string_view line; reader.next_line(line);) {
+    const std::string_view word = take_word(line);
+    if (!word.starts_with("map_") && word != "bump" && word != "disp" && word != "decal" && word != "refl" &&
+        word != "norm")
+      continue;
+    const std::string name = read_obj_texture(line).name;
+    if (!name.empty()) files.push_back(find_beside(folder, name).value_or(folder / name));
+  }
+}
 }  // namespace
 
 std::vector<std::filesystem::path> files_beside_obj(const std::filesystem::path& file) {
@@ -356,11 +356,7 @@ std::vector<std::filesystem::path> files_beside_obj(const std::filesystem::path&
     const std::filesystem::path library = files[i];
     std::error_code error;
     if (!std::filesystem::is_regular_file(library, error)) continue;
-    constexpr auto texture = [](std::string_view word) {
-      return word.starts_with("map_") || word == "bump" || word == "disp" || word == "decal" ||
-             word == "refl" || word == "norm";
-    };
-    add_named(library, texture, files);
+    add_textures(library, files);
   }
   return files;
 }

@@ -53,6 +53,8 @@ class SceneImport : public SceneSink {
     materials_.push_back(target_.add_material(material));
   }
 
+  void geo_place(const GeoPlace& geo_place) override { target_.says_geo_place(geo_place); }
+
   void mesh(SceneMesh mesh) override { meshes_.push_back(std::move(mesh)); }
 
   void property_set(ScenePropertySet set) override {

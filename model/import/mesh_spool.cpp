@@ -93,7 +93,7 @@ SourceObjectId MeshSpool::object_of(uint32_t name) {
 }
 
 void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material, const VertexColor& color,
-                         std::span<const VertexNormal> normals) {
+                         std::span<const VertexNormal> normals, std::span<const TextureCoordinates> places) {
   if (corners.size() < 3) return target_.warn("faces with fewer than three corners were skipped");
   if (parts_.empty()) begin_mesh("");
   const auto count = static_cast<uint32_t>(corners.size());
@@ -103,6 +103,11 @@ void MeshSpool::add_face(std::span<const uint32_t> corners, uint32_t material, c
     const auto shaded = static_cast<uint32_t>(normals.size());
     faces_.append(std::as_bytes(std::span(&shaded, 1)));
     faces_.append(std::as_bytes(normals));
+  }
+  if (faces_have_places_) {
+    const auto placed = static_cast<uint32_t>(places.size());
+    faces_.append(std::as_bytes(std::span(&placed, 1)));
+    faces_.append(std::as_bytes(places));
   }
   faces_.append(std::as_bytes(std::span(&count, 1)));
   faces_.append(std::as_bytes(corners));
@@ -141,6 +146,10 @@ void MeshSpool::take_face(std::span<const std::byte>& bytes, Face& face) const {
   if (faces_have_normals_) take(&count, sizeof(count));
   face.normals.resize(count);
   take(face.normals.data(), count * sizeof(VertexNormal));
+  count = 0;
+  if (faces_have_places_) take(&count, sizeof(count));
+  face.places.resize(count);
+  take(face.places.data(), count * sizeof(TextureCoordinates));
   take(&count, sizeof(count));
   face.corners.resize(count);
   take(face.corners.data(), count * sizeof(uint32_t));
@@ -171,15 +180,18 @@ void MeshSpool::place_in_memory() {
         const VertexNormal normal = k < face.normals.size() ? face.normals[k]
                                     : normals.empty()       ? VertexNormal{}
                                                             : to_vertex_normal(glm::dvec3(normals[vertex]));
+        const TextureCoordinates place = k < face.places.size() ? face.places[k] : TextureCoordinates{};
         corners.push_back(positions[vertex]);
         const bool known = owner[vertex] == number &&
                            (!faces_have_colors_ || mesh.colors[local[vertex]] == face.color) &&
-                           (!shaded || mesh.normals[local[vertex]] == normal);
+                           (!shaded || mesh.normals[local[vertex]] == normal) &&
+                           (!faces_have_places_ || mesh.coordinates[local[vertex]] == place);
         if (!known) {
           owner[vertex] = number;
           local[vertex] = static_cast<uint32_t>(mesh.positions.size());
           mesh.positions.push_back(positions[vertex]);
           if (shaded) mesh.normals.push_back(normal);
+          if (faces_have_places_) mesh.coordinates.push_back(place);
           if (faces_have_colors_) {
             mesh.colors.push_back(face.color);
           } else if (!colors.empty()) {
@@ -195,6 +207,8 @@ void MeshSpool::place_in_memory() {
     }
     if (std::none_of(mesh.normals.begin(), mesh.normals.end(), has_normal)) mesh.normals.clear();
     if (std::none_of(mesh.colors.begin(), mesh.colors.end(), is_colored)) mesh.colors.clear();
+    if (std::none_of(mesh.coordinates.begin(), mesh.coordinates.end(), is_on_texture))
+      mesh.coordinates.clear();
     if (const auto added = target_.add_mesh(std::move(mesh)))
       target_.add_instance(*added, Affine(1), object_of(part));
   }
@@ -227,6 +241,11 @@ void MeshSpool::place_streams() {
     face_normals = properties.size();
     properties.push_back({"normals", ScalarType::uint32, ScalarType::uint32});
   }
+  std::optional<size_t> face_places;
+  if (faces_have_places_) {
+    face_places = properties.size();
+    properties.push_back({"places", ScalarType::float64, ScalarType::uint32});  // by its length
+  }
   properties.push_back({"corners", ScalarType::uint32, ScalarType::uint32});
   for (Part& part : parts_) {
     FaceTable table{.source = faces,
@@ -235,6 +254,7 @@ void MeshSpool::place_streams() {
                     .material = 0,
                     .colors = face_colors,
                     .normals = face_normals,
+                    .places = face_places,
                     .begin = part.begin,
                     .end = part.end,
                     .end_known = true};

@@ -35,11 +35,13 @@ class MeshSpool {
   void color_faces() { faces_have_colors_ = true; }
   /// Corners of faces may have normals of their own, and vertices have none: said before the first of either.
   void shade_faces() { faces_have_normals_ = true; }
+  /// Corners of faces may have places on textures: said before the first face.
+  void place_faces() { faces_have_places_ = true; }
   bool has_faces() const { return faces_.size() > 0; }
-  /// The corners' vertices may be added later. Fewer than three corners are skipped and counted. normals: of
-  /// the corners, or empty.
+  /// The corners' vertices may be added later. Fewer than three corners are skipped and counted. normals,
+  /// places on the texture: of the corners, or empty.
   void add_face(std::span<const uint32_t> corners, uint32_t material, const VertexColor& color = {},
-                std::span<const VertexNormal> normals = {});
+                std::span<const VertexNormal> normals = {}, std::span<const TextureCoordinates> places = {});
   /// What colours of vertices are multiplied by to be from 0 to 1; said before finish().
   void scale_colors(double scale) { color_scale_ = scale; }
   /// Places the meshes. Every vertex that a face names must have been added.
@@ -66,11 +68,12 @@ class MeshSpool {
   SourceObjectId object_of(const Part& part) {
     return object_of(part.group == no_id ? part.object : part.group);
   }
-  /// A face as it is kept; normals: of its corners, or empty.
+  /// A face as it is kept; normals, places: of its corners, or empty.
   struct Face {
     uint32_t material = 0;
     VertexColor color{};
     std::vector<VertexNormal> normals;
+    std::vector<TextureCoordinates> places;
     std::vector<uint32_t> corners;
   };
   /// Takes the next face of a part off its bytes.
@@ -83,14 +86,15 @@ class MeshSpool {
   ByteSpool colors_;    ///< three floats for each vertex, no numbers for none; empty while none has one
   ByteSpool normals_;   ///< three floats for each vertex, 0 for none; empty while none has one
   /// Material; the face's colour, if faces have some; number of normals and normals, if faces have some;
-  /// number of corners and corners: 32 bits each.
+  /// number of places and places, if faces have some, in 64 bits; number of corners and corners: 32 bits
+  /// each.
   ByteSpool faces_;
   std::vector<Part> parts_;
   std::vector<Name> names_;
   std::map<std::pair<uint32_t, std::string>, uint32_t> groups_;  ///< by the object that they are within
   uint32_t object_ = no_id;                                      ///< of names_: the last one that began
   uint64_t triangles_ = 0;
-  bool in_file_ = false, faces_have_colors_ = false, faces_have_normals_ = false;
+  bool in_file_ = false, faces_have_colors_ = false, faces_have_normals_ = false, faces_have_places_ = false;
   double color_scale_ = 1;
 };
 

@@ -32,6 +32,7 @@ struct Vertex {
   glm::dvec3 position{0};
   VertexColor color{};
   VertexNormal normal{};
+  TextureCoordinates place{};
 };
 
 class VertexCache {
@@ -44,8 +45,10 @@ class VertexCache {
   }
   uint64_t count() const { return positions_.count(); }
   Vertex at(uint64_t index) {
-    return {positions_.at(index), colors_ ? colors_->at(index) : VertexColor{},
-            normals_ ? normals_->at(index) : VertexNormal{}};
+    return {positions_.at(index),
+            colors_ ? colors_->at(index) : VertexColor{},
+            normals_ ? normals_->at(index) : VertexNormal{},
+            {}};
   }
 
  private:
@@ -118,7 +121,9 @@ class FaceReader {
           const std::byte* bytes = window_.take(scalar_bytes(properties[k].type));
           if (k == faces_.material) std::memcpy(&material_, bytes, sizeof(material_));
         } else if (k == faces_.normals) {
-          read_normals(read_length(window_, properties[k], faces_.swapped));
+          read_values(read_length(window_, properties[k], faces_.swapped), face_normals_);
+        } else if (k == faces_.places) {
+          read_values(read_length(window_, properties[k], faces_.swapped), face_places_);
         } else if (k == faces_.list) {
           read_corners(read_length(window_, properties[k], faces_.swapped));
         } else {
@@ -153,18 +158,19 @@ class FaceReader {
     batch_.add(a.position, b.position, c.position, material_,
                face_colors_ ? CornerColors{face_color_, face_color_, face_color_}
                             : CornerColors{a.color, b.color, c.color},
-               CornerNormals{a.normal, b.normal, c.normal});
+               CornerNormals{a.normal, b.normal, c.normal}, CornerCoordinates{a.place, b.place, c.place});
   }
 
-  void read_normals(uint64_t count) {
-    face_normals_.resize(count);
-    for (VertexNormal& normal : face_normals_)
-      std::memcpy(&normal, window_.take(sizeof(normal)), sizeof(normal));
+  template <typename Value>
+  void read_values(uint64_t count, std::vector<Value>& values) {
+    values.resize(count);
+    for (Value& value : values) std::memcpy(&value, window_.take(sizeof(value)), sizeof(value));
   }
-  /// Of the face's corner: its own normal, if the face has those.
+  /// Of the face's corner: its own normal and place, if the face has those.
   Vertex corner(uint64_t index, const std::byte* bytes) {
     Vertex found = vertices_.at(vertex(bytes));
     if (index < face_normals_.size()) found.normal = face_normals_[index];
+    if (index < face_places_.size()) found.place = face_places_[index];
     return found;
   }
 
@@ -205,6 +211,7 @@ class FaceReader {
   uint32_t material_ = 0;
   std::vector<Vertex> corners_;
   std::vector<VertexNormal> face_normals_;  ///< of the corners that come next; empty where they have none
+  std::vector<TextureCoordinates> face_places_;  ///< the same
   std::vector<glm::dvec3> outline_;
   std::vector<std::array<uint32_t, 3>> triangles_;
   uint64_t skipped_ = 0, fans_ = 0;

@@ -24,6 +24,8 @@ struct FaceTable {
   std::optional<FaceColors> colors = std::nullopt;  ///< then vertices have none
   /// The list, before that of the corners, that holds a VertexNormal of each, in 32 bits; or it is empty.
   std::optional<size_t> normals = std::nullopt;
+  /// The same of the list that holds the TextureCoordinates of each corner, in 64 bits.
+  std::optional<size_t> places = std::nullopt;
   uint64_t begin = 0, end = 0;  ///< bytes; the last face may end before
   bool end_known = false;       ///< whether the last face must end there
   bool swapped = false;         ///< in the other byte order
@@ -38,6 +40,7 @@ class FaceStream : public MeshStream {
   uint64_t triangle_count() const override { return triangle_count_; }
   bool has_colors() const override { return colors_ || faces_.colors; }
   bool has_normals() const override { return normals_ || faces_.normals; }
+  bool has_coordinates() const override { return faces_.places.has_value(); }
   uint64_t read(const TakeTriangles& take) const override;
   std::vector<std::string> warnings() const override;
 

@@ -69,6 +69,9 @@ class Reader {
       case SceneRecord::instance:
         read_instance();
         break;
+      case SceneRecord::geo_place:
+        read_geo_place();
+        break;
       case SceneRecord::end:
         read_end();
         return false;
@@ -150,6 +153,15 @@ class Reader {
     }
     ++instances_;
     sink_.instance(instance);
+  }
+
+  void read_geo_place() {
+    GeoPlace place;
+    for (double* const number :
+         {&place.latitude, &place.longitude, &place.elevation, &place.north.x, &place.north.y})
+      *number = value<double>();
+    check_geo_place(place, window_.place());
+    sink_.geo_place(place);
   }
 
   void read_end() {

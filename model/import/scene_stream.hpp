@@ -5,6 +5,7 @@
 
 #include "model/import/mesh_stream_source.hpp"
 #include "scene/affine.hpp"
+#include "scene/geo_place.hpp"
 
 #include <array>
 #include <cstdint>
@@ -22,7 +23,7 @@ inline constexpr uint32_t scene_stream_version = 1;
 /// What the header says of the file: bits.
 inline constexpr uint32_t unit_is_defined = 1, axes_are_defined = 2;
 
-enum class SceneRecord : uint32_t { material = 1, mesh, property_set, object, instance, end };
+enum class SceneRecord : uint32_t { material = 1, mesh, property_set, object, instance, end, geo_place };
 
 /// Where a record could name another and does not.
 inline constexpr uint32_t no_record = 0xffffffff;
@@ -75,6 +76,8 @@ class SceneSink {
   virtual void property_set(ScenePropertySet /*set*/) {}
   virtual void object(SceneObject /*object*/) {}
   virtual void instance(const SceneInstance& /*instance*/) {}
+  /// north: x and z of the axes of instances, which are y up.
+  virtual void geo_place(const GeoPlace& /*geo_place*/) {}
 };
 
 /// Reads a whole stream but for positions and vertex numbers. Error (name, byte) for one that is damaged or

@@ -102,6 +102,33 @@ Image decode_webp(std::span<const std::byte> bytes, const std::string& place) {
   return image;
 }
 
+/// What else it may well be; null where that is not known.
+const char* other_format(std::span<const std::byte> bytes) {
+  struct Known {
+    std::string_view beginning;
+    const char* format;
+  };
+  constexpr Known known[] = {{"\xabKTX 20\xbb", "KTX2"},
+                             {"\xabKTX 11\xbb", "KTX"},
+                             {"DDS ", "DDS"},
+                             {"GIF8", "GIF"},
+                             {"BM", "BMP"},
+                             {"II*", "TIFF"},
+                             {{"MM\0*", 4}, "TIFF"},
+                             {"8BPS", "Photoshop"},
+                             {"\x76\x2f\x31\x01", "OpenEXR"}};
+  for (const auto& [beginning, format] : known)
+    if (begins_with(bytes, beginning)) return format;
+  // TGA has no mark of its own at its beginning: an image of true colour or grey, packed or not.
+  if (bytes.size() > 18 && bytes[1] == std::byte{0}) {
+    const auto kind = std::to_integer<int>(bytes[2]), depth = std::to_integer<int>(bytes[16]);
+    if ((kind == 2 || kind == 3 || kind == 10 || kind == 11) &&
+        (depth == 8 || depth == 16 || depth == 24 || depth == 32))
+      return "TGA";
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Image decode_image(std::span<const std::byte> bytes, const std::string& place) {
@@ -109,6 +136,8 @@ Image decode_image(std::span<const std::byte> bytes, const std::string& place) {
   if (begins_with(bytes, "\xff\xd8")) return decode_jpeg(bytes, place);
   if (begins_with(bytes, "RIFF") && begins_with(bytes, "WEBP", 8)) return decode_webp(bytes, place);
   if (bytes.empty()) fail(place, "is empty");
+  if (const char* const format = other_format(bytes))
+    fail(place, "is a {} file, which is not read: convert it to PNG, JPEG or WebP", format);
   fail(place, "is neither a PNG, a JPEG nor a WebP file");
 }
 

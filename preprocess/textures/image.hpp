@@ -20,6 +20,11 @@ struct Image {
 /// and for one of more than 2^28 texels.
 Image decode_image(std::span<const std::byte> bytes, const std::string& place);
 
+/// Gives the image the alpha that another one says: its own or, where that is 1 all over, its brightness. As
+/// wide and high as the larger of the two; of the smaller one the nearest texels count. An image
+/// without texels is white.
+void set_alpha(Image& image, const Image& alpha);
+
 /// Half as wide and as high, rounded down, at least 1: each texel is the mean of the area that it stands for,
 /// in linear light, weighted by how much is covered there.
 Image half_of(const Image& image);

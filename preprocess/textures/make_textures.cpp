@@ -38,17 +38,30 @@ std::vector<uint8_t> cutoffs_of(const Model& model) {
   return cutoffs;
 }
 
+/// The image with its alpha. key: of its content.
+Image read(const ModelImage& source, uint8_t cutoff, ContentKey& content) {
+  ContentKeyWriter key;
+  const auto decoded = [&](const ModelImage& one) {
+    const std::vector<std::byte> bytes = one.read();
+    key.write_all(std::span<const std::byte>(bytes));
+    return decode_image(bytes, one.place);
+  };
+  Image image;
+  if (source.read) image = decoded(source);
+  key.write(cutoff);
+  if (source.alpha) {
+    const bool has_color = !image.texels.empty();
+    key.write(has_color);
+    set_alpha(image, decoded(*source.alpha));
+  }
+  content = key.key();
+  return image;
+}
+
 Made make(const ModelImage& source, uint8_t cutoff) {
   Made made;
   try {
-    Image image = [&] {
-      const std::vector<std::byte> bytes = source.read();
-      ContentKeyWriter key;
-      key.write_all(std::span<const std::byte>(bytes));
-      key.write(cutoff);
-      made.key = key.key();
-      return decode_image(bytes, source.place);
-    }();
+    Image image = read(source, cutoff, made.key);
     while (std::max(image.width, image.height) > max_built_side) {
       image = half_of(image);
       made.is_smaller = true;

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "lod/draw_rank.hpp"
 #include "visibility/sample_rectangle.hpp"
+#include "visibility/sky_look.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,8 @@ void GlFrameTarget::begin(const FrameView& view) {
     planes_.emplace(own_kind, own_width, own_height, wanted);
   }
   planes_->clear();
+  sky_use_ = {};
+  if (planes_->has_colors() && shows_sky(view.state)) sky_use_ = passes_.sky.draw(view, *planes_);
   transparent_.clear();
   effects_.clear();
   drawn_triangles_ = 0;
@@ -122,6 +125,7 @@ void GlFrameTarget::finish() {
       use.effect = effect;
       if (use.draws > 0) effects_.push_back(use);
     }
+    if (sky_use_.draws > 0) effects_.push_back(sky_use_);
   }
   picture();
   glFinish();

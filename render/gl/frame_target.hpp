@@ -6,6 +6,7 @@
 #include "render/gl/rectangle_test.hpp"
 #include "render/gl/renderer.hpp"
 #include "render/gl/resolve_pass.hpp"
+#include "render/gl/sky_pass.hpp"
 #include "visibility/frame_target.hpp"
 
 #include <optional>
@@ -20,6 +21,7 @@ struct GlPasses {
   LinePass lines;
   ResolvePass resolve;
   FragmentLists lists;
+  SkyPass sky;
 };
 
 /// Colours of one sample a pixel, without edges and without anything transparent, are drawn where they are
@@ -60,6 +62,7 @@ class GlFrameTarget final : public FrameTarget {
   mutable bool picture_is_made_ = false;
   mutable std::vector<DrawableId> transparent_;  ///< those drawn that have something transparent
   mutable std::vector<EffectUse> effects_;       ///< of the picture
+  EffectUse sky_use_;                            ///< no draws: it is not shown
   std::optional<FrameView> view_;
   uint64_t drawn_triangles_ = 0;
   // Of tests that no plane has passed so far.

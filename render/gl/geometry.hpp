@@ -40,7 +40,11 @@ class Geometry {
     missing_ = missing;
     textures_.set_missing(missing);
   }
-  const GeometryUse& use() const { return cache_.use(); }
+  GeometryUse use() const {
+    GeometryUse use = cache_.use();
+    use.textures = textures_.use();
+    return use;
+  }
   bool has(uint32_t chunk) const { return cache_.has(chunk); }
   bool is_damaged(uint32_t chunk) const { return cache_.is_damaged(chunk); }
   /// Uploads the textures of the chunks that are there; how many bytes.

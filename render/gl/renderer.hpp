@@ -36,7 +36,7 @@ class Renderer {
   const EffectUse& effect_use(Effect effect) const { return uses_[static_cast<size_t>(effect)]; }
   void set_geometry_cap(uint64_t bytes) { geometry_.set_cap(bytes); }
   void set_missing(const MissingChunks& missing) { geometry_.set_missing(missing); }
-  const GeometryUse& geometry_use() const { return geometry_.use(); }
+  GeometryUse geometry_use() const { return geometry_.use(); }
   bool has_chunk(uint32_t chunk) const { return geometry_.has(chunk); }
   bool is_damaged(uint32_t chunk) const { return geometry_.is_damaged(chunk); }
 

@@ -20,6 +20,26 @@ uint64_t bytes_from(const Texture& texture, uint32_t level) {
 
 }  // namespace
 
+void TextureBuffer::begin_view() {
+  use_.coarser_views += shows_coarser_;
+  // What had no room for its finest levels is read anew once it has.
+  if (shows_coarser_ && wanted_bytes_ <= std::min(cap_, largest_)) {
+    for (Held& held : held_)
+      if (held.is_held() && held.finest > 0) drop(held);
+  }
+  shows_coarser_ = false;
+  wanted_bytes_ = 0;
+  ++view_;
+}
+
+TextureUse TextureBuffer::use() const {
+  TextureUse use = use_;
+  use.cap = cap_;
+  use.bytes = bytes_;
+  use.coarser_views += shows_coarser_;
+  return use;
+}
+
 uint64_t TextureBuffer::require(uint32_t index) {
   if (held_.empty()) {
     held_.resize(skeleton_.textures.size());
@@ -30,9 +50,15 @@ uint64_t TextureBuffer::require(uint32_t index) {
     largest_ = static_cast<uint64_t>(block) / sizeof(uint32_t) * sizeof(uint32_t);
   }
   Held& held = held_[index];
+  const bool is_first = held.view != view_;
   held.view = view_;
-  if (held.is_held()) return 0;
   const Texture& texture = skeleton_.textures[index];
+  if (is_first) wanted_bytes_ += bytes_from(texture, 0);
+  if (held.is_held()) {
+    use_.hits += is_first;
+    shows_coarser_ |= held.finest > 0;
+    return 0;
+  }
   uint32_t finest = 0;
   const auto last = static_cast<uint32_t>(texture.levels.size() - 1);
   std::optional<uint64_t> found;
@@ -40,15 +66,22 @@ uint64_t TextureBuffer::require(uint32_t index) {
   if (!found) throw NoRoom(bytes_ + bytes_from(texture, last), cap_);
   held.offset = *found;
   held.bytes = bytes_from(texture, finest);
+  held.finest = finest;
+  shows_coarser_ |= finest > 0;
   bytes_ += held.bytes;
+  use_.peak_bytes = std::max(use_.peak_bytes, bytes_);
+  ++use_.misses;
   const uint32_t levels = last + 1 - finest;
   const auto first = static_cast<uint32_t>(held.offset / sizeof(uint32_t));
   std::vector<uint32_t> words(levels);
   for (uint32_t level = 0; level < levels; ++level) {
     words[level] = first + static_cast<uint32_t>(words.size());
+    use_.read_bytes += texture.levels[finest + level].size;
     for (const Texel& texel : take_texels(residency_, texture, index, finest + level, missing_))
       words.push_back(std::bit_cast<uint32_t>(texel));
   }
+  use_.decoded_bytes += (words.size() - levels) * sizeof(Texel);
+  use_.uploaded_bytes += words.size() * sizeof(uint32_t);
   const Record record{side_at_level(texture.width, finest), side_at_level(texture.height, finest), levels,
                       first};
   glNamedBufferSubData(texels_, static_cast<GLintptr>(held.offset),
@@ -79,10 +112,15 @@ bool TextureBuffer::drop_oldest() {
       oldest = &held;
   }
   if (oldest == nullptr) return false;
-  space_.give_back(oldest->offset, oldest->bytes);
-  bytes_ -= oldest->bytes;
-  oldest->bytes = 0;
+  drop(*oldest);
   return true;
+}
+
+void TextureBuffer::drop(Held& held) {
+  space_.give_back(held.offset, held.bytes);
+  bytes_ -= held.bytes;
+  held.bytes = 0;
+  ++use_.evicted;
 }
 
 void TextureBuffer::grow(uint64_t bytes) {

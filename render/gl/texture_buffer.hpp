@@ -22,13 +22,14 @@ class TextureBuffer {
       : skeleton_(skeleton), residency_(residency) {}
 
   /// What only earlier views needed may go from now on.
-  void begin_view() { ++view_; }
+  void begin_view();
   /// Reads and uploads the texture, if it is not there, without its finest levels where these have no room;
   /// how many bytes. Error (pack, texture) for damage.
   uint64_t require(uint32_t texture);
   void set_cap(uint64_t bytes) { cap_ = bytes; }
   void set_missing(const MissingChunks& missing) { missing_ = missing; }
   void bind() const;
+  TextureUse use() const;
 
  private:
   /// As the shaders have it: of the finest level that is there.
@@ -39,8 +40,10 @@ class TextureBuffer {
   };
   struct Held {
     uint64_t view = 0, offset = 0, bytes = 0;
+    uint32_t finest = 0;  ///< level that is there
     bool is_held() const { return bytes > 0; }
   };
+  void drop(Held& held);
   std::optional<uint64_t> place(uint64_t bytes);
   bool drop_oldest();
   void grow(uint64_t bytes);
@@ -52,6 +55,9 @@ class TextureBuffer {
   DeviceSpace space_;
   GlBuffer texels_, records_;
   std::vector<Held> held_;
+  TextureUse use_;
+  uint64_t wanted_bytes_ = 0;  ///< of what the view needs, with all levels
+  bool shows_coarser_ = false;
 };
 
 }  // namespace triptych

@@ -4,6 +4,8 @@
 #include "base/file.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
+#include "samples/building/dressing.hpp"
+#include "samples/building/dressing_images.hpp"
 #include "samples/building/shell.hpp"
 #include "samples/building/storeys.hpp"
 #include "samples/gltf_writer.hpp"
@@ -19,10 +21,10 @@ constexpr double mean_triangles = 4300;
 constexpr uint64_t max_unique_triangles = 2'700'000, min_unique_triangles = 150'000;
 
 // Streams of random numbers.
-enum : uint64_t { for_pools, for_plan, for_furniture, for_walk, for_spin, for_jump };
+enum : uint64_t { for_pools, for_plan, for_furniture, for_walk, for_spin, for_jump, for_dressing };
 
 /// Reads the models that may be placed; those that cannot be read are left out and counted.
-void read_pools(BuildingDesign& design, const RolePools& pools) {
+void read_pools(BuildingDesign& design, const RolePools& pools, bool shows_glass) {
   std::set<size_t> needed;
   for (const auto& pool : pools.pieces) needed.insert(pool.begin(), pool.end());
   const std::vector<size_t> pieces(needed.begin(), needed.end());
@@ -32,7 +34,8 @@ void read_pools(BuildingDesign& design, const RolePools& pools) {
   parallel_for(pieces.size(), [&](size_t i) {
     const FurniturePiece& piece = design.furniture.pieces[pieces[i]];
     try {
-      design.meshes[pieces[i]] = read_furniture(piece, *design.furniture.catalogues[piece.catalogue].archive);
+      design.meshes[pieces[i]] =
+          read_furniture(piece, *design.furniture.catalogues[piece.catalogue].archive, shows_glass);
     } catch (const Error& error) {
       errors[i] = error.what();
     }
@@ -93,7 +96,17 @@ class Scene {
     return times;
   }
 
+  void place_light(const LampLight& light) {
+    lights_.push_back(light);
+    report_.lights +=
+        design_.storeys.empty() ? 1 : static_cast<size_t>(std::ranges::count(design_.storeys, light.storey));
+  }
+
   void write(GltfWriter& gltf) const {
+    std::optional<size_t> lamp;
+    if (!lights_.empty()) lamp = gltf.add_point_light("lamp", lamp_colour, lamp_candela);
+    for (const LampLight& light : lights_)
+      if (design_.storeys.empty()) gltf.add_light_node(*lamp, light.position);
     for (const Node& node : nodes_) {
       if (design_.storeys.empty() || !node.storey) gltf.add_node(node.name, node.mesh, node.transform);
     }
@@ -104,6 +117,8 @@ class Scene {
       for (const Node& node : nodes_) {
         if (node.storey == storey) gltf.add_node(node.name, node.mesh, node.transform, parent);
       }
+      for (const LampLight& light : lights_)
+        if (light.storey == storey) gltf.add_light_node(*lamp, light.position, parent);
     }
   }
 
@@ -117,20 +132,39 @@ class Scene {
   const BuildingDesign& design_;
   SampleReport& report_;
   std::vector<Node> nodes_;
+  std::vector<LampLight> lights_;
 };
 
-void write_shell(const FloorPlan& plan, GltfWriter& gltf, Scene& scene, SampleReport& report) {
-  for (const ShellObject& object : make_shell(plan)) {
+/// Returns how many places they have.
+size_t write_objects(const std::vector<ShellObject>& objects, GltfWriter& gltf, Scene& scene,
+                     SampleReport& report) {
+  size_t placements = 0;
+  for (const ShellObject& object : objects) {
     const size_t mesh = gltf.add_mesh(object.name, object.parts);
     const uint64_t triangles = triangles_of(object.parts);
     for (const auto& place : object.places)
-      report.shell_placements += scene.place(object.name, mesh, place, object.storey_of(place), triangles);
+      placements += scene.place(object.name, mesh, place, object.storey_of(place), triangles);
     ++report.shell_meshes;
     report.unique_triangles += triangles;
   }
+  return placements;
 }
 
-std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf, Scene& scene,
+void write_shell(const FloorPlan& plan, bool dressed, GltfWriter& gltf, Scene& scene, SampleReport& report) {
+  std::vector<ShellObject> shell = make_shell(plan);
+  if (dressed) dress_shell(shell);
+  report.shell_placements = write_objects(shell, gltf, scene, report);
+}
+
+void write_dressing(const BuildingDesign& design, const Random& random, GltfWriter& gltf, Scene& scene,
+                    SampleReport& report) {
+  const Dressing dressing =
+      make_dressing(design.plan, design.furniture, design.furnishing.placements, random);
+  report.dressing_placements = write_objects(dressing.objects, gltf, scene, report);
+  for (const LampLight& light : dressing.lights) scene.place_light(light);
+}
+
+std::set<size_t> write_furniture(const BuildingDesign& design, bool dressed, GltfWriter& gltf, Scene& scene,
                                  SampleReport& report) {
   std::map<size_t, size_t> numbers;
   std::set<size_t> used;
@@ -138,6 +172,8 @@ std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf,
   for (const FurniturePlacement& placement : design.furnishing.placements) {
     const FurniturePiece& piece = design.furniture.pieces[placement.piece];
     const FurnitureMesh& mesh = design.meshes[placement.piece];
+    progress.advance();
+    if (dressed && is_ceiling_lamp(piece, placement)) continue;
     if (used.insert(placement.piece).second) {
       numbers[placement.piece] = gltf.add_mesh(piece.id, mesh.parts);
       ++report.furniture_meshes;
@@ -151,7 +187,6 @@ std::set<size_t> write_furniture(const BuildingDesign& design, GltfWriter& gltf,
     report.placements +=
         scene.place(fmt::format("{} {}: {}", room.name, room_type_name(room.type), piece.name),
                     numbers[placement.piece], placement_transform(placement), room.floor, mesh.triangles);
-    progress.advance();
   }
   return used;
 }
@@ -182,7 +217,7 @@ BuildingDesign design_building(const BuildingOptions& options) {
   if (!design.storeys.empty())
     wanted = wanted * static_cast<size_t>(floors) / static_cast<size_t>(options.floors);
   const RolePools pools = choose_pools(design.furniture, budget, models, random.fork(for_pools));
-  read_pools(design, pools);
+  read_pools(design, pools, options.effects);
   std::vector<uint64_t> triangles;
   for (const FurnitureMesh& mesh : design.meshes) triangles.push_back(mesh.triangles);
   design.furnishing = furnish_building(design.furniture, pools, triangles, design.plan, wanted,
@@ -209,8 +244,13 @@ SampleReport make_building(const BuildingOptions& options, const std::filesystem
   report.skipped_models = design.skipped_models;
   GltfWriter gltf(folder, "triptych sample building");
   Scene scene(design, report);
-  write_shell(design.plan, gltf, scene, report);
-  const auto used = write_furniture(design, gltf, scene, report);
+  write_shell(design.plan, options.effects, gltf, scene, report);
+  const auto used = write_furniture(design, options.effects, gltf, scene, report);
+  if (options.effects) {
+    const Random random = Random(options.seed).fork(for_dressing);
+    write_dressing(design, random, gltf, scene, report);
+    write_dressing_images(folder, random);
+  }
   scene.write(gltf);
   write_attribution(design, used, gltf, folder);
   gltf.finish();

@@ -22,6 +22,9 @@ struct BuildingOptions {
   /// Storeys between the lowest and the highest repeat after this many different ones, and each is a node of
   /// its own in the scene; by default all are different, and placed one by one.
   std::optional<int> repeat_storeys;
+  /// Textures, glass in the windows, lamps with lights, curtains, blinds and pictures
+  /// (samples/building/dressing.hpp); the rest of the building stays as it is.
+  bool effects = false;
   uint64_t seed = 1;  ///< decides everything: equal options give equal files
   std::filesystem::path catalogues = furniture_folder;
 };
@@ -33,6 +36,7 @@ struct SampleReport {
   size_t shell_placements = 0;  ///< of slabs, walls, doors, windows, stairs
   size_t furniture_meshes = 0, shell_meshes = 0;
   uint64_t placed_triangles = 0, unique_triangles = 0;  ///< furniture and shell
+  size_t lights = 0, dressing_placements = 0;           ///< with BuildingOptions::effects
   std::map<std::string, size_t> skipped_models;         ///< reason: how many
   uint64_t collapsed_triangles = 0, undecoded_images = 0, undefined_materials = 0, transparent_materials = 0;
 };
@@ -53,7 +57,8 @@ struct BuildingDesign {
 /// none), and if no catalogues are installed.
 BuildingDesign design_building(const BuildingOptions& options);
 
-/// Writes `scene.gltf`, `scene.bin`, `walk.json`, `fly.json`, `spin.json`, `jump.json` and `ATTRIBUTION.txt`.
+/// Writes `scene.gltf`, `scene.bin`, `walk.json`, `fly.json`, `spin.json`, `jump.json` `ATTRIBUTION.txt`,
+/// and with effects the images in `textures`.
 SampleReport make_building(const BuildingOptions& options, const std::filesystem::path& folder);
 
 }  // namespace triptych

@@ -104,6 +104,12 @@ class Materials {
     return average ? colour * *average : colour;
   }
 
+  /// Never so little that it does not show.
+  double alpha(const std::string& name) const {
+    const auto found = materials_.find(name);
+    return found == materials_.end() ? 1 : glm::clamp(found->second.opacity, 0.2, 1.0);
+  }
+
  private:
   std::string folder_;
   const ZipArchive& archive_;
@@ -112,7 +118,7 @@ class Materials {
 
 }  // namespace
 
-FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& archive) {
+FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& archive, bool shows_glass) {
   const std::string place = archive.path().string() + "!" + piece.model;
   const ObjModel model = parse_obj(archive.read(piece.model), place);
   const auto positions = catalogue_positions(model, piece);
@@ -122,6 +128,7 @@ FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& arch
     MeshPart part = triangulate(model.polygons[i], positions, mesh.collapsed_triangles);
     if (part.indices.empty()) continue;
     part.colour = materials.colour(model.materials[i], mesh);
+    if (shows_glass) part.alpha = materials.alpha(model.materials[i]);
     mesh.triangles += part.indices.size() / 3;
     mesh.parts.push_back(std::move(part));
   }

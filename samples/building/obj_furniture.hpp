@@ -19,12 +19,14 @@ struct FurnitureMesh {
   /// Textures that are missing or unreadable: the material's own colour stands.
   uint64_t undecoded_images = 0;
   uint64_t undefined_materials = 0;    ///< used but nowhere defined: a light grey stands
-  uint64_t transparent_materials = 0;  ///< drawn opaque
+  uint64_t transparent_materials = 0;  ///< drawn opaque, but where glass is shown
 };
 
 /// Reads the piece's model. Polygons become fans; the model is turned by the catalogue's rotation, and its
 /// box scaled to the catalogue's size, centred on x and z, standing on y = 0 (Sweet Home 3D's convention).
 /// Error (place: archive, file, line) for a model that cannot be read or has no triangles.
-FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& archive);
+/// shows_glass: transparent materials are transparent.
+FurnitureMesh read_furniture(const FurniturePiece& piece, const ZipArchive& archive,
+                             bool shows_glass = false);
 
 }  // namespace triptych

@@ -1,41 +1,16 @@
 #include "samples/effects/textured.hpp"
 
-#include "base/error.hpp"
-#include "base/file.hpp"
+#include "samples/image_file.hpp"
 #include "samples/solids.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <png.h>
 
 namespace triptych {
 
 namespace {
 
 constexpr const char *carpet_image = "carpet.png", *fence_image = "fence.png", *sign_image = "sign.png";
-
-using Pixel = std::array<uint8_t, 4>;
-
-/// of(x, y): of a pixel, from the upper left corner.
-template <typename OfPixel>
-void write_image(const std::filesystem::path& file, uint32_t side, const OfPixel& of) {
-  std::vector<Pixel> pixels;
-  for (uint32_t y = 0; y < side; ++y)
-    for (uint32_t x = 0; x < side; ++x) pixels.push_back(of(x, y));
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = image.height = side;
-  image.format = PNG_FORMAT_RGBA;
-  png_alloc_size_t size = 0;
-  std::vector<std::byte> bytes;
-  bool written = png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr) != 0;
-  bytes.resize(size);
-  written =
-      written && png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) != 0;
-  if (!written) fail(file.string(), "cannot be encoded: {}", image.message);
-  bytes.resize(size);
-  write_file(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-}
 
 /// A rectangle in the plane z = 0, from the origin on, over so many repetitions of an image.
 MeshPart sheet(double width, double tall, double repeats_x, double repeats_y) {
@@ -52,23 +27,23 @@ MeshPart sheet(double width, double tall, double repeats_x, double repeats_y) {
 
 void write_effect_images(const std::filesystem::path& folder) {
   constexpr uint32_t side = 256;
-  write_image(folder / carpet_image, side, [](uint32_t x, uint32_t y) -> Pixel {
+  write_image_file(folder / carpet_image, side, side, [](uint32_t x, uint32_t y) -> ImagePixel {
     const bool stripe = (x / 16 + y / 16) % 2 == 0, rim = x < 8 || y < 8;
     const auto grain = static_cast<uint8_t>((x * 37 + y * 91) % 32);
     if (rim) return {230, 200, 90, 255};
-    return stripe ? Pixel{static_cast<uint8_t>(140 + grain), 30, 40, 255}
-                  : Pixel{30, 60, static_cast<uint8_t>(110 + grain), 255};
+    return stripe ? ImagePixel{static_cast<uint8_t>(140 + grain), 30, 40, 255}
+                  : ImagePixel{30, 60, static_cast<uint8_t>(110 + grain), 255};
   });
-  write_image(folder / fence_image, side, [](uint32_t x, uint32_t y) -> Pixel {
+  write_image_file(folder / fence_image, side, side, [](uint32_t x, uint32_t y) -> ImagePixel {
     constexpr uint32_t mesh = 64, wire = 7;
     const bool is_wire = (x + y) % mesh < wire || (x + side - y) % mesh < wire || y < 2 * wire;
     return {90, 110, 95, static_cast<uint8_t>(is_wire ? 255 : 0)};
   });
-  write_image(folder / sign_image, side, [](uint32_t x, uint32_t y) -> Pixel {
+  write_image_file(folder / sign_image, side, side, [](uint32_t x, uint32_t y) -> ImagePixel {
     const double across = x / 256.0 - 0.5, down = y / 256.0 - 0.5;
     const double ring = std::abs(std::hypot(across, down) - 0.35), bar = std::abs(across - down);
     const bool bright = ring < 0.05 || (bar < 0.05 && std::hypot(across, down) < 0.35);
-    return bright ? Pixel{255, 90, 30, 255} : Pixel{8, 8, 10, 255};
+    return bright ? ImagePixel{255, 90, 30, 255} : ImagePixel{8, 8, 10, 255};
   });
 }
 

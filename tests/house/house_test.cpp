@@ -261,7 +261,7 @@ const std::vector<std::string> places = {
     R"(launch/(packages\.txt|compile|demo|install))",
     R"(launch/ifc/(\w+\.mjs|package(-lock)?\.json))",
     R"(cmake/[\w-]+\.cmake|cmake/precompiled/\w+\.[ch]pp)",
-    R"(docs/[\w-]+\.(md|png)|docs/hard-cases/\w+\.png)",
+    R"(docs/[\w-]+\.(md|png)|docs/walk\.json|docs/hard-cases/\w+\.png)",
     R"(tests/(\w+/)+\w+\.([ch]pp|cmake|py|supp)|tests/(run|check_formatting|check_names|fuzz/run|raster/no_weak_symbols))",
     R"(tests/fuzz/findings/README\.md|tests/fuzz/findings/\w+/[\w.-]+)"};
 

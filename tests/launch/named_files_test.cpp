@@ -176,7 +176,7 @@ TEST_F(NamedFiles, of_every_command_are_known_as_read_or_written) {
   using Names = std::set<std::string>;
   EXPECT_EQ(read, (Names{"--bcf", "--hosts", "--key-file", "--model", "--pack", "--path", "--with", "after",
                          "before", "folder", "input", "manifest", "pack"}));
-  EXPECT_EQ(written, (Names{"--cache", "--journal", "--json", "--keep-pack", "--output", "--place",
+  EXPECT_EQ(written, (Names{"--cache", "--journal", "--json", "--keep-pack", "--output", "--place-file",
                             "--record", "--timeline"}));
   for (const std::string& name : read) EXPECT_EQ(others.count(name), 0u) << name << " is of two kinds";
 }

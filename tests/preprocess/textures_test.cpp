@@ -185,5 +185,44 @@ TEST(MakeTextures, sides_beyond_the_most_are_halved_and_it_is_said) {
   EXPECT_EQ(made.warnings.size(), 1u);
 }
 
+TEST(Textures, take_their_alpha_from_another_image_of_any_size) {
+  const auto of = [](uint32_t width, uint32_t height, Texel texel) {
+    return Image{width, height, std::vector<Texel>(size_t{width} * height, texel)};
+  };
+  Image image = of(2, 2, {10, 20, 30, 255});
+  Image mask = of(4, 1, {0, 0, 0, 255});
+  mask.texels[3] = {255, 255, 255, 255};
+  set_alpha(image, mask);
+  ASSERT_EQ(image.width, 4u);
+  ASSERT_EQ(image.height, 2u);
+  EXPECT_EQ(image.texels[0], (Texel{10, 20, 30, 0})) << "its brightness";
+  EXPECT_EQ(image.texels[7], (Texel{10, 20, 30, 255}));
+  mask.texels[0][3] = 7;
+  set_alpha(image, mask);
+  EXPECT_EQ(image.texels[0][3], 7) << "its own alpha, where it has any";
+  EXPECT_EQ(image.texels[3][3], 255);
+  Image none;
+  set_alpha(none, mask);
+  EXPECT_EQ(none.texels[0], (Texel{255, 255, 255, 7}));
+}
+
+TEST(Textures, of_formats_that_are_not_read_are_said_by_their_name_with_the_remedy) {
+  const auto message = [](std::string_view bytes) -> std::string {
+    try {
+      decode_image(std::as_bytes(std::span(bytes)), "oak");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message(std::string_view("\xabKTX 20\xbb\r\n\x1a\n", 12)),
+            "oak: is a KTX2 file, which is not read: convert it to PNG, JPEG or WebP");
+  EXPECT_NE(message("DDS |").find("is a DDS file"), std::string::npos);
+  EXPECT_NE(message("BM1234").find("is a BMP file"), std::string::npos);
+  const std::string tga("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x18\0\1\2\3", 21);
+  EXPECT_NE(message(tga).find("is a TGA file"), std::string::npos);
+  EXPECT_EQ(message("what is this?"), "oak: is neither a PNG, a JPEG nor a WebP file");
+}
+
 }  // namespace
 }  // namespace triptych

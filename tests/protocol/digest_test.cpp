@@ -18,6 +18,8 @@ TEST(FrameDigest, whatever_makes_a_frame_changes_it) {
   EXPECT_NE(frame_digest(7, {view, 1.0, 4}, 99, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0, 1, true}, 99, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 98, {1, 2, 3}), digest);
+  for (const Sky& sky : {Sky{true, {0, 1, 0}}, Sky{true, {0, 0.6, 0.8}}})
+    EXPECT_NE(frame_digest(7, {.view = view, .sky = sky}, 99, {1, 2, 3}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {1, 2, 4}), digest);
   EXPECT_NE(frame_digest(7, {view, 1.0}, 99, {}), digest);

@@ -44,8 +44,17 @@ inline Hello sample_hello(Role role) {
 inline std::vector<Message> sample_messages() {
   const StageTimes times{4.25, 2.125, 431, 1800, 9.5};
   return {sample_hello(Role::switch_1),
-          CameraMessage{
-              12, {sample_view(), 1.5, 8, true, sample_section(), {{3, 0x1234567890abcdef}}}, true, true},
+          CameraMessage{12,
+                        {sample_view(),
+                         1.5,
+                         8,
+                         true,
+                         sample_section(),
+                         {{3, 0x1234567890abcdef}},
+                         Effects::all(),
+                         {true, {0, 0.6, -0.8}}},
+                        true,
+                        true},
           DeltaMessage{12, {1ull << 50, 17}, encode_delta({{1, 2, 3, 900}, {4, 77}}, {4, 77, 5000})},
           Sentinel{12, 1000, 4, 3, 0xfedcba9876543210, times},
           FullSetRequest{12},

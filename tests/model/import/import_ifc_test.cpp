@@ -63,6 +63,31 @@ TEST(ImportIfc, a_unit_that_the_file_does_not_name_is_the_users) {
   EXPECT_TRUE(warns(named, "the format says its unit; --unit was not applied"));
 }
 
+TEST(ImportIfc, a_site_says_where_on_earth_the_model_stands_and_the_context_where_north_is) {
+  const auto site = [](const std::string& latitude, const std::string& longitude) {
+    return wall + "#90=IFCSITE('0YvctVUKr0kugbFTf53O9A',#5,'s',$,$,#14,$,$,.ELEMENT.," + latitude + "," +
+           longitude + ",12500.,$,$);\n";
+  };
+  std::string text = ifc_file(site("(48,8,13,200000)", "(-122,-15,-31)"), test::millimetres);
+  const Model straight = import_text("a.ifc", text);
+  ASSERT_TRUE(straight.geo_place);
+  EXPECT_NEAR(straight.geo_place->latitude, 48 + 8 / 60.0 + 13.2 / 3600, 1e-9);
+  EXPECT_NEAR(straight.geo_place->longitude, -(122 + 15 / 60.0 + 31 / 3600.0), 1e-9);
+  EXPECT_NEAR(straight.geo_place->elevation, 12.5, 1e-9);
+  EXPECT_EQ(straight.geo_place->north, glm::dvec2(0, -1));
+  const std::string context = "#11,$);\n#13=";
+  ASSERT_NE(text.find(context), std::string::npos);
+  text.replace(text.find(context), context.size(), "#11,#91);\n#91=IFCDIRECTION((3.,4.));\n#13=");
+  const Model turned = import_text("b.ifc", text);
+  ASSERT_TRUE(turned.geo_place);
+  EXPECT_LT(glm::length(turned.geo_place->north - glm::dvec2(0.6, -0.8)), 1e-9);
+  EXPECT_FALSE(import_text("c.ifc", ifc_file(wall)).geo_place);
+  EXPECT_FALSE(import_text("d.ifc", ifc_file(site("$", "$"))).geo_place);
+  const Model wrong = import_text("e.ifc", ifc_file(site("(95,0,0)", "(0,0,0)")));
+  EXPECT_FALSE(wrong.geo_place);
+  EXPECT_TRUE(warns(wrong, "the site #90 lies nowhere on Earth"));
+}
+
 TEST(ImportIfc, coordinates_of_millions_keep_their_millimetres) {
   const std::string far = element(100, "#110", "IFCWALL", "#120") + block(110, 4, 0.2, 3) +
                           placed_at(120, 2683123.123, 1247456.789, 410.501);

@@ -149,6 +149,43 @@ TEST(ImportOther, diffuse_colours_of_collada_and_fbx_are_those_displayed) {
   }
 }
 
+TEST(ImportOther, a_diffuse_texture_of_collada_comes_with_its_coordinates_and_replaces_the_colour) {
+  std::string dae = collada;
+  const auto insert_before = [&](const std::string& place, const std::string& what) {
+    ASSERT_NE(dae.find(place), std::string::npos) << place;
+    dae.insert(dae.find(place), what);
+  };
+  insert_before("<library_geometries>",
+                "<library_images><image id=\"i\"><init_from>oak wood.png</init_from></image></library_images>"
+                "<library_effects><effect id=\"e\"><profile_COMMON>"
+                "<newparam sid=\"f\"><surface type=\"2D\"><init_from>i</init_from></surface></newparam>"
+                "<newparam sid=\"s\"><sampler2D><source>f</source></sampler2D></newparam>"
+                "<technique sid=\"c\"><lambert><diffuse><texture texture=\"s\" texcoord=\"t\"/></diffuse>"
+                "</lambert></technique></profile_COMMON></effect></library_effects><library_materials>"
+                "<material id=\"m\"><instance_effect url=\"#e\"/></material></library_materials>");
+  dae.replace(dae.find("<triangles count"), 16, "<triangles material=\"s\" count");
+  const std::string placed = "<instance_geometry url=\"#g\"/></node><node id=\"k\">";
+  dae.replace(
+      dae.find(placed), placed.size(),
+      "<instance_geometry url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" "
+      "target=\"#m\"/></technique_common></bind_material></instance_geometry></node><node id=\"k\">");
+  insert_before("<vertices id",
+                "<source id=\"u\"><float_array id=\"ua\" count=\"6\">0 0 1 0 0.5 0.25</float_array>"
+                "<technique_common><accessor source=\"#ua\" count=\"3\" stride=\"2\"><param name=\"S\" "
+                "type=\"float\"/><param name=\"T\" type=\"float\"/></accessor></technique_common></source>");
+  insert_before("</vertices>", "<input semantic=\"TEXCOORD\" source=\"#u\"/>");
+  write_model("oak wood.png", "12345");
+  const Model model = import_text("a.dae", dae);
+  ASSERT_EQ(model.images.size(), 1u);
+  EXPECT_EQ(model.images[0].read().size(), 5u);
+  const Mesh& mesh = model.meshes.at(0);
+  const Material& material = model.materials[mesh.triangles.at(0).material];
+  EXPECT_EQ(material.texture, 0u);
+  EXPECT_EQ(material.base_color, glm::vec4(1));
+  ASSERT_EQ(mesh.coordinates.size(), 3u);
+  EXPECT_EQ(mesh.coordinates[2], texture_coordinates(0.5, 0.75)) << "from the upper corner";
+}
+
 TEST(ImportOther, vertex_colours_are_those_displayed_and_no_material_is_made_up_for_them) {
   std::string dae = collada;
   std::string source =
@@ -173,8 +210,8 @@ std::string x3d_with(const std::string& image) {
 }
 
 TEST(ImportOther, a_material_has_a_texture_only_where_that_has_a_name) {
-  EXPECT_FALSE(warns(import_text("a.x3d", x3d_with("<ImageTexture/>")), "textures"));
-  EXPECT_TRUE(warns(import_text("a.x3d", x3d_with("<ImageTexture url='wood.png'/>")), "textures"));
+  EXPECT_FALSE(warns(import_text("a.x3d", x3d_with("<ImageTexture/>")), "images cannot be read"));
+  EXPECT_TRUE(warns(import_text("a.x3d", x3d_with("<ImageTexture url='wood.png'/>")), "wood.png"));
 }
 
 TEST(ImportOther, x3d_is_read_whatever_the_quotes_of_its_lists_of_strings) {
@@ -184,7 +221,7 @@ TEST(ImportOther, x3d_is_read_whatever_the_quotes_of_its_lists_of_strings) {
     const std::string assigned = url[0] == ' ' ? std::string("url") + url : std::string("url=") + url;
     const Model model = import_text("a.x3d", x3d_with("<ImageTexture " + assigned + "/>"));
     EXPECT_EQ(model.source_triangles(), 1u) << url;
-    EXPECT_TRUE(warns(model, "textures")) << url;
+    EXPECT_TRUE(warns(model, "wood.png")) << url;
   }
 }
 

@@ -107,7 +107,7 @@ TEST(ImportObj, materials_come_from_the_library_beside_the_file) {
   const auto is_near = [](const glm::vec4& a, const glm::vec4& b) { return glm::length(a - b) < 1e-6f; };
   EXPECT_TRUE(is_near(color_of(2), {1, 0, 0.0508761f, 0.5}));
   EXPECT_TRUE(is_near(color_of(3), {0.2140411f, 0.2140411f, 0.2140411f, 1}));
-  EXPECT_TRUE(warns(model, "1 textures"));
+  EXPECT_TRUE(warns(model, "names wood.png"));
   EXPECT_EQ(model.materials[model.meshes[0].triangles[3].material].emission, glm::vec3(1, 0, 0));
 }
 
