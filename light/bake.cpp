@@ -1,7 +1,9 @@
 #include "light/bake.hpp"
 
+#include "base/notice.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
+#include "light/moving_things.hpp"
 #include "light/refine.hpp"
 #include "light/sampling.hpp"
 #include "model/flatten.hpp"
@@ -193,15 +195,26 @@ Model bake_light(Model model, const LightOptions& options, const std::vector<glm
                  const RunPoints& run, LightReport& report) {
   report = {};
   if (!options.any()) return model;
+  MovingThings moving = take_moving_things(model);
+  if (!moving.empty())
+    notice("{} moving things keep the fixed light, and throw no shadow into what is baked",
+           moving.instances.size());
   Model flat = flattened(model);
   const LightBake bake(flat, options, reflectances, run);
   report = bake.report();
-  if (!bake.any()) return model;
+  if (!bake.any()) {
+    model.group_instances.insert(model.group_instances.end(), moving.instances.begin(),
+                                 moving.instances.end());
+    model.motion = std::move(moving.motion);
+    return model;
+  }
   model = {};
   const PointLight light = bake.gather(options.samples, options.seed, run);
   report.white_lux = report.baked ? white_irradiance(bake.model(), light.irradiance) : 0;
   const std::vector<VertexLight> stored = encoded(light, report.white_lux, report.clipped_points);
-  return with_light(std::move(flat), bake.model(), stored);
+  Model lit = with_light(std::move(flat), bake.model(), stored);
+  put_back(std::move(moving), lit);
+  return lit;
 }
 
 }  // namespace triptych

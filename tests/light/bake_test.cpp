@@ -49,6 +49,30 @@ TEST(Bake, without_emitters_the_model_is_what_it_was) {
   EXPECT_EQ(same.meshes.at(0).positions, model.meshes.at(0).positions);
 }
 
+TEST(Bake, what_moves_goes_on_moving_and_has_no_light) {
+  Model model = lit_room();
+  Mesh board;
+  add_rectangle(board, {0, 0, 0}, {0.2, 0, 0}, {0, 0, -0.2}, 1, 1, 0);
+  model.meshes.push_back(board);
+  model.groups = {{.instances = {{1, Affine(1)}}, .groups = {}}};
+  Affine moved(1);
+  moved[3] = {0, -0.5, 0};
+  model.group_instances = {{0, Affine(1)}, {0, moved}};
+  model.group_instances[1].joint = 0;
+  model.motion.joints = {{.translation = {0, -0.5, 0}}};
+  LightReport report;
+  const Model lit = bake_light(model, quick(), {}, run_points, report);
+  ASSERT_TRUE(report.baked);
+  EXPECT_EQ(lit.motion, model.motion);
+  ASSERT_EQ(lit.group_instances.size(), 1u);
+  EXPECT_EQ(lit.group_instances[0].joint, 0u);
+  const Mesh& moving = lit.meshes.at(lit.groups.at(lit.group_instances[0].group).instances.at(0).mesh);
+  EXPECT_EQ(moving.positions, board.positions);
+  EXPECT_TRUE(moving.light.empty());
+  ASSERT_EQ(lit.instances.size(), 2u) << "the room and the board that rests";
+  for (const Instance& instance : lit.instances) EXPECT_FALSE(lit.meshes.at(instance.mesh).light.empty());
+}
+
 TEST(Bake, placements_that_are_lit_differently_get_meshes_of_their_own) {
   Model model = lit_room();
   Mesh board;
