@@ -131,8 +131,7 @@ class Exhibition {
       add(fmt::format("lamp {}", i + 1), lamp(called_.textures, called_.emission),
           at(-3 + 3.0 * i, -half_depth + 0.6, 0));
     for (int i = 0; called_.lights && i < lamps; ++i)
-      writer_.add_light(fmt::format("light {}", i + 1), {-3 + 3.0 * i, 2.5, 0.2},
-                        {1, 0.85, 0.65}, 60);
+      writer_.add_light(fmt::format("light {}", i + 1), {-3 + 3.0 * i, 2.5, 0.2}, {1, 0.85, 0.65}, 60);
     writer_.finish();
   }
 
