@@ -133,7 +133,7 @@ class Exhibition {
           at(-3 + 3.0 * i, -half_depth + 0.6, 0));
     for (int i = 0; called_.lights && i < lamps; ++i)
       writer_.add_light_node(writer_.add_point_light(fmt::format("light {}", i + 1), {1, 0.85, 0.65}, 60),
-                             {-3 + 3.0 * i, 2.3, -half_depth + 1.4});
+                             {-3 + 3.0 * i, 2.5, 0.2});
     const MovingThings moving = add_moving_things(writer_, called_.motion);
     objects += moving.objects;
     triangles += moving.triangles;
