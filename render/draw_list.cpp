@@ -144,8 +144,8 @@ void DrawListBuilder::add_surfaces(const ChunkRange& range, const DrawItem& item
                           .textured = range.textured,
                           .emissive = range.emissive,
                           .cut_out = range.cut_out,
-                          .layered = range.layered,
                           .lit = range.lit,
+                          .layered = range.layered,
                           .normals = range.normals};
     if (part == DrawPart::all || range.transparent.empty())
       return add_command(range, group, first, last, list);

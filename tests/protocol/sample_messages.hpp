@@ -52,6 +52,7 @@ inline std::vector<Message> sample_messages() {
                          sample_section(),
                          {{3, 0x1234567890abcdef}},
                          Effects::all(),
+                         2.5,
                          {true, {0, 0.6, -0.8}}},
                         true,
                         true},
