@@ -23,10 +23,9 @@ GlProgram make_pass(TargetKind kind, Projection projection, const ShaderVariant&
 
 uint32_t pass_key(TargetKind kind, Projection projection, const ShaderVariant& variant) {
   uint32_t key = 0;
-  for (const bool bit :
-       {variant.sections, variant.caps, variant.layers, variant.normals, variant.transparent,
-        variant.textured, variant.emissive, variant.baked, variant.occluded, variant.smooth,
-        variant.colors == BaseColors::vertices})
+  for (const bool bit : {variant.sections, variant.caps, variant.layers, variant.normals, variant.transparent,
+                         variant.textured, variant.emissive, variant.baked, variant.occluded, variant.smooth,
+                         variant.colors == BaseColors::vertices})
     key = key << 1 | (bit ? 1u : 0u);
   return key << 8 | static_cast<uint32_t>(projection) << 4 | static_cast<uint32_t>(kind);
 }
