@@ -3,7 +3,7 @@
 #include "base/notice.hpp"
 #include "base/progress.hpp"
 #include "base/threads.hpp"
-#include "light/moving_things.hpp"
+#include "light/moving_groups.hpp"
 #include "light/refine.hpp"
 #include "light/sampling.hpp"
 #include "model/flatten.hpp"
@@ -195,7 +195,7 @@ Model bake_light(Model model, const LightOptions& options, const std::vector<glm
                  const RunPoints& run, LightReport& report) {
   report = {};
   if (!options.any()) return model;
-  MovingThings moving = take_moving_things(model);
+  MovingGroups moving = take_moving_groups(model);
   if (!moving.empty())
     notice("{} moving things keep the fixed light, and throw no shadow into what is baked",
            moving.instances.size());

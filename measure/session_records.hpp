@@ -40,7 +40,7 @@ struct ProcessTimeline {
 };
 
 /// Of the JSON of a RoleRecord: increased whenever its keys, or those of its parts, change.
-constexpr int role_record_version = 5;
+constexpr int role_record_version = 6;
 
 struct RoleRecord {
   std::vector<SocketRecord> sockets;  ///< what this role sent

@@ -120,7 +120,7 @@ TEST(RoleRecord, its_version_goes_up_when_its_keys_change) {
   const nlohmann::json flat = to_json(record).flatten();
   for (const auto& [key, value] : flat.items()) keys += key + " ";
   // Where these differ now, raise role_record_version and write the new ones down here.
-  EXPECT_EQ(role_record_version, 5);
+  EXPECT_EQ(role_record_version, 6);
   EXPECT_EQ(keys,
             "/clocks/0/ahead_ms /clocks/0/peer /clocks/0/uncertainty_ms /cost_coefficients/0 "
             "/cost_coefficients/1 /cost_coefficients/2 /cost_coefficients/3 /cost_coefficients/4 "
@@ -140,7 +140,13 @@ TEST(RoleRecord, its_version_goes_up_when_its_keys_change) {
             "/memory/geometry/bytes /memory/geometry/cap /memory/geometry/evicted_chunks "
             "/memory/geometry/hits /memory/geometry/left_out /memory/geometry/loaded_chunks "
             "/memory/geometry/no_room /memory/geometry/peak_bytes /memory/geometry/read_bytes "
-            "/memory/geometry/reloaded_chunks /memory/geometry/uploaded_bytes "
+            "/memory/geometry/reloaded_chunks /memory/geometry/textures/bytes "
+            "/memory/geometry/textures/cap /memory/geometry/textures/coarser_views "
+            "/memory/geometry/textures/decoded_bytes /memory/geometry/textures/evicted "
+            "/memory/geometry/textures/hits /memory/geometry/textures/misses "
+            "/memory/geometry/textures/over_cap_views /memory/geometry/textures/peak_bytes "
+            "/memory/geometry/textures/read_bytes /memory/geometry/textures/uploaded_bytes "
+            "/memory/geometry/uploaded_bytes "
             "/memory/geometry/view_bytes /memory/geometry/wait_ms /memory/read_ahead/bytes "
             "/memory/read_ahead/dropped /memory/read_ahead/foreseen_read "
             "/memory/read_ahead/foreseen_taken /memory/read_ahead/in_time /memory/read_ahead/late "

@@ -8,7 +8,7 @@
 namespace triptych {
 
 /// The moving parts of a model: groups that follow joints, with meshes of their own.
-struct MovingThings {
+struct MovingGroups {
   std::vector<Mesh> meshes;
   std::vector<Group> groups;
   std::vector<GroupInstance> instances;
@@ -18,9 +18,9 @@ struct MovingThings {
 };
 
 /// Takes what moves out of the model, which then rests as a whole: it neither gives light nor throws shadows.
-MovingThings take_moving_things(Model& model);
+MovingGroups take_moving_groups(Model& model);
 
 /// Puts them into a model without groups.
-void put_back(MovingThings things, Model& model);
+void put_back(MovingGroups taken, Model& model);
 
 }  // namespace triptych

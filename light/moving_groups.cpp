@@ -1,4 +1,4 @@
-#include "light/moving_things.hpp"
+#include "light/moving_groups.hpp"
 
 #include <algorithm>
 #include <tsl/robin_map.h>
@@ -20,40 +20,40 @@ std::vector<uint8_t> placed_groups(const std::vector<GroupInstance>& instances,
 
 }  // namespace
 
-MovingThings take_moving_things(Model& model) {
-  MovingThings things;
+MovingGroups take_moving_groups(Model& model) {
+  MovingGroups taken;
   const auto rests = [](const GroupInstance& instance) { return instance.joint == no_id; };
   const auto moving =
       std::stable_partition(model.group_instances.begin(), model.group_instances.end(), rests);
-  things.instances.assign(moving, model.group_instances.end());
+  taken.instances.assign(moving, model.group_instances.end());
   model.group_instances.erase(moving, model.group_instances.end());
-  if (things.empty()) return things;
-  things.motion = std::exchange(model.motion, {});
-  things.groups = model.groups;
-  const std::vector<uint8_t> placed = placed_groups(things.instances, things.groups);
+  if (taken.empty()) return taken;
+  taken.motion = std::exchange(model.motion, {});
+  taken.groups = model.groups;
+  const std::vector<uint8_t> placed = placed_groups(taken.instances, taken.groups);
   tsl::robin_map<uint32_t, uint32_t> numbers;
-  for (size_t i = 0; i < things.groups.size(); ++i) {
-    if (!placed[i]) things.groups[i] = {};
-    for (Instance& instance : things.groups[i].instances) {
+  for (size_t i = 0; i < taken.groups.size(); ++i) {
+    if (!placed[i]) taken.groups[i] = {};
+    for (Instance& instance : taken.groups[i].instances) {
       const auto [found, inserted] =
-          numbers.try_emplace(instance.mesh, static_cast<uint32_t>(things.meshes.size()));
-      if (inserted) things.meshes.push_back(model.meshes[instance.mesh]);
+          numbers.try_emplace(instance.mesh, static_cast<uint32_t>(taken.meshes.size()));
+      if (inserted) taken.meshes.push_back(model.meshes[instance.mesh]);
       instance.mesh = found->second;
     }
   }
-  return things;
+  return taken;
 }
 
-void put_back(MovingThings things, Model& model) {
-  if (things.empty()) return;
+void put_back(MovingGroups taken, Model& model) {
+  if (taken.empty()) return;
   const auto first = static_cast<uint32_t>(model.meshes.size());
-  for (Mesh& mesh : things.meshes) model.meshes.push_back(std::move(mesh));
-  for (Group& group : things.groups) {
+  for (Mesh& mesh : taken.meshes) model.meshes.push_back(std::move(mesh));
+  for (Group& group : taken.groups) {
     for (Instance& instance : group.instances) instance.mesh += first;
   }
-  model.groups = std::move(things.groups);
-  model.group_instances = std::move(things.instances);
-  model.motion = std::move(things.motion);
+  model.groups = std::move(taken.groups);
+  model.group_instances = std::move(taken.instances);
+  model.motion = std::move(taken.motion);
 }
 
 }  // namespace triptych
