@@ -127,8 +127,8 @@ TEST(Wire, bodies_are_as_long_as_documented) {
   longest.hiding.name = {no_id, ~uint64_t{0}};
   longest.effects = Effects::none();
   longest.time = 1 / 3.0;
-  longest.sky = {true, {0, 0.6, -0.8}};
-  EXPECT_EQ(encode(walk).size(), header_bytes + 439) << "the longest camera";
+  longest.sky = {true, {1 / 3.0, 2 / 3.0, -2 / 3.0}};
+  EXPECT_EQ(encode(walk).size(), header_bytes + 441) << "the longest camera";
   const Sentinel sentinel{.frame = 1,
                           .visible = 60,
                           .added = 2,
