@@ -13,7 +13,7 @@ constexpr double long_from = 6;
 /// A wire's is more than so many times what is across.
 constexpr double wire_from = 30;
 /// And rods.
-constexpr double rod_from = 8;
+constexpr double rod_from = 12;
 /// Normals of what is closed cancel to less than this share of the area.
 constexpr double closed_flatness = 0.1;
 

@@ -57,8 +57,8 @@ bool touch_side(const Placed& thin, const glm::dvec3& at, const glm::dvec3& loca
 }
 
 /// Adds contacts of a's points with b's rims.
-void touch(const Placed& a, const Placed& b, const Box& both, double tolerance, std::vector<uint32_t>& of_a,
-           std::vector<uint32_t>& of_b, Box& places) {
+void touch(const Placed& a, const Placed& b, const Box& both, double tolerance, bool sides,
+           std::vector<uint32_t>& of_a, std::vector<uint32_t>& of_b, Box& places) {
   a.rims->point_tree.visit(a.in(both), [&](uint32_t point) {
     const glm::dvec3 at = a.out(a.rims->points[point]);
     const glm::dvec3 local = b.in(at);
@@ -73,17 +73,17 @@ void touch(const Placed& a, const Placed& b, const Box& both, double tolerance, 
         if (here[end] || !here[1 - end]) of_b.push_back(edge[end]);
       }
     });
-    if (!touches && !a.rims->of_thin[point]) touches = touch_side(b, at, local, tolerance, of_b);
+    if (!touches && sides && a.rims->of_no_rod[point]) touches = touch_side(b, at, local, tolerance, of_b);
     if (!touches) return;
     places.extend(at);
     of_a.push_back(point);
   });
 }
 
-Touching touching(const Placed& a, const Placed& b, const Box& both, double tolerance) {
+Touching touching(const Placed& a, const Placed& b, const Box& both, double tolerance, bool sides) {
   Touching found;
-  touch(a, b, both, tolerance, found.of_first, found.of_second, found.places);
-  touch(b, a, both, tolerance, found.of_second, found.of_first, found.places);
+  touch(a, b, both, tolerance, sides, found.of_first, found.of_second, found.places);
+  touch(b, a, both, tolerance, sides, found.of_second, found.of_first, found.places);
   for (std::vector<uint32_t>* points : {&found.of_first, &found.of_second}) {
     std::sort(points->begin(), points->end());
     points->erase(std::unique(points->begin(), points->end()), points->end());
@@ -163,6 +163,8 @@ class ContactFinder {
 
  private:
   static constexpr size_t most_touched = 32, most_tried = 1024;
+  /// Rods and panels whose sizes differ by more than this factor are not looked at for sides.
+  static constexpr double most_larger = 4;
 
   static std::vector<Box> boxes_of(const PlacedParts& hierarchy, const Lattice& lattice, double tolerance) {
     std::vector<Box> boxes;
@@ -209,7 +211,8 @@ class ContactFinder {
         if (!own) own.emplace(hierarchy_, number, cache_);
         const Box both{glm::max(boxes_[number].lo, boxes_[other].lo),
                        glm::min(boxes_[number].hi, boxes_[other].hi)};
-        Touching pair = touching(*own, Placed(hierarchy_, other, cache_), both, tolerance_);
+        const bool sides = diagonal(boxes_[other]) <= most_larger * diagonal(boxes_[number]);
+        Touching pair = touching(*own, Placed(hierarchy_, other, cache_), both, tolerance_, sides);
         std::vector<FoundPair> made;
         if (pair.of_first.empty() && pair.of_second.empty()) return made;
         const auto reach = static_cast<float>(diagonal(pair.places) / lattice_.step);

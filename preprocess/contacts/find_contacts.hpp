@@ -23,7 +23,9 @@ struct FoundContacts {
 /// A point is in contact where it lies on an edge at which the other surface ends or folds (PartRims): beyond
 /// that edge nothing of the other surface would close the gap if the two moved apart. The end of the edge
 /// that is there, or both if none is, is in contact as well. Where a point lies within a face that goes on
-/// all around it, as the foot of a chair on a floor, that face closes the gap by itself.
+/// all around it, as the foot of a chair on a floor, that face closes the gap by itself: but not a side of a
+/// rod (Cover::is_rod) for what is none, since levels may give up rods. There the point and the side's
+/// corners are in contact, if neither of the two is more than four times as large as the other.
 ///
 /// Of what is smaller than 8 times contact_steps no contacts are looked for: which points touch cannot be
 /// told there. A part's contacts with at most 32 larger ones are found, among at most 1,024 whose boxes

@@ -79,17 +79,20 @@ std::vector<std::array<uint32_t, 2>> rims(const Part& part) {
   return edges;
 }
 
-std::vector<uint8_t> points_of_thin(const Surface& surface) {
-  const ComponentCovers covers(surface);
-  std::vector<uint8_t> thin;
-  for (const uint32_t component : covers.component_of) thin.push_back(covers.covers[component].is_rod());
-  return thin;
+std::vector<uint8_t> points_of_no_rod(const Surface& surface, const ComponentCovers& components) {
+  std::vector<uint8_t> others;
+  for (size_t i = 0; i < surface.points.size(); ++i) {
+    others.push_back(!components.covers[components.component_of[i]].is_rod());
+  }
+  return others;
 }
 
-std::vector<std::array<uint32_t, 3>> sides_of(const Surface& surface, const std::vector<uint8_t>& thin) {
+std::vector<std::array<uint32_t, 3>> sides_of_rods(const Surface& surface,
+                                                   const ComponentCovers& components) {
   std::vector<std::array<uint32_t, 3>> sides;
   for (const Triangle& triangle : surface.triangles) {
-    if (thin[triangle.vertices[0]]) sides.push_back(triangle.vertices);
+    if (components.covers[components.component_of[triangle.vertices[0]]].is_rod())
+      sides.push_back(triangle.vertices);
   }
   return sides;
 }
@@ -97,12 +100,15 @@ std::vector<std::array<uint32_t, 3>> sides_of(const Surface& surface, const std:
 }  // namespace
 
 PartRims::PartRims(const Part& part, const Lattice& lattice)
+    : PartRims(part, lattice, ComponentCovers(part.surface)) {}
+
+PartRims::PartRims(const Part& part, const Lattice& lattice, const ComponentCovers& components)
     : points(positions(part.surface, lattice)),
       point_tree(tree_of(points)),
       edges(rims(part)),
       edge_tree(tree_of(points, edges)),
-      of_thin(points_of_thin(part.surface)),
-      sides(sides_of(part.surface, of_thin)),
+      of_no_rod(points_of_no_rod(part.surface, components)),
+      sides(sides_of_rods(part.surface, components)),
       side_tree(tree_of(points, sides)) {}
 
 }  // namespace triptych

@@ -4,6 +4,7 @@
 #include "preprocess/part.hpp"
 #include "scene/lattice.hpp"
 #include "simplify/box_tree.hpp"
+#include "simplify/component_covers.hpp"
 
 #include <array>
 #include <cstdint>
@@ -21,14 +22,16 @@ struct PartRims {
   /// by more than 30 degrees; not where the mesh was cut into parts.
   std::vector<std::array<uint32_t, 2>> edges;
   BoxTree edge_tree;
-  /// Triangles of components that are long and thin (Cover::is_long): what stands against one is left alone
-  /// where a level gives it up.
-  std::vector<uint8_t> of_thin;  ///< for each point, whether it belongs to one of those
+  std::vector<uint8_t> of_no_rod;  ///< for each point, whether its component is no rod (Cover::is_rod)
+  /// Triangles of rods: what stands against one is left alone where a level gives it up.
   std::vector<std::array<uint32_t, 3>> sides;
   BoxTree side_tree;
 
   /// Of all of this in memory, roughly; bytes.
   size_t size() const { return points.size() * 120 + (edges.size() + sides.size()) * 130; }
+
+ private:
+  PartRims(const Part& part, const Lattice& lattice, const ComponentCovers& components);
 };
 
 }  // namespace triptych
