@@ -105,8 +105,9 @@ bool is_mixed(Range range, const std::vector<bool>& moving) {
 
 /// What rests, and what moves.
 std::vector<Range> by_moving(Range range, const std::vector<bool>& moving) {
-  const auto moves = std::ranges::stable_partition(range, [&](uint32_t object) { return !moving[object]; });
-  return {range.first(range.size() - moves.size()), range.last(moves.size())};
+  const auto moves =
+      std::stable_partition(range.begin(), range.end(), [&](uint32_t object) { return !moving[object]; });
+  return {{range.begin(), moves}, {moves, range.end()}};
 }
 
 }  // namespace

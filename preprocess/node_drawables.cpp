@@ -85,10 +85,11 @@ class NodeDrawables {
         if (nodes_[end - 1].child_count > 0) inner.push_back(static_cast<uint32_t>(end - 1));
       }
       std::reverse(inner.begin(), inner.end());
-      const auto moving = std::ranges::stable_partition(inner, [&](uint32_t i) { return !holds_moving(i); });
-      for (const uint32_t node : moving) surround(node);
-      progress.advance(moving.size());
-      simplify_nodes(std::span(inner).first(inner.size() - moving.size()), progress);
+      const auto moving =
+          std::stable_partition(inner.begin(), inner.end(), [&](uint32_t i) { return !holds_moving(i); });
+      for (auto node = moving; node != inner.end(); ++node) surround(*node);
+      progress.advance(static_cast<uint64_t>(inner.end() - moving));
+      simplify_nodes({inner.begin(), moving}, progress);
     }
   }
 
