@@ -98,21 +98,18 @@ std::map<uint32_t, size_t> covered_by_class(const Surface& surface) {
 void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) {
   if (info.gaps.empty()) return;
   std::vector<PartLevelGeometry> kept = {std::move(levels.front())};
-  // moved: how far what is left of the level may be from the source, and so from what it covers there.
-  const auto add = [&](PartLevelGeometry level, double moved, bool from_class = false) {
+  // moved: how far what is left may be from the source besides, and so from what it covers there.
+  const auto add = [&](PartLevelGeometry level, double moved = 0) {
     constexpr double rounding = 1 + 1e-9;
     level.bound = beyond_gaps(level.bound, info.gaps);
     const double leaves_out = level.bound;
-    if (from_class && level.bound > moved) level.bound = beyond_gaps(level.bound + moved, info.gaps);
+    level.bound = beyond_gaps(level.bound + moved, info.gaps);
     if (!info.covered.empty()) leave_out_covered(level.level, rounding * leaves_out / info.covered_step);
     // Of levels with one bound the coarsest is enough.
     if (kept.size() > 1 && kept.back().bound >= level.bound) kept.pop_back();
     kept.push_back(std::move(level));
   };
-  for (size_t i = 1; i < levels.size(); ++i) {
-    const double moved = levels[i].bound;
-    add(std::move(levels[i]), moved);
-  }
+  for (size_t i = 1; i < levels.size(); ++i) add(std::move(levels[i]));
   if (!info.covered.empty()) {
     const PartLevelGeometry last = kept.back();
     size_t left = last.level.surface.triangles.size(), goes = 0;
@@ -122,7 +119,7 @@ void keep_beneath(const PartInfo& info, std::vector<PartLevelGeometry>& levels) 
       const bool pays = static_cast<double>(left - goes) <= worth_it * static_cast<double>(left);
       if (!pays && of_class != counts.rbegin()->first) continue;
       const double from = distance_of_class(of_class) * info.covered_step;
-      if (from > kept.back().bound) add({last.level, from, last.grown}, last.bound, true);
+      if (from > kept.back().bound) add({last.level, from, last.grown}, last.bound);
       left -= std::exchange(goes, 0);
     }
   }
