@@ -7,7 +7,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/triptych)
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/triptych)
 
 # launch/ is the program itself, not a library for others.
-foreach(room base scene model simplify light preprocess lod visibility residency raster render protocol nodes measure report samples view session)
+foreach(room base scene model simplify light preprocess cells lod visibility residency raster render protocol nodes measure report samples view session)
   target_compile_features(triptych_${room} INTERFACE cxx_std_20)
   install(TARGETS triptych_${room} EXPORT triptych ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${header_dir} FILES_MATCHING PATTERN *.hpp)

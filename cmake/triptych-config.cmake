@@ -2,7 +2,7 @@
 # what those rooms need is looked for: find_package(triptych COMPONENTS visibility).
 include(CMakeFindDependencyMacro)
 
-set(triptych_rooms base scene model simplify light preprocess lod visibility residency raster render protocol nodes measure report
+set(triptych_rooms base scene model simplify light preprocess cells lod visibility residency raster render protocol nodes measure report
     samples view session)
 # What each room brings in; a room needs that of those below it, too.
 set(triptych_below_base "")
@@ -12,7 +12,8 @@ set(triptych_below_simplify model)
 set(triptych_below_light model)
 set(triptych_below_preprocess simplify light)
 set(triptych_below_lod scene)
-set(triptych_below_visibility lod)
+set(triptych_below_cells scene)
+set(triptych_below_visibility cells lod)
 set(triptych_below_residency scene)
 set(triptych_below_raster visibility residency)
 set(triptych_below_render visibility residency)

@@ -1,6 +1,7 @@
 #include "nodes/local_pipeline.hpp"
 
 #include "base/clock.hpp"
+#include "cells/make_cells.hpp"
 #include "visibility/motion_use.hpp"
 
 #include <cassert>
@@ -10,7 +11,10 @@ namespace triptych {
 
 Strategy& LocalPipeline::Parts::strategy(StrategyKind kind) {
   std::unique_ptr<Strategy>& strategy = strategies[kind];
-  if (!strategy) strategy = make_strategy(kind, device.hierarchy(), strategy_options);
+  if (strategy) return *strategy;
+  if (kind == StrategyKind::portals && !strategy_options.cells)
+    strategy_options.cells = std::make_shared<const CellGraph>(make_cells(pack));
+  strategy = make_strategy(kind, device.hierarchy(), strategy_options);
   return *strategy;
 }
 

@@ -73,10 +73,11 @@ class LocalPipeline {
 
  private:
   struct Parts {
-    Parts(const Pack& pack, const LocalPipelineOptions& options)
-        : device(pack, options.device), strategy_options{options.batches, options.min_pixels} {}
+    Parts(const Pack& of, const LocalPipelineOptions& options)
+        : pack(of), device(of, options.device), strategy_options{options.batches, options.min_pixels} {}
     Strategy& strategy(StrategyKind kind);
 
+    const Pack& pack;
     PackDevice device;
     StrategyOptions strategy_options;
     std::map<StrategyKind, std::unique_ptr<Strategy>> strategies;  ///< made when first used

@@ -25,7 +25,7 @@ struct LastingState {
         options(with),
         hidden(of_pack),
         device(of_pack, with.device),
-        strategy(make_exact_strategy(StrategyKind::occlusion, device.hierarchy(), with.cull)) {}
+        strategy(make_exact_strategy(StrategyKind::occlusion, device.hierarchy(), {.batches = with.cull})) {}
   const Pack& pack;
   Role self;
   const SwitchNodeOptions& options;

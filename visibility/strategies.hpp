@@ -1,6 +1,7 @@
 // The available strategies, by the names that --cull takes.
 #pragma once
 
+#include "cells/cell_graph.hpp"
 #include "lod/hierarchy.hpp"
 #include "visibility/hardware_cull.hpp"
 #include "visibility/strategy.hpp"
@@ -13,7 +14,7 @@
 
 namespace triptych {
 
-enum class StrategyKind { none, frustum, occlusion, approximate };
+enum class StrategyKind { none, frustum, occlusion, approximate, portals };
 
 /// Every kind with its name, in the order of their numbers.
 const std::vector<std::pair<std::string, StrategyKind>>& strategy_names();
@@ -26,6 +27,8 @@ struct StrategyOptions {
   CullOptions batches = {};
   /// For `approximate`: what covers fewer pixels may be left out. At least 1.
   uint32_t min_pixels = 4;
+  /// For `portals`: of the pack that is drawn (cells/make_cells.hpp).
+  std::shared_ptr<const CellGraph> cells = {};
 };
 
 /// Of any kind. Strategy::name() is the one that it was listed under; ApproximateStrategy and ExactStrategy
@@ -33,8 +36,9 @@ struct StrategyOptions {
 std::unique_ptr<Strategy> make_strategy(StrategyKind kind, const Hierarchy& hierarchy,
                                         const StrategyOptions& options = {});
 
-/// For code that claims exactness. Error (place: strategy) for a kind that is not exact.
+/// For code that claims exactness. Error (place: strategy) for a kind that is not exact, and for one that
+/// needs what the options do not have.
 std::unique_ptr<ExactStrategy> make_exact_strategy(StrategyKind kind, const Hierarchy& hierarchy,
-                                                   const CullOptions& options = {});
+                                                   const StrategyOptions& options = {});
 
 }  // namespace triptych

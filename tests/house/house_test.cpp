@@ -25,7 +25,7 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
     rooms.insert(more.begin(), more.end());
     return rooms;
   };
-  const std::set<std::string> visibility = with(scene, {"lod"});
+  const std::set<std::string> visibility = with(scene, {"cells", "lod"});
   const std::set<std::string> devices = with(visibility, {"visibility"});
   const std::set<std::string> nodes = with(devices, {"protocol", "raster", "render", "residency"});
   const std::set<std::string> building = with(scene, {"light", "model", "simplify"});
@@ -39,6 +39,7 @@ const std::map<std::string, std::set<std::string>> may_include = [] {
       {"simplify", with(scene, {"model"})},
       {"light", with(scene, {"model"})},
       {"preprocess", building},
+      {"cells", scene},
       {"lod", scene},
       {"visibility", visibility},
       {"protocol", devices},

@@ -1,0 +1,63 @@
+#include "visibility/portal_strategy.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace triptych {
+
+PortalStrategy::PortalStrategy(std::shared_ptr<const CellGraph> cells)
+    : cells_(std::move(cells)), portals_(*cells_) {}
+
+const std::string& PortalStrategy::name() const {
+  static const std::string name = "portals";
+  return name;
+}
+
+bool PortalStrategy::may_see(const FrameView& view, SceneNodeId id) {
+  const Skeleton& skeleton = *view.skeleton;
+  const SceneNode& node = skeleton.scene_nodes[id];
+  // The finest level is drawn even where it is further off than the pixel error.
+  const double finest = node.child_count == 0 ? skeleton.drawables[node.first_drawable].error : 0;
+  ++result_.tests;
+  return portals_.may_see(view.box(id), finest + 2 * skeleton.lattice().step);
+}
+
+void PortalStrategy::list_seen(const FrameView& view) {
+  portals_.begin(view);
+  open_.assign(1, 0);
+  while (!open_.empty()) {
+    const SceneNodeId id = open_.back();
+    open_.pop_back();
+    const DrawableId choice = choose_level(view, id);
+    if (choice == no_id) continue;
+    const SceneNode& node = view.skeleton->scene_nodes[id];
+    if (!may_see(view, id)) {
+      if (node.child_count > 0) ++result_.hidden_subtrees;
+      continue;
+    }
+    if (choice != Cut::inner) {
+      result_.visible.push_back(choice);
+      continue;
+    }
+    for (uint32_t child = 0; child < node.child_count; ++child) open_.push_back(node.first_child + child);
+  }
+}
+
+const CullResult& PortalStrategy::run(const FrameView& view, const VisibleSet& previous, FrameTarget&,
+                                      CullSink& sink) {
+  result_.clear();
+  if (PortalView::applies_to(view)) {
+    list_seen(view);
+  } else {
+    const std::vector<DrawableId>& cut = whole_cut_.list(view);
+    result_.visible.assign(cut.begin(), cut.end());
+  }
+  result_.selected = result_.visible.size();
+  std::sort(result_.visible.begin(), result_.visible.end());
+  packet_.watermark = everything_decided;
+  difference(previous, result_.visible, packet_.delta);
+  sink.take(packet_);
+  return result_;
+}
+
+}  // namespace triptych
