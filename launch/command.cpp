@@ -170,6 +170,14 @@ void add_cull_flags(CLI::App& command, CullChoice& cull) {
       ->capture_default_str();
 }
 
+void add_exact_cull_flag(CLI::App& command, StrategyKind& kind) {
+  std::map<std::string, StrategyKind> names;
+  for (const auto& [name, of_name] : strategy_names()) {
+    if (!counts_pixels(of_name)) names.emplace(name, of_name);
+  }
+  add_choice_flag(command, "--cull", kind, names, "What is left out")->default_str("occlusion");
+}
+
 void check_cull_flags(const CLI::App& command, const CullChoice& cull) {
   if (command.count("--min-pixels") > 0 && !counts_pixels(cull.kind))
     throw CLI::ValidationError("--min-pixels", "is of --cull approximate: other strategies count no pixels");

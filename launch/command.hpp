@@ -66,6 +66,8 @@ struct CullChoice {
   uint32_t min_pixels = StrategyOptions{}.min_pixels;
 };
 void add_cull_flags(CLI::App& command, CullChoice& cull);
+/// --cull of a session, which claims that its pictures are the un-culled ones.
+void add_exact_cull_flag(CLI::App& command, StrategyKind& kind);
 /// Checks that once the command line was parsed.
 void check_cull_flags(const CLI::App& command, const CullChoice& cull);
 

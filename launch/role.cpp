@@ -47,6 +47,7 @@ void add_connection_flags(CLI::App& role, RoleCommand& command) {
                   "What the content of the pack must be, as the session has it")
       ->check(whole_number(0));
   add_connect_timeout_flag(role, command.connect_timeout_s);
+  add_exact_cull_flag(role, command.strategy);
   add_memory_flags(role, command.run.device.memory);
 }
 

@@ -46,6 +46,7 @@ void add_session_flags(CLI::App& command, SessionOptions& options) {
       ->check(whole_number(1, max_frames));
   command.add_option("--rate", options.rate, "Cameras released per second (default: as fast as frames come)")
       ->check(number_between(min_rate, max_rate));
+  add_exact_cull_flag(command, options.strategy);
   add_batch_flag(command, options.batches);
   command.add_option("--hosts", options.hosts, "Run the switch nodes on the machines that this file names")
       ->type_name("HOSTS.toml");

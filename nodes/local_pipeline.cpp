@@ -1,7 +1,7 @@
 #include "nodes/local_pipeline.hpp"
 
 #include "base/clock.hpp"
-#include "cells/make_cells.hpp"
+#include "nodes/pack_strategy.hpp"
 #include "visibility/motion_use.hpp"
 
 #include <cassert>
@@ -12,9 +12,8 @@ namespace triptych {
 Strategy& LocalPipeline::Parts::strategy(StrategyKind kind) {
   std::unique_ptr<Strategy>& strategy = strategies[kind];
   if (strategy) return *strategy;
-  if (kind == StrategyKind::portals && !strategy_options.cells)
-    strategy_options.cells = std::make_shared<const CellGraph>(make_cells(pack));
-  strategy = make_strategy(kind, device.hierarchy(), strategy_options);
+  const StrategyChoice choice = choose_strategy(pack, kind, strategy_options);
+  strategy = make_strategy(choice.kind, device.hierarchy(), choice.options);
   return *strategy;
 }
 

@@ -31,6 +31,7 @@ class RenderNode {
         options_(options),
         stages_(pack, {.width = 1,
                        .height = 1,
+                       .cull = options.strategy,
                        .batches = options.cull,
                        .device = options.device,
                        .no_pixel_error = options.no_pixel_error,

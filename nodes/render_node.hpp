@@ -24,6 +24,7 @@ struct RenderNodeOptions {
   /// Of frames that have no room within the device's caps.
   MemoryKeeper::NoPixelError no_pixel_error = MemoryKeeper::NoPixelError::fails;
   FrameRules frame_rules = injected_frame_rules();
+  StrategyKind strategy = StrategyKind::occlusion;  ///< while it draws by itself; an exact one
   CullOptions cull = {};
   Peers::Connect connect = {};
   /// Another render node drew the frames before: this one does not gather.

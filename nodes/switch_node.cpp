@@ -6,10 +6,10 @@
 #include "base/threads.hpp"
 #include "nodes/frame_intake.hpp"
 #include "nodes/hidden_sets.hpp"
+#include "nodes/pack_strategy.hpp"
 #include "nodes/streaming.hpp"
 #include "protocol/delta_codec.hpp"
 #include "protocol/digest.hpp"
-#include "visibility/strategies.hpp"
 
 #include <optional>
 
@@ -25,7 +25,13 @@ struct LastingState {
         options(with),
         hidden(of_pack),
         device(of_pack, with.device),
-        strategy(make_exact_strategy(StrategyKind::occlusion, device.hierarchy(), {.batches = with.cull})) {}
+        strategy(make_strategy(of_pack, device.hierarchy(), with)) {}
+  static std::unique_ptr<ExactStrategy> make_strategy(const Pack& of, const Hierarchy& hierarchy,
+                                                      const SwitchNodeOptions& with) {
+    const StrategyChoice choice = choose_strategy(of, with.strategy, {.batches = with.cull});
+    return make_exact_strategy(choice.kind, hierarchy, choice.options);
+  }
+
   const Pack& pack;
   Role self;
   const SwitchNodeOptions& options;

@@ -7,7 +7,7 @@
 #include "nodes/occlusion_stage.hpp"
 #include "nodes/pack_device.hpp"
 #include "nodes/session_rules.hpp"
-#include "visibility/hardware_cull.hpp"
+#include "visibility/strategies.hpp"
 
 #include <functional>
 #include <memory>
@@ -17,6 +17,7 @@ namespace triptych {
 struct SwitchNodeOptions {
   DeviceOptions device = {};
   FrameRules frame_rules = injected_frame_rules();
+  StrategyKind strategy = StrategyKind::occlusion;  ///< an exact one
   CullOptions cull = {};
   /// Connects both peers: for the first epoch, or for another one after a loss (`again`). Null where the
   /// session is over.

@@ -39,6 +39,7 @@ Words shared_arguments(const SessionOptions& options, const SessionSetup& setup,
   if (caps.memory != no_cap) append(words, {"--memory", std::to_string(caps.memory)});
   if (caps.device_memory != no_cap) append(words, {"--device-memory", std::to_string(caps.device_memory)});
   if (caps.on_miss == OnMiss::coarser) append(words, {"--on-miss", "coarser"});
+  append(words, {"--cull", strategy_name(options.strategy)});
   if (!options.timeline.empty()) append(words, {"--timeline"});
   if (!options.record.empty()) append(words, {"--record", options.record.string()});
   if (!key_file.empty()) append(words, {"--key-file", key_file});

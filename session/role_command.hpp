@@ -4,6 +4,7 @@
 #include "protocol/role.hpp"
 #include "session/first_viewpoint.hpp"
 #include "session/run_options.hpp"
+#include "visibility/strategies.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -20,6 +21,7 @@ struct RoleCommand {
   bool insecure = false, end_with_stdin = false, tell_record = false;
   bool keep_trying = false;  ///< of a switch node: also where nobody comes in time
   int listen_descriptor = -1;
+  StrategyKind strategy = StrategyKind::occlusion;
   CullOptions cull;
   uint64_t session = 0;
   std::optional<uint64_t> pack_hash;  ///< what the pack's content must be

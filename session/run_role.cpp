@@ -87,6 +87,7 @@ int run_switch(const RoleCommand& command) {
   record.raster = raster_verdict(device.names);
   SwitchSink sink(command.self, record);
   const SwitchNodeOptions options{.device = device.options,
+                                  .strategy = command.strategy,
                                   .cull = command.cull,
                                   .connect =
                                       [&](bool again) {
@@ -140,6 +141,7 @@ int run_render(const RoleCommand& command) {
          .device = device.options,
          .no_pixel_error =
              window ? MemoryKeeper::NoPixelError::leaves_out : MemoryKeeper::NoPixelError::fails,
+         .strategy = command.strategy,
          .cull = command.cull,
          .connect = [&](const std::function<bool()>& stop) { return connector.connect_again(stop); },
          .successor = command.begin > 0,

@@ -4,6 +4,7 @@
 #include "measure/session_records.hpp"
 #include "session/first_viewpoint.hpp"
 #include "session/run_options.hpp"
+#include "visibility/strategies.hpp"
 
 #include <sys/types.h>
 
@@ -16,6 +17,7 @@ struct SessionOptions {
   std::filesystem::path record;    ///< folder for the roles' recordings; empty: none are written
   /// Ids per packet; a list where a command sweeps.
   std::vector<size_t> batches = {CullOptions{}.packet_ids};
+  StrategyKind strategy = StrategyKind::occlusion;  ///< an exact one
   size_t loop = 1;
   double rate = 0;
   double timeout_ms = 500;         ///< after which the render node draws by itself

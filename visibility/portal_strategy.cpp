@@ -13,13 +13,11 @@ const std::string& PortalStrategy::name() const {
   return name;
 }
 
-bool PortalStrategy::may_see(const FrameView& view, SceneNodeId id) {
-  const Skeleton& skeleton = *view.skeleton;
-  const SceneNode& node = skeleton.scene_nodes[id];
-  // The finest level is drawn even where it is further off than the pixel error.
-  const double finest = node.child_count == 0 ? skeleton.drawables[node.first_drawable].error : 0;
+bool PortalStrategy::may_see(const FrameView& view, SceneNodeId id, DrawableId choice) {
   ++result_.tests;
-  return portals_.may_see(view.box(id), finest + 2 * skeleton.lattice().step);
+  const LatticeBox box = view.box(id);
+  if (choice == Cut::inner) return portals_.may_see(box);
+  return portals_.may_see(box, view.skeleton->drawables[choice].error);
 }
 
 void PortalStrategy::list_seen(const FrameView& view) {
@@ -31,7 +29,7 @@ void PortalStrategy::list_seen(const FrameView& view) {
     const DrawableId choice = choose_level(view, id);
     if (choice == no_id) continue;
     const SceneNode& node = view.skeleton->scene_nodes[id];
-    if (!may_see(view, id)) {
+    if (!may_see(view, id, choice)) {
       if (node.child_count > 0) ++result_.hidden_subtrees;
       continue;
     }

@@ -1,12 +1,11 @@
 #include "visibility/portal_view.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace triptych {
 
 PortalView::PortalView(const CellGraph& graph)
-    : graph_(graph), seen_(graph.cells.size()), parts_(graph.cells.size()), changes_(graph.cells.size()) {}
+    : graph_(graph), seen_(graph.cells.size()), parts_(graph.cells.size()) {}
 
 bool PortalView::applies_to(const FrameView& view) {
   return !view.view().camera.orthographic() && !view.state.hiding.objects && view.section_space.keeps_all();
@@ -22,16 +21,17 @@ void PortalView::begin(const FrameView& view) {
   seen_count_ = 0;
   waiting_.clear();
 
+  // No wall before the near plane hides anything.
   const Box around{eye_ - near_reach_, eye_ + near_reach_};
-  if (graph_.box.contains(around)) {
-    graph_.any_touched(around, open_, [&](uint32_t cell) {
-      enter(cell, ScreenPart());
-      return false;
-    });
-  } else {
-    look_in_from_outside();
+  graph_.any_touched(around, open_, [&](uint32_t cell) {
+    enter(cell, ScreenPart());
+    return false;
+  });
+  if (!graph_.box.contains(around)) look_in_from_outside();
+  for (size_t next = 0; next < waiting_.size(); ++next) {
+    const auto [cell, part] = waiting_[next];
+    look_out_of(cell, part);
   }
-  for (size_t next = 0; next < waiting_.size(); ++next) look_out_of(waiting_[next]);
 }
 
 void PortalView::look_in_from_outside() {
@@ -56,38 +56,45 @@ bool PortalView::is_before(const Portal& portal) const {
   return portal.up ? eye <= at + near_reach_ : eye >= at - near_reach_;
 }
 
-void PortalView::look_out_of(uint32_t cell) {
+void PortalView::look_out_of(uint32_t cell, const ScreenPart& part) {
   const SpaceCell& from = graph_.cells[cell];
   for (uint32_t i = from.first_portal; i < from.first_portal + from.portal_count; ++i) {
     const Portal& portal = graph_.portals[i];
     if (!is_before(portal)) continue;
     // Walls end where their levels' outlines do, which are up to the pixel error off.
     const double pixels = view_->state.pixel_error + 2;
-    const auto part = on_screen(grown_by_pixels(portal.box, pixels, 0));
-    if (!part) continue;
-    const ScreenPart through = common(*part, parts_[cell]);
+    const auto opening = on_screen(grown_by_pixels(portal.box, pixels, 0));
+    if (!opening) continue;
+    const ScreenPart through = common(*opening, part);
     if (!through.empty()) enter(portal.to, through);
   }
 }
 
+bool PortalView::holds(const ScreenPart& a, const ScreenPart& b) {
+  return a.left <= b.left && a.bottom <= b.bottom && a.right >= b.right && a.top >= b.top;
+}
+
 void PortalView::enter(uint32_t cell, const ScreenPart& part) {
-  constexpr uint16_t many = 8;  // then all of the screen is taken, so that the walk ends soon
+  constexpr size_t most_parts = 16;  // then one takes their place, so that the walk ends soon
+  std::vector<ScreenPart>& known = parts_[cell];
   if (seen_.mark_first(cell)) {
     ++seen_count_;
-    parts_[cell] = part;
-    changes_[cell] = 0;
-    waiting_.push_back(cell);
-    return;
+    known.clear();
   }
-  ScreenPart& known = parts_[cell];
-  if (part.left >= known.left && part.bottom >= known.bottom && part.right <= known.right &&
-      part.top <= known.top)
-    return;
-  known = ++changes_[cell] >= many
-              ? ScreenPart()
-              : ScreenPart{std::min(known.left, part.left), std::min(known.bottom, part.bottom),
-                           std::max(known.right, part.right), std::max(known.top, part.top)};
-  waiting_.push_back(cell);
+  if (std::any_of(known.begin(), known.end(), [&](const ScreenPart& of) { return holds(of, part); })) return;
+  known.erase(
+      std::remove_if(known.begin(), known.end(), [&](const ScreenPart& of) { return holds(part, of); }),
+      known.end());
+  ScreenPart all = part;
+  if (known.size() == most_parts) {
+    for (const ScreenPart& of : known) {
+      all = {std::min(all.left, of.left), std::min(all.bottom, of.bottom), std::max(all.right, of.right),
+             std::max(all.top, of.top)};
+    }
+    known.clear();
+  }
+  known.push_back(all);
+  waiting_.emplace_back(cell, all);
 }
 
 PortalView::ScreenPart PortalView::common(const ScreenPart& a, const ScreenPart& b) {
@@ -117,10 +124,11 @@ std::optional<PortalView::ScreenPart> PortalView::on_screen(const Box& box) cons
   return ScreenPart{rectangle.left, rectangle.bottom, rectangle.right, rectangle.top};
 }
 
-bool PortalView::may_see(const LatticeBox& box, double error) {
-  // Both it and the wall before it may be off by the pixel error, towards each other.
-  const double pixels = 2 * view_->state.pixel_error + 1;
-  const Box grown = grown_by_pixels(view_->skeleton->lattice().box(box), pixels, error);
+bool PortalView::may_see(const LatticeBox& box, std::optional<double> error) {
+  const Lattice& lattice = view_->skeleton->lattice();
+  // It may be off, and the wall before it by as much as the pixel error, towards each other.
+  const double pixels = (error ? 1 : 2) * view_->state.pixel_error, rounding = 2 * lattice.step;
+  const Box grown = grown_by_pixels(lattice.box(box), pixels, error.value_or(0) + rounding);
   if (!graph_.box.contains(grown)) return true;
   std::optional<ScreenPart> part;
   return graph_.any_touched(grown, open_, [&](uint32_t cell) {
@@ -129,7 +137,8 @@ bool PortalView::may_see(const LatticeBox& box, double error) {
       part = on_screen(grown);
       if (!part) part = ScreenPart();
     }
-    return !common(*part, parts_[cell]).empty();
+    return std::any_of(parts_[cell].begin(), parts_[cell].end(),
+                       [&](const ScreenPart& of) { return !common(*part, of).empty(); });
   });
 }
 

@@ -6,6 +6,7 @@
 #include "visibility/screen_bounds.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace triptych {
@@ -22,8 +23,9 @@ class PortalView {
   static bool applies_to(const FrameView& view);
   /// view: one that it applies to.
   void begin(const FrameView& view);
-  /// Whether anything in the box, which deviates by `error` at most besides, may be seen.
-  bool may_see(const LatticeBox& box, double error);
+  /// Whether anything in the box may be seen that is off by no more than `error`, model units, or by no more
+  /// than the pixel error where none is given.
+  bool may_see(const LatticeBox& box, std::optional<double> error = std::nullopt);
   /// Cells that are seen in this frame.
   size_t seen_cells() const { return seen_count_; }
 
@@ -36,8 +38,9 @@ class PortalView {
   static ScreenPart common(const ScreenPart& a, const ScreenPart& b);
   Box grown_by_pixels(const Box& box, double pixels, double more) const;
   std::optional<ScreenPart> on_screen(const Box& box) const;
+  static bool holds(const ScreenPart& a, const ScreenPart& b);
   void enter(uint32_t cell, const ScreenPart& part);
-  void look_out_of(uint32_t cell);
+  void look_out_of(uint32_t cell, const ScreenPart& part);
   bool is_before(const Portal& portal) const;
   void look_in_from_outside();
 
@@ -48,9 +51,9 @@ class PortalView {
   double near_reach_ = 0;  ///< how far the corners of the near plane are from the eye
   double pixel_ = 0;       ///< width or height of a pixel at unit distance, whichever is more
   EpochMarks seen_;
-  std::vector<ScreenPart> parts_;  ///< of cells that are seen
-  std::vector<uint16_t> changes_;  ///< how often the part has grown
-  std::vector<uint32_t> waiting_, open_;
+  std::vector<std::vector<ScreenPart>> parts_;  ///< of cells that are seen
+  std::vector<std::pair<uint32_t, ScreenPart>> waiting_;
+  std::vector<uint32_t> open_;
   size_t seen_count_ = 0;
 };
 

@@ -17,6 +17,10 @@ const std::vector<std::pair<std::string, StrategyKind>>& strategy_names() {
   return names;
 }
 
+const std::string& strategy_name(StrategyKind kind) {
+  return strategy_names()[static_cast<size_t>(kind)].first;
+}
+
 bool counts_pixels(StrategyKind kind) { return kind == StrategyKind::approximate; }
 
 std::unique_ptr<Strategy> make_strategy(StrategyKind kind, const Hierarchy& hierarchy,

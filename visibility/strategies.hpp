@@ -19,6 +19,8 @@ enum class StrategyKind { none, frustum, occlusion, approximate, portals };
 /// Every kind with its name, in the order of their numbers.
 const std::vector<std::pair<std::string, StrategyKind>>& strategy_names();
 
+const std::string& strategy_name(StrategyKind kind);
+
 /// Whether StrategyOptions::min_pixels matters to it.
 bool counts_pixels(StrategyKind kind);
 

@@ -27,6 +27,7 @@ class PictureTrial {
         culled_(built_.pack(), options(trial, StrategyKind::occlusion, device)),
         whole_(built_.pack(), options(trial, StrategyKind::frustum, device)),
         everything_(built_.pack(), options(trial, StrategyKind::none, device)),
+        portals_(built_.pack(), options(trial, StrategyKind::portals, device)),
         unbounded_(built_.pack(), without_fragment_bound(options(trial, StrategyKind::frustum, device))),
         with_backs_(built_.pack(), with_backs(options(trial, StrategyKind::frustum, device))),
         items_(built_.pack(), with_items(options(trial, StrategyKind::frustum, device))),
@@ -53,6 +54,7 @@ class PictureTrial {
       }
       compare(picture, whole_, request, "the un-culled picture");
       compare(picture, everything_, request, "the picture of the whole model");
+      compare(picture, portals_, request, "what shows through portals");
       // The rasteriser's depths keep their bounds of themselves, those of slivers too; cut surfaces do not.
       if ((!trial_.slivers || device_kind_ == DeviceKind::cpu) && trial_.sections.empty())
         compare(picture, unbounded_, request, "the picture without a bound of fragments");
@@ -184,7 +186,7 @@ class PictureTrial {
   BuiltTrial built_;
   const PackObjects objects_ = built_.pack().read_objects();
   std::optional<BuiltTrial> built_twin_;
-  LocalPipeline culled_, whole_, everything_, unbounded_, with_backs_, items_, sampled_, sampled_whole_;
+  LocalPipeline culled_, whole_, everything_, portals_, unbounded_, with_backs_, items_, sampled_, sampled_whole_;
   std::optional<LocalPipeline> twin_;
   size_t frame_ = 0, shown_ = 0;
   VisibleSet last_;
