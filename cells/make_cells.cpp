@@ -104,9 +104,11 @@ class PortalMaker {
 
 }  // namespace
 
+void add_portals(const Walls& walls, CellGraph& graph) { PortalMaker(walls, graph).run(); }
+
 CellGraph make_cells(const Walls& walls, const Box& model) {
   CellGraph graph = split_space(walls, model);
-  PortalMaker(walls, graph).run();
+  add_portals(walls, graph);
   return graph;
 }
 

@@ -6,6 +6,9 @@
 
 namespace triptych {
 
+/// Finds what the walls leave open between the cells of a graph that split_space() made of them.
+void add_portals(const Walls& walls, CellGraph& graph);
+
 /// Divides space along the walls and finds what they leave open. A function of its arguments alone.
 CellGraph make_cells(const Walls& walls, const Box& model);
 

@@ -14,6 +14,7 @@ void add_measure(CLI::App& app, Action& action) {
   add_measure_light(*measure, action);
   add_measure_frame(*measure, action);
   add_measure_effects(*measure, action);
+  add_measure_building(*measure, action);
   add_measure_hiding(*measure, action);
   add_measure_roles(*measure, action);
   add_measure_target(*measure, action);

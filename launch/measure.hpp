@@ -10,6 +10,7 @@ void add_measure_session(CLI::App& measure, Action& action);
 void add_measure_build(CLI::App& measure, Action& action);
 void add_measure_yardstick(CLI::App& measure, Action& action);
 void add_measure_effects(CLI::App& measure, Action& action);
+void add_measure_building(CLI::App& measure, Action& action);
 void add_measure_hiding(CLI::App& measure, Action& action);
 void add_measure_hierarchy(CLI::App& measure, Action& action);
 void add_measure_light(CLI::App& measure, Action& action);

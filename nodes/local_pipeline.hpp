@@ -19,6 +19,8 @@ struct LocalPipelineOptions {
   int width = 512, height = 512;
   StrategyKind cull = StrategyKind::occlusion;
   uint32_t min_pixels = StrategyOptions{}.min_pixels;  ///< for `approximate`
+  /// For `portals`; found in the pack where they are not given.
+  std::shared_ptr<const CellGraph> cells = {};
   CullOptions batches = {};
   DeviceOptions device = {};
   bool item_buffer = false;  ///< draw drawable ids instead of colours
@@ -74,7 +76,9 @@ class LocalPipeline {
  private:
   struct Parts {
     Parts(const Pack& of, const LocalPipelineOptions& options)
-        : pack(of), device(of, options.device), strategy_options{options.batches, options.min_pixels} {}
+        : pack(of),
+          device(of, options.device),
+          strategy_options{options.batches, options.min_pixels, options.cells} {}
     Strategy& strategy(StrategyKind kind);
 
     const Pack& pack;
