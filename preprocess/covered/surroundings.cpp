@@ -51,12 +51,14 @@ void Surroundings::look(Other& other, uint32_t region, const glm::dvec3& from, c
   const PartRegions& regions = *placed.regions;
   // In the other's own space, where lengths along the ray are the same.
   const glm::dvec3 start = placed.in(from), direction = placed.inverse * way;
-  RaySpan ray(start, direction, -tolerance_, first ? std::min(reach, first->along) : reach);
+  // What lies behind by more than rounding is the other side of a thin plate, and covers nothing.
+  const double behind = -tolerance_ / 8;
+  RaySpan ray(start, direction, behind, first ? std::min(reach, first->along) : reach);
   const auto meet = [&](uint32_t triangle) {
     if (other.number == own_.number && regions.region_of[triangle] == region) return;
     const auto& [a, b, c] = regions.triangles[triangle];
     const auto hit = meet_triangle(start, direction, regions.points[a], regions.points[b], regions.points[c]);
-    if (!hit || hit->along < -tolerance_ || hit->along > reach) return;
+    if (!hit || hit->along < behind || hit->along > reach) return;
     if (first && hit->along >= first->along) {
       const bool is_before = first->placed == other.number && triangle < first->triangle;
       if (hit->along > first->along || !is_before) return;
