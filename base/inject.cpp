@@ -46,6 +46,7 @@ const std::vector<std::string>& fault_names() {
                                                  "hidden-occludes",
                                                  "hollow-levels",
                                                  "opaque-glass",
+                                                 "walls-before-near",
                                                  "slow-render-node",
                                                  "slow-switch-node"};
   return names;

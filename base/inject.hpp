@@ -28,22 +28,23 @@ enum class Fault {
   perspective_rule,        ///< levels are selected for orthographic views as if they were perspective
   dropped_singular_value,  ///< bounds of placed geometry are not scaled with it
   uncounted_lattice,       ///< rounding to the lattice does not count as an error
-  shrinking_bounds,  ///< an HLOD's error leaves out its children's, in builds and in the selection of levels
-  unflipped_mirror,  ///< mirrored placements keep their winding
-  shared_shears,     ///< meshes are shared under transforms that floats cannot place exactly
-  loose_contacts,    ///< levels of detail do not hold the points where surfaces touch
-  no_room,           ///< what covers others, and what is covered, may be off by any error
-  untold_layers,     ///< of surfaces in one plane nothing says which lies on which
-  wide_layers,       ///< surfaces in one plane are moved apart by what snapping may do to them
-  unmarked_levels,   ///< nothing says which levels leave out what others cover
-  exact_frustum,     ///< the cut leaves out what is behind the frustum's planes by less than rounding
-  cut_occludes,      ///< what a section cuts away still hides what is behind it
-  backs_nearby,      ///< backs are left out even where the eye is among them
-  hidden_occludes,   ///< what a person hides is drawn into the occlusion representation once more
-  hollow_levels,     ///< levels that leave out what others cover are drawn where it may be seen
-  opaque_glass,      ///< what is transparent hides what lies behind it
-  slow_render_node,  ///< the render node is slow with each packet and frame: no picture may change
-  slow_switch_node,  ///< the same for switch node 1
+  shrinking_bounds,   ///< an HLOD's error leaves out its children's, in builds and in the selection of levels
+  unflipped_mirror,   ///< mirrored placements keep their winding
+  shared_shears,      ///< meshes are shared under transforms that floats cannot place exactly
+  loose_contacts,     ///< levels of detail do not hold the points where surfaces touch
+  no_room,            ///< what covers others, and what is covered, may be off by any error
+  untold_layers,      ///< of surfaces in one plane nothing says which lies on which
+  wide_layers,        ///< surfaces in one plane are moved apart by what snapping may do to them
+  unmarked_levels,    ///< nothing says which levels leave out what others cover
+  exact_frustum,      ///< the cut leaves out what is behind the frustum's planes by less than rounding
+  cut_occludes,       ///< what a section cuts away still hides what is behind it
+  backs_nearby,       ///< backs are left out even where the eye is among them
+  hidden_occludes,    ///< what a person hides is drawn into the occlusion representation once more
+  hollow_levels,      ///< levels that leave out what others cover are drawn where it may be seen
+  opaque_glass,       ///< what is transparent hides what lies behind it
+  walls_before_near,  ///< walls that the near plane cuts away close what lies behind them
+  slow_render_node,   ///< the render node is slow with each packet and frame: no picture may change
+  slow_switch_node,   ///< the same for switch node 1
 };
 
 /// Turns a fault on for this process. Returns false for an unknown name ("withheld-id" names

@@ -130,7 +130,10 @@ std::vector<FlatRectangle> open_area(const FlatRectangle& of, std::span<const Wa
     if (left.size() > most_pieces) break;  // what is left holds what further triangles would leave
   }
   std::vector<FlatRectangle> boxes;
-  for (const FlatPolygon& polygon : left) boxes.push_back(around(polygon));
+  for (const FlatPolygon& polygon : left) {  // with what triangles were taken to reach further
+    const FlatRectangle box = around(polygon);
+    boxes.push_back({glm::max(box.lo - least, of.lo), glm::min(box.hi + least, of.hi)});
+  }
   join(boxes);
   return boxes;
 }

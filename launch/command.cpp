@@ -183,6 +183,13 @@ void check_cull_flags(const CLI::App& command, const CullChoice& cull) {
     throw CLI::ValidationError("--min-pixels", "is of --cull approximate: other strategies count no pixels");
 }
 
+void check_target_flag(const RunOptions& options, StrategyKind kind) {
+  if (options.target_ms > 0 && kind == StrategyKind::portals)
+    throw CLI::ValidationError("--target-ms",
+                               "raises the pixel error, with which portals widen, so that more is drawn: "
+                               "take another --cull");
+}
+
 void add_window_flag(CLI::App& command, bool& window) {
   command.add_flag("--window", window, "Cameras come from a person at a window, and pictures go there");
   command.get_option("--path")->required(false);

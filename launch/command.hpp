@@ -71,6 +71,9 @@ void add_exact_cull_flag(CLI::App& command, StrategyKind& kind);
 /// Checks that once the command line was parsed.
 void check_cull_flags(const CLI::App& command, const CullChoice& cull);
 
+/// Once the command line was parsed: portals beside --target-ms are a usage error.
+void check_target_flag(const RunOptions& options, StrategyKind kind);
+
 /// --batch: ids per packet of a delta; one, or a list where a command sweeps.
 void add_batch_flag(CLI::App& command, size_t& packet_ids);
 void add_batch_flag(CLI::App& command, std::vector<size_t>& packet_ids);

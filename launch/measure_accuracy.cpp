@@ -14,15 +14,16 @@
 #include "measure/accuracy/accuracy_words.hpp"
 #include "measure/json.hpp"
 #include "nodes/pack_device.hpp"
+#include "nodes/pack_strategy.hpp"
 #include "report/accuracy_page.hpp"
 #include "scene/path.hpp"
 #include "session/temporary_folder.hpp"
-#include "visibility/strategies.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <map>
 #include <memory>
 
 namespace triptych {
@@ -68,8 +69,12 @@ std::vector<AccuracyStrategy> strategies_of(const MeasureAccuracyCommand& comman
          counts_pixels(kind) ? each_once(command.min_pixels) : std::vector<uint32_t>{0}) {
       StrategyOptions options;
       if (pixels > 0) options.min_pixels = pixels;
-      found.push_back({name, pixels, [kind = kind, options](const Hierarchy& hierarchy) {
-                         return make_strategy(kind, hierarchy, options);
+      const auto of_packs = std::make_shared<std::map<const Pack*, StrategyChoice>>();
+      found.push_back({name, pixels, [=, kind = kind](const Pack& pack, const Hierarchy& hierarchy) {
+                         auto choice = of_packs->find(&pack);
+                         if (choice == of_packs->end())
+                           choice = of_packs->emplace(&pack, choose_strategy(pack, kind, options)).first;
+                         return make_strategy(choice->second.kind, hierarchy, choice->second.options);
                        }});
     }
   }

@@ -3,8 +3,6 @@
 #include "launch/number_flags.hpp"
 #include "measure/json.hpp"
 #include "measure/portal_trial.hpp"
-#include "measure/steering_report.hpp"
-#include "nodes/local_steering.hpp"
 #include "session/open_pack.hpp"
 
 #include <fmt/core.h>
@@ -13,30 +11,13 @@ namespace triptych {
 
 namespace {
 
-/// The path once more through portals, each frame held to the target; its figures replace frame_ms.
-std::string add_steered(nlohmann::json& report, const Pack& pack, const std::vector<FrameRequest>& frames,
-                        const LocalPipelineOptions& options, double target_ms, const DeviceNames& device) {
-  LocalPipeline pipeline(pack, options);
-  std::optional<LocalSteering> steering = steer(pipeline, target_ms, device);
-  std::vector<FrameRecord> records;
-  for (FrameRequest frame : frames) records.push_back(steering->draw(frame));
-  nlohmann::json steered;
-  const std::string summary = add_steering(steered, records, steering->steering());
-  report["target_ms"] = target_ms;
-  report["frame_ms"] = steered["steering"]["cost_ms"];
-  report["cost_error_p95"] = steered["steering"]["prediction_error"]["p95"];
-  report["pixel_error"] = steered["pixel_error"];
-  report["steering"] = steered["steering"];
-  return summary;
-}
-
 int run(const RunOptions& run) {
   const Pack pack = open_pack(run.pack);
   const std::vector<FrameRequest> frames = load_frames(run, pack.skeleton());
   const ChosenDevice device = choose_device(run.device);
   const auto [width, height] = run.size;
-  LocalPipelineOptions options{.width = width, .height = height, .device = device.options};
-  const PortalTrial trial = try_portals(pack, frames, options);
+  const PortalTrial trial =
+      try_portals(pack, frames, {.width = width, .height = height, .device = device.options});
   const auto spread = [](const std::vector<double>& values) { return distribution(values); };
   const Distribution share = spread(trial.polygons_share), drawn = spread(trial.drawn_triangles),
                      owned = spread(trial.owners_triangles), through = spread(trial.frame_ms),
@@ -49,23 +30,18 @@ int run(const RunOptions& run) {
                            {"polygons_share", to_json(share)},
                            {"drawn_triangles", to_json(drawn)},
                            {"owners_triangles", to_json(owned)},
-                           {"portals_frame_ms", to_json(through)},
-                           {"occlusion_frame_ms", to_json(tested)},
-                           {"lookahead", nullptr},
-                           {"skipped_levels_mean", nullptr}};
-  options.cull = StrategyKind::portals;
-  options.cells = trial.cells;
-  const std::string steered = add_steered(report, pack, frames, options, run.target_ms, device.names);
+                           {"frame_ms", to_json(through)},
+                           {"occlusion_frame_ms", to_json(tested)}};
   add_device(report, device.names);
   add_picture(report, run);
   fmt::print(
       "{} cells and {} portals of {} wall triangles: divided in {:.2f} s, portals found in {:.2f} s\n"
       "without levels of detail {:.2f} % of all polygons are drawn ({:.2f} % at most)\n"
       "with them {:.0f} triangles a frame in the median, {:.0f} of drawables that own a pixel; {:.2f} ms, by "
-      "occlusion {:.2f} ms\n{}",
+      "occlusion {:.2f} ms\n",
       trial.cells->cells.size(), trial.cells->portals.size() / 2, trial.cells->wall_triangles,
       trial.subdivision_seconds, trial.visibility_seconds, 100 * share.mean, 100 * share.max, drawn.p50,
-      owned.p50, through.p50, tested.p50, steered);
+      owned.p50, through.p50, tested.p50);
   write_json(run.json, report);
   return 0;
 }
@@ -74,13 +50,11 @@ int run(const RunOptions& run) {
 
 void add_measure_building(CLI::App& measure, Action& action) {
   auto options = std::make_shared<RunOptions>();
-  options->target_ms = 1000.0 / 60;
   CLI::App* building = measure.add_subcommand(
       "building", "What cells and portals leave of a walk, and what finding them takes");
   building->footer("Example: triptych measure building scene.tpk --path walk.json --json building.json");
   add_run_flags(*building, *options);
   add_picture_flags(*building, *options);
-  add_target_flag(*building, *options);
   add_every_flag(*building, *options);
   building->callback([options, &action] { action = [options] { return run(*options); }; });
 }

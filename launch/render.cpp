@@ -137,6 +137,7 @@ void add_render(CLI::App& app, Action& action) {
       ->excludes("--path");
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
+    check_target_flag(command->run, command->cull.kind);
     require_path(command->run, !command->bcf.empty());
     check_shown_model(*sub, command->model);
     action = [command] {

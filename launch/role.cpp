@@ -118,6 +118,7 @@ void add_role(CLI::App& app, Action& action) {
       ->type_name("FILE");
   render->add_flag("--hash", render_command->hash, "Record each picture's hash and visible set");
   render->callback([render_command, render, &action] {
+    check_target_flag(render_command->run, render_command->strategy);
     if (render_command->listen.empty() && render_command->listen_descriptor < 0)
       throw CLI::RequiredError("--listen");
     require_path(render_command->run, render_command->window);

@@ -128,6 +128,7 @@ void add_session(CLI::App& app, Action& action) {
     require_path(options->run, options->window);
     if (options->window) size_for_window(*sub, options->run);
     check_shown_model(*sub, *model);
+    check_target_flag(options->run, options->strategy);
     action = [=] {
       options->run.pack = pack_of(*model, {options->run.json, options->timeline});
       return run(*options, run_line(*sub));

@@ -122,6 +122,7 @@ void add_view(CLI::App& app, Action& action) {
   add_viewpoint_flags(*sub, command->viewpoint);
   sub->callback([command, sub, &action] {
     check_cull_flags(*sub, command->cull);
+    check_target_flag(command->run, command->cull.kind);
     size_for_window(*sub, command->run);
     check_shown_model(*sub, command->model);
     if (sub->count("--context") > 0) command->context = command->run.device.context;

@@ -27,6 +27,7 @@ struct FrameRules {
   bool show_all_found = true;          ///< every drawable that is found visible is shown
   bool cut_occludes_nothing = true;    ///< what a section cuts away is not drawn into the representation
   bool glass_occludes_nothing = true;  ///< what is transparent is not drawn into the representation
+  bool near_plane_opens_walls = true;  ///< walls that the near plane cuts away close nothing
   // The device
   bool non_strict_test = true;      ///< a box at exactly the representation's depth shows
   bool fragment_bound = true;       ///< fragments nearer than their piece's box are moved back to it

@@ -23,6 +23,7 @@ FrameRules injected_frame_rules() {
           .show_all_found = !injected(Fault::withheld_id),
           .cut_occludes_nothing = !injected(Fault::cut_occludes),
           .glass_occludes_nothing = !injected(Fault::opaque_glass),
+          .near_plane_opens_walls = !injected(Fault::walls_before_near),
           .non_strict_test = !injected(Fault::strict_depth_test),
           .fragment_bound = !injected(Fault::no_fragment_bound),
           .layers_lie_close = !injected(Fault::wide_layers),

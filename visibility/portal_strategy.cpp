@@ -13,13 +13,6 @@ const std::string& PortalStrategy::name() const {
   return name;
 }
 
-bool PortalStrategy::may_see(const FrameView& view, SceneNodeId id, DrawableId choice) {
-  ++result_.tests;
-  const LatticeBox box = view.box(id);
-  if (choice == Cut::inner) return portals_.may_see(box);
-  return portals_.may_see(box, view.skeleton->drawables[choice].error);
-}
-
 void PortalStrategy::list_seen(const FrameView& view) {
   portals_.begin(view);
   open_.assign(1, 0);
@@ -29,7 +22,8 @@ void PortalStrategy::list_seen(const FrameView& view) {
     const DrawableId choice = choose_level(view, id);
     if (choice == no_id) continue;
     const SceneNode& node = view.skeleton->scene_nodes[id];
-    if (!may_see(view, id, choice)) {
+    ++result_.tests;
+    if (!portals_.may_see(view.box(id))) {
       if (node.child_count > 0) ++result_.hidden_subtrees;
       continue;
     }

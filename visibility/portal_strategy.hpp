@@ -22,7 +22,6 @@ class PortalStrategy final : public ExactStrategy {
 
  private:
   void list_seen(const FrameView& view);
-  bool may_see(const FrameView& view, SceneNodeId id, DrawableId choice);
 
   std::shared_ptr<const CellGraph> cells_;
   PortalView portals_;

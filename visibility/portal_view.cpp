@@ -15,7 +15,8 @@ void PortalView::begin(const FrameView& view) {
   view_.emplace(view);
   projector_.emplace(view);
   eye_ = view.view().camera.eye;
-  near_reach_ = 1.01 * view.view().camera.near * view.view().corner_stretch();
+  near_reach_ =
+      view.rules.near_plane_opens_walls ? 1.01 * view.view().camera.near * view.view().corner_stretch() : 0;
   pixel_ = 1 / std::min(view.view().focal_x(), view.view().focal_y());
   seen_.clear();
   seen_count_ = 0;
@@ -124,11 +125,10 @@ std::optional<PortalView::ScreenPart> PortalView::on_screen(const Box& box) cons
   return ScreenPart{rectangle.left, rectangle.bottom, rectangle.right, rectangle.top};
 }
 
-bool PortalView::may_see(const LatticeBox& box, std::optional<double> error) {
+bool PortalView::may_see(const LatticeBox& box) {
+  // The wall before it may be as far behind its place as its level's error.
   const Lattice& lattice = view_->skeleton->lattice();
-  // It may be off, and the wall before it by as much as the pixel error, towards each other.
-  const double pixels = (error ? 1 : 2) * view_->state.pixel_error, rounding = 2 * lattice.step;
-  const Box grown = grown_by_pixels(lattice.box(box), pixels, error.value_or(0) + rounding);
+  const Box grown = grown_by_pixels(lattice.box(box), view_->state.pixel_error, 2 * lattice.step);
   if (!graph_.box.contains(grown)) return true;
   std::optional<ScreenPart> part;
   return graph_.any_touched(grown, open_, [&](uint32_t cell) {

@@ -13,7 +13,7 @@ namespace triptych {
 
 /// Walks from the eye's cell through portals, each of which narrows the part of the screen that what lies
 /// behind it can show in. What levels of detail may move and the device's rules may round is allowed for:
-/// walls, and what is asked for, deviate by the pixel error. Reuses its memory from frame to frame. The graph
+/// walls deviate by the pixel error. Reuses its memory from frame to frame. The graph
 /// must outlive it. For one thread.
 class PortalView {
  public:
@@ -23,9 +23,8 @@ class PortalView {
   static bool applies_to(const FrameView& view);
   /// view: one that it applies to.
   void begin(const FrameView& view);
-  /// Whether anything in the box may be seen that is off by no more than `error`, model units, or by no more
-  /// than the pixel error where none is given.
-  bool may_see(const LatticeBox& box, std::optional<double> error = std::nullopt);
+  /// Whether anything in the box may be seen.
+  bool may_see(const LatticeBox& box);
   /// Cells that are seen in this frame.
   size_t seen_cells() const { return seen_count_; }
 

@@ -23,7 +23,8 @@ namespace triptych {
 struct AccuracyStrategy {
   std::string name;
   uint32_t min_pixels = 0;  ///< what an approximate one was asked for; 0: it has no such setting
-  std::function<std::unique_ptr<Strategy>(const Hierarchy&)> make;
+  /// For a pack, and its hierarchy on one of the devices.
+  std::function<std::unique_ptr<Strategy>(const Pack&, const Hierarchy&)> make;
 };
 
 /// A pack and the devices that draw it. Packs of one model differ in how they were built.

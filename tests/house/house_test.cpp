@@ -257,7 +257,7 @@ std::vector<fs::path> tracked_files() {
 /// What may lie in which folder, by the whole path.
 const std::vector<std::string> places = {
     R"(README\.md|LICENSE|CMakeLists\.txt|CMakePresets\.json|\.gitignore|\.clang-format|\.ci/run)",
-    R"((base|scene|model|simplify|light|preprocess|lod|visibility|residency|raster|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
+    R"((base|scene|cells|model|simplify|light|preprocess|lod|visibility|residency|raster|protocol|render|nodes|measure|report|samples|view|session|launch)/(\w+/)?\w+\.[ch]pp)",
     R"((\w+/)+CMakeLists\.txt)",
     R"(launch/(packages\.txt|compile|demo|install))",
     R"(launch/ifc/(\w+\.mjs|package(-lock)?\.json))",

@@ -49,11 +49,17 @@ TEST_F(Usage, a_flag_that_is_not_known_is_named_before_one_that_is_missing) {
 
 TEST_F(Usage, is_told_in_our_words) {
   EXPECT_NE(usage_error({"render", "a.tpk", "--size"}).find("--size needs a value, WxH"), std::string::npos);
+  EXPECT_NE(usage_error({"render", "a.tpk", "--cull", "frustrum"})
+                .find("--cull: \"frustrum\" is none of approximate, frustum, none, occlusion, portals; did "
+                      "you mean frustum?"),
+            std::string::npos);
   EXPECT_NE(
-      usage_error({"render", "a.tpk", "--cull", "frustrum"})
-          .find(
-              "--cull: \"frustrum\" is none of approximate, frustum, none, occlusion; did you mean frustum?"),
+      usage_error({"render", "a.tpk", "--path", "p", "-o", "o", "--cull", "portals", "--target-ms", "5"})
+          .find("--target-ms: raises the pixel error, with which portals widen"),
       std::string::npos);
+  EXPECT_NE(usage_error({"session", "a.tpk", "--path", "p", "--cull", "approximate"})
+                .find("\"approximate\" is none of frustum, none, occlusion, portals"),
+            std::string::npos);
   EXPECT_NE(usage_error({"report", "a.json", "b.json", "-o", "x"}).find("there is no use for: b.json"),
             std::string::npos);
   EXPECT_NE(usage_error({"explain", "a.tpk", "--path", "p", "--frame", "0", "--pixel", "512,3"})

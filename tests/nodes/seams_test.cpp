@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "measure/allocation_count.hpp"
 #include "nodes/local_pipeline.hpp"
+#include "nodes/pack_strategy.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <algorithm>
@@ -115,6 +116,7 @@ class Seams : public testing::Test {
   const Skeleton& skeleton = scenes::pack("room").skeleton();
   const Hierarchy hierarchy{skeleton};
   const std::vector<View> views = scenes::path(skeleton, 96, 64);
+  const StrategyOptions with_cells = choose_strategy(scenes::pack("room"), StrategyKind::portals).options;
   FakeDevice device;
 
   LocalPipelineOptions options() const {
@@ -204,7 +206,7 @@ TEST_F(Seams, strategies_change_from_one_frame_to_the_next) {
 
 TEST_F(Seams, each_strategy_has_the_name_that_it_is_listed_under_and_one_guarantee) {
   for (const auto& [name, kind] : strategy_names()) {
-    const auto strategy = make_strategy(kind, hierarchy);
+    const auto strategy = make_strategy(kind, hierarchy, with_cells);
     EXPECT_EQ(strategy->name(), name);
     const auto* const approximate = dynamic_cast<const ApproximateStrategy*>(strategy.get());
     EXPECT_NE(dynamic_cast<const ExactStrategy*>(strategy.get()) != nullptr, approximate != nullptr) << name;
@@ -213,7 +215,7 @@ TEST_F(Seams, each_strategy_has_the_name_that_it_is_listed_under_and_one_guarant
       EXPECT_NE(approximate->may_miss().find("fewer than 4 pixels"), std::string::npos);
       EXPECT_THROW(make_exact_strategy(kind, hierarchy), Error);
     } else {
-      EXPECT_EQ(make_exact_strategy(kind, hierarchy)->name(), name);
+      EXPECT_EQ(make_exact_strategy(kind, hierarchy, with_cells)->name(), name);
     }
   }
 }
@@ -221,7 +223,7 @@ TEST_F(Seams, each_strategy_has_the_name_that_it_is_listed_under_and_one_guarant
 TEST_F(Seams, after_a_round_frames_allocate_nothing) {
   if (!allocations_are_counted()) GTEST_SKIP() << "the allocator is the sanitizer's";
   for (const auto& [name, kind] : strategy_names()) {
-    const auto strategy = make_strategy(kind, hierarchy);
+    const auto strategy = make_strategy(kind, hierarchy, with_cells);
     LocalPipeline pipeline(hierarchy, device, *strategy, options());
     std::vector<FrameRequest> frames;
     for (uint32_t number = 0; number < views.size(); ++number) frames.push_back(frame(number));

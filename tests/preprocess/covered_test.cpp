@@ -87,6 +87,18 @@ TEST(Covered, layers_of_a_wall_are_covered_where_they_touch) {
   EXPECT_EQ(scene.covered(middle), 4u) << "its two large faces";
 }
 
+TEST(Covered, plates_thinner_than_what_counts_as_touching_do_not_cover_each_other) {
+  CoverScene scene;
+  constexpr double thin = 4 * test::step;  // of 16 steps that touch
+  uint32_t outermost = 0;
+  for (int i = 0; i < 3; ++i)
+    outermost = scene.add_body(awkward::box({0, 0, i * thin}, {8, 8, (i + 1) * thin}));
+  const uint32_t alone = scene.add_body(awkward::box({20, 0, 0}, {28, 8, thin}));
+  scene.make();
+  EXPECT_EQ(scene.covered(alone), 0u);
+  EXPECT_EQ(scene.covered(outermost), 2u) << "the face that the next plate lies on";
+}
+
 TEST(Covered, each_face_has_a_distance_of_its_own) {
   CoverScene scene;
   scene.add_body(awkward::box({0, 0, 0}, {16, 0.0625, 16}));

@@ -53,6 +53,11 @@ TEST_F(SessionPictures, are_the_un_culled_ones_with_osmesa_queries_and_an_odd_si
   expect_identical(frame_count);
 }
 
+TEST_F(SessionPictures, are_the_un_culled_ones_through_portals) {
+  run(measure({"--cull", "portals", "--frames", "12"}));
+  expect_identical(12);
+}
+
 TEST_F(SessionPictures, are_the_un_culled_ones_with_samples_and_edges) {
   run(measure({"--samples", "4", "--edges", "--frames", "12"}));
   expect_identical(12);
