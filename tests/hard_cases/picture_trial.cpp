@@ -186,7 +186,8 @@ class PictureTrial {
   BuiltTrial built_;
   const PackObjects objects_ = built_.pack().read_objects();
   std::optional<BuiltTrial> built_twin_;
-  LocalPipeline culled_, whole_, everything_, portals_, unbounded_, with_backs_, items_, sampled_, sampled_whole_;
+  LocalPipeline culled_, whole_, everything_, portals_, unbounded_, with_backs_, items_, sampled_,
+      sampled_whole_;
   std::optional<LocalPipeline> twin_;
   size_t frame_ = 0, shown_ = 0;
   VisibleSet last_;
