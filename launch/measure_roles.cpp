@@ -17,6 +17,7 @@ namespace {
 struct MeasureRolesCommand {
   std::filesystem::path folder, pack, json;
   DeviceOptions device{.kind = DeviceKind::automatic};
+  StrategyKind strategy = StrategyKind::occlusion;
   size_t rounds = 3;
 };
 
@@ -42,11 +43,12 @@ int run(const MeasureRolesCommand& command) {
       stages.push_back({role_name(role), stage, {}});
   }
   for (size_t round = 0; round < command.rounds; ++round) {
-    append(stages[0].times, time_local_pipeline(pack, frames, device.options));
+    append(stages[0].times, time_local_pipeline(pack, frames, device.options, command.strategy));
     append(stages[1].times, time_render_node(pack, render, frames, device.options));
     for (const size_t node : {size_t{0}, size_t{1}}) {
       if (stop_requested()) return interrupted_exit_code();
-      const SwitchNodeTimes times = time_switch_node(pack, recordings[1 + node], device.options);
+      const SwitchNodeTimes times =
+          time_switch_node(pack, recordings[1 + node], device.options, command.strategy);
       append(stages[2 + 2 * node].times, times.hardware_cull);
       append(stages[3 + 2 * node].times, times.occlusion_representation);
     }
@@ -99,6 +101,8 @@ void add_measure_roles(CLI::App& measure, Action& action) {
       ->type_name("DIR");
   roles->add_option("--pack", command->pack, "The pack, if it was moved")->type_name("FILE.tpk");
   add_device_flags(*roles, command->device);
+  add_exact_cull_flag(*roles, command->strategy);
+  roles->get_option("--cull")->description("What the session left out: its own --cull");
   roles->add_option("--rounds", command->rounds, "How often each is measured, in turn")
       ->check(whole_number(1, 1000))
       ->capture_default_str();

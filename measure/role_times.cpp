@@ -91,7 +91,7 @@ std::vector<FrameRequest> recorded_frames(const Pack& pack, const RoleRecording&
 }
 
 SwitchNodeTimes time_switch_node(const Pack& pack, const RoleRecording& recording,
-                                 const DeviceOptions& device) {
+                                 const DeviceOptions& device, StrategyKind strategy) {
   SwitchNodeTimes times;
   RecordedPeers peers(recording.role, recording.messages, recording.file,
                       [&](const RecordedMessage& message) {
@@ -105,6 +105,7 @@ SwitchNodeTimes time_switch_node(const Pack& pack, const RoleRecording& recordin
   EpochSink sink;
   run_switch_node(pack, recording.role, sink,
                   {.device = device,
+                   .strategy = strategy,
                    .connect = [&](bool again) { return again ? nullptr : peers.connect(); },
                    .stop = [&] { return peers.failed() || stop_requested(); }});
   if (stop_requested()) return {};
@@ -133,9 +134,10 @@ std::vector<double> time_render_node(const Pack& pack, const RoleRecording& reco
 }
 
 std::vector<double> time_local_pipeline(const Pack& pack, const std::vector<FrameRequest>& frames,
-                                        const DeviceOptions& device) {
+                                        const DeviceOptions& device, StrategyKind strategy) {
   const View& first = frames.front().state.view;
-  LocalPipeline pipeline(pack, {.width = first.width, .height = first.height, .device = device});
+  LocalPipeline pipeline(pack,
+                         {.width = first.width, .height = first.height, .cull = strategy, .device = device});
   pipeline.draw(frames.front());  // roles warm up with it
   pipeline.resume({});
   std::vector<double> times;

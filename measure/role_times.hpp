@@ -33,15 +33,15 @@ struct SwitchNodeTimes {
   std::vector<double> hardware_cull, occlusion_representation;  ///< of the frames in which it was that
 };
 
-/// Runs the role alone on all cores, its peers played. Empty where the process was told to end. Error (file)
-/// where the role does not send what it sent in the session.
+/// Runs the role alone on all cores, its peers played. strategy: what the session culled by. Empty where the
+/// process was told to end. Error (file) where the role does not send what it sent in the session.
 SwitchNodeTimes time_switch_node(const Pack& pack, const RoleRecording& recording,
-                                 const DeviceOptions& device);
+                                 const DeviceOptions& device, StrategyKind strategy);
 /// The same for the render node: from picture to picture.
 std::vector<double> time_render_node(const Pack& pack, const RoleRecording& recording,
                                      const std::vector<FrameRequest>& frames, const DeviceOptions& device);
 /// The local pipeline on the same frames, in one process. Empty where the process was told to end.
 std::vector<double> time_local_pipeline(const Pack& pack, const std::vector<FrameRequest>& frames,
-                                        const DeviceOptions& device);
+                                        const DeviceOptions& device, StrategyKind strategy);
 
 }  // namespace triptych

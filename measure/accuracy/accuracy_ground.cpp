@@ -35,8 +35,9 @@ AccuracyGround::AccuracyGround(const AccuracySubject& subject, const SpeedDevice
   const PackOptions build = subject.pack.read_options();
   for (const AccuracyStrategy& strategy : options.strategies) {
     for (size_t cut = 0; cut < whole_cuts_.size(); ++cut) {
-      Setting setting{
-          .row = result.rows.size(), .whole_cut = cut, .strategy = strategy.make(subject.pack, device.hierarchy)};
+      Setting setting{.row = result.rows.size(),
+                      .whole_cut = cut,
+                      .strategy = strategy.make(subject.pack, device.hierarchy)};
       const auto* approximate = dynamic_cast<const ApproximateStrategy*>(setting.strategy.get());
       setting.exact = approximate == nullptr;
       setting.pipeline = std::make_unique<LocalPipeline>(
