@@ -16,7 +16,7 @@ TEST(CommandLine, help_lists_the_words_of_a_flag_and_nothing_of_how_they_are_sto
   const std::string help = app.help("", CLI::AppFormatMode::All);
   EXPECT_NE(help.find("--context egl|osmesa=egl"), std::string::npos);
   EXPECT_NE(help.find("--test queries|storage=storage"), std::string::npos);
-  EXPECT_NE(help.find("--cull approximate|frustum|none|occlusion=occlusion"), std::string::npos);
+  EXPECT_NE(help.find("--cull approximate|frustum|none|occlusion|portals=occlusion"), std::string::npos);
   EXPECT_NE(help.find("--up y|z=y"), std::string::npos);
   EXPECT_EQ(help.find('{'), std::string::npos);
   EXPECT_EQ(help.find("->"), std::string::npos);
